@@ -1,0 +1,30 @@
+package lightning.math;
+
+/** A linear colour or a triple of colour factors; the range depends on what it stands for. */
+public record Rgb(double r, double g, double b) {
+    public static final Rgb BLACK = new Rgb(0, 0, 0);
+    public static final Rgb WHITE = new Rgb(1, 1, 1);
+
+    /** The neutral colour with all three channels at {@code v}. */
+    public static Rgb grey(double v) {
+        return new Rgb(v, v, v);
+    }
+
+    public Rgb times(double s) {
+        return new Rgb(r * s, g * s, b * s);
+    }
+
+    public boolean isBlack() {
+        return r == 0 && g == 0 && b == 0;
+    }
+
+    /** The smallest channel; NaN if any is NaN. */
+    public double min() {
+        return Math.min(Math.min(r, g), b);
+    }
+
+    /** The largest channel; NaN if any is NaN. */
+    public double max() {
+        return Math.max(Math.max(r, g), b);
+    }
+}

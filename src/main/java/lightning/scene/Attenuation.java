@@ -1,0 +1,21 @@
+package lightning.scene;
+
+/**
+ * How a light fades with distance d: min(1 / (constant + linear·d + quadratic·d²), 1), where 1/0
+ * counts as 1 (paper §2.2).
+ */
+public record Attenuation(double constant, double linear, double quadratic) {
+    /** No fading: the factor is 1 at every distance. */
+    public static final Attenuation NONE = new Attenuation(1, 0, 0);
+
+    public Attenuation {
+        Limits.range("attenuation constant", constant, 0, Limits.MAX_ATTENUATION);
+        Limits.range("attenuation linear", linear, 0, Limits.MAX_ATTENUATION);
+        Limits.range("attenuation quadratic", quadratic, 0, Limits.MAX_ATTENUATION);
+    }
+
+    /** Whether the factor is 1 at every distance. */
+    public boolean isNone() {
+        return linear == 0 && quadratic == 0 && constant <= 1;
+    }
+}

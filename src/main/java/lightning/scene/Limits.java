@@ -1,0 +1,97 @@
+package lightning.scene;
+
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+
+/**
+ * The ranges of everything that a scene may hold, stated once.
+ *
+ * <p>They are wide enough for any picture and narrow enough that no product in the lighting
+ * equation overflows a float: a light's weight is at most 1e3·1e30 = 1e33, a thousand lights sum to
+ * 1e36, material factors are at most 1, and ten mirrors add at most eleven such sums.
+ */
+public final class Limits {
+    public static final int MAX_SIZE = 16384;
+    public static final int MAX_DEPTH = 10;
+    public static final int MAX_LIGHTS = 1000;
+    public static final int MAX_SHAPES = 1_000_000;
+    public static final int MAX_MATERIALS = 32_000;
+    public static final int MAX_NESTING = 32;
+    /** Positions, in scene units, either sign. */
+    public static final double MAX_COORDINATE = 1e12;
+    /** Absolute scale factors of a shape or a group. */
+    public static final double MIN_SCALE = 1e-9;
+    public static final double MAX_SCALE = 1e9;
+    public static final double MAX_EMISSION = 1e6;
+    public static final double MAX_AMBIENCE = 1e6;
+    public static final double MAX_LIGHT_COLOR = 1e3;
+    public static final double MAX_INTENSITY = 1e30;
+    public static final double MAX_ATTENUATION = 1e30;
+    public static final double MAX_ANGLE = 180;
+    public static final double MAX_DROPOFF = 1e6;
+    public static final double MAX_SHININESS = 1e6;
+    public static final double MIN_FOV = 0.01;
+    public static final double MAX_FOV = 170;
+    public static final double MAX_REPEAT = 1e6;
+    public static final double MAX_ROTATION = 1e6;
+
+    private Limits() {}
+
+    /**
+     * Returns {@code value} if it is a number within the two bounds.
+     *
+     * @throws IllegalArgumentException if it is NaN or outside; the message says which
+     */
+    public static double range(String what, double value, double min, double max) {
+        if (value >= min && value <= max) {
+            return value;
+        }
+        String expected = min == 0 && value < 0 ? "must be ≥ 0" : "must be from " + text(min) + " to " + text(max);
+        throw new IllegalArgumentException(what + " " + expected + ", was " + text(value));
+    }
+
+    static int range(String what, int value, int min, int max) {
+        return (int) range(what, (double) value, min, max);
+    }
+
+    static Vec3 range(String what, Vec3 v, double min, double max) {
+        range(what + " x", v.x(), min, max);
+        range(what + " y", v.y(), min, max);
+        range(what + " z", v.z(), min, max);
+        return v;
+    }
+
+    static Rgb range(String what, Rgb c, double max) {
+        range(what + " red", c.r(), 0, max);
+        range(what + " green", c.g(), 0, max);
+        range(what + " blue", c.b(), 0, max);
+        return c;
+    }
+
+    static Vec3 position(String what, Vec3 p) {
+        return range(what, p, -MAX_COORDINATE, MAX_COORDINATE);
+    }
+
+    /** A direction: within the coordinate range and not so short that its length is lost. */
+    static Vec3 direction(String what, Vec3 d) {
+        position(what, d);
+        if (!(d.maxAbs() >= 1e-12)) {
+            throw new IllegalArgumentException(what + " must not be zero, was "
+                    + text(d.x()) + " " + text(d.y()) + " " + text(d.z()));
+        }
+        return d;
+    }
+
+    static String name(String name) {
+        if (!name.matches("[\\p{L}_][\\p{L}\\p{N}_-]*") || name.length() > 100) {
+            throw new IllegalArgumentException("a name must begin with a letter or _, go on with letters, digits, - or _, "
+                    + "and have at most 100 characters, was '" + name + "'");
+        }
+        return name;
+    }
+
+    /** A number as the file writes it: whole numbers without a fraction. */
+    public static String text(double v) {
+        return v == Math.rint(v) && Math.abs(v) < 1e7 ? Long.toString((long) v) : Double.toString(v);
+    }
+}

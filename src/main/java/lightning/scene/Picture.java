@@ -1,0 +1,26 @@
+package lightning.scene;
+
+/**
+ * The picture that a scene asks for.
+ *
+ * @param width  pixels
+ * @param height pixels
+ * @param depth  how many mirror bounces are followed, 0 to 10
+ */
+public record Picture(int width, int height, int depth) {
+    public static final Picture DEFAULT = new Picture(200, 200, 3);
+
+    public Picture {
+        Limits.range("size: width", width, 1, Limits.MAX_SIZE);
+        Limits.range("size: height", height, 1, Limits.MAX_SIZE);
+        Limits.range("depth", depth, 0, Limits.MAX_DEPTH);
+    }
+
+    public Picture withSize(int newWidth, int newHeight) {
+        return new Picture(newWidth, newHeight, depth);
+    }
+
+    public Picture withDepth(int newDepth) {
+        return new Picture(width, height, newDepth);
+    }
+}

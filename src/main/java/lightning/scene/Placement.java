@@ -1,0 +1,31 @@
+package lightning.scene;
+
+import lightning.math.Transform;
+import lightning.math.Vec3;
+
+/**
+ * Where a shape or a group stands: scaled first, then rotated about x, y and z in this order, then
+ * moved.
+ *
+ * @param at     position, scene units
+ * @param rotate angles about x, y, z, degrees
+ * @param scale  factors along the shape's own axes, none of them 0 (negative mirrors)
+ */
+public record Placement(Vec3 at, Vec3 rotate, Vec3 scale) {
+    public static final Placement IDENTITY = new Placement(Vec3.ZERO, Vec3.ZERO, Vec3.ONE);
+
+    public Placement {
+        Limits.position("at", at);
+        Limits.range("rotate", rotate, -Limits.MAX_ROTATION, Limits.MAX_ROTATION);
+        Limits.range("scale", scale, -Limits.MAX_SCALE, Limits.MAX_SCALE);
+        double least = Math.min(Math.min(Math.abs(scale.x()), Math.abs(scale.y())), Math.abs(scale.z()));
+        if (least < Limits.MIN_SCALE) {
+            throw new IllegalArgumentException("scale must be at least " + Limits.MIN_SCALE
+                    + " in absolute value on every axis, was " + Limits.text(least));
+        }
+    }
+
+    public Transform transform() {
+        return Transform.translation(at).times(Transform.rotation(rotate)).times(Transform.scaling(scale));
+    }
+}

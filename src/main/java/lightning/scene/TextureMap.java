@@ -1,0 +1,23 @@
+package lightning.scene;
+
+/**
+ * A texture and how often it repeats over a shape's texture coordinates.
+ *
+ * @param file    the name as written in the scene file
+ * @param repeatU how often it repeats around the shape, not 0 (negative mirrors it)
+ * @param repeatV how often it repeats along the shape, not 0
+ * @param image   the decoded picture
+ */
+public record TextureMap(String file, double repeatU, double repeatV, Texture image) {
+    public TextureMap {
+        repeat("repeat u", repeatU);
+        repeat("repeat v", repeatV);
+    }
+
+    private static void repeat(String what, double value) {
+        Limits.range(what, value, -Limits.MAX_REPEAT, Limits.MAX_REPEAT);
+        if (Math.abs(value) < 1e-6) {
+            throw new IllegalArgumentException(what + " must be at least 1e-6 in absolute value, was " + Limits.text(value));
+        }
+    }
+}
