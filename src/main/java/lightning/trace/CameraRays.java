@@ -1,0 +1,41 @@
+package lightning.trace;
+
+import lightning.math.Transform;
+import lightning.math.Vec3;
+import lightning.scene.Camera;
+import lightning.scene.Picture;
+
+/**
+ * The rays from the eye, which is the origin of render space, through the pixel centres.
+ *
+ * <p>The direction through picture coordinates x, y (pixels from the left and from the top) is
+ * {@code corner + x·right + y·down}, at length 1.
+ */
+final class CameraRays {
+    final Vec3 corner;
+    final Vec3 right;
+    final Vec3 down;
+
+    CameraRays(Camera camera, Picture picture) {
+        Vec3 forward = camera.to().minus(camera.from()).normalized();
+        Vec3 side = forward.cross(camera.up().normalized()).normalized();
+        Vec3 up = side.cross(forward);
+        double half = camera.fov() / 2;
+        double tangent = Transform.sinDegrees(half) / Transform.cosDegrees(half);
+        double pixel = 2 * tangent / picture.height();
+        right = side.times(pixel);
+        down = up.times(-pixel);
+        corner = forward.minus(right.times(picture.width() / 2.0)).minus(down.times(picture.height() / 2.0));
+    }
+
+    /** The ray through the centre of pixel {@code column, row}; its direction has length 1. */
+    Ray through(int column, int row) {
+        double x = column + 0.5;
+        double y = row + 0.5;
+        double dx = corner.x() + x * right.x() + y * down.x();
+        double dy = corner.y() + x * right.y() + y * down.y();
+        double dz = corner.z() + x * right.z() + y * down.z();
+        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        return new Ray(Vec3.ZERO, new Vec3(dx / length, dy / length, dz / length));
+    }
+}

@@ -1,0 +1,102 @@
+package lightning.trace;
+
+import java.util.List;
+import lightning.math.Vec3;
+import lightning.scene.PlacedShape;
+import lightning.scene.Scene;
+
+/**
+ * What rays can meet: a scene's shapes and materials in render space, without its lights.
+ *
+ * <p>Built once for all scenes that differ in their lights only; shared between threads.
+ */
+public final class Geometry {
+    private final Scene scene;
+    private final List<PlacedShape> placed;
+    private final ShapeTable shapes;
+    private final MaterialTable materials;
+    private final Bvh bvh;
+
+    /** Prepares the shapes of a scene. */
+    public Geometry(Scene scene) {
+        this.scene = scene;
+        placed = scene.placedShapes();
+        int[] materialOf = new int[placed.size()];
+        materials = MaterialTable.of(placed, materialOf);
+        shapes = new ShapeTable(placed, materialOf, scene.camera().from());
+        bvh = new Bvh(shapes);
+    }
+
+    /** Whether this geometry also serves {@code other}: same shapes, materials and camera position. */
+    public boolean serves(Scene other) {
+        return scene.nodes().equals(other.nodes())
+                && scene.materials().equals(other.materials())
+                && scene.camera().equals(other.camera());
+    }
+
+    public MaterialTable materials() {
+        return materials;
+    }
+
+    public int shapeCount() {
+        return shapes.count;
+    }
+
+    /** The shape with the given index. */
+    public PlacedShape shape(int index) {
+        return placed.get(index);
+    }
+
+    ShapeTable shapes() {
+        return shapes;
+    }
+
+    Bvh bvh() {
+        return bvh;
+    }
+
+    /** Where a point of the scene lies in render space. */
+    public Vec3 toRenderSpace(Vec3 world) {
+        return world.minus(scene.camera().from());
+    }
+
+    /** Where a point of render space lies in the scene. */
+    public Vec3 toScene(Vec3 render) {
+        return render.plus(scene.camera().from());
+    }
+
+    /**
+     * The shape that a ray meets first: every shape is asked, none is skipped.
+     *
+     * @return its index, or −1
+     */
+    public int nearestOfAll(Ray ray) {
+        int nearest = -1;
+        double least = Solids.MISS;
+        for (int s = 0; s < shapes.count; s++) {
+            double t = distance(s, ray);
+            if (t < least) {
+                least = t;
+                nearest = s;
+            }
+        }
+        return nearest;
+    }
+
+    /** Whether any shape is met at a distance below {@code limit}; every shape is asked. */
+    public boolean blockedByAny(Ray ray, double limit) {
+        for (int s = 0; s < shapes.count; s++) {
+            if (distance(s, ray) < limit) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The distance along a ray to a shape, or {@code +∞}. */
+    public double distance(int shape, Ray ray) {
+        Vec3 o = ray.origin();
+        Vec3 d = ray.direction();
+        return shapes.distance(shape, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+    }
+}

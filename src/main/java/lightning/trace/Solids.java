@@ -1,0 +1,119 @@
+package lightning.trace;
+
+/**
+ * Distances from a ray to the four canonical solids, in the solid's own space: the readable form
+ * that the packets must repeat operation by operation.
+ *
+ * <p>Every method takes origin and direction (any length) and returns the smallest distance
+ * {@code t > 0} at which the ray meets the surface, or {@code +∞}. The curved solids are convex, so a
+ * ray is inside along one interval: the intersection of its intervals with the side and with the
+ * slab between the caps. Rim and cap then cannot disagree.
+ */
+final class Solids {
+    static final double MISS = Double.POSITIVE_INFINITY;
+
+    private Solids() {}
+
+    /**
+     * The unit sphere. The discriminant is taken from the point of the ray nearest to the centre and
+     * the roots from the larger one, which loses no digits to cancellation (Haines et al., Ray
+     * Tracing Gems, ch. 7).
+     */
+    static double sphere(double ox, double oy, double oz, double dx, double dy, double dz) {
+        double a = dx * dx + dy * dy + dz * dz;
+        double b = -(ox * dx + oy * dy + oz * dz);
+        double k = b / a;
+        double lx = ox + k * dx;
+        double ly = oy + k * dy;
+        double lz = oz + k * dz;
+        double discriminant = 1 - (lx * lx + ly * ly + lz * lz);
+        double c = ox * ox + oy * oy + oz * oz - 1;
+        double root = Math.sqrt(a * discriminant);
+        double q = b >= 0 ? b + root : b - root;
+        double t0 = c / q;
+        double t1 = q / a;
+        return nearest(t0 < t1 ? t0 : t1, t0 < t1 ? t1 : t0);
+    }
+
+    /** The cylinder of radius 1 about the y axis, from y = 0 to y = 1, with its caps. */
+    static double cylinder(double ox, double oy, double oz, double dx, double dy, double dz) {
+        double a = dx * dx + dz * dz;
+        double b = -(ox * dx + oz * dz);
+        double k = b / a;
+        double lx = ox + k * dx;
+        double lz = oz + k * dz;
+        double discriminant = 1 - (lx * lx + lz * lz);
+        double c = ox * ox + oz * oz - 1;
+        double root = Math.sqrt(a * discriminant);
+        double q = b >= 0 ? b + root : b - root;
+        double t0 = c / q;
+        double t1 = q / a;
+        boolean parallel = a == 0;
+        double far = c <= 0 ? MISS : -MISS;
+        double sideIn = parallel ? -far : t0 < t1 ? t0 : t1;
+        double sideOut = parallel ? far : t0 < t1 ? t1 : t0;
+        return withinSlab(sideIn, sideOut, oy, dy);
+    }
+
+    /**
+     * The cone with its base of radius 1 at y = 0 and its apex at y = 1. With h = 1 − y its side is
+     * x² + z² = h²; the discriminant is Lagrange's identity for that form, which needs no difference
+     * of squares of large numbers.
+     */
+    static double cone(double ox, double oy, double oz, double dx, double dy, double dz) {
+        double h = 1 - oy;
+        double dh = -dy;
+        double a = dx * dx + dz * dz - dh * dh;
+        double b = h * dh - (ox * dx + oz * dz);
+        double c = ox * ox + oz * oz - h * h;
+        double u = ox * dh - h * dx;
+        double v = oz * dh - h * dz;
+        double w = ox * dz - oz * dx;
+        double root = Math.sqrt(u * u + v * v - w * w);
+        double q = b >= 0 ? b + root : b - root;
+        double t0 = c / q;
+        double t1 = q / a;
+        double low = t0 < t1 ? t0 : t1;
+        double high = t0 < t1 ? t1 : t0;
+        // Steeper than the side (a < 0) the ray enters the lower half of the double cone once and
+        // stays; along a generator (a = 0) only one root is left.
+        boolean steep = a < 0;
+        boolean generator = a == 0;
+        boolean forwards = steep ? dh > 0 : b > 0;
+        double bound = steep ? (dh > 0 ? high : low) : t0;
+        double sideIn = steep || generator ? (forwards ? bound : -MISS) : low;
+        double sideOut = steep || generator ? (forwards ? MISS : bound) : high;
+        // A NaN bound (no real root) must survive both choices above.
+        boolean none = !(root >= 0) || (steep || generator) && !(bound == bound);
+        return withinSlab(none ? MISS : sideIn, none ? -MISS : sideOut, oy, dy);
+    }
+
+    /** The unit square about the origin in the plane y = 0. */
+    static double plane(double ox, double oy, double oz, double dx, double dy, double dz) {
+        double t = -oy / dy;
+        double x = ox + t * dx;
+        double z = oz + t * dz;
+        boolean hit = t > 0 && t < MISS && Math.abs(x) <= 0.5 && Math.abs(z) <= 0.5;
+        return hit ? t : MISS;
+    }
+
+    /** Cuts an interval with the one in which 0 ≤ y ≤ 1. NaN in the interval is a miss. */
+    private static double withinSlab(double sideIn, double sideOut, double oy, double dy) {
+        double t0 = -oy / dy;
+        double t1 = (1 - oy) / dy;
+        boolean level = dy == 0;
+        double far = oy >= 0 && oy <= 1 ? MISS : -MISS;
+        double slabIn = level ? -far : t0 < t1 ? t0 : t1;
+        double slabOut = level ? far : t0 < t1 ? t1 : t0;
+        double in = sideIn < slabIn ? slabIn : sideIn;
+        double out = slabOut < sideOut ? slabOut : sideOut;
+        return nearest(in, out);
+    }
+
+    /** The first positive end of an interval; a miss if it is empty, behind or NaN. */
+    private static double nearest(double in, double out) {
+        boolean hit = in <= out && out > 0;
+        double t = in > 0 ? in : out;
+        return hit && t < MISS ? t : MISS;
+    }
+}

@@ -1,0 +1,116 @@
+package lightning.trace;
+
+/**
+ * Where a ray meets a shape, in two forms: the point in the shape's own space, in double, and what
+ * shading sees, rounded to float.
+ *
+ * <p>The stored point lies off the surface, on the side that the ray came from, by a bound on its own
+ * rounding error: twice the error of the rounding to float and the error of the hit in double. Rays
+ * that leave from it need no further care. The normal has length 1 and faces the incoming ray.
+ */
+public final class Surface {
+    /** The share of a point's coordinates by which it is moved off the surface: four float roundings. */
+    static final double OFFSET = 0x1p-22;
+
+    double ownX;
+    double ownY;
+    double ownZ;
+    float px;
+    float py;
+    float pz;
+    float nx;
+    float ny;
+    float nz;
+
+    /** Computes the surface of shape {@code s} at distance {@code t} along the ray. */
+    void at(ShapeTable shapes, int s, double ox, double oy, double oz, double dx, double dy, double dz, double t) {
+        double x = ox + t * dx;
+        double y = oy + t * dy;
+        double z = oz + t * dz;
+        double[] m = shapes.inverse;
+        int i = 12 * s;
+        ownX = m[i] * x + m[i + 1] * y + m[i + 2] * z + m[i + 3];
+        ownY = m[i + 4] * x + m[i + 5] * y + m[i + 6] * z + m[i + 7];
+        ownZ = m[i + 8] * x + m[i + 9] * y + m[i + 10] * z + m[i + 11];
+        double ax;
+        double ay;
+        double az;
+        switch (shapes.kind[s]) {
+            case ShapeTable.SPHERE -> {
+                ax = ownX;
+                ay = ownY;
+                az = ownZ;
+            }
+            case ShapeTable.CONE -> {
+                boolean side = onConeSide(ownX, ownY, ownZ);
+                ax = side ? ownX : 0;
+                ay = side ? 1 - ownY : -1;
+                az = side ? ownZ : 0;
+                // At the apex itself the side has no normal; the axis stands in.
+                ay = ax == 0 && ay == 0 && az == 0 ? 1 : ay;
+            }
+            case ShapeTable.CYLINDER -> {
+                boolean side = onCylinderSide(ownX, ownY, ownZ);
+                ax = side ? ownX : 0;
+                ay = side ? 0 : ownY > 0.5 ? 1 : -1;
+                az = side ? ownZ : 0;
+            }
+            default -> {
+                ax = 0;
+                ay = 1;
+                az = 0;
+            }
+        }
+        // Normals go by the transpose of the inverse map.
+        double bx = m[i] * ax + m[i + 4] * ay + m[i + 8] * az;
+        double by = m[i + 1] * ax + m[i + 5] * ay + m[i + 9] * az;
+        double bz = m[i + 2] * ax + m[i + 6] * ay + m[i + 10] * az;
+        double length = Math.sqrt(bx * bx + by * by + bz * bz);
+        double facing = bx * dx + by * dy + bz * dz > 0 ? -length : length;
+        bx = bx / facing;
+        by = by / facing;
+        bz = bz / facing;
+        double off = (Math.abs(x) + Math.abs(y) + Math.abs(z)) * OFFSET + shapes.error[s];
+        px = (float) (x + bx * off);
+        py = (float) (y + by * off);
+        pz = (float) (z + bz * off);
+        nx = (float) bx;
+        ny = (float) by;
+        nz = (float) bz;
+    }
+
+    /** Whether a point of the cone belongs to its side rather than its base: the nearer of the two. */
+    static boolean onConeSide(double x, double y, double z) {
+        return Math.abs(Math.sqrt(x * x + z * z) - (1 - y)) <= Math.abs(y);
+    }
+
+    /** Whether a point of the cylinder belongs to its side rather than a cap: the nearest of the three. */
+    static boolean onCylinderSide(double x, double y, double z) {
+        double cap = Math.abs(y) < Math.abs(1 - y) ? Math.abs(y) : Math.abs(1 - y);
+        return Math.abs(Math.sqrt(x * x + z * z) - 1) <= cap;
+    }
+
+    public float px() {
+        return px;
+    }
+
+    public float py() {
+        return py;
+    }
+
+    public float pz() {
+        return pz;
+    }
+
+    public float nx() {
+        return nx;
+    }
+
+    public float ny() {
+        return ny;
+    }
+
+    public float nz() {
+        return nz;
+    }
+}
