@@ -99,4 +99,31 @@ public final class Geometry {
         Vec3 d = ray.direction();
         return shapes.distance(shape, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
     }
+
+    /**
+     * What a ray meets on a shape.
+     *
+     * @throws IllegalArgumentException if the ray misses the shape
+     */
+    public SurfacePoint surface(int shape, Ray ray) {
+        double t = distance(shape, ray);
+        if (t == Solids.MISS) {
+            throw new IllegalArgumentException("the ray misses shape " + shape);
+        }
+        Vec3 o = ray.origin();
+        Vec3 d = ray.direction();
+        Surface surface = new Surface();
+        surface.at(shapes, shape, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
+        int material = shapes.material[shape];
+        float[] diffuse = {materials.diffuse(material, 0), materials.diffuse(material, 1), materials.diffuse(material, 2)};
+        if (materials.isTextured(material)) {
+            float[] texel = new float[3];
+            TextureLookup.sample(materials.texture(material), shapes.kind[shape], surface.ownX, surface.ownY, surface.ownZ, texel);
+            for (int c = 0; c < 3; c++) {
+                diffuse[c] *= texel[c];
+            }
+        }
+        return new SurfacePoint(shape, material, surface.px, surface.py, surface.pz, surface.nx, surface.ny, surface.nz,
+                (float) d.x(), (float) d.y(), (float) d.z(), diffuse);
+    }
 }

@@ -1,0 +1,60 @@
+package lightning.shading;
+
+import lightning.trace.HitRows;
+
+/**
+ * One light's layer over the hit rows of one tile and level: state, cosine, specular term and
+ * falloff, in columns that share the rows' index.
+ *
+ * <p>Rows that the light does not reach hold 0 in cosine and specular term, so that composing need not
+ * ask for the state. Where no row is lit there are no columns but the state.
+ */
+public final class LightRows {
+    /** States, decided in this order; lit means potentially lit (paper §4.4), even with a falloff of 0. */
+    public static final byte AWAY = 0;
+    public static final byte OUTSIDE = 1;
+    public static final byte SHADOWED = 2;
+    public static final byte LIT = 3;
+    public static final int STATE = 3;
+    /** Whether the way to the light is free, as far as known; kept apart from the state. */
+    public static final int CLEAR = 4;
+    public static final int BLOCKED = 8;
+
+    /** State and way of each row. */
+    public final byte[] state;
+    /** N·L; null where no row is lit. */
+    public final float[] cosine;
+    /** max(V·R, 0)<sup>shininess</sup>; null where no row is lit or none is specular. */
+    public final float[] specular;
+    /** atten·spot; null where no row is lit or the light does not fall off. */
+    public final float[] falloff;
+    /** How many rows are lit. */
+    public int lit;
+
+    public LightRows(byte[] state, float[] cosine, float[] specular, float[] falloff, int lit) {
+        this.state = state;
+        this.cosine = cosine;
+        this.specular = specular;
+        this.falloff = falloff;
+        this.lit = lit;
+    }
+
+    /** The state of a row, without the way. */
+    public int state(int row) {
+        return state[row] & STATE;
+    }
+
+    /** The bytes that the columns hold, without array headers. */
+    public long bytes() {
+        return state.length + 4L * (length(cosine) + length(specular) + length(falloff));
+    }
+
+    private static int length(float[] column) {
+        return column == null ? 0 : column.length;
+    }
+
+    /** Columns for {@code rows} rows. */
+    static float[] column(int rows) {
+        return new float[HitRows.padded(rows)];
+    }
+}

@@ -1,0 +1,117 @@
+package lightning.shading;
+
+import lightning.math.Power;
+import lightning.scene.Attenuation;
+
+/**
+ * The lighting equation (paper §2.2), term by term, for one row and one light.
+ *
+ * <pre>
+ * I     = [ka·ambience + kd·Σ Idiff]·(1 − kr) + ks·Σ Ispec + kr·Cr
+ * Idiff = weight·(cosine·falloff)      weight  = colour·intensity
+ * Ispec = weight·(specular·falloff)    falloff = atten·spot
+ * </pre>
+ *
+ * <p>An instance holds the vector from the row to the light. Points and vectors are in render space;
+ * what is given as float was rounded when the row was stored.
+ */
+final class LightingEquation {
+    private final Lamp lamp;
+    private double lx;
+    private double ly;
+    private double lz;
+    private double distance;
+
+    LightingEquation(Lamp lamp) {
+        this.lamp = lamp;
+    }
+
+    /** Turns to a row: its point and its unit normal. At distance 0 the light stands straight above. */
+    void at(float px, float py, float pz, float nx, float ny, float nz) {
+        lx = lamp.source().x();
+        ly = lamp.source().y();
+        lz = lamp.source().z();
+        if (lamp.type().hasPosition()) {
+            double vx = lx - px;
+            double vy = ly - py;
+            double vz = lz - pz;
+            distance = Math.sqrt(vx * vx + vy * vy + vz * vz);
+            double inverse = 1 / distance;
+            lx = distance == 0 ? nx : vx * inverse;
+            ly = distance == 0 ? ny : vy * inverse;
+            lz = distance == 0 ? nz : vz * inverse;
+        }
+    }
+
+    /** N·L; the row faces away where this is not above 0. */
+    float cosine(float nx, float ny, float nz) {
+        return (float) (nx * lx + ny * ly + nz * lz);
+    }
+
+    /** −L·direction, the cosine of the angle between the cone's axis and the row, −1…1. */
+    private double axisCosine() {
+        double c = -(lx * lamp.axis().x() + ly * lamp.axis().y() + lz * lamp.axis().z());
+        return c < -1 ? -1 : c > 1 ? 1 : c;
+    }
+
+    /** Whether the row is in the light's cone; a row exactly on it is. */
+    boolean insideCone() {
+        return !lamp.type().hasCone() || axisCosine() >= lamp.cosAngle();
+    }
+
+    /**
+     * max(V·R, 0)<sup>shininess</sup> with R = 2N(N·−L) + L, both taken at length 1.
+     *
+     * @param v the unit direction of the ray that met the row
+     */
+    float specular(float nx, float ny, float nz, float vx, float vy, float vz, double shininess) {
+        double twice = 2 * (nx * lx + ny * ly + nz * lz);
+        double rx = lx - twice * nx;
+        double ry = ly - twice * ny;
+        double rz = lz - twice * nz;
+        double dot = vx * rx + vy * ry + vz * rz;
+        double lengths = ((double) vx * vx + (double) vy * vy + (double) vz * vz) * (rx * rx + ry * ry + rz * rz);
+        double c = dot / Math.sqrt(lengths);
+        c = c > 0 ? c : 0;
+        c = c > 1 ? 1 : c;
+        return (float) Power.of(c, shininess);
+    }
+
+    /** atten·spot: 1 for a directional light. */
+    float falloff() {
+        return switch (lamp.type()) {
+            case DIRECTIONAL -> 1;
+            case POINT -> (float) attenuation();
+            case SPOT -> {
+                double c = axisCosine();
+                yield (float) (attenuation() * Power.of(c > 0 ? c : 0, lamp.light().dropoff()));
+            }
+        };
+    }
+
+    /** min(1 / (cc + cl·d + cq·d²), 1), where 1/0 counts as 1. */
+    private double attenuation() {
+        Attenuation a = lamp.light().attenuation();
+        double factor = 1 / (a.constant() + a.linear() * distance + a.quadratic() * (distance * distance));
+        return factor < 1 ? factor : 1;
+    }
+
+    /** One channel of the sum's term: the weight over cosine (or specular term) and falloff. */
+    static float contribution(float weight, float term, float falloff) {
+        return weight * (term * falloff);
+    }
+
+    /** Adds {@code terms[from … to)} as a balanced tree: the first half's sum plus the second's. */
+    static float sum(float[] terms, int from, int to) {
+        if (to - from < 2) {
+            return from == to ? 0 : terms[from];
+        }
+        int middle = (from + to) >>> 1;
+        return sum(terms, from, middle) + sum(terms, middle, to);
+    }
+
+    /** One channel of the whole equation; {@code diffuse} and {@code specular} are the lights' sums. */
+    static float color(float ka, float ambience, float kd, float diffuse, float ks, float specular, float kr, float mirrored) {
+        return (ka * ambience + kd * diffuse) * (1 - kr) + ks * specular + kr * mirrored;
+    }
+}

@@ -1,0 +1,21 @@
+package lightning.shading;
+
+/** Hears how far a long work is, and may stop it. Called from any worker thread. */
+public interface Progress {
+    /** {@code done} of {@code total} tiles are finished. */
+    void tiles(int done, int total);
+
+    /** Whether the work shall stop; asked before every tile and between the lights of a tile. */
+    boolean isCancelled();
+
+    /** Hears nothing and never stops. */
+    Progress NONE = new Progress() {
+        @Override
+        public void tiles(int done, int total) {}
+
+        @Override
+        public boolean isCancelled() {
+            return false;
+        }
+    };
+}

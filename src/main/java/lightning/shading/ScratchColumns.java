@@ -1,0 +1,34 @@
+package lightning.shading;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Columns that are handed out in turn and, after {@link #reset}, again. */
+final class ScratchColumns implements Columns {
+    private final List<float[]> floats = new ArrayList<>();
+    private final List<byte[]> states = new ArrayList<>();
+    private int floatsUsed;
+    private int statesUsed;
+
+    /** Takes all columns back. */
+    void reset() {
+        floatsUsed = 0;
+        statesUsed = 0;
+    }
+
+    @Override
+    public float[] floats(int rows) {
+        if (floatsUsed == floats.size()) {
+            floats.add(new float[LightLanes.ROWS]);
+        }
+        return floats.get(floatsUsed++);
+    }
+
+    @Override
+    public byte[] states(int rows) {
+        if (statesUsed == states.size()) {
+            states.add(new byte[LightLanes.ROWS]);
+        }
+        return states.get(statesUsed++);
+    }
+}

@@ -1,0 +1,77 @@
+package lightning.shading;
+
+import java.util.Arrays;
+import lightning.math.Rgb;
+import lightning.scene.World;
+import lightning.trace.HitRows;
+import lightning.trace.MaterialTable;
+
+/**
+ * Carries colours from the deepest mirror level of a tile up to its pixels. Holds scratch columns:
+ * one for each thread.
+ */
+public final class TileComposer {
+    private final Composer composer;
+    private final float[][] mirrored = new float[3][LightLanes.ROWS];
+
+    public TileComposer(MaterialTable materials) {
+        composer = new Composer(materials);
+    }
+
+    /**
+     * Cr of the reflective rows of a level whose rays were not followed: the recursion ended there.
+     *
+     * @return red, green and blue columns, valid until the next call
+     */
+    public float[][] unfollowed(HitRows rows) {
+        for (float[] channel : mirrored) {
+            Arrays.fill(channel, 0, rows.reflective, 0);
+        }
+        return mirrored;
+    }
+
+    /**
+     * Cr of the reflective rows of a level from the colours of the level below, which was composed
+     * last: the background where a ray hit nothing.
+     *
+     * @return red, green and blue columns, valid until the next call
+     */
+    public float[][] followed(HitRows rows, HitRows below, World world) {
+        fill(mirrored, rows.reflective, world.background());
+        scatter(below, mirrored[0], mirrored[1], mirrored[2]);
+        return mirrored;
+    }
+
+    /** Composes the rows of one level; see {@link Composer#compose}. */
+    public void level(HitRows rows, Lamp[] lamps, LightRows[] layers, World world, float[][] cr) {
+        composer.compose(rows, lamps, layers, world, cr);
+    }
+
+    /** Writes the colours composed last to a tile of the film: the background where no row is. */
+    public void toFilm(HitRows rows, World world, float[] red, float[] green, float[] blue) {
+        if (rows.count < red.length) {
+            fill(new float[][] {red, green, blue}, red.length, world.background());
+        }
+        scatter(rows, red, green, blue);
+    }
+
+    private static void fill(float[][] columns, int length, Rgb color) {
+        Arrays.fill(columns[0], 0, length, (float) color.r());
+        Arrays.fill(columns[1], 0, length, (float) color.g());
+        Arrays.fill(columns[2], 0, length, (float) color.b());
+    }
+
+    /** Writes each row's colour to its parent. */
+    private void scatter(HitRows rows, float[] red, float[] green, float[] blue) {
+        short[] parent = rows.parent;
+        scatter(rows.count, parent, composer.red(), red);
+        scatter(rows.count, parent, composer.green(), green);
+        scatter(rows.count, parent, composer.blue(), blue);
+    }
+
+    private static void scatter(int count, short[] parent, float[] from, float[] to) {
+        for (int i = 0; i < count; i++) {
+            to[parent[i]] = from[i];
+        }
+    }
+}

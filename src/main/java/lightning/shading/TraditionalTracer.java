@@ -1,0 +1,111 @@
+package lightning.shading;
+
+import java.util.Arrays;
+import lightning.image.Film;
+import lightning.scene.Scene;
+import lightning.trace.Geometry;
+import lightning.trace.HitRows;
+import lightning.trace.PacketTracer;
+import lightning.trace.TileVisibility;
+
+/**
+ * The yardstick of every saving: a full trace by the fastest code there is, tile by tile, which keeps
+ * nothing but the film.
+ */
+public final class TraditionalTracer {
+    private final Geometry geometry;
+    private final Scene scene;
+    private final Lamp[] lamps;
+
+    /** Prepares a trace, the tree of boxes included. */
+    public TraditionalTracer(Scene scene) {
+        this(scene, new Geometry(scene));
+    }
+
+    /**
+     * Prepares a trace over geometry that is there already.
+     *
+     * @throws IllegalArgumentException if it is not the scene's
+     */
+    public TraditionalTracer(Scene scene, Geometry geometry) {
+        if (!geometry.serves(scene)) {
+            throw new IllegalArgumentException("the geometry is another scene's");
+        }
+        this.scene = scene;
+        this.geometry = geometry;
+        lamps = scene.lights().stream().map(light -> Lamp.of(light, scene)).toArray(Lamp[]::new);
+    }
+
+    /** A finished picture and the rays it took. */
+    public record Result(Film film, TraceCounts rays) {}
+
+    /**
+     * Traces the whole picture.
+     *
+     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     */
+    public Result trace(Workers workers, Progress progress) {
+        Film film = Film.black(scene.picture().width(), scene.picture().height());
+        PerThread[] threads = new PerThread[workers.count()];
+        Arrays.setAll(threads, _ -> new PerThread());
+        workers.run(film.tileCount(), (worker, tile) -> threads[worker].tile(film, tile, progress), progress);
+        TraceCounts rays = TraceCounts.NONE;
+        for (PerThread thread : threads) {
+            rays = rays.plus(new TraceCounts(thread.eye, thread.mirrored, thread.lights.shadowRays()));
+        }
+        return new Result(film, rays);
+    }
+
+    /** What one thread needs. */
+    private final class PerThread {
+        private final PacketTracer tracer = new PacketTracer(geometry);
+        private final TileVisibility visibility = new TileVisibility(geometry, scene, tracer);
+        private final LightKernel lights = new LightKernel(geometry.materials(), tracer);
+        private final TileComposer composer = new TileComposer(geometry.materials());
+        private final ScratchColumns columns = new ScratchColumns();
+        private final HitRows[] levels = new HitRows[scene.picture().depth() + 1];
+        private final LightRows[] layers = new LightRows[lamps.length];
+        private long eye;
+        private long mirrored;
+
+        void tile(Film film, int tile, Progress progress) {
+            int x0 = tile % film.tilesX() * Film.TILE;
+            int y0 = tile / film.tilesX() * Film.TILE;
+            HitRows rows = visibility.eye(x0, y0, Film.TILE, (count, textured) -> level(0));
+            eye += (long) Math.min(Film.TILE, film.width() - x0) * Math.min(Film.TILE, film.height() - y0);
+            int deepest = 0;
+            while (deepest < scene.picture().depth() && rows.reflective > 0) {
+                int next = deepest + 1;
+                mirrored += rows.reflective;
+                rows = visibility.mirrored(rows, null, (count, textured) -> level(next));
+                deepest = next;
+            }
+            for (int k = deepest; k >= 0; k--) {
+                light(levels[k], progress);
+                if (progress.isCancelled()) {
+                    return;
+                }
+                float[][] cr = k == deepest ? composer.unfollowed(levels[k])
+                        : composer.followed(levels[k], levels[k + 1], scene.world());
+                composer.level(levels[k], lamps, layers, scene.world(), cr);
+            }
+            composer.toFilm(levels[0], scene.world(), film.red(tile), film.green(tile), film.blue(tile));
+        }
+
+        private HitRows level(int k) {
+            if (levels[k] == null) {
+                levels[k] = new HitRows(Film.TILE_PIXELS, true);
+            }
+            return levels[k];
+        }
+
+        private void light(HitRows rows, Progress progress) {
+            columns.reset();
+            for (int l = 0; l < lamps.length && !progress.isCancelled(); l++) {
+                if (!lamps[l].isDark()) {
+                    layers[l] = lights.full(rows, lamps[l], null, columns);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,77 @@
+package lightning.trace;
+
+/**
+ * Hit rows of one tile at one level: what the first pass learned of each ray that hit something, in
+ * plain columns that share one index.
+ *
+ * <p>Rows are sorted by material, reflective materials first; each material's rows are one
+ * <em>run</em>, whose colours are read once. Columns are a little longer than {@link #count}, so that
+ * lanes may run over the end; what stands there is never used.
+ */
+public final class HitRows {
+    /** How many rows are in use. */
+    public int count;
+    /** Points, off the surface, render space. */
+    public final float[] px;
+    public final float[] py;
+    public final float[] pz;
+    /** Unit normals, facing the ray. */
+    public final float[] nx;
+    public final float[] ny;
+    public final float[] nz;
+    /** Unit directions of the rays. */
+    public final float[] vx;
+    public final float[] vy;
+    public final float[] vz;
+    /** k<sub>diffuse</sub> with the texture in it, for rows of textured materials; null where the tile has none. */
+    public final float[] diffuseRed;
+    public final float[] diffuseGreen;
+    public final float[] diffuseBlue;
+    /** Where the row's colour goes: a pixel of the tile at the first level, a row of the level above at others. */
+    public final short[] parent;
+    /** How many runs there are. */
+    public int runs;
+    /** The material of each run. */
+    public int[] runMaterial = new int[4];
+    /** The row after each run's last. */
+    public int[] runEnd = new int[4];
+    /** How many rows, the first ones, are of reflective materials. */
+    public int reflective;
+
+    /** Makes room for {@code rows} rows. */
+    public HitRows(int rows, boolean textured) {
+        int length = padded(rows);
+        px = new float[length];
+        py = new float[length];
+        pz = new float[length];
+        nx = new float[length];
+        ny = new float[length];
+        nz = new float[length];
+        vx = new float[length];
+        vy = new float[length];
+        vz = new float[length];
+        diffuseRed = textured ? new float[length] : null;
+        diffuseGreen = textured ? new float[length] : null;
+        diffuseBlue = textured ? new float[length] : null;
+        parent = new short[length];
+    }
+
+    /** The length of a column of {@code rows} rows: a multiple of 16. */
+    public static int padded(int rows) {
+        return (rows + 15) & ~15;
+    }
+
+    /** The first row of run {@code r}. */
+    public int runStart(int r) {
+        return r == 0 ? 0 : runEnd[r - 1];
+    }
+
+    void addRun(int material, int end) {
+        if (runs == runEnd.length) {
+            runMaterial = java.util.Arrays.copyOf(runMaterial, 2 * runs);
+            runEnd = java.util.Arrays.copyOf(runEnd, 2 * runs);
+        }
+        runMaterial[runs] = material;
+        runEnd[runs++] = end;
+    }
+}

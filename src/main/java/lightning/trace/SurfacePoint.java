@@ -1,0 +1,27 @@
+package lightning.trace;
+
+import lightning.math.Vec3;
+
+/**
+ * One hit row on its own: what a ray met, as shading sees it.
+ *
+ * @param shape    index of the shape
+ * @param material index of its material
+ * @param px       the point, off the surface, render space; likewise {@code py}, {@code pz}
+ * @param nx       the unit normal that faces the ray; likewise {@code ny}, {@code nz}
+ * @param vx       the unit direction of the ray; likewise {@code vy}, {@code vz}
+ * @param diffuse  k<sub>diffuse</sub> with the texture in it, linear RGB, {@code float[3]}
+ */
+public record SurfacePoint(int shape, int material, float px, float py, float pz, float nx, float ny, float nz,
+        float vx, float vy, float vz, float[] diffuse) {
+
+    /** The mirrored ray, V + 2|N·V|N at length 1: away from the surface whatever the rounding. */
+    public Ray mirrored() {
+        double twice = 2 * Math.abs((double) nx * vx + (double) ny * vy + (double) nz * vz);
+        double rx = vx + twice * nx;
+        double ry = vy + twice * ny;
+        double rz = vz + twice * nz;
+        double length = Math.sqrt(rx * rx + ry * ry + rz * rz);
+        return new Ray(new Vec3(px, py, pz), new Vec3(rx / length, ry / length, rz / length));
+    }
+}

@@ -1,0 +1,211 @@
+package lightning.trace;
+
+import java.util.Arrays;
+import lightning.scene.Scene;
+
+/**
+ * The first stage: finds what the rays of one tile hit and writes the hit rows. Holds scratch
+ * memory: one for each thread.
+ */
+public final class TileVisibility {
+    /** Gives the columns that rows are written to: new ones to keep, or the same again and again. */
+    @FunctionalInterface
+    public interface Allocator {
+        HitRows rows(int count, boolean textured);
+    }
+
+    private static final int ROWS = 1024;
+
+    private final ShapeTable shapes;
+    private final MaterialTable materials;
+    private final CameraRays camera;
+    private final int width;
+    private final int height;
+    private final PacketTracer tracer;
+    private final RayPacket packet = new RayPacket();
+    private final SurfacePacket surface = new SurfacePacket();
+    private final double[] dx = new double[ROWS];
+    private final double[] dy = new double[ROWS];
+    private final double[] dz = new double[ROWS];
+    private final double[] t = new double[ROWS];
+    private final int[] shape = new int[ROWS];
+    private final short[] slot = new short[ROWS];
+    private final short[] order = new short[ROWS];
+    private final int[] starts;
+    private final float[] texel = new float[3];
+
+    public TileVisibility(Geometry geometry, Scene scene, PacketTracer tracer) {
+        shapes = geometry.shapes();
+        materials = geometry.materials();
+        camera = new CameraRays(scene.camera(), scene.picture());
+        width = scene.picture().width();
+        height = scene.picture().height();
+        this.tracer = tracer;
+        starts = new int[materials.count() + 1];
+    }
+
+    /**
+     * Traces the eye rays of the tile whose upper left pixel is {@code x0, y0}.
+     *
+     * @param size pixels along a side of the tile, at most 32
+     * @return the rows of the pixels that hit something; {@code parent} is the pixel's index in the tile
+     */
+    public HitRows eye(int x0, int y0, int size, Allocator allocator) {
+        int columns = Math.min(size, width - x0);
+        int lines = Math.min(size, height - y0);
+        int rays = 0;
+        for (int y = 0; y < lines; y++) {
+            for (int x = 0; x < columns; x += RayPacket.WIDTH) {
+                int live = Math.min(RayPacket.WIDTH, columns - x);
+                PacketTracer.eyeRays(camera, x0 + x, y0 + y, live, packet);
+                tracer.nearest(packet, live);
+                keep(rays, live);
+                for (int i = 0; i < live; i++) {
+                    slot[rays + i] = (short) (y * size + x + i);
+                }
+                rays += live;
+            }
+        }
+        return rows(null, rays, allocator);
+    }
+
+    /**
+     * Traces the mirrored rays of the reflective rows of a level.
+     *
+     * @param known the shape that each ray hits, −1 for none, where that is known; else null
+     * @return the rows that were hit; {@code parent} is the row they are seen from
+     */
+    public HitRows mirrored(HitRows from, int[] known, Allocator allocator) {
+        int rays = from.reflective;
+        for (int i = 0; i < rays; i += RayPacket.WIDTH) {
+            int live = Math.min(RayPacket.WIDTH, rays - i);
+            mirror(from, i, live);
+            if (known == null) {
+                tracer.nearest(packet, live);
+            } else {
+                System.arraycopy(known, i, packet.shape, 0, live);
+                tracer.distances(packet, live);
+            }
+            keep(i, live);
+            for (int j = i; j < i + live; j++) {
+                slot[j] = (short) j;
+            }
+        }
+        return rows(from, rays, allocator);
+    }
+
+    /** The shapes that the rays traced last hit, −1 for none, one for each ray. */
+    public int[] hitShapes(int rays) {
+        return Arrays.copyOf(shape, rays);
+    }
+
+    /** The mirrored ray of each row, as {@link SurfacePoint#mirrored}. */
+    private void mirror(HitRows from, int row, int live) {
+        for (int i = 0; i < live; i++) {
+            int r = row + i;
+            double nx = from.nx[r];
+            double ny = from.ny[r];
+            double nz = from.nz[r];
+            double twice = 2 * Math.abs(nx * from.vx[r] + ny * from.vy[r] + nz * from.vz[r]);
+            double rx = from.vx[r] + twice * nx;
+            double ry = from.vy[r] + twice * ny;
+            double rz = from.vz[r] + twice * nz;
+            double length = Math.sqrt(rx * rx + ry * ry + rz * rz);
+            packet.ox[i] = from.px[r];
+            packet.oy[i] = from.py[r];
+            packet.oz[i] = from.pz[r];
+            packet.dx[i] = rx / length;
+            packet.dy[i] = ry / length;
+            packet.dz[i] = rz / length;
+        }
+    }
+
+    private void keep(int at, int live) {
+        System.arraycopy(packet.dx, 0, dx, at, live);
+        System.arraycopy(packet.dy, 0, dy, at, live);
+        System.arraycopy(packet.dz, 0, dz, at, live);
+        System.arraycopy(packet.t, 0, t, at, live);
+        System.arraycopy(packet.shape, 0, shape, at, live);
+    }
+
+    /** Sorts the hits by material and computes their surfaces. */
+    private HitRows rows(HitRows from, int rays, Allocator allocator) {
+        Arrays.fill(starts, 0);
+        for (int i = 0; i < rays; i++) {
+            if (shape[i] >= 0) {
+                starts[shapes.material[shape[i]] + 1]++;
+            }
+        }
+        boolean textured = false;
+        for (int m = 0; m < materials.count(); m++) {
+            textured |= starts[m + 1] > 0 && materials.isTextured(m);
+            starts[m + 1] += starts[m];
+        }
+        int hits = starts[materials.count()];
+        HitRows rows = allocator.rows(hits, textured);
+        rows.count = hits;
+        rows.runs = 0;
+        rows.reflective = starts[materials.reflectiveCount()];
+        for (int m = 0; m < materials.count(); m++) {
+            if (starts[m + 1] > starts[m]) {
+                rows.addRun(m, starts[m + 1]);
+            }
+        }
+        for (int i = 0; i < rays; i++) {
+            if (shape[i] >= 0) {
+                order[starts[shapes.material[shape[i]]]++] = (short) i;
+            }
+        }
+        for (int row = 0; row < hits; row += RayPacket.WIDTH) {
+            surfaces(from, rows, row, Math.min(RayPacket.WIDTH, hits - row), textured);
+        }
+        return rows;
+    }
+
+    private void load(HitRows from, int row, int live) {
+        for (int i = 0; i < live; i++) {
+            int ray = order[row + i];
+            packet.ox[i] = from == null ? 0 : from.px[ray];
+            packet.oy[i] = from == null ? 0 : from.py[ray];
+            packet.oz[i] = from == null ? 0 : from.pz[ray];
+            packet.dx[i] = dx[ray];
+            packet.dy[i] = dy[ray];
+            packet.dz[i] = dz[ray];
+            packet.t[i] = t[ray];
+            packet.shape[i] = shape[ray];
+        }
+    }
+
+    private void surfaces(HitRows from, HitRows rows, int row, int live, boolean textured) {
+        load(from, row, live);
+        tracer.surfaces(packet, live, surface);
+        System.arraycopy(surface.px, 0, rows.px, row, live);
+        System.arraycopy(surface.py, 0, rows.py, row, live);
+        System.arraycopy(surface.pz, 0, rows.pz, row, live);
+        System.arraycopy(surface.nx, 0, rows.nx, row, live);
+        System.arraycopy(surface.ny, 0, rows.ny, row, live);
+        System.arraycopy(surface.nz, 0, rows.nz, row, live);
+        for (int i = 0; i < live; i++) {
+            rows.vx[row + i] = (float) packet.dx[i];
+            rows.vy[row + i] = (float) packet.dy[i];
+            rows.vz[row + i] = (float) packet.dz[i];
+            rows.parent[row + i] = slot[order[row + i]];
+        }
+        if (textured) {
+            textures(rows, row, live);
+        }
+    }
+
+    private void textures(HitRows rows, int row, int live) {
+        for (int i = 0; i < live; i++) {
+            int material = shapes.material[packet.shape[i]];
+            if (materials.isTextured(material)) {
+                TextureLookup.sample(materials.texture(material), shapes.kind[packet.shape[i]],
+                        surface.ownX[i], surface.ownY[i], surface.ownZ[i], texel);
+                rows.diffuseRed[row + i] = materials.diffuse(material, 0) * texel[0];
+                rows.diffuseGreen[row + i] = materials.diffuse(material, 1) * texel[1];
+                rows.diffuseBlue[row + i] = materials.diffuse(material, 2) * texel[2];
+            }
+        }
+    }
+}
