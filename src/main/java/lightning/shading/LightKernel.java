@@ -1,9 +1,9 @@
 package lightning.shading;
 
+import java.util.Arrays;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
 import lightning.trace.PacketTracer;
-import lightning.trace.RayPacket;
 
 /**
  * The second stage for one tile: fills a light's layer over the hit rows, in full or in part. Holds
@@ -11,38 +11,32 @@ import lightning.trace.RayPacket;
  */
 public final class LightKernel {
     private static final int ROWS = LightLanes.ROWS;
+    private static final int WAY = LightRows.CLEAR | LightRows.BLOCKED;
 
     private final MaterialTable materials;
-    private final PacketTracer tracer;
+    private final ShadowCaster shadows;
     private final LightLanes lanes = new LightLanes();
-    private final RayPacket packet = new RayPacket();
     private final float[] cosine = new float[ROWS];
-    private final int[] candidates = new int[ROWS];
-    private long shadowRays;
-    private long rowsWritten;
+    private final float[] specular = new float[ROWS];
+    private long rowsTouched;
 
     public LightKernel(MaterialTable materials, PacketTracer tracer) {
         this.materials = materials;
-        this.tracer = tracer;
+        shadows = new ShadowCaster(tracer);
     }
 
     /** Shadow rays cast since the start. */
     public long shadowRays() {
-        return shadowRays;
+        return shadows.rays();
     }
 
-    /** Rows of layers written since the start. */
-    public long rowsWritten() {
-        return rowsWritten;
+    /** Rows of layers that were looked at or written since the start. */
+    public long rowsTouched() {
+        return rowsTouched;
     }
 
-    /**
-     * The light's whole diffuse and specular terms: the paper's worst case.
-     *
-     * @param before the layer before, whose knowledge of free ways still holds; null if none does
-     * @param columns gives the columns to write
-     */
-    public LightRows full(HitRows rows, Lamp lamp, LightRows before, Columns columns) {
+    /** The light's whole diffuse and specular terms: the paper's worst case (§4.5). */
+    public LightRows full(HitRows rows, Lamp lamp, Columns columns) {
         byte[] state = columns.states(rows.count);
         lanes.aim(rows, lamp);
         lanes.cosines(rows, cosine);
@@ -50,62 +44,139 @@ public final class LightKernel {
         if (cone) {
             lanes.axisCosines(rows, lamp);
         }
-        int unknown = 0;
-        int lit = 0;
         for (int i = 0; i < rows.count; i++) {
-            int way = before == null ? 0 : before.state[i] & (LightRows.CLEAR | LightRows.BLOCKED);
             if (!(cosine[i] > 0)) {
-                state[i] = (byte) (LightRows.AWAY | way);
+                state[i] = LightRows.AWAY;
             } else if (cone && !(lanes.axisCosine[i] >= lamp.cosAngle())) {
+                state[i] = LightRows.OUTSIDE;
+            } else {
+                shadows.choose(i);
+            }
+        }
+        int lit = shadows.cast(rows, lamp, state);
+        rowsTouched += rows.count;
+        if (lit == 0) {
+            return new LightRows(state, null, null, null, 0);
+        }
+        return new LightRows(state, cosines(rows, state, columns), speculars(rows, state, null, columns),
+                falloffs(rows, lamp, columns), lit);
+    }
+
+    /**
+     * The layer after an edit that leaves the light where it is; all it does not touch is shared with
+     * the layer before.
+     *
+     * @param cone    which rows may enter or leave the cone
+     * @param falloff whether the falloff changed
+     */
+    public LightRows partial(HitRows rows, Lamp lamp, LightRows before, ConeChange cone, boolean falloff, Columns columns) {
+        int looked = looksAt(rows, before, cone);
+        if (looked == 0 && !(falloff && before.lit > 0)) {
+            return before;
+        }
+        lanes.aim(rows, lamp);
+        if (lamp.type().hasCone()) {
+            lanes.axisCosines(rows, lamp);
+        }
+        LightRows moved = looked == 0 ? before : moveCone(rows, lamp, before, cone, columns);
+        rowsTouched += looked == 0 ? moved.lit : looked;
+        if (moved.lit == 0) {
+            return moved;
+        }
+        float[] falloffs = falloff || before.falloff == null ? falloffs(rows, lamp, columns) : before.falloff;
+        return new LightRows(moved.state, moved.cosine, moved.specular, falloffs, moved.lit);
+    }
+
+    private static int looksAt(HitRows rows, LightRows before, ConeChange cone) {
+        int looked = 0;
+        if (cone != ConeChange.NONE) {
+            for (int i = 0; i < rows.count; i++) {
+                looked += cone.looksAt(before.state(i)) ? 1 : 0;
+            }
+        }
+        return looked;
+    }
+
+    /** Moves rows into and out of the cone; falloffs are left as before. Expects aimed lanes. */
+    private LightRows moveCone(HitRows rows, Lamp lamp, LightRows before, ConeChange change, Columns columns) {
+        byte[] state = columns.states(rows.count);
+        System.arraycopy(before.state, 0, state, 0, rows.count);
+        boolean cone = lamp.type().hasCone();
+        int lit = before.lit;
+        for (int i = 0; i < rows.count; i++) {
+            int old = before.state(i);
+            if (!change.looksAt(old)) {
+                continue;
+            }
+            lit -= old == LightRows.LIT ? 1 : 0;
+            int way = before.state[i] & WAY;
+            if (cone && !(lanes.axisCosine[i] >= lamp.cosAngle())) {
                 state[i] = (byte) (LightRows.OUTSIDE | way);
             } else if (way == 0) {
-                candidates[unknown++] = i;
+                shadows.choose(i);
             } else {
                 state[i] = (byte) (way | (way == LightRows.CLEAR ? LightRows.LIT : LightRows.SHADOWED));
                 lit += way == LightRows.CLEAR ? 1 : 0;
             }
         }
-        lit += castShadows(rows, lamp, unknown, state);
-        rowsWritten += rows.count;
-        return fill(rows, lamp, state, lit, columns);
-    }
-
-    /** Writes all columns of a tile whose states are known and whose rows have been aimed at. */
-    private LightRows fill(HitRows rows, Lamp lamp, byte[] state, int lit, Columns columns) {
+        lit += shadows.cast(rows, lamp, state);
         if (lit == 0) {
             return new LightRows(state, null, null, null, 0);
         }
-        float[] cosines = columns.floats(rows.count);
-        for (int i = 0; i < rows.count; i++) {
-            cosines[i] = (state[i] & LightRows.STATE) == LightRows.LIT ? cosine[i] : 0;
+        if (Arrays.equals(state, 0, rows.count, before.state, 0, rows.count)) {
+            return before;
         }
-        float[] speculars = hasSpecular(rows) ? columns.floats(rows.count) : null;
-        if (speculars != null) {
-            fillSpecular(rows, state, speculars);
-        }
-        float[] falloffs = null;
-        if (lamp.fallsOff()) {
-            falloffs = columns.floats(rows.count);
-            lanes.falloffs(rows, lamp, falloffs);
-        }
-        return new LightRows(state, cosines, speculars, falloffs, lit);
+        lanes.cosines(rows, cosine);
+        return new LightRows(state, cosines(rows, state, columns), speculars(rows, state, before, columns),
+                before.falloff, lit);
     }
 
-    private void fillSpecular(HitRows rows, byte[] state, float[] to) {
+    private static boolean isLit(byte[] state, int row) {
+        return (state[row] & LightRows.STATE) == LightRows.LIT;
+    }
+
+    /** The cosine of lit rows, 0 for others. */
+    private float[] cosines(HitRows rows, byte[] state, Columns columns) {
+        float[] column = columns.floats(rows.count);
+        for (int i = 0; i < rows.count; i++) {
+            column[i] = isLit(state, i) ? cosine[i] : 0;
+        }
+        return column;
+    }
+
+    /** The specular term of lit rows, 0 for others; computed only where a row was not lit before. */
+    private float[] speculars(HitRows rows, byte[] state, LightRows before, Columns columns) {
+        if (!hasSpecular(rows)) {
+            return null;
+        }
+        float[] column = columns.floats(rows.count);
         for (int r = 0; r < rows.runs; r++) {
-            int start = rows.runStart(r);
-            int end = rows.runEnd[r];
-            if (materials.isSpecular(rows.runMaterial[r])) {
-                lanes.speculars(rows, start, end, materials.shininess(rows.runMaterial[r]), to);
-                for (int i = start; i < end; i++) {
-                    if ((state[i] & LightRows.STATE) != LightRows.LIT) {
-                        to[i] = 0;
-                    }
+            int from = rows.runStart(r);
+            int to = rows.runEnd[r];
+            if (!materials.isSpecular(rows.runMaterial[r])) {
+                Arrays.fill(column, from, to, 0);
+                continue;
+            }
+            boolean hasOld = before != null && before.specular != null;
+            int first = to;
+            int last = from;
+            for (int i = from; i < to; i++) {
+                boolean lit = isLit(state, i);
+                boolean known = hasOld && before.state(i) == LightRows.LIT;
+                column[i] = lit && known ? before.specular[i] : 0;
+                if (lit && !known) {
+                    first = Math.min(first, i);
+                    last = i + 1;
                 }
-            } else {
-                java.util.Arrays.fill(to, start, end, 0);
+            }
+            if (first < last) {
+                lanes.speculars(rows, first, last, materials.shininess(rows.runMaterial[r]), specular);
+                for (int i = first; i < last; i++) {
+                    column[i] = isLit(state, i) ? specular[i] : 0;
+                }
             }
         }
+        return column;
     }
 
     private boolean hasSpecular(HitRows rows) {
@@ -117,38 +188,13 @@ public final class LightKernel {
         return false;
     }
 
-    /**
-     * Casts the shadow rays of the first {@code count} candidates and writes their state and way.
-     *
-     * @return how many of them are lit
-     */
-    private int castShadows(HitRows rows, Lamp lamp, int count, byte[] state) {
-        boolean positional = lamp.type().hasPosition();
-        double x = lamp.source().x();
-        double y = lamp.source().y();
-        double z = lamp.source().z();
-        int lit = 0;
-        for (int at = 0; at < count; at += RayPacket.WIDTH) {
-            int live = Math.min(RayPacket.WIDTH, count - at);
-            for (int i = 0; i < live; i++) {
-                int row = candidates[at + i];
-                packet.ox[i] = rows.px[row];
-                packet.oy[i] = rows.py[row];
-                packet.oz[i] = rows.pz[row];
-                packet.dx[i] = positional ? x - rows.px[row] : x;
-                packet.dy[i] = positional ? y - rows.py[row] : y;
-                packet.dz[i] = positional ? z - rows.pz[row] : z;
-                packet.limit[i] = positional ? 1 : Double.POSITIVE_INFINITY;
-            }
-            int blocked = tracer.blocked(packet, live);
-            for (int i = 0; i < live; i++) {
-                boolean dark = (blocked >>> i & 1) != 0;
-                state[candidates[at + i]] =
-                        (byte) (dark ? LightRows.SHADOWED | LightRows.BLOCKED : LightRows.LIT | LightRows.CLEAR);
-                lit += dark ? 0 : 1;
-            }
+    /** The falloff of all rows, or null where it is 1 everywhere. Expects aimed lanes. */
+    private float[] falloffs(HitRows rows, Lamp lamp, Columns columns) {
+        if (!lamp.fallsOff()) {
+            return null;
         }
-        shadowRays += count;
-        return lit;
+        float[] column = columns.floats(rows.count);
+        lanes.falloffs(rows, lamp, column);
+        return column;
     }
 }

@@ -21,9 +21,19 @@ public final class ReferenceTracer {
     private final Geometry geometry;
     private final MaterialTable materials;
     private final Lamp[] lamps;
+    private final ReferenceTracer mirrors;
 
     public ReferenceTracer(Scene scene) {
+        this(scene, scene);
+    }
+
+    /**
+     * A trace of {@code scene} whose mirrors show {@code mirrored}: what a picture with stale reflections
+     * must be (paper §4.8). The two may differ in lights and world.
+     */
+    public ReferenceTracer(Scene scene, Scene mirrored) {
         this.scene = scene;
+        mirrors = scene == mirrored ? this : new ReferenceTracer(mirrored);
         geometry = new Geometry(scene);
         materials = geometry.materials();
         lamps = scene.lights().stream().map(light -> Lamp.of(light, scene)).toArray(Lamp[]::new);
@@ -59,7 +69,7 @@ public final class ReferenceTracer {
         int material = at.material();
         float[] mirrored = {0, 0, 0};
         if (materials.isReflective(material) && depth > 0) {
-            mirrored = color(at.mirrored(), depth - 1);
+            mirrored = mirrors.color(at.mirrored(), depth - 1);
         }
         float[] color = new float[3];
         float[] diffuse = new float[lamps.length];

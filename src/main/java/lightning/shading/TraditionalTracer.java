@@ -103,7 +103,7 @@ public final class TraditionalTracer {
             columns.reset();
             for (int l = 0; l < lamps.length && !progress.isCancelled(); l++) {
                 if (!lamps[l].isDark()) {
-                    layers[l] = lights.full(rows, lamps[l], null, columns);
+                    layers[l] = lights.full(rows, lamps[l], columns);
                 }
             }
         }

@@ -66,6 +66,11 @@ public final class HitRows {
         return r == 0 ? 0 : runEnd[r - 1];
     }
 
+    /** The bytes of the columns, array headers left out: 38 for each row, 50 where the tile is textured. */
+    public long bytes() {
+        return (diffuseRed == null ? 38L : 50L) * parent.length;
+    }
+
     void addRun(int material, int end) {
         if (runs == runEnd.length) {
             runMaterial = java.util.Arrays.copyOf(runMaterial, 2 * runs);

@@ -1,0 +1,135 @@
+package lightning.relight;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.IntFunction;
+import lightning.cache.PixelCache;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+import lightning.shading.ConeChange;
+
+/**
+ * Finds the least update that leads from the scene rendered last to the scene wanted (paper §4.9), by
+ * comparing the two. Composite edits, undo and edits of several lights at once are one case.
+ */
+final class Dispatcher {
+    private Dispatcher() {}
+
+    /**
+     * The plan for a scene.
+     *
+     * @param cache   what is known, or null
+     * @param mirrors whether mirror images shall show the wanted scene too
+     */
+    static UpdatePlan plan(PixelCache cache, Scene wanted, boolean mirrors) {
+        if (cache == null) {
+            return new UpdatePlan.FirstPass("no picture yet");
+        }
+        Scene known = cache.scene();
+        if (known.picture().width() != wanted.picture().width() || known.picture().height() != wanted.picture().height()) {
+            return new UpdatePlan.FirstPass("another size");
+        }
+        if (!known.camera().equals(wanted.camera())) {
+            return new UpdatePlan.FirstPass("another camera");
+        }
+        if (!cache.geometry().serves(wanted)) {
+            return new UpdatePlan.FirstPass("other shapes or materials");
+        }
+        int depthFrom = known.picture().depth();
+        int depthTo = wanted.picture().depth();
+        boolean refresh = depthFrom != depthTo || mirrors && !cache.mirroredScene().equals(wanted);
+        if (known.equals(wanted) && !refresh) {
+            return new UpdatePlan.Nothing();
+        }
+        return new UpdatePlan.Relight(level(known, cache::stamp, wanted),
+                refresh ? level(cache.mirroredScene(), cache::mirroredStamp, wanted) : null, depthFrom, depthTo);
+    }
+
+    /** The update of the layers that show {@code known} and were computed for {@code stamps}. */
+    private static LevelPlan level(Scene known, IntFunction<Light> stamps, Scene wanted) {
+        int[] origins = origins(known.lights(), wanted.lights());
+        List<LayerPlan> layers = new ArrayList<>();
+        Set<Integer> kept = new HashSet<>();
+        for (int l = 0; l < origins.length; l++) {
+            Light light = wanted.lights().get(l);
+            Light before = origins[l] < 0 ? null : stamps.apply(origins[l]);
+            layers.add(new LayerPlan(light, origins[l], before, update(before, light, wanted, origins[l] < 0)));
+            kept.add(origins[l]);
+        }
+        List<String> dropped = new ArrayList<>();
+        for (int i = 0; i < known.lights().size(); i++) {
+            if (!kept.contains(i)) {
+                dropped.add(known.lights().get(i).name());
+            }
+        }
+        return new LevelPlan(layers, dropped, composesEverywhere(known, wanted, origins));
+    }
+
+    /** A change of the order or number of lights changes how their sum is grouped. */
+    private static boolean composesEverywhere(Scene known, Scene wanted, int[] origins) {
+        boolean sameLights = known.lights().size() == origins.length;
+        for (int l = 0; sameLights && l < origins.length; l++) {
+            sameLights = origins[l] == l;
+        }
+        return !sameLights || !known.world().equals(wanted.world());
+    }
+
+    /**
+     * For each wanted light the index of the known light that it goes on from, or −1. The name
+     * decides; a light whose name is new goes on from a light whose name is gone if they are alike but
+     * for the name, or at the same place in lists of the same length: it was renamed.
+     */
+    private static int[] origins(List<Light> known, List<Light> wanted) {
+        Map<String, Integer> byName = new HashMap<>();
+        for (int i = 0; i < known.size(); i++) {
+            byName.put(known.get(i).name(), i);
+        }
+        int[] origins = new int[wanted.size()];
+        boolean[] used = new boolean[known.size()];
+        for (int l = 0; l < origins.length; l++) {
+            origins[l] = byName.getOrDefault(wanted.get(l).name(), -1);
+            if (origins[l] >= 0) {
+                used[origins[l]] = true;
+            }
+        }
+        for (int l = 0; l < origins.length; l++) {
+            if (origins[l] < 0) {
+                origins[l] = renamed(known, used, wanted.get(l), known.size() == wanted.size() ? l : -1);
+                if (origins[l] >= 0) {
+                    used[origins[l]] = true;
+                }
+            }
+        }
+        return origins;
+    }
+
+    private static int renamed(List<Light> known, boolean[] used, Light light, int place) {
+        for (int i = 0; i < known.size(); i++) {
+            if (!used[i] && known.get(i).withName(light.name()).equals(light)) {
+                return i;
+            }
+        }
+        return place >= 0 && !used[place] ? place : -1;
+    }
+
+    private static LightUpdate update(Light before, Light light, Scene wanted, boolean isNew) {
+        if (!wanted.shines(light) || light.intensity() == 0 || light.color().isBlack()) {
+            return new LightUpdate.Keep();
+        }
+        if (before == null) {
+            return new LightUpdate.FullRecompute(isNew);
+        }
+        LightDifference difference = LightDifference.between(before, light);
+        if (difference.moved()) {
+            return new LightUpdate.FullRecompute(false);
+        }
+        if (difference.cone() != ConeChange.NONE || difference.falloff()) {
+            return new LightUpdate.Partial(difference.cone(), difference.falloff(), difference.weight());
+        }
+        return difference.weight() ? new LightUpdate.Reweight() : new LightUpdate.Keep();
+    }
+}

@@ -1,0 +1,177 @@
+package lightning.relight;
+
+import java.util.Arrays;
+import lightning.cache.CachedTile;
+import lightning.cache.TileLevel;
+import lightning.image.Film;
+import lightning.shading.Columns;
+import lightning.shading.LightKernel;
+import lightning.shading.LightRows;
+import lightning.shading.TileComposer;
+import lightning.shading.TraceCounts;
+import lightning.trace.HitRows;
+import lightning.trace.PacketTracer;
+import lightning.trace.TileVisibility;
+
+/** Builds and updates cached tiles. Holds scratch memory: one for each thread. */
+final class TileWorker {
+    private final Job job;
+    private final TileVisibility visibility;
+    private final LightKernel lights;
+    private final TileComposer composer;
+    private long eyeRays;
+    private long mirroredRays;
+    private long rowsComposed;
+
+    TileWorker(Job job) {
+        this.job = job;
+        PacketTracer tracer = new PacketTracer(job.geometry());
+        visibility = new TileVisibility(job.geometry(), job.scene(), tracer);
+        lights = new LightKernel(job.geometry().materials(), tracer);
+        composer = new TileComposer(job.geometry().materials());
+    }
+
+    TraceCounts rays() {
+        return new TraceCounts(eyeRays, mirroredRays, lights.shadowRays());
+    }
+
+    long rowsTouched() {
+        return lights.rowsTouched();
+    }
+
+    long rowsComposed() {
+        return rowsComposed;
+    }
+
+    /** Traces a tile and keeps what it learned; null where the work was cancelled. */
+    CachedTile firstPass(int tile) {
+        int x0 = tile % job.tilesX() * Film.TILE;
+        int y0 = tile / job.tilesX() * Film.TILE;
+        eyeRays += (long) Math.min(Film.TILE, job.scene().picture().width() - x0)
+                * Math.min(Film.TILE, job.scene().picture().height() - y0);
+        TileLevel top = lit(visibility.eye(x0, y0, Film.TILE, HitRows::new));
+        Mirrors mirrors = mirrors(top.rows(), new TileLevel[] {top}, new int[0][]);
+        return job.progress().isCancelled() ? null : finish(top, mirrors, null);
+    }
+
+    /** Updates a tile as planned; null where the work was cancelled. */
+    CachedTile relight(CachedTile old) {
+        LightRows[] layers = job.top().layers(old.levels[0], lights, Columns.FRESH, job.progress());
+        TileLevel top = Arrays.equals(layers, old.levels[0].layers()) ? old.levels[0] : new TileLevel(old.rows(), layers);
+        Mirrors mirrors = job.mirrors() == null
+                ? new Mirrors(old.levels, old.hitShapes, old.mirrored)
+                : updateMirrors(old);
+        if (job.progress().isCancelled()) {
+            return null;
+        }
+        boolean same = mirrors.cr == old.mirrored && !job.top().recolors(old.levels[0], layers);
+        return finish(top, mirrors, same ? old.film : null);
+    }
+
+    private CachedTile finish(TileLevel top, Mirrors mirrors, float[][] film) {
+        TileLevel[] levels = mirrors.levels;
+        if (levels[0] != top) {
+            levels = levels.clone();
+            levels[0] = top;
+        }
+        float[][] pixels = film;
+        if (pixels == null) {
+            pixels = new float[3][Film.TILE_PIXELS];
+            compose(top, mirrors.cr);
+            composer.toFilm(top.rows(), job.scene().world(), pixels[0], pixels[1], pixels[2]);
+        }
+        return new CachedTile(levels, mirrors.hitShapes, mirrors.cr, pixels);
+    }
+
+    private TileLevel lit(HitRows rows) {
+        LightRows[] layers = new LightRows[job.lamps().length];
+        for (int l = 0; l < layers.length && !job.progress().isCancelled(); l++) {
+            if (!job.lamps()[l].isDark()) {
+                layers[l] = lights.full(rows, job.lamps()[l], Columns.FRESH);
+            }
+        }
+        return new TileLevel(rows, layers);
+    }
+
+    private void compose(TileLevel level, float[][] cr) {
+        rowsComposed += level.rows().count;
+        composer.level(level.rows(), job.lamps(), level.layers(), job.scene().world(), cr);
+    }
+
+    /**
+     * What a tile keeps of its mirror images.
+     *
+     * @param levels all levels; only the first where mirror levels are kept as hit shapes
+     * @param cr     Cr of the first level's reflective rows, or null where it has none
+     */
+    private record Mirrors(TileLevel[] levels, int[][] hitShapes, float[][] cr) {}
+
+    private Mirrors updateMirrors(CachedTile old) {
+        if (old.rows().reflective == 0) {
+            return new Mirrors(old.levels, old.hitShapes, null);
+        }
+        int keep = Math.min(old.levels.length, job.depth() + 1);
+        boolean changed = !job.keepsRows() || keep < old.levels.length
+                || old.levels.length <= job.depth() && old.levels[keep - 1].rows().reflective > 0;
+        TileLevel[] levels = Arrays.copyOf(old.levels, keep);
+        for (int k = 1; k < keep; k++) {
+            LightRows[] layers = job.mirrors().layers(old.levels[k], lights, Columns.FRESH, job.progress());
+            if (job.progress().isCancelled()) {
+                return new Mirrors(old.levels, old.hitShapes, old.mirrored);
+            }
+            changed |= job.mirrors().recolors(old.levels[k], layers);
+            levels[k] = new TileLevel(old.levels[k].rows(), layers);
+        }
+        changed |= job.mirrors().plan().compose();
+        if (!changed) {
+            return new Mirrors(levels, old.hitShapes, old.mirrored);
+        }
+        int[][] known = Arrays.copyOf(old.hitShapes, Math.min(old.hitShapes.length, job.depth()));
+        return mirrors(old.rows(), levels, known);
+    }
+
+    /**
+     * Completes the mirror levels to the wanted depth and composes them.
+     *
+     * @param from  the levels there are, the first included, lit
+     * @param known where mirror levels are not kept: the shapes that their rays hit, as far as known
+     */
+    private Mirrors mirrors(HitRows top, TileLevel[] from, int[][] known) {
+        if (top.reflective == 0) {
+            return new Mirrors(from, known, null);
+        }
+        TileLevel[] levels = Arrays.copyOf(from, job.depth() + 1);
+        int[][] shapes = Arrays.copyOf(known, job.depth());
+        int deepest = from.length - 1;
+        while (deepest < job.depth() && levels[deepest].rows().reflective > 0 && !job.progress().isCancelled()) {
+            HitRows above = levels[deepest].rows();
+            levels[deepest + 1] = lit(visibility.mirrored(above, shapes[deepest], HitRows::new));
+            if (!job.keepsRows() && shapes[deepest] == null) {
+                shapes[deepest] = visibility.hitShapes(above.reflective);
+            }
+            mirroredRays += above.reflective;
+            deepest++;
+        }
+        if (job.progress().isCancelled()) {
+            return new Mirrors(from, known, null);
+        }
+        float[][] cr = copyOf(cr(levels, deepest), top.reflective);
+        return job.keepsRows()
+                ? new Mirrors(Arrays.copyOf(levels, deepest + 1), new int[0][], cr)
+                : new Mirrors(Arrays.copyOf(levels, 1), Arrays.copyOf(shapes, deepest), cr);
+    }
+
+    /** Composes the mirror levels from the deepest up; the result is Cr of the first level. */
+    private float[][] cr(TileLevel[] levels, int deepest) {
+        float[][] cr = composer.unfollowed(levels[deepest].rows());
+        for (int k = deepest; k > 0; k--) {
+            compose(levels[k], cr);
+            cr = composer.followed(levels[k - 1].rows(), levels[k].rows(), job.scene().world());
+        }
+        return cr;
+    }
+
+    private static float[][] copyOf(float[][] cr, int rows) {
+        return new float[][] {Arrays.copyOf(cr[0], rows), Arrays.copyOf(cr[1], rows), Arrays.copyOf(cr[2], rows)};
+    }
+}

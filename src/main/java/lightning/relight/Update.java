@@ -1,0 +1,20 @@
+package lightning.relight;
+
+import lightning.shading.TraceCounts;
+
+/**
+ * What a renderer did.
+ *
+ * @param rowsTouched  rows of light layers that were looked at or written; a row counts once for each light
+ * @param rowsComposed rows, of all levels, for which the equation was closed
+ * @param rays         rays cast
+ * @param nanoseconds  from the call to the finished film
+ * @param errorBound   how far any value of the film may be from a full trace's, linear; 0 at level exact
+ * @param refreshed    whether contributions were computed anew because the bound had grown too large
+ */
+public record Update(UpdatePlan plan, long rowsTouched, long rowsComposed, TraceCounts rays, long nanoseconds,
+        double errorBound, boolean refreshed) {
+    public double milliseconds() {
+        return nanoseconds / 1e6;
+    }
+}

@@ -1,0 +1,26 @@
+package lightning.shading;
+
+/**
+ * What an edit does to the set of rows inside a light's cone, while the light stays where it is; and
+ * so, which rows must be looked at.
+ */
+public enum ConeChange {
+    /** The same rows stay inside. */
+    NONE,
+    /** Rows may only leave: those inside are looked at (paper §4.3). */
+    ANGLE_REMOVE,
+    /** Rows may only enter: those outside are looked at (paper §4.3). */
+    ANGLE_ADD,
+    /** The cone turned, came or went: all rows that face the light are looked at. */
+    TURN;
+
+    /** Whether a row in the given state, see {@link LightRows}, may change. */
+    boolean looksAt(int state) {
+        return switch (this) {
+            case NONE -> false;
+            case ANGLE_REMOVE -> state == LightRows.LIT || state == LightRows.SHADOWED;
+            case ANGLE_ADD -> state == LightRows.OUTSIDE;
+            case TURN -> state != LightRows.AWAY;
+        };
+    }
+}
