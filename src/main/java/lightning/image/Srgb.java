@@ -9,19 +9,29 @@ package lightning.image;
  */
 final class Srgb {
 
-    /** Below it every code is 0: 12.92 · 255 · 2⁻¹³ = 0.40 rounds down. */
-    private static final float LEAST = 0x1p-13f;
+    /** The bits of 2⁻¹³; below it every code is 0, as 12.92 · 255 · 2⁻¹³ = 0.40 rounds down. */
+    private static final int LEAST_BITS = Float.floatToRawIntBits(0x1p-13f);
+
+    private static final int WHITE_BITS = Float.floatToRawIntBits(1);
+
+    /** The number of bit patterns above infinity. */
+    private static final int NAN_WRAP = 0x7FFFFF;
 
     /** 256 buckets for each factor of two; a bucket then never holds more than one threshold (a test checks it). */
     private static final int BUCKET_SHIFT = 23 - 8;
 
-    private static final int LEAST_BUCKET = bucket(LEAST);
+    private static final int LOW_BITS = (1 << BUCKET_SHIFT) - 1;
+
+    private static final int LEAST_BUCKET = LEAST_BITS >> BUCKET_SHIFT;
 
     /** {@code THRESHOLD[c]} is the smallest float whose code is c; one more that is never reached. */
     static final float[] THRESHOLD = thresholds();
 
-    /** The code of the smallest float of each bucket. */
-    private static final byte[] FIRST_CODE = firstCodes();
+    /**
+     * For each bucket the number which, added to the low bits of a float, gives the code in the bits above: the code of
+     * the bucket's smallest float, and such a fraction that the sum carries from the threshold onwards.
+     */
+    private static final int[] ENTRY = entries();
 
     private static final float[] LINEAR = linears();
 
@@ -36,11 +46,11 @@ final class Srgb {
 
     /** The same as {@link #formula}, fast. */
     static int encode(float linear) {
-        // Both comparisons are false for NaN, which so becomes LEAST and black.
-        float v = linear > LEAST ? linear : LEAST;
-        v = v < 1 ? v : 1;
-        int code = FIRST_CODE[bucket(v) - LEAST_BUCKET] & 0xFF;
-        return v >= THRESHOLD[code + 1] ? code + 1 : code;
+        // Floats ≥ 0 are ordered as their bits are, negative ones have negative bits, and this step makes NaNs, which lie
+        // above infinity, wrap around to negative too: two integer comparisons then clamp without a branch.
+        int raised = Float.floatToRawIntBits(linear) + NAN_WRAP;
+        int bits = Math.min(Math.max(raised, LEAST_BITS + NAN_WRAP), WHITE_BITS + NAN_WRAP) - NAN_WRAP;
+        return ENTRY[(bits >> BUCKET_SHIFT) - LEAST_BUCKET] + (bits & LOW_BITS) >> BUCKET_SHIFT;
     }
 
     /** The linear value, 0…1, of a code 0 to 255; {@code encode(linear(c)) == c}. */
@@ -48,16 +58,12 @@ final class Srgb {
         return LINEAR[code];
     }
 
-    private static int bucket(float v) {
-        return Float.floatToRawIntBits(v) >> BUCKET_SHIFT;
-    }
-
     private static float[] thresholds() {
         float[] thresholds = new float[257];
         for (int code = 1; code < 256; code++) {
             // The bits of floats ≥ 0 are ordered as the floats are, so that bisection runs on them.
             int below = 0;
-            int above = Float.floatToRawIntBits(1);
+            int above = WHITE_BITS;
             while (above - below > 1) {
                 int middle = (below + above) >>> 1;
                 if (formula(Float.intBitsToFloat(middle)) >= code) {
@@ -72,12 +78,15 @@ final class Srgb {
         return thresholds;
     }
 
-    private static byte[] firstCodes() {
-        byte[] codes = new byte[bucket(1) - LEAST_BUCKET + 1];
-        for (int i = 0; i < codes.length; i++) {
-            codes[i] = (byte) formula(Float.intBitsToFloat(i + LEAST_BUCKET << BUCKET_SHIFT));
+    private static int[] entries() {
+        int[] entries = new int[(WHITE_BITS >> BUCKET_SHIFT) - LEAST_BUCKET + 1];
+        for (int i = 0; i < entries.length; i++) {
+            int start = i + LEAST_BUCKET << BUCKET_SHIFT;
+            int code = formula(Float.intBitsToFloat(start));
+            int next = Float.floatToRawIntBits(THRESHOLD[code + 1]) - start;
+            entries[i] = (code << BUCKET_SHIFT) + (next <= LOW_BITS ? LOW_BITS + 1 - next : 0);
         }
-        return codes;
+        return entries;
     }
 
     private static float[] linears() {

@@ -81,9 +81,9 @@ final class Ssim {
                 double valueB = b[at + i];
                 meanA += weight * valueA;
                 meanB += weight * valueB;
-                squareA += weight * valueA * valueA;
-                squareB += weight * valueB * valueB;
-                product += weight * valueA * valueB;
+                squareA += weight * (valueA * valueA);
+                squareB += weight * (valueB * valueB);
+                product += weight * (valueA * valueB);
             }
             moments[MOMENTS * at] = meanA;
             moments[MOMENTS * at + 1] = meanB;
