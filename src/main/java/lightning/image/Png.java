@@ -1,0 +1,47 @@
+package lightning.image;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.MemoryCacheImageInputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+
+/** PNG: display pixels, 8 bits a channel, without loss. */
+final class Png {
+
+    private Png() {}
+
+    static void write(OutputStream out, int width, int height, int[] pixels) throws IOException {
+        var image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, width, height, pixels, 0, width);
+        // A stream of our own, because ImageIO would put its cache into a file.
+        try (var stream = new MemoryCacheImageOutputStream(out)) {
+            if (!ImageIO.write(image, "png", stream)) {
+                throw new IOException("this Java has no PNG writer");
+            }
+        }
+    }
+
+    /**
+     * Display pixels as a film whose values are the linear ones of the codes. Transparency is ignored.
+     *
+     * @throws IOException if the file is no PNG, is damaged or is too large; the message does not repeat its name
+     */
+    static Film read(Path file) throws IOException {
+        ImageReader reader = ImageIO.getImageReadersByFormatName("png").next();
+        try (var stream = new MemoryCacheImageInputStream(Files.newInputStream(file))) {
+            reader.setInput(stream, true, true);
+            PictureLimits.check(reader.getWidth(0), reader.getHeight(0));
+            return Pixels.toFilm(reader.read(0));
+        } catch (RuntimeException e) {
+            // The reader answers some damaged files with unchecked exceptions.
+            throw new IOException("is no undamaged PNG picture", e);
+        } finally {
+            reader.dispose();
+        }
+    }
+}

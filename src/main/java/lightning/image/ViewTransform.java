@@ -1,0 +1,78 @@
+package lightning.image;
+
+/**
+ * How a linear film becomes display pixels — the only place that clamps.
+ *
+ * <p>Each channel becomes {@code sRGB(clamp(linear · 2^exposure, 0, 1))} in 8 bits, correctly rounded. The gain
+ * {@code 2^exposure} is rounded to float and so is the product; NaN counts as 0. sRGB is that of IEC 61966-2-1:
+ * {@code 12.92 · v} up to v = 0.0031308, else {@code 1.055 · v^(1/2.4) − 0.055}.
+ *
+ * @param exposure stops, −64 to 64; one more doubles the brightness
+ */
+public record ViewTransform(double exposure) {
+
+    /** The largest absolute exposure, in stops. */
+    public static final double MAX_EXPOSURE = 64;
+
+    /** Linear white 1 is display white. */
+    public static final ViewTransform DEFAULT = new ViewTransform(0);
+
+    /** @throws IllegalArgumentException if {@code exposure} is NaN or outside −64…64 */
+    public ViewTransform {
+        if (!(Math.abs(exposure) <= MAX_EXPOSURE)) {
+            throw new IllegalArgumentException("exposure must be from -64 to 64 stops, was " + exposure);
+        }
+    }
+
+    /** The factor on linear values, {@code 2^exposure}. */
+    public float gain() {
+        return (float) StrictMath.pow(2, exposure);
+    }
+
+    /** The display code, 0 to 255, of one linear value. */
+    public int encode(float linear) {
+        return Srgb.encode(linear * gain());
+    }
+
+    /** The linear value, 0…1, that exposure 0 shows as {@code code}, 0 to 255: the inverse of sRGB. */
+    public static float linear(int code) {
+        return Srgb.linear(code);
+    }
+
+    /** The whole picture as {@code int[width * height]}, opaque 0xFFRRGGBB, the top row first. */
+    public int[] toPixels(Film film) {
+        int[] pixels = new int[Math.multiplyExact(film.width(), film.height())];
+        for (int tile = 0; tile < film.tileCount(); tile++) {
+            packTile(film, tile, pixels);
+        }
+        return pixels;
+    }
+
+    /**
+     * Writes the visible pixels of one tile into the picture that holds them all, and nothing else, so that different
+     * tiles may be packed at the same time.
+     *
+     * @param tile   0 ≤ tile &lt; {@code film.tileCount()}
+     * @param pixels {@code int[width * height]} of the whole film, as {@link #toPixels} gives it
+     */
+    public void packTile(Film film, int tile, int[] pixels) {
+        float gain = gain();
+        float[] red = film.red(tile);
+        float[] green = film.green(tile);
+        float[] blue = film.blue(tile);
+        int left = tile % film.tilesX() * Film.TILE;
+        int top = tile / film.tilesX() * Film.TILE;
+        int columns = Math.min(Film.TILE, film.width() - left);
+        int rows = Math.min(Film.TILE, film.height() - top);
+        for (int y = 0; y < rows; y++) {
+            int from = y * Film.TILE;
+            int to = (top + y) * film.width() + left;
+            for (int x = 0; x < columns; x++) {
+                pixels[to + x] = 0xFF000000
+                        | Srgb.encode(red[from + x] * gain) << 16
+                        | Srgb.encode(green[from + x] * gain) << 8
+                        | Srgb.encode(blue[from + x] * gain);
+            }
+        }
+    }
+}

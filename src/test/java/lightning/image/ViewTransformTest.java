@@ -1,0 +1,117 @@
+package lightning.image;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+
+class ViewTransformTest {
+
+    @Test
+    void knownCodes_areThoseOfTheStandard() {
+        assertThat(ViewTransform.DEFAULT.encode(0)).isEqualTo(0);
+        assertThat(ViewTransform.DEFAULT.encode(1)).isEqualTo(255);
+        // 1.055 · 0.5^(1/2.4) − 0.055 = 0.735357 and · 255 = 187.5 and a little: 187.516
+        assertThat(ViewTransform.DEFAULT.encode(0.5f)).isEqualTo(188);
+        // The grey card: 1.055 · 0.18^(1/2.4) − 0.055 = 0.461356, · 255 = 117.65
+        assertThat(ViewTransform.DEFAULT.encode(0.18f)).isEqualTo(118);
+        // The straight part: 12.92 · 0.002 · 255 = 6.589
+        assertThat(ViewTransform.DEFAULT.encode(0.002f)).isEqualTo(7);
+    }
+
+    @Test
+    void valuesOutsideTheDisplay_areClamped() {
+        assertThat(ViewTransform.DEFAULT.encode(-1)).isEqualTo(0);
+        assertThat(ViewTransform.DEFAULT.encode(-0f)).isEqualTo(0);
+        assertThat(ViewTransform.DEFAULT.encode(Float.NaN)).isEqualTo(0);
+        assertThat(ViewTransform.DEFAULT.encode(-Float.NaN)).isEqualTo(0);
+        assertThat(ViewTransform.DEFAULT.encode(Float.NEGATIVE_INFINITY)).isEqualTo(0);
+        assertThat(ViewTransform.DEFAULT.encode(1.5f)).isEqualTo(255);
+        assertThat(ViewTransform.DEFAULT.encode(Float.POSITIVE_INFINITY)).isEqualTo(255);
+    }
+
+    @Test
+    void table_agreesWithTheFormulaAroundEveryThreshold() {
+        for (int code = 1; code < 256; code++) {
+            float threshold = Srgb.THRESHOLD[code];
+            assertThat(Srgb.formula(Math.nextDown(threshold))).isEqualTo(code - 1);
+            assertThat(Srgb.formula(threshold)).isEqualTo(code);
+            for (int step = -3; step <= 3; step++) {
+                float v = Float.intBitsToFloat(Float.floatToRawIntBits(threshold) + step);
+                assertThat(Srgb.encode(v)).isEqualTo(Srgb.formula(v));
+            }
+        }
+    }
+
+    @Test
+    void table_agreesWithTheFormulaOnEveryBucketBorderAndBetween() {
+        for (int bits = 0x38000000; bits < 0x40000000; bits += 0x333) {
+            float v = Float.intBitsToFloat(bits);
+            if (Srgb.encode(v) != Srgb.formula(v)) {
+                assertThat(Srgb.encode(v)).as("code of %s", v).isEqualTo(Srgb.formula(v));
+            }
+        }
+    }
+
+    @Property(tries = 20_000)
+    void table_agreesWithTheFormulaOnEveryBitPattern(@ForAll int bits) {
+        float v = Float.intBitsToFloat(bits);
+
+        assertThat(Srgb.encode(v)).isEqualTo(Srgb.formula(v));
+    }
+
+    @Test
+    void everyCode_survivesDecodingAndEncoding() {
+        for (int code = 0; code < 256; code++) {
+            assertThat(ViewTransform.DEFAULT.encode(ViewTransform.linear(code))).isEqualTo(code);
+        }
+    }
+
+    @Property
+    void oneStopMore_showsTwiceTheLight(@ForAll float linear, @ForAll @IntRange(min = -60, max = 60) int stops) {
+        assertThat(new ViewTransform(stops + 1).gain()).isEqualTo(2 * new ViewTransform(stops).gain());
+        assertThat(new ViewTransform(1).encode(linear)).isEqualTo(ViewTransform.DEFAULT.encode(2 * linear));
+    }
+
+    @Property
+    void packedPixels_areOpaqueAndInScanlineOrder(@ForAll("films") Film film) {
+        ViewTransform view = new ViewTransform(0.5);
+        int[] pixels = view.toPixels(film);
+        for (int y = 0; y < film.height(); y++) {
+            for (int x = 0; x < film.width(); x++) {
+                int expected = 0xFF000000 | view.encode(film.red(x, y)) << 16 | view.encode(film.green(x, y)) << 8
+                        | view.encode(film.blue(x, y));
+                assertThat(pixels[y * film.width() + x]).isEqualTo(expected);
+            }
+        }
+    }
+
+    @Test
+    void packingATile_touchesOnlyItsPixels() {
+        Film film = Films.grey(40, 40, 1);
+        int[] pixels = new int[40 * 40];
+
+        ViewTransform.DEFAULT.packTile(film, 3, pixels);
+
+        for (int i = 0; i < pixels.length; i++) {
+            boolean inside = i % 40 >= 32 && i / 40 >= 32;
+            assertThat(pixels[i]).isEqualTo(inside ? 0xFFFFFFFF : 0);
+        }
+    }
+
+    @Test
+    void unusableExposures_areRefused() {
+        assertThatThrownBy(() -> new ViewTransform(Double.NaN)).hasMessageContaining("was NaN");
+        assertThatThrownBy(() -> new ViewTransform(65)).hasMessageContaining("from -64 to 64");
+    }
+
+    @Provide
+    Arbitrary<Film> films() {
+        return Films.anyBits();
+    }
+}
