@@ -73,7 +73,7 @@ public final class Limits {
     }
 
     /** A direction: within the coordinate range and not so short that its length is lost. */
-    static Vec3 direction(String what, Vec3 d) {
+    public static Vec3 direction(String what, Vec3 d) {
         position(what, d);
         if (!(d.maxAbs() >= 1e-12)) {
             throw new IllegalArgumentException(what + " must not be zero, was "
@@ -82,7 +82,21 @@ public final class Limits {
         return d;
     }
 
-    static String name(String name) {
+    /**
+     * The scale of a shape times that of all groups around it must be within the range for one
+     * placement, so that its transform can be inverted however deep it is nested.
+     *
+     * @param least the product of the smallest absolute factors
+     * @param most  the product of the largest
+     */
+    public static void combinedScale(String what, double least, double most) {
+        if (least < MIN_SCALE || most > MAX_SCALE) {
+            throw new IllegalArgumentException(what + ": scale times that of its groups must be from " + MIN_SCALE + " to "
+                    + text(MAX_SCALE) + ", was " + text(least < MIN_SCALE ? least : most));
+        }
+    }
+
+    public static String name(String name) {
         if (!name.matches("[\\p{L}_][\\p{L}\\p{N}_-]*") || name.length() > 100) {
             throw new IllegalArgumentException("a name must begin with a letter or _, go on with letters, digits, - or _, "
                     + "and have at most 100 characters, was '" + name + "'");

@@ -18,11 +18,25 @@ public record Placement(Vec3 at, Vec3 rotate, Vec3 scale) {
         Limits.position("at", at);
         Limits.range("rotate", rotate, -Limits.MAX_ROTATION, Limits.MAX_ROTATION);
         Limits.range("scale", scale, -Limits.MAX_SCALE, Limits.MAX_SCALE);
-        double least = Math.min(Math.min(Math.abs(scale.x()), Math.abs(scale.y())), Math.abs(scale.z()));
+        double least = least(scale);
         if (least < Limits.MIN_SCALE) {
             throw new IllegalArgumentException("scale must be at least " + Limits.MIN_SCALE
                     + " in absolute value on every axis, was " + Limits.text(least));
         }
+    }
+
+    /** The smallest absolute scale factor. */
+    public double leastScale() {
+        return least(scale);
+    }
+
+    /** The largest absolute scale factor. */
+    public double mostScale() {
+        return scale.maxAbs();
+    }
+
+    private static double least(Vec3 v) {
+        return Math.min(Math.min(Math.abs(v.x()), Math.abs(v.y())), Math.abs(v.z()));
     }
 
     public Transform transform() {

@@ -30,18 +30,22 @@ public record Scene(Picture picture, Camera camera, World world, List<Material> 
         materials.forEach(m -> unique(materialNames, "material", m.name()));
         materialNames.add(Material.DEFAULT.name());
         Set<String> names = new HashSet<>();
-        int shapes = checkNodes(nodes, names, materialNames, 0);
+        int shapes = checkNodes(nodes, names, materialNames, 0, 1, 1);
         Limits.range("the number of shapes", shapes, 0, Limits.MAX_SHAPES);
         lights.forEach(l -> unique(names, "light", l.name()));
     }
 
-    private static int checkNodes(List<Node> nodes, Set<String> names, Set<String> materials, int nesting) {
+    private static int checkNodes(List<Node> nodes, Set<String> names, Set<String> materials, int nesting,
+            double leastScale, double mostScale) {
         Limits.range("the nesting of groups", nesting, 0, Limits.MAX_NESTING);
         int shapes = 0;
         for (Node node : nodes) {
             unique(names, "shape", node.name());
+            double least = leastScale * node.placement().leastScale();
+            double most = mostScale * node.placement().mostScale();
+            Limits.combinedScale("shape '" + node.name() + "'", least, most);
             switch (node) {
-                case Group g -> shapes += checkNodes(g.children(), names, materials, nesting + 1);
+                case Group g -> shapes += checkNodes(g.children(), names, materials, nesting + 1, least, most);
                 case Shape s -> {
                     if (!materials.contains(s.material())) {
                         throw new IllegalArgumentException(

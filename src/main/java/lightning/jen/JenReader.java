@@ -1,0 +1,57 @@
+package lightning.jen;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import lightning.scene.Scene;
+
+/** Reads {@code .jen} files. */
+public final class JenReader {
+    private JenReader() {}
+
+    /**
+     * Reads a scene file and its textures.
+     *
+     * @throws IOException  if the file cannot be read at all
+     * @throws JenException if anything is wrong with its content; holds all problems
+     */
+    public static JenDocument read(Path file) throws IOException, JenException {
+        var problems = new Problems();
+        byte[] bytes;
+        try (InputStream in = Files.newInputStream(file)) {
+            bytes = in.readNBytes(JenLimits.FILE_BYTES + 1);
+        }
+        if (bytes.length > JenLimits.FILE_BYTES) {
+            problems.add(0, "a scene file may have at most " + JenLimits.FILE_BYTES + " bytes, found more");
+            throw new JenException(problems.in(new Source(file.toString(), "")));
+        }
+        return read(Source.decode(file.toString(), bytes, problems), file.toAbsolutePath().getParent(), problems);
+    }
+
+    /**
+     * Reads a scene from a text.
+     *
+     * @param name   how problems call the text
+     * @param folder where its textures are looked for, as if the text were a file in it
+     * @throws JenException if anything is wrong; holds all problems
+     */
+    public static JenDocument read(String text, String name, Path folder) throws JenException {
+        var problems = new Problems();
+        var source = new Source(name, text);
+        source.checkSurrogates(problems);
+        return read(source, folder, problems);
+    }
+
+    private static JenDocument read(Source source, Path folder, Problems problems) throws JenException {
+        Tokens tokens = Lexer.tokens(source.text(), problems);
+        List<Block> blocks = Parser.file(tokens, problems);
+        Optional<Scene> scene = new SceneBuilder(tokens, problems, new TextureFolder(folder)).build(blocks);
+        if (scene.isEmpty()) {
+            throw new JenException(problems.in(source));
+        }
+        return new JenDocument(scene.get(), source.text());
+    }
+}

@@ -1,0 +1,148 @@
+package lightning.jen;
+
+/** Cuts the text of a scene file into tokens; comments run from {@code #} to the end of the line. */
+final class Lexer {
+    private final String text;
+    private final Problems problems;
+    private final Tokens tokens;
+    private int at;
+
+    private Lexer(String text, Problems problems) {
+        this.text = text;
+        this.problems = problems;
+        this.tokens = new Tokens(text);
+    }
+
+    /** All tokens of {@code text}; what is none is reported and left out. */
+    static Tokens tokens(String text, Problems problems) {
+        return new Lexer(text, problems).run();
+    }
+
+    private Tokens run() {
+        if (text.startsWith("\uFEFF")) {
+            at = 1; // a byte order mark, which some editors write
+        }
+        while (at < text.length() && !problems.isFull()) {
+            if (tokens.size() == JenLimits.TOKENS) {
+                problems.add(at, "a scene file may have at most " + JenLimits.TOKENS + " words, numbers and braces");
+                break;
+            }
+            char c = text.charAt(at);
+            switch (c) {
+                case ' ', '\t', '\r', '\n' -> at++;
+                case '#' -> skipComment();
+                case '{' -> tokens.add(Tokens.Kind.OPEN, at, ++at);
+                case '}' -> tokens.add(Tokens.Kind.CLOSE, at, ++at);
+                case '"' -> string();
+                default -> word(c);
+            }
+        }
+        tokens.add(Tokens.Kind.END, text.length(), text.length());
+        return tokens;
+    }
+
+    private void skipComment() {
+        int end = text.indexOf('\n', at);
+        at = end < 0 ? text.length() : end;
+    }
+
+    private void string() {
+        int start = at++;
+        while (at < text.length() && text.charAt(at) != '"' && text.charAt(at) != '\n') {
+            at++;
+        }
+        if (at == text.length() || text.charAt(at) == '\n') {
+            problems.add(start, "a '\"' must be closed by another in the same line");
+            return;
+        }
+        at++;
+        end(Tokens.Kind.STRING, start);
+    }
+
+    private void word(char first) {
+        int start = at;
+        boolean number = first >= '0' && first <= '9' || first == '-' || first == '+' || first == '.';
+        while (at < text.length()) {
+            int c = text.codePointAt(at);
+            if (!isWordPart(c) && !(number && (c == '.' || c == '+'))) {
+                break;
+            }
+            at += Character.charCount(c);
+        }
+        if (number) {
+            end(isNumber(start, at) ? Tokens.Kind.NUMBER : Tokens.Kind.BAD_NUMBER, start);
+        } else if (at > start && isWordStart(text.codePointAt(start))) {
+            end(Tokens.Kind.WORD, start);
+        } else {
+            int c = text.codePointAt(start);
+            at = Math.max(at, start + Character.charCount(c));
+            problems.add(start, "expected a word, a number or a brace, found " + shown(c));
+        }
+    }
+
+    /** Adds a token, which must be followed by something that ends it. */
+    private void end(Tokens.Kind kind, int start) {
+        if (at - start > JenLimits.TOKEN_LENGTH) {
+            problems.add(start, "a word, number or string may have at most " + JenLimits.TOKEN_LENGTH
+                    + " characters, found " + (at - start));
+            return;
+        }
+        if (at < text.length() && "\t\n\r #{}".indexOf(text.charAt(at)) < 0) {
+            problems.add(at, "expected a space, found " + shown(text.codePointAt(at)));
+        }
+        tokens.add(kind, start, at);
+    }
+
+    private static String shown(int c) {
+        boolean visible = c > ' ' && c < 0x7F || Character.isLetterOrDigit(c);
+        return visible ? "'" + Character.toString(c) + "'" : "U+%04X".formatted(c);
+    }
+
+    private static boolean isWordStart(int c) {
+        return c == '_' || Character.isLetter(c);
+    }
+
+    /** As {@link lightning.scene.Limits} defines names. */
+    private static boolean isWordPart(int c) {
+        if (c == '_' || c == '-' || Character.isLetterOrDigit(c)) {
+            return true;
+        }
+        int type = Character.getType(c);
+        return type == Character.LETTER_NUMBER || type == Character.OTHER_NUMBER;
+    }
+
+    /** Sign, digits with a point before, among or after them, exponent: {@code -1.5e-3}. */
+    private boolean isNumber(int start, int end) {
+        int i = start;
+        if (text.charAt(i) == '-' || text.charAt(i) == '+') {
+            i++;
+        }
+        int whole = digits(i, end);
+        i += whole;
+        int fraction = 0;
+        if (i < end && text.charAt(i) == '.') {
+            fraction = digits(i + 1, end);
+            i += 1 + fraction;
+        }
+        if (whole + fraction == 0) {
+            return false;
+        }
+        if (i < end && (text.charAt(i) == 'e' || text.charAt(i) == 'E')) {
+            i++;
+            if (i < end && (text.charAt(i) == '-' || text.charAt(i) == '+')) {
+                i++;
+            }
+            int exponent = digits(i, end);
+            return exponent > 0 && i + exponent == end;
+        }
+        return i == end;
+    }
+
+    private int digits(int from, int end) {
+        int i = from;
+        while (i < end && text.charAt(i) >= '0' && text.charAt(i) <= '9') {
+            i++;
+        }
+        return i - from;
+    }
+}

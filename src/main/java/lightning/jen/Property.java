@@ -1,0 +1,126 @@
+package lightning.jen;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import lightning.scene.Limits;
+
+/**
+ * One property of one kind of block: how it is written, which values it may have, what it is
+ * without being written, and where the scene keeps it.
+ *
+ * @param <T>     the record of the scene that has the property
+ * @param name    as the file writes it
+ * @param form    what follows the name
+ * @param labels  the names of the numbers, one for each ("" where the property's own name says it)
+ * @param min     the least value of each number
+ * @param max     the largest value of each number
+ * @param choices the allowed words; empty where any name may stand
+ * @param initial the value where the file does not say
+ * @param unit    for the documentation
+ * @param whole   whether the numbers must be whole
+ * @param extra   what the values must be together; throws an IllegalArgumentException that says it
+ * @param get     reads the value from the scene
+ */
+record Property<T>(String name, Form form, List<String> labels, double min, double max, List<String> choices,
+        Value initial, String unit, boolean whole, Consumer<Value> extra, Function<T, Value> get) {
+
+    enum Form {
+        NUMBERS,
+        WORD,
+        QUOTED
+    }
+
+    private static final List<String> XYZ = List.of(" x", " y", " z");
+    private static final List<String> CHANNELS = List.of(" red", " green", " blue");
+
+    static <T> Property<T> number(String name, double initial, double min, double max, String unit,
+            Function<T, Double> get) {
+        return numbers(name, List.of(""), Value.of(initial), min, max, unit, t -> Value.of(get.apply(t)));
+    }
+
+    /** Three numbers x, y, z, either sign. */
+    static <T> Property<T> vector(String name, Value initial, double max, String unit, Function<T, Value> get) {
+        return numbers(name, XYZ, initial, -max, max, unit, get);
+    }
+
+    static <T> Property<T> color(String name, Value initial, double max, Function<T, Value> get) {
+        return numbers(name, CHANNELS, initial, 0, max, "linear red, green, blue", get);
+    }
+
+    static <T> Property<T> numbers(String name, List<String> labels, Value initial, double min, double max,
+            String unit, Function<T, Value> get) {
+        return new Property<>(name, Form.NUMBERS, labels, min, max, List.of(), initial, unit, false, v -> {}, get);
+    }
+
+    static <T> Property<T> choice(String name, Value initial, List<String> choices, Function<T, Value> get) {
+        return new Property<>(name, Form.WORD, List.of(), 0, 0, choices, initial, "", false, v -> {}, get);
+    }
+
+    /** {@code yes} or {@code no}. */
+    static <T> Property<T> yes(String name, boolean initial, Function<T, Boolean> get) {
+        return choice(name, Value.yes(initial), List.of("yes", "no"), t -> Value.yes(get.apply(t)));
+    }
+
+    static <T> Property<T> word(String name, Value initial, String unit, Function<T, Value> get) {
+        return new Property<>(name, Form.WORD, List.of(), 0, 0, List.of(), initial, unit, false, v -> {}, get);
+    }
+
+    static <T> Property<T> quoted(String name, String unit, Consumer<Value> extra, Function<T, Value> get) {
+        return new Property<>(name, Form.QUOTED, List.of(), 0, 0, List.of(), new Value.Absent(), unit, false, extra, get);
+    }
+
+    Property<T> inWholeNumbers() {
+        return new Property<>(name, form, labels, min, max, choices, initial, unit, true, extra, get);
+    }
+
+    Property<T> also(Consumer<Value> check) {
+        return new Property<>(name, form, labels, min, max, choices, initial, unit, whole, check, get);
+    }
+
+    /** How many numbers follow the name; 1 for words. */
+    int count() {
+        return form == Form.NUMBERS ? labels.size() : 1;
+    }
+
+    /**
+     * @throws IllegalArgumentException if {@code v} may not be the number at {@code index}; the
+     *     message says what was expected and found
+     */
+    void checkNumber(int index, double v) {
+        String what = name + labels.get(index);
+        if (whole && v != Math.rint(v)) {
+            throw new IllegalArgumentException(what + " must be a whole number, was " + Limits.text(v));
+        }
+        Limits.range(what, v, min, max);
+    }
+
+    /** @throws IllegalArgumentException if {@code word} is none of the choices */
+    void checkWord(String word) {
+        if (!choices.isEmpty() && !choices.contains(word)) {
+            throw new IllegalArgumentException(name + " must be " + alternatives() + ", was '" + word + "'"
+                    + Nearest.hint(word, choices));
+        }
+    }
+
+    /** @throws IllegalArgumentException if the value, each number of which is right, is not right as a whole */
+    void checkTogether(Value value) {
+        extra.accept(value);
+    }
+
+    /** What was expected, as a message says it. */
+    String expected() {
+        return switch (form) {
+            case NUMBERS -> count() == 1 ? "a number" : count() + " numbers";
+            case WORD -> choices.isEmpty() ? "a name" : alternatives();
+            case QUOTED -> "a file name in quotes";
+        };
+    }
+
+    private String alternatives() {
+        var words = new ArrayList<>(choices);
+        String last = words.removeLast();
+        return words.isEmpty() ? last : String.join(", ", words) + " or " + last;
+    }
+}

@@ -1,0 +1,152 @@
+package lightning.jen;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import lightning.jen.Tokens.Kind;
+
+/** Reads one property with its value and checks it. Each method returns the token to go on at. */
+final class PropertyParser {
+    private static final Set<String> NO_NUMBERS = Set.of("nan", "inf", "infinity");
+
+    private final Tokens tokens;
+    private final Problems problems;
+
+    PropertyParser(Tokens tokens, Problems problems) {
+        this.tokens = tokens;
+        this.problems = problems;
+    }
+
+    /** Reads the bare value of {@code property} behind a block's name. */
+    int header(Block block, Property<?> property, int at) {
+        return tokens.kind(at) == Kind.OPEN
+                ? problem(at, at, block.title() + ": expected " + property.expected() + ", found '{'")
+                : value(block, property, -1, at);
+    }
+
+    /** Reads the property whose name is the word at {@code at}. */
+    int property(Block block, int at) {
+        String name = tokens.text(at);
+        Property<?> property = block.type.property(name).orElse(null);
+        if (property == null) {
+            String hint = Nearest.hint(name, block.type.propertyNames());
+            problem(at, at, block.title() + ": unknown property '" + shortened(name) + "'"
+                    + (hint.isEmpty() ? ", expected one of " + String.join(", ", block.type.propertyNames()) : hint));
+            return skipValue(block, at + 1);
+        }
+        if (!block.written.add(name)) {
+            problem(at, at, block.title() + ": " + name + " must be written once, found it again");
+        }
+        return value(block, property, at, at + 1);
+    }
+
+    private int value(Block block, Property<?> property, int nameToken, int at) {
+        return switch (property.form()) {
+            case NUMBERS -> numbers(block, property, nameToken, at);
+            case WORD -> single(block, property, Kind.WORD, nameToken, at);
+            case QUOTED -> single(block, property, Kind.STRING, nameToken, at);
+        };
+    }
+
+    private int single(Block block, Property<?> property, Kind kind, int nameToken, int at) {
+        if (tokens.kind(at) != kind) {
+            String where = nameToken < 0 ? "" : property.name() + ": ";
+            problem(at, at, block.title() + ": " + where + "expected " + property.expected() + ", found " + tokens.found(at));
+            return isValue(tokens.kind(at)) ? at + 1 : at;
+        }
+        String text = tokens.text(at);
+        try {
+            property.checkWord(text);
+            Value value = kind == Kind.WORD ? new Value.Word(text) : new Value.Quoted(text);
+            property.checkTogether(value);
+            block.entries.putIfAbsent(property.name(), new Block.Entry(property, nameToken, at, at + 1, value));
+        } catch (IllegalArgumentException e) {
+            problem(at, at, block.title() + ": " + e.getMessage());
+        }
+        return at + 1;
+    }
+
+    private int numbers(Block block, Property<?> property, int nameToken, int from) {
+        List<Double> numbers = new ArrayList<>(property.count());
+        int at = from;
+        while (isNumber(block, at, at - from < property.count())) {
+            if (at - from < property.count()) {
+                try {
+                    numbers.add(number(property, at - from, at));
+                } catch (IllegalArgumentException e) {
+                    problem(at, at, block.title() + ": " + e.getMessage());
+                }
+            }
+            at++;
+        }
+        if (at - from != property.count()) {
+            problem(nameToken, nameToken, block.title() + ": " + property.name() + " must have " + property.expected()
+                    + ", found " + (at - from));
+        } else if (numbers.size() == property.count()) {
+            together(block, new Block.Entry(property, nameToken, from, at, new Value.Numbers(numbers)));
+        }
+        return at;
+    }
+
+    private void together(Block block, Block.Entry entry) {
+        try {
+            entry.property().checkTogether(entry.value());
+            block.entries.putIfAbsent(entry.property().name(), entry);
+        } catch (IllegalArgumentException e) {
+            problem(entry.from(), entry.from(), block.title() + ": " + e.getMessage());
+        }
+    }
+
+    private double number(Property<?> property, int index, int token) {
+        if (tokens.kind(token) != Kind.NUMBER) {
+            throw new IllegalArgumentException(property.name() + " must be " + property.expected() + ", found "
+                    + tokens.found(token));
+        }
+        double number = Double.parseDouble(tokens.text(token));
+        if (Double.isInfinite(number)) {
+            throw new IllegalArgumentException(property.name() + " must be a number within ±1.8e308, found "
+                    + tokens.found(token));
+        }
+        property.checkNumber(index, number);
+        return number;
+    }
+
+    /**
+     * Whether a number stands here, or a string or word where a number should be, rather than the
+     * next property or block.
+     */
+    private boolean isNumber(Block block, int at, boolean missing) {
+        if (tokens.kind(at) != Kind.WORD) {
+            return isValue(tokens.kind(at));
+        }
+        String word = tokens.text(at);
+        return NO_NUMBERS.contains(word.toLowerCase(Locale.ROOT))
+                || missing && isNoKeyword(block, word) && Nearest.to(word, block.type.propertyNames()).isEmpty();
+    }
+
+    private static boolean isNoKeyword(Block block, String word) {
+        return block.type.property(word).isEmpty() && Blocks.of(word).isEmpty();
+    }
+
+    private int skipValue(Block block, int from) {
+        int at = from;
+        while (isValue(tokens.kind(at)) || tokens.kind(at) == Kind.WORD && isNoKeyword(block, tokens.text(at))) {
+            at++;
+        }
+        return at;
+    }
+
+    private static boolean isValue(Kind kind) {
+        return kind == Kind.NUMBER || kind == Kind.BAD_NUMBER || kind == Kind.STRING;
+    }
+
+    private static String shortened(String name) {
+        return name.length() > 40 ? name.substring(0, name.offsetByCodePoints(0, 37)) + "…" : name;
+    }
+
+    private int problem(int token, int goOn, String message) {
+        problems.add(tokens.start(token), message);
+        return goOn;
+    }
+}

@@ -1,0 +1,177 @@
+package lightning.jen;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import lightning.math.Vec3;
+import lightning.scene.Camera;
+import lightning.scene.Light;
+import lightning.scene.Limits;
+import lightning.scene.Material;
+import lightning.scene.Node;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.Texture;
+import lightning.scene.World;
+
+/** Makes the scene from the blocks of a file and finds what is wrong between blocks. */
+final class SceneBuilder {
+    private final Tokens tokens;
+    private final Problems problems;
+    private final TextureFolder textures;
+    private final Map<String, Block> named = new HashMap<>();
+    private final Set<String> materialNames = new LinkedHashSet<>();
+    private int shapes;
+
+    SceneBuilder(Tokens tokens, Problems problems, TextureFolder textures) {
+        this.tokens = tokens;
+        this.problems = problems;
+        this.textures = textures;
+    }
+
+    /** The scene, or nothing where there are problems. */
+    Optional<Scene> build(List<Block> blocks) {
+        Optional<Picture> picture = single(blocks, Blocks.PICTURE);
+        Optional<Camera> camera = single(blocks, Blocks.CAMERA);
+        Optional<World> world = single(blocks, Blocks.WORLD);
+        List<Material> materials = materials(of(blocks, Blocks.MATERIAL));
+        List<Node> nodes = nodes(blocks.stream().filter(b -> Blocks.NODES.contains(b.type.keyword())).toList(), 1, 1);
+        List<Light> lights = lights(of(blocks, Blocks.LIGHT));
+        return problems.isEmpty()
+                ? Optional.of(new Scene(picture.orElse(Picture.DEFAULT), camera.orElse(Camera.DEFAULT),
+                        world.orElse(World.DEFAULT), materials, nodes, lights))
+                : Optional.empty();
+    }
+
+    private static List<Block> of(List<Block> blocks, BlockType<?> type) {
+        return blocks.stream().filter(b -> b.type == type).toList();
+    }
+
+    private <T> Optional<T> single(List<Block> blocks, BlockType<T> type) {
+        List<Block> all = of(blocks, type);
+        all.stream().skip(1).forEach(b -> problem(b, b.title() + " must be written once, found it again"));
+        return all.isEmpty() ? Optional.empty() : record(all.getFirst(), type, List.of());
+    }
+
+    private List<Material> materials(List<Block> blocks) {
+        List<Material> materials = new ArrayList<>();
+        materialNames.add(Material.DEFAULT.name());
+        Map<String, Block> known = new HashMap<>();
+        for (Block block : blocks) {
+            unique(known, block);
+            materialNames.add(block.name);
+            record(block, Blocks.MATERIAL, List.of()).ifPresent(materials::add);
+        }
+        count(blocks, Limits.MAX_MATERIALS, "materials");
+        return materials;
+    }
+
+    private List<Light> lights(List<Block> blocks) {
+        List<Light> lights = new ArrayList<>();
+        for (Block block : blocks) {
+            unique(named, block);
+            record(block, Blocks.LIGHT, List.of()).ifPresent(lights::add);
+        }
+        count(blocks, Limits.MAX_LIGHTS, "lights");
+        return lights;
+    }
+
+    private void count(List<Block> blocks, int most, String what) {
+        if (blocks.size() > most) {
+            problem(blocks.get(most), "a scene may have at most " + most + " " + what + ", found " + blocks.size());
+        }
+    }
+
+    /**
+     * @param least the product of the smallest scale factors of the groups around
+     * @param most  the product of the largest
+     */
+    private List<Node> nodes(List<Block> blocks, double least, double most) {
+        List<Node> nodes = new ArrayList<>();
+        for (Block block : blocks) {
+            unique(named, block);
+            Placement scale = scale(block);
+            double smallest = least * scale.leastScale();
+            double largest = most * scale.mostScale();
+            try {
+                Limits.combinedScale(block.title(), smallest, largest);
+            } catch (IllegalArgumentException e) {
+                problem(block, e.getMessage());
+            }
+            if (block.type != Blocks.GROUP) {
+                checkMaterial(block);
+                if (++shapes == Limits.MAX_SHAPES + 1) {
+                    problem(block, "a scene may have at most " + Limits.MAX_SHAPES + " shapes");
+                }
+            }
+            List<Node> children = nodes(block.children, smallest, largest);
+            record(block, block.type, children).ifPresent(n -> nodes.add((Node) n));
+        }
+        return nodes;
+    }
+
+    private static Placement scale(Block block) {
+        Block.Entry entry = block.entries.get("scale");
+        return entry == null ? Placement.IDENTITY
+                : new Placement(Vec3.ZERO, Vec3.ZERO, new Values(Map.of("scale", entry.value()), null).vector("scale"));
+    }
+
+    private void checkMaterial(Block block) {
+        Block.Entry entry = block.entries.get("material");
+        if (entry != null && !materialNames.contains(entry.value().text())) {
+            problems.add(tokens.start(entry.from()), block.title() + ": there is no material '" + entry.value().text()
+                    + "'" + Nearest.hint(entry.value().text(), materialNames));
+        }
+    }
+
+    private void unique(Map<String, Block> known, Block block) {
+        Block other = block.name.isEmpty() ? null : known.putIfAbsent(block.name, block);
+        if (other != null) {
+            problem(block, block.title() + ": names must be unique, found a " + other.type.keyword() + " with this name before");
+        }
+    }
+
+    /** The record of a block; nothing where a problem of the file stands in the way. */
+    private <T> Optional<T> record(Block block, BlockType<T> type, List<Node> children) {
+        Map<String, Value> values = new HashMap<>(type.initials());
+        block.entries.forEach((name, entry) -> values.put(name, entry.value()));
+        if (block.entries.containsKey("repeat") && !block.written.contains("texture")) {
+            problems.add(tokens.start(block.entries.get("repeat").nameToken()),
+                    block.title() + ": repeat needs a texture, found none");
+        }
+        Texture image = image(block);
+        if (!problems.isEmpty() && (type.named() && block.name.isEmpty()
+                || type.header().filter(p -> !values.containsKey(p.name())).isPresent()
+                || block.written.contains("texture") && image == null)) {
+            return Optional.empty();
+        }
+        try {
+            return Optional.of(type.builder().build(block.name, new Values(values, file -> image), children));
+        } catch (IllegalArgumentException e) {
+            problem(block, block.title() + ": " + e.getMessage());
+            return Optional.empty();
+        }
+    }
+
+    private Texture image(Block block) {
+        Block.Entry entry = block.entries.get("texture");
+        if (entry == null) {
+            return null;
+        }
+        try {
+            return textures.load(((Value.Quoted) entry.value()).file());
+        } catch (TextureFolder.UnusableException e) {
+            problems.add(tokens.start(entry.from()), block.title() + ": " + e.getMessage());
+            return null;
+        }
+    }
+
+    private void problem(Block block, String message) {
+        problems.add(tokens.start(block.place()), message);
+    }
+}

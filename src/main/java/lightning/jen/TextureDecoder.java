@@ -1,0 +1,137 @@
+package lightning.jen;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.IndexColorModel;
+import java.awt.image.Raster;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Iterator;
+import java.util.Locale;
+import java.util.Set;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.MemoryCacheImageInputStream;
+import lightning.scene.Texture;
+
+/**
+ * Decodes PNG and JPEG files to linear light.
+ *
+ * <p>The samples s are taken as sRGB in 0…1, whatever colour profile the file carries, and decoded
+ * by IEC 61966-2-1: s / 12.92 where s ≤ 0.04045, else ((s + 0.055) / 1.055)<sup>2.4</sup>, in
+ * double, rounded once to float. Transparency is ignored; a grey sample counts for all channels.
+ */
+final class TextureDecoder {
+    private static final Set<String> FORMATS = Set.of("png", "jpeg");
+
+    private TextureDecoder() {}
+
+    /**
+     * Checks the header of the file, then decodes it.
+     *
+     * @param name       what messages call it
+     * @param pixelsLeft how many pixels the picture may have at most, beside {@link JenLimits#TEXTURE_PIXELS}
+     * @throws TextureFolder.UnusableException if it is no PNG or JPEG, too large or damaged
+     * @throws IOException if it cannot be read
+     */
+    static Texture decode(String name, Path path, long pixelsLeft) throws IOException, TextureFolder.UnusableException {
+        long bytes = Files.size(path);
+        if (bytes > JenLimits.TEXTURE_BYTES) {
+            throw unusable(name, "must have at most " + JenLimits.TEXTURE_BYTES + " bytes, has " + bytes);
+        }
+        try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(Files.readAllBytes(path)))) {
+            ImageReader reader = reader(name, in);
+            try {
+                reader.setInput(in, true, true);
+                checkSize(name, reader.getWidth(0), reader.getHeight(0), pixelsLeft);
+                return texture(reader.read(0));
+            } catch (IOException | RuntimeException e) {
+                // The decoders answer some damaged files with runtime exceptions of all kinds.
+                throw unusable(name, "cannot be decoded: " + e.getMessage());
+            } finally {
+                reader.dispose();
+            }
+        }
+    }
+
+    private static ImageReader reader(String name, ImageInputStream in)
+            throws IOException, TextureFolder.UnusableException {
+        Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
+        while (readers.hasNext()) {
+            ImageReader reader = readers.next();
+            if (FORMATS.contains(reader.getFormatName().toLowerCase(Locale.ROOT))) {
+                return reader;
+            }
+            reader.dispose();
+        }
+        throw unusable(name, "must be a PNG or JPEG file, found another kind");
+    }
+
+    private static void checkSize(String name, int width, int height, long pixelsLeft)
+            throws TextureFolder.UnusableException {
+        if (width < 1 || height < 1 || width > JenLimits.TEXTURE_SIDE || height > JenLimits.TEXTURE_SIDE) {
+            throw unusable(name, "must have from 1 to " + JenLimits.TEXTURE_SIDE + " pixels along each side, has "
+                    + width + "×" + height);
+        }
+        long pixels = (long) width * height;
+        if (pixels > JenLimits.TEXTURE_PIXELS) {
+            throw unusable(name, "must have at most " + JenLimits.TEXTURE_PIXELS + " pixels, has " + width + "×" + height);
+        }
+        if (pixels > pixelsLeft) {
+            throw unusable(name, "is one too many: all textures together must have at most "
+                    + JenLimits.ALL_TEXTURE_PIXELS + " pixels");
+        }
+    }
+
+    private static TextureFolder.UnusableException unusable(String name, String why) {
+        return new TextureFolder.UnusableException("texture '" + name + "' " + why);
+    }
+
+    private static Texture texture(BufferedImage image) {
+        int width = image.getWidth();
+        int height = image.getHeight();
+        float[] rgb = new float[3 * width * height];
+        if (image.getColorModel() instanceof IndexColorModel) {
+            float[] linear = linear(8);
+            for (int i = 0; i < width * height; i++) {
+                int pixel = image.getRGB(i % width, i / width);
+                rgb[3 * i] = linear[pixel >> 16 & 0xFF];
+                rgb[3 * i + 1] = linear[pixel >> 8 & 0xFF];
+                rgb[3 * i + 2] = linear[pixel & 0xFF];
+            }
+        } else {
+            // Not getRGB: it would take grey samples as linear light and apply colour profiles.
+            decodeSamples(image.getRaster(), rgb);
+        }
+        return new Texture(width, height, rgb);
+    }
+
+    private static void decodeSamples(Raster raster, float[] rgb) {
+        int width = raster.getWidth();
+        int bands = raster.getNumBands() < 3 ? 1 : 3;
+        int[] row = new int[width];
+        for (int channel = 0; channel < 3; channel++) {
+            int band = Math.min(channel, bands - 1);
+            float[] linear = linear(raster.getSampleModel().getSampleSize(band));
+            for (int y = 0; y < raster.getHeight(); y++) {
+                raster.getSamples(0, y, width, 1, band, row);
+                for (int x = 0; x < width; x++) {
+                    rgb[3 * (y * width + x) + channel] = linear[row[x]];
+                }
+            }
+        }
+    }
+
+    /** The linear value of each sample of the given number of bits, {@code float[2^bits]}. */
+    private static float[] linear(int bits) {
+        int largest = (1 << bits) - 1;
+        float[] linear = new float[largest + 1];
+        for (int i = 0; i <= largest; i++) {
+            double s = (double) i / largest;
+            linear[i] = (float) (s <= 0.04045 ? s / 12.92 : StrictMath.pow((s + 0.055) / 1.055, 2.4));
+        }
+        return linear;
+    }
+}

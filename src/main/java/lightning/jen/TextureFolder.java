@@ -1,0 +1,100 @@
+package lightning.jen;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import lightning.scene.Texture;
+
+/**
+ * Finds the textures of one scene: beside its file, in {@code textures/} there, or in
+ * {@code textures/} of the nearest of the three folders above that has it. Each file is decoded once.
+ */
+final class TextureFolder {
+    private static final int FOLDERS_ABOVE = 3;
+
+    private final Path scene;
+    private final Map<Path, Texture> decoded = new HashMap<>();
+    private long pixels;
+
+    /** @param scene the folder that holds the scene file */
+    TextureFolder(Path scene) {
+        this.scene = scene.toAbsolutePath().normalize();
+    }
+
+    /** Says in a sentence why a texture cannot be used. */
+    static final class UnusableException extends Exception {
+        private static final long serialVersionUID = 1;
+
+        UnusableException(String message) {
+            super(message);
+        }
+    }
+
+    /**
+     * The decoded picture.
+     *
+     * @throws UnusableException if there is no such file inside the folders, if a link leads out of
+     *     them, or if it is no PNG or JPEG within {@link JenLimits}
+     */
+    Texture load(String file) throws UnusableException {
+        try {
+            TextureName.check(file);
+            Path path = find(file);
+            Texture known = decoded.get(path);
+            if (known != null) {
+                return known;
+            }
+            if (decoded.size() == JenLimits.TEXTURES) {
+                throw new UnusableException("a scene may have at most " + JenLimits.TEXTURES + " textures, found another, '"
+                        + file + "'");
+            }
+            Texture texture = TextureDecoder.decode(file, path, JenLimits.ALL_TEXTURE_PIXELS - pixels);
+            pixels += (long) texture.width() * texture.height();
+            decoded.put(path, texture);
+            return texture;
+        } catch (IOException | InvalidPathException | SecurityException e) {
+            throw new UnusableException("texture '" + file + "' cannot be read: " + e.getMessage());
+        } catch (IllegalArgumentException e) {
+            throw new UnusableException(e.getMessage());
+        }
+    }
+
+    private Path find(String file) throws UnusableException, IOException {
+        for (Path folder : folders()) {
+            Path path = folder.resolve(file);
+            if (Files.isRegularFile(path)) {
+                Path real = path.toRealPath();
+                if (!real.startsWith(folder.toRealPath())) {
+                    throw new UnusableException("texture '" + file + "' must be inside " + shown(folder)
+                            + ", found a link that leads out of it");
+                }
+                return real;
+            }
+        }
+        throw new UnusableException("there is no texture '" + file + "' in "
+                + String.join(" or ", folders().stream().map(TextureFolder::shown).toList()));
+    }
+
+    private List<Path> folders() {
+        List<Path> folders = new ArrayList<>();
+        folders.add(scene);
+        Path above = scene;
+        for (int i = 0; i <= FOLDERS_ABOVE && above != null; i++, above = above.getParent()) {
+            Path textures = above.resolve("textures");
+            if (Files.isDirectory(textures)) {
+                folders.add(textures);
+                break;
+            }
+        }
+        return folders;
+    }
+
+    private static String shown(Path folder) {
+        return "the folder '" + folder.getFileName() + "'";
+    }
+}

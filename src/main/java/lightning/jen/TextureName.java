@@ -1,0 +1,30 @@
+package lightning.jen;
+
+import java.util.regex.Pattern;
+
+/** What a scene file may write as the name of a texture. */
+final class TextureName {
+    private static final Pattern ALLOWED = Pattern.compile("[\\p{L}\\p{N} _.,()+/-]{1,200}");
+
+    private TextureName() {}
+
+    /**
+     * @throws IllegalArgumentException if {@code file} is not a relative path of plain names
+     *     separated by {@code /}, at most 200 characters, none of the names empty, {@code .} or {@code ..}
+     */
+    static void check(String file) {
+        if (!ALLOWED.matcher(file).matches()) {
+            throw new IllegalArgumentException("texture must be a file name of 1 to 200 letters, digits, spaces and _ . , ( ) + - /, was '"
+                    + file.replaceAll("\\p{C}", "?") + "'");
+        }
+        if (file.startsWith("/")) {
+            throw new IllegalArgumentException("texture must be a file beside the scene or in its textures folder, was the absolute path '"
+                    + file + "'");
+        }
+        for (String name : file.split("/", -1)) {
+            if (name.isEmpty() || name.equals(".") || name.equals("..")) {
+                throw new IllegalArgumentException("texture must be a path without empty names, . and .., was '" + file + "'");
+            }
+        }
+    }
+}

@@ -1,0 +1,76 @@
+package lightning.jen;
+
+import java.util.Arrays;
+
+/**
+ * The words of a scene file with their places, as columns: token {@code i} is the characters from
+ * {@code start(i)} to {@code end(i)}. After the last one comes an {@link Kind#END} at the end of the text.
+ */
+final class Tokens {
+    enum Kind {
+        /** A keyword, property name or name. */
+        WORD,
+        NUMBER,
+        /** Begins like a number and is none. */
+        BAD_NUMBER,
+        /** In quotes. */
+        STRING,
+        OPEN,
+        CLOSE,
+        END
+    }
+
+    private static final Kind[] KINDS = Kind.values();
+
+    private final String text;
+    private int[] starts = new int[64];
+    private int[] ends = new int[64];
+    private byte[] kinds = new byte[64];
+    private int size;
+
+    Tokens(String text) {
+        this.text = text;
+    }
+
+    void add(Kind kind, int start, int end) {
+        if (size == starts.length) {
+            starts = Arrays.copyOf(starts, 2 * size);
+            ends = Arrays.copyOf(ends, 2 * size);
+            kinds = Arrays.copyOf(kinds, 2 * size);
+        }
+        starts[size] = start;
+        ends[size] = end;
+        kinds[size++] = (byte) kind.ordinal();
+    }
+
+    int size() {
+        return size;
+    }
+
+    /** The kind of token {@code i}; behind the last one there are only ends. */
+    Kind kind(int i) {
+        return i < size ? KINDS[kinds[i]] : Kind.END;
+    }
+
+    int start(int i) {
+        return starts[Math.min(i, size - 1)];
+    }
+
+    int end(int i) {
+        return ends[Math.min(i, size - 1)];
+    }
+
+    /** The characters of token {@code i}, a string's without its quotes. */
+    String text(int i) {
+        return kind(i) == Kind.STRING ? text.substring(start(i) + 1, end(i) - 1) : text.substring(start(i), end(i));
+    }
+
+    /** Token {@code i} as a message quotes it, shortened when long. */
+    String found(int i) {
+        if (kind(i) == Kind.END) {
+            return "the end of the file";
+        }
+        String word = text.substring(start(i), end(i));
+        return "'" + (word.length() > 40 ? word.substring(0, word.offsetByCodePoints(0, 37)) + "…" : word) + "'";
+    }
+}

@@ -1,0 +1,67 @@
+package lightning.jen;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.scene.Limits;
+
+/** What follows a property's name in the file. Two values are equal when every bit is. */
+sealed interface Value {
+    /** The text that reads back as this value. */
+    String text();
+
+    record Numbers(List<Double> all) implements Value {
+        public Numbers {
+            all = List.copyOf(all);
+        }
+
+        @Override
+        public String text() {
+            return all.stream().map(Value::number).collect(Collectors.joining(" "));
+        }
+    }
+
+    record Word(String text) implements Value {}
+
+    /** A file's name, written in quotes. */
+    record Quoted(String file) implements Value {
+        @Override
+        public String text() {
+            return '"' + file + '"';
+        }
+    }
+
+    /** Nothing is written: the property is absent. */
+    record Absent() implements Value {
+        @Override
+        public String text() {
+            return "";
+        }
+    }
+
+    static Value of(double... numbers) {
+        return new Numbers(Arrays.stream(numbers).boxed().toList());
+    }
+
+    static Value of(Vec3 v) {
+        return of(v.x(), v.y(), v.z());
+    }
+
+    static Value of(Rgb c) {
+        return of(c.r(), c.g(), c.b());
+    }
+
+    static Value yes(boolean v) {
+        return new Word(v ? "yes" : "no");
+    }
+
+    /** The shortest decimal number that reads back as {@code v}, the sign of zero included. */
+    static String number(double v) {
+        if (v == 0) {
+            return 1 / v < 0 ? "-0" : "0";
+        }
+        return Math.abs(v) < 1e7 ? Limits.text(v) : Double.toString(v).replace(".0E", "E").replace('E', 'e');
+    }
+}
