@@ -1,0 +1,153 @@
+package lightning;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.lang.ArchRule;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The program keeps the rules of {@link Architecture}, and the rules catch what breaks them. */
+class ArchitectureTest {
+    private static final JavaClasses PROGRAM = new ClassFileImporter()
+            .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+            .importPackages("lightning");
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void program_isSeenByTheRules() {
+        assertThat(PROGRAM.contain("lightning.Main")).isTrue();
+        assertThat(PROGRAM.contain("lightning.scene.Scene")).isTrue();
+        assertThat(PROGRAM.contain("lightning.ArchitectureTest")).isFalse();
+    }
+
+    @Test
+    void program_rowsKnowOnlyRowsAbove() {
+        Architecture.rowsKnowOnlyRowsAbove().check(PROGRAM);
+    }
+
+    @Test
+    void program_onlyAppSeesJavaFx() {
+        Architecture.onlyAppSeesJavaFx().check(PROGRAM);
+    }
+
+    @Test
+    void program_onlyCommandsPrint() {
+        Architecture.onlyCommandsPrint().check(PROGRAM);
+    }
+
+    @Test
+    void program_referenceTracerKnowsNoFastCode() {
+        Architecture.referenceTracerKnowsNoFastCode().check(PROGRAM);
+    }
+
+    @Test
+    void lowerRowKnowingAHigherOne_isCaught() throws IOException {
+        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.math knows only rows above it",
+                "package lightning.scene; public class Thing {}",
+                "package lightning.math; class Bad { lightning.scene.Thing thing; }");
+    }
+
+    @Test
+    void narrowedRowKnowingARowAbove_isCaught() throws IOException {
+        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.image knows only rows above it",
+                "package lightning.scene; public class Thing {}",
+                "package lightning.image; class Bad { lightning.scene.Thing thing; }");
+    }
+
+    @Test
+    void commandKnowingTheEditor_isCaught() throws IOException {
+        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.cli knows only rows above it",
+                "package lightning.app; public class Window {}",
+                "package lightning.cli; class Bad { lightning.app.Window window; }");
+    }
+
+    @Test
+    void packageWithoutARow_isCaught() throws IOException {
+        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lives in a package that has a row",
+                "package lightning.util; class Bad {}");
+    }
+
+    @Test
+    void higherRowKnowingALowerOne_isAllowed() throws IOException {
+        JavaClasses classes = compiled("package lightning.math; public class Number {}",
+                "package lightning.trace; class Good { lightning.math.Number number; }");
+        assertThatCode(() -> Architecture.rowsKnowOnlyRowsAbove().check(classes)).doesNotThrowAnyException();
+    }
+
+    @Test
+    void javaFxOutsideTheEditor_isCaught() throws IOException {
+        assertCaught(Architecture.onlyAppSeesJavaFx(), "only lightning.app sees JavaFX",
+                "package javafx.scene; public class Node {}",
+                "package lightning.edit; class Bad { javafx.scene.Node node; }");
+    }
+
+    @Test
+    void printingInTheEngine_isCaught() throws IOException {
+        assertCaught(Architecture.onlyCommandsPrint(), "print",
+                "package lightning.relight; class Bad { void say() { System.out.println(); } }");
+    }
+
+    @Test
+    void printingInACommand_isAllowed() throws IOException {
+        JavaClasses classes = compiled(
+                "package lightning.cli; class Good { void say() { System.err.println(); } }");
+        assertThatCode(() -> Architecture.onlyCommandsPrint().check(classes)).doesNotThrowAnyException();
+    }
+
+    @Test
+    void referenceTracerReachingFastCodeThroughAHelper_isCaught() throws IOException {
+        assertCaught(Architecture.referenceTracerKnowsNoFastCode(), "the reference tracer knows neither",
+                "package lightning.trace; public class BvhBuilder {}",
+                "package lightning.trace; public class Nearest { BvhBuilder builder; }",
+                "package lightning.shading; class ReferenceTracer { lightning.trace.Nearest nearest; }");
+    }
+
+    @Test
+    void referenceTracerKnowingTheCache_isCaught() throws IOException {
+        assertCaught(Architecture.referenceTracerKnowsNoFastCode(), "the reference tracer knows neither",
+                "package lightning.cache; public class Rows {}",
+                "package lightning.shading; class ReferenceTracer { void use() { new lightning.cache.Rows(); } }");
+    }
+
+    private void assertCaught(ArchRule rule, String sentence, String... sources) throws IOException {
+        JavaClasses classes = compiled(sources);
+        assertThatThrownBy(() -> rule.check(classes))
+                .isInstanceOf(AssertionError.class)
+                .hasMessageContaining(sentence);
+    }
+
+    /** Compiles classes, each given as its source on one line, in a folder of their own. */
+    private JavaClasses compiled(String... sources) throws IOException {
+        var compiler = ToolProvider.getSystemJavaCompiler();
+        List<Path> files = new ArrayList<>();
+        for (String source : sources) {
+            String type = source.replaceFirst(".*?class (\\w+) .*", "$1");
+            Path file = folder.resolve("source" + files.size()).resolve(type + ".java");
+            Files.createDirectories(file.getParent());
+            files.add(Files.writeString(file, source));
+        }
+        Path classes = folder.resolve("classes");
+        var messages = new StringWriter();
+        try (var manager = compiler.getStandardFileManager(null, null, null)) {
+            boolean compiled = compiler.getTask(messages, manager, null,
+                    List.of("-proc:none", "-cp", folder.toString(), "-d", classes.toString()), null,
+                    manager.getJavaFileObjectsFromPaths(files)).call();
+            assertThat(compiled).as(messages.toString()).isTrue();
+        }
+        return new ClassFileImporter().importPath(classes);
+    }
+}

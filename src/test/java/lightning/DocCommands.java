@@ -1,0 +1,64 @@
+package lightning;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The commands that a page of documentation shows: the lines of its fenced blocks of language
+ * {@code sh}. A line that ends with a backslash goes on in the next one; a comment ends a line.
+ */
+final class DocCommands {
+    private static final Pattern BLOCK = Pattern.compile("(?ms)^```sh\\s*?\\n(.*?)^```");
+    private static final Pattern WORD = Pattern.compile("\\s*((?:\"[^\"]*\"|'[^']*'|[^\\s\"'])+)");
+    private static final Pattern EXIT = Pattern.compile("#.*\\bexit (\\d+)\\b");
+
+    /**
+     * One command.
+     *
+     * @param words its name and arguments, without their quotes
+     * @param exit the exit code that its comment promises ("# exit 2"), else 0
+     */
+    record Command(List<String> words, int exit) {
+        String name() {
+            return words.getFirst();
+        }
+
+        String[] arguments() {
+            return words.subList(1, words.size()).toArray(String[]::new);
+        }
+    }
+
+    private DocCommands() {}
+
+    /** Returns the commands of the page in their order. */
+    static List<Command> of(String markdown) {
+        List<Command> commands = new ArrayList<>();
+        Matcher block = BLOCK.matcher(markdown);
+        while (block.find()) {
+            for (String line : block.group(1).replaceAll("\\\\\\n\\s*", " ").split("\\n")) {
+                List<String> words = words(line);
+                if (!words.isEmpty()) {
+                    Matcher exit = EXIT.matcher(line);
+                    commands.add(new Command(words, exit.find() ? Integer.parseInt(exit.group(1)) : 0));
+                }
+            }
+        }
+        return commands;
+    }
+
+    /** Splits a command line as a shell does, as far as quotes and comments go. */
+    static List<String> words(String line) {
+        List<String> words = new ArrayList<>();
+        Matcher word = WORD.matcher(line);
+        while (word.lookingAt()) {
+            if (word.group(1).startsWith("#")) {
+                break;
+            }
+            words.add(word.group(1).replaceAll("\"([^\"]*)\"|'([^']*)'", "$1$2"));
+            word.region(word.end(), line.length());
+        }
+        return List.copyOf(words);
+    }
+}

@@ -1,0 +1,152 @@
+package lightning;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The launcher script, with scripts in place of Java that say what they were called with. */
+@DisabledOnOs(OS.WINDOWS)
+class LauncherTest {
+    private static final String WARNING = "WARNING: Using incubator modules: jdk.incubator.vector";
+
+    @TempDir
+    private Path folder;
+
+    private Path launcher;
+
+    private record Result(int code, String out, String err) {}
+
+    @BeforeEach
+    void install() throws IOException {
+        launcher = folder.resolve("installed here/bin/lightning");
+        Files.createDirectories(launcher.getParent());
+        String script = Files.readString(Path.of("src/main/launcher/lightning"));
+        String withoutInstalledJava = script.replace("/usr/lib/jvm", folder + "/jvm")
+                .replace("/Library/Java", folder + "/Library");
+        Files.writeString(launcher, withoutInstalledJava);
+        assertThat(launcher.toFile().setExecutable(true)).isTrue();
+    }
+
+    @Test
+    void arguments_arePassedAsTheyAre() throws Exception {
+        Path java = java("25.0.1", "printf '[%s]' \"$@\"");
+        Result result = run(Map.of("JAVA_HOME", java), "", launcher, "render", "a b.jen", "*", "");
+        assertThat(result.out()).endsWith("[lightning/lightning.Main][render][a b.jen][*][]");
+    }
+
+    @Test
+    void home_isFoundThroughLinks() throws Exception {
+        Path java = java("25", "printf '[%s]' \"$@\"");
+        Path elsewhere = Files.createDirectory(folder.resolve("elsewhere"));
+        Files.createSymbolicLink(elsewhere.resolve("first"), Path.of("../installed here/bin/lightning"));
+        Path second = Files.createSymbolicLink(folder.resolve("second"), Path.of("elsewhere/first"));
+        Result result = run(Map.of("JAVA_HOME", java), "", second);
+        assertThat(result.out()).contains("[-Dlightning.home=" + folder.toRealPath() + "/installed here]");
+    }
+
+    @Test
+    void exitCodeAndStandardInput_areThePrograms() throws Exception {
+        Path java = java("26-ea", "cat; exit 3");
+        assertThat(run(Map.of("JAVA_HOME", java), "two\nlines", launcher))
+                .isEqualTo(new Result(3, "two\nlines", ""));
+    }
+
+    @Test
+    void incubatorWarning_isTheOnlyLineKeptFromATerminal() throws Exception {
+        Path java = java("25", "printf '%s\\n' 'Picked up options' '" + WARNING + "' '" + WARNING + ", more' >&2;"
+                + "printf 'last' >&2");
+        pretendTerminal();
+        assertThat(run(Map.of("JAVA_HOME", java), "", launcher).err())
+                .isEqualTo("Picked up options\n" + WARNING + ", more\nlast");
+    }
+
+    @Test
+    void errorsWithoutTheWarning_reachATerminal() throws Exception {
+        Path java = java("25", "printf 'one\\ntwo\\n' >&2");
+        pretendTerminal();
+        assertThat(run(Map.of("JAVA_HOME", java), "", launcher).err()).isEqualTo("one\ntwo\n");
+    }
+
+    @Test
+    void errorsIntoAFile_areUntouched() throws Exception {
+        Path java = java("25", "printf '%s' '" + WARNING + "' >&2");
+        assertThat(run(Map.of("JAVA_HOME", java), "", launcher).err()).isEqualTo(WARNING);
+    }
+
+    @Test
+    void oldJavaHome_givesWayToAnInstalledJava() throws Exception {
+        Path old = java("17.0.15", "echo old");
+        Path installed = java("25.0.3", "echo new");
+        Files.createDirectories(folder.resolve("jvm"));
+        Files.createSymbolicLink(folder.resolve("jvm/some-25-jdk"), installed);
+        assertThat(run(Map.of("JAVA_HOME", old), "", launcher).out()).isEqualTo("new\n");
+    }
+
+    @Test
+    void noSuitableJava_isSaidInOneSentenceWithExitCode2() throws Exception {
+        Path old = java("24.0.2", "echo old");
+        Result result = run(Map.of("JAVA_HOME", old), "", launcher);
+        assertThat(result.code()).isEqualTo(2);
+        assertThat(result.out()).isEmpty();
+        assertThat(result.err()).startsWith("lightning: needs Java 25 or newer and found none; install ").hasLineCount(1);
+    }
+
+    /** The script does what it does on a terminal, which a test has none of. */
+    private void pretendTerminal() throws IOException {
+        String script = Files.readString(launcher);
+        assertThat(script).containsOnlyOnce("[[ -t 2 ]]");
+        Files.writeString(launcher, script.replace("[[ -t 2 ]]", "true"));
+    }
+
+    /** The tools that the script calls, and no Java. */
+    private Path toolsWithoutJava() throws IOException {
+        Path tools = Files.createDirectory(folder.resolve("tools"));
+        for (String tool : List.of("bash", "env", "cat", "grep", "dirname", "readlink")) {
+            Path found = Stream.of("/bin", "/usr/bin").map(place -> Path.of(place, tool))
+                    .filter(Files::isExecutable).findFirst().orElseThrow();
+            Path call = Files.writeString(tools.resolve(tool), "#!/bin/sh\nexec " + found + " \"$@\"\n");
+            assertThat(call.toFile().setExecutable(true)).isTrue();
+        }
+        return tools;
+    }
+
+    /** Makes a Java home of the version whose java runs the shell commands. */
+    private Path java(String version, String commands) throws IOException {
+        Path home = Files.createTempDirectory(folder, "java");
+        Files.writeString(home.resolve("release"), "IMPLEMENTOR=\"Test\"\nJAVA_VERSION=\"" + version + "\"\n");
+        Path java = Files.createDirectory(home.resolve("bin")).resolve("java");
+        Files.writeString(java, "#!/usr/bin/env bash\n" + commands + "\n");
+        assertThat(java.toFile().setExecutable(true)).isTrue();
+        return home;
+    }
+
+    /** Runs a command where the only Java is the one that the variables name. */
+    private Result run(Map<String, Path> variables, String input, Path command, String... arguments)
+            throws IOException, InterruptedException {
+        List<String> line = new ArrayList<>(List.of(command.toString()));
+        line.addAll(List.of(arguments));
+        Path in = Files.writeString(folder.resolve("in"), input);
+        Path out = folder.resolve("out");
+        var builder = new ProcessBuilder(line)
+                .redirectInput(in.toFile()).redirectOutput(out.toFile());
+        builder.environment().keySet().removeIf(name -> name.startsWith("JAVA"));
+        builder.environment().put("HOME", folder.toString());
+        builder.environment().put("PATH", toolsWithoutJava().toString());
+        variables.forEach((name, value) -> builder.environment().put(name, value.toString()));
+        Process process = builder.start();
+        String err = new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
+        return new Result(process.waitFor(), Files.readString(out), err);
+    }
+}
