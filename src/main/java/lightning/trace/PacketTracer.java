@@ -1,32 +1,103 @@
 package lightning.trace;
 
+import java.util.Arrays;
+
 /**
  * Traces packets of rays. Holds scratch memory: one for each thread.
  *
  * <p>A packet is a way to run, not an approximation: each lane's answer is that of the scalar
- * functions of {@link Solids} and {@link Surface}, bit for bit.
+ * functions of {@link Solids} and {@link Surface}, bit for bit. Boxes are tested in floats and only
+ * reject; whatever they let through is decided in doubles.
+ *
+ * <p>Directions have a length from 1e−30 to 1e30; origins are the camera or lie within the box of the scene.
  */
 public final class PacketTracer {
+    /** Up to this many shapes each is tried in turn; a tree would only add boxes. */
+    static final int FEW = 12;
+
     private final ShapeTable shapes;
-    private final Surface surface = new Surface();
+    private final Bvh bvh;
+    private final BoxLanes box = new BoxLanes();
+    private final SolidLanes solid;
+    private final SurfaceLanes surface;
+    private final int[] stack;
+    private final int[] stackMask;
+    private final Candidates all;
+    private int lastOccluder = -1;
 
     public PacketTracer(Geometry geometry) {
-        shapes = geometry.shapes();
+        this(geometry.bvh(), FEW);
+    }
+
+    PacketTracer(Bvh bvh, int few) {
+        this.bvh = bvh;
+        shapes = bvh.shapes;
+        solid = new SolidLanes(shapes);
+        surface = new SurfaceLanes(shapes);
+        stack = new int[bvh.depth + 1];
+        stackMask = new int[bvh.depth + 1];
+        all = shapes.count <= few ? Candidates.all(bvh) : null;
     }
 
     /** Finds the nearest hit of the first {@code live} lanes; writes {@code t} and {@code shape}. */
     public void nearest(RayPacket p, int live) {
-        for (int i = 0; i < live; i++) {
-            p.t[i] = Solids.MISS;
-            p.shape[i] = -1;
-            for (int s = 0; s < shapes.count; s++) {
-                double t = shapes.distance(s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]);
-                if (t < p.t[i]) {
-                    p.t[i] = t;
-                    p.shape[i] = s;
+        if (all != null) {
+            nearest(p, live, all);
+            return;
+        }
+        begin(p);
+        int top = 0;
+        int next = 0;
+        int mask = lanes(live);
+        int lane = 0;
+        while (true) {
+            if (next >= 0) {
+                int first = (int) box.hits(bvh.boxes, 12 * next) & mask;
+                int second = (int) box.hits(bvh.boxes, 12 * next + 6) & mask;
+                if (first != 0 && second != 0) {
+                    int near = forwards(p, lane, bvh.axis[next]) ? 0 : 1;
+                    stack[top] = bvh.child[2 * next + 1 - near];
+                    stackMask[top++] = near == 0 ? second : first;
+                    mask = near == 0 ? first : second;
+                    next = bvh.child[2 * next + near];
+                    continue;
                 }
+                if ((first | second) != 0) {
+                    mask = first | second;
+                    next = bvh.child[2 * next + (first != 0 ? 0 : 1)];
+                    continue;
+                }
+            } else {
+                meet(p, ~next, mask);
+            }
+            do {
+                if (top == 0) {
+                    solid.shapes(p);
+                    return;
+                }
+                next = stack[--top];
+                mask = stackMask[top];
+                // The boxes of an inner node's children are tested anyway.
+                mask = next < 0 ? (int) box.hits(bvh.shapeBoxes, 6 * ~next) & mask : mask;
+            } while (mask == 0);
+        }
+    }
+
+    /**
+     * The same where only the {@code candidates} can be met.
+     *
+     * @param candidates of a beam that all of the packet's rays are in
+     */
+    public void nearest(RayPacket p, int live, Candidates candidates) {
+        begin(p);
+        int lanes = lanes(live);
+        for (int c = 0; c < candidates.count; c++) {
+            int mask = (int) box.hits(candidates.boxes, 6 * c) & lanes;
+            if (mask != 0) {
+                meet(p, candidates.shape[c], mask);
             }
         }
+        solid.shapes(p);
     }
 
     /**
@@ -35,54 +106,123 @@ public final class PacketTracer {
      * @return one bit for each lane, the lowest for lane 0
      */
     public int blocked(RayPacket p, int live) {
-        int mask = 0;
-        for (int i = 0; i < live; i++) {
-            for (int s = 0; s < shapes.count; s++) {
-                if (shapes.distance(s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]) < p.limit[i]) {
-                    mask |= 1 << i;
-                    break;
+        if (all != null) {
+            return blocked(p, live, all);
+        }
+        box.enter(p);
+        box.limit(p.limit);
+        int open = lanes(live);
+        int lanes = open;
+        if (lastOccluder >= 0) {
+            open &= ~blockedBy(p, lastOccluder, (int) box.hits(bvh.shapeBoxes, 6 * lastOccluder) & open);
+        }
+        int top = 0;
+        stack[top] = 0;
+        stackMask[top++] = open;
+        while (top > 0 && open != 0) {
+            int next = stack[--top];
+            int mask = stackMask[top] & open;
+            while (mask != 0 && next >= 0) {
+                int first = (int) box.hits(bvh.boxes, 12 * next) & mask;
+                int second = (int) box.hits(bvh.boxes, 12 * next + 6) & mask;
+                if (first != 0 && second != 0) {
+                    stack[top] = bvh.child[2 * next + 1];
+                    stackMask[top++] = second;
+                }
+                mask = first != 0 ? first : second;
+                next = bvh.child[2 * next + (first != 0 ? 0 : 1)];
+            }
+            if (mask != 0 && ~next != lastOccluder) {
+                open &= ~blockedBy(p, ~next, mask);
+            }
+        }
+        return lanes & ~open;
+    }
+
+    /**
+     * The same where only the {@code candidates} can block.
+     *
+     * @param candidates of a beam that all of the packet's rays are in, up to their limits
+     */
+    public int blocked(RayPacket p, int live, Candidates candidates) {
+        if (candidates.count == 0) {
+            return 0;
+        }
+        box.enter(p);
+        box.limit(p.limit);
+        int lanes = lanes(live);
+        int open = lanes;
+        for (int c = 0; c < candidates.count && open != 0; c++) {
+            int mask = (int) box.hits(candidates.boxes, 6 * c) & open;
+            if (mask != 0) {
+                int blocked = blockedBy(p, candidates.shape[c], mask);
+                open &= ~blocked;
+                if (blocked != 0) {
+                    candidates.promote(c);
                 }
             }
         }
-        return mask;
+        return lanes & ~open;
+    }
+
+    private int blockedBy(RayPacket p, int s, int mask) {
+        if (mask == 0) {
+            return 0;
+        }
+        int blocked = solid.below(p, s, first(mask), end(mask)) & mask;
+        lastOccluder = blocked != 0 ? s : lastOccluder;
+        return blocked;
+    }
+
+    private void begin(RayPacket p) {
+        Arrays.fill(p.t, Solids.MISS);
+        box.enter(p);
+        solid.begin();
+    }
+
+    private void meet(RayPacket p, int s, int mask) {
+        if (solid.nearer(p, s, first(mask), end(mask))) {
+            box.limit(p.t);
+        }
+    }
+
+    private static int lanes(int live) {
+        return -1 >>> -live;
+    }
+
+    /** The first lane of the vectors in which the mask has bits. */
+    private static int first(int mask) {
+        return (mask & -1 >>> -OwnRays.LANES) != 0 ? 0 : OwnRays.LANES;
+    }
+
+    private static int end(int mask) {
+        return mask >>> OwnRays.LANES != 0 ? RayPacket.WIDTH : OwnRays.LANES;
+    }
+
+    private static boolean forwards(RayPacket p, int lane, int axis) {
+        return (axis == 0 ? p.dx : axis == 1 ? p.dy : p.dz)[lane] > 0;
     }
 
     /** For lanes whose {@code shape} is known without a search: writes {@code t}. */
     public void distances(RayPacket p, int live) {
+        int left = 0;
         for (int i = 0; i < live; i++) {
-            p.t[i] = p.shape[i] < 0 ? Solids.MISS
-                    : shapes.distance(p.shape[i], p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]);
+            p.t[i] = Solids.MISS;
+            left |= p.shape[i] >= 0 ? 1 << i : 0;
+        }
+        while (left != 0) {
+            int s = p.shape[Integer.numberOfTrailingZeros(left)];
+            left &= ~solid.distances(p, s, left, first(left), end(left));
         }
     }
 
     /** Computes the surfaces of those of the first {@code live} lanes that hit a shape. */
     public void surfaces(RayPacket p, int live, SurfacePacket out) {
-        for (int i = 0; i < live; i++) {
-            if (p.shape[i] >= 0) {
-                surface.at(shapes, p.shape[i], p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i], p.t[i]);
-                out.ownX[i] = surface.ownX;
-                out.ownY[i] = surface.ownY;
-                out.ownZ[i] = surface.ownZ;
-                out.px[i] = surface.px;
-                out.py[i] = surface.py;
-                out.pz[i] = surface.pz;
-                out.nx[i] = surface.nx;
-                out.ny[i] = surface.ny;
-                out.nz[i] = surface.nz;
-            }
-        }
+        surface.at(p, live, out);
     }
 
     /** Puts the eye rays through pixels {@code x … x + live − 1} of row {@code y} into the packet. */
     static void eyeRays(CameraRays camera, int x, int y, int live, RayPacket p) {
-        for (int i = 0; i < live; i++) {
-            Ray ray = camera.through(x + i, y);
-            p.ox[i] = 0;
-            p.oy[i] = 0;
-            p.oz[i] = 0;
-            p.dx[i] = ray.direction().x();
-            p.dy[i] = ray.direction().y();
-            p.dz[i] = ray.direction().z();
-        }
+        EyeLanes.through(camera, x, y, p);
     }
 }

@@ -26,6 +26,8 @@ final class ShapeTable {
     final double[] error;
     /** Boxes in render space, {@code double[6 * count]}: min x y z, max x y z. */
     final double[] bounds;
+    /** A bound on how far {@code inverse} lets rays meet the shape outside {@code bounds}; {@code +∞} if nobody knows. */
+    final double[] slack;
 
     /** @param materialOf the material index of each shape */
     ShapeTable(List<PlacedShape> shapes, int[] materialOf, Vec3 camera) {
@@ -35,6 +37,7 @@ final class ShapeTable {
         inverse = new double[12 * count];
         error = new double[count];
         bounds = new double[6 * count];
+        slack = new double[count];
         for (int s = 0; s < count; s++) {
             Transform world = shapes.get(s).toWorld();
             Transform render = new Transform(
@@ -42,13 +45,15 @@ final class ShapeTable {
                     world.m10(), world.m11(), world.m12(), world.t1() - camera.y(),
                     world.m20(), world.m21(), world.m22(), world.t2() - camera.z());
             kind[s] = kindOf(shapes.get(s).shape());
-            store(s, render.inverse());
+            Transform inverse = render.inverse();
+            store(s, inverse);
             ShapeBounds.of(kind[s], render, bounds, 6 * s);
             double reach = 0;
             for (int i = 6 * s; i < 6 * s + 6; i++) {
                 reach = Math.max(reach, Math.abs(bounds[i]));
             }
             error[s] = reach * 0x1p-46;
+            slack[s] = ShapeBounds.slack(render, inverse, reach);
         }
     }
 

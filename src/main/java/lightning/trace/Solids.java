@@ -11,44 +11,42 @@ package lightning.trace;
  */
 final class Solids {
     static final double MISS = Double.POSITIVE_INFINITY;
+    /** Below this ratio of (sideways / along)² a ray through a cylinder does not move sideways. */
+    static final double PARALLEL = 0x1p-200;
 
     private Solids() {}
 
     /**
-     * The unit sphere. The discriminant is taken from the point of the ray nearest to the centre and
-     * the roots from the larger one, which loses no digits to cancellation (Haines et al., Ray
-     * Tracing Gems, ch. 7).
+     * The unit sphere. The discriminant b² − ac is |d|² − |o × d|² by Lagrange's identity, which
+     * loses no digits to cancellation far from the sphere, and each root is the quotient that loses
+     * none near it (after Haines et al., Ray Tracing Gems, ch. 7). Only the nearest root ahead is
+     * divided out: the second one for a ray that leaves from inside, else the first.
      */
     static double sphere(double ox, double oy, double oz, double dx, double dy, double dz) {
         double a = dx * dx + dy * dy + dz * dz;
         double b = -(ox * dx + oy * dy + oz * dz);
-        double k = b / a;
-        double lx = ox + k * dx;
-        double ly = oy + k * dy;
-        double lz = oz + k * dz;
-        double discriminant = 1 - (lx * lx + ly * ly + lz * lz);
         double c = ox * ox + oy * oy + oz * oz - 1;
-        double root = Math.sqrt(a * discriminant);
+        double u = oy * dz - oz * dy;
+        double v = oz * dx - ox * dz;
+        double w = ox * dy - oy * dx;
+        double root = Math.sqrt(a - (u * u + v * v + w * w));
         double q = b >= 0 ? b + root : b - root;
-        double t0 = c / q;
-        double t1 = q / a;
-        return nearest(t0 < t1 ? t0 : t1, t0 < t1 ? t1 : t0);
+        boolean leaves = c <= 0 && b >= 0;
+        double t = (leaves ? q : c) / (leaves ? a : q);
+        return t > 0 && t < MISS ? t : MISS;
     }
 
     /** The cylinder of radius 1 about the y axis, from y = 0 to y = 1, with its caps. */
     static double cylinder(double ox, double oy, double oz, double dx, double dy, double dz) {
         double a = dx * dx + dz * dz;
         double b = -(ox * dx + oz * dz);
-        double k = b / a;
-        double lx = ox + k * dx;
-        double lz = oz + k * dz;
-        double discriminant = 1 - (lx * lx + lz * lz);
         double c = ox * ox + oz * oz - 1;
-        double root = Math.sqrt(a * discriminant);
+        double w = ox * dz - oz * dx;
+        double root = Math.sqrt(a - w * w);
         double q = b >= 0 ? b + root : b - root;
         double t0 = c / q;
         double t1 = q / a;
-        boolean parallel = a == 0;
+        boolean parallel = a <= dy * dy * PARALLEL;
         double far = c <= 0 ? MISS : -MISS;
         double sideIn = parallel ? -far : t0 < t1 ? t0 : t1;
         double sideOut = parallel ? far : t0 < t1 ? t1 : t0;
@@ -99,9 +97,10 @@ final class Solids {
 
     /** Cuts an interval with the one in which 0 ≤ y ≤ 1. NaN in the interval is a miss. */
     private static double withinSlab(double sideIn, double sideOut, double oy, double dy) {
-        double t0 = -oy / dy;
-        double t1 = (1 - oy) / dy;
-        boolean level = dy == 0;
+        double inverse = 1 / dy;
+        double t0 = -oy * inverse;
+        double t1 = (1 - oy) * inverse;
+        boolean level = Math.abs(inverse) == MISS;
         double far = oy >= 0 && oy <= 1 ? MISS : -MISS;
         double slabIn = level ? -far : t0 < t1 ? t0 : t1;
         double slabOut = level ? far : t0 < t1 ? t1 : t0;

@@ -67,9 +67,10 @@ public final class Surface {
         double bz = m[i + 2] * ax + m[i + 6] * ay + m[i + 10] * az;
         double length = Math.sqrt(bx * bx + by * by + bz * bz);
         double facing = bx * dx + by * dy + bz * dz > 0 ? -length : length;
-        bx = bx / facing;
-        by = by / facing;
-        bz = bz / facing;
+        double unit = 1 / facing;
+        bx = bx * unit;
+        by = by * unit;
+        bz = bz * unit;
         double off = (Math.abs(x) + Math.abs(y) + Math.abs(z)) * OFFSET + shapes.error[s];
         px = (float) (x + bx * off);
         py = (float) (y + by * off);

@@ -1,0 +1,99 @@
+package lightning.trace;
+
+import static jdk.incubator.vector.VectorOperators.D2F;
+import static jdk.incubator.vector.VectorOperators.LE;
+
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorShape;
+import jdk.incubator.vector.VectorSpecies;
+
+/**
+ * A packet's rays as floats, to be tested against boxes.
+ *
+ * <p>A box only rejects, so rounding may go either way as long as the boxes are padded by more than
+ * all of it ({@link ShapeBoxes}): fused multiply-add is welcome here. The plane {@code x = b} is met at
+ * {@code b·inverse + shift}. Distances are in units of the direction's largest component, so that every
+ * inverse has an absolute value from 1 to {@link #STEEPEST} and no product overflows.
+ */
+final class BoxLanes {
+    private static final VectorSpecies<Float> SPECIES = FloatVector.SPECIES_PREFERRED;
+    private static final VectorSpecies<Float> HALF =
+            VectorSpecies.of(float.class, VectorShape.forBitSize(OwnRays.SPECIES.vectorBitSize() / 2));
+    /** A ray that is flatter on an axis than 1 : 2⁶⁰ drifts by less than the boxes are padded. */
+    private static final float STEEPEST = 0x1p60f;
+    /** More than the rounding of a distance to float. */
+    private static final float UP = 1 + 0x1p-20f;
+
+    private final float[] inverseX = new float[RayPacket.WIDTH];
+    private final float[] inverseY = new float[RayPacket.WIDTH];
+    private final float[] inverseZ = new float[RayPacket.WIDTH];
+    private final float[] shiftX = new float[RayPacket.WIDTH];
+    private final float[] shiftY = new float[RayPacket.WIDTH];
+    private final float[] shiftZ = new float[RayPacket.WIDTH];
+    /** The largest component of each direction. */
+    private final float[] unit = new float[RayPacket.WIDTH];
+    /** Boxes beyond this are missed; at least the distance that it stands for. */
+    private final float[] far = new float[RayPacket.WIDTH];
+
+    /** Takes over the packet's rays, at first without a far end. */
+    void enter(RayPacket p) {
+        round(p.dx, inverseX);
+        round(p.dy, inverseY);
+        round(p.dz, inverseZ);
+        round(p.ox, shiftX);
+        round(p.oy, shiftY);
+        round(p.oz, shiftZ);
+        FloatVector dx = FloatVector.fromArray(SPECIES, inverseX, 0);
+        FloatVector dy = FloatVector.fromArray(SPECIES, inverseY, 0);
+        FloatVector dz = FloatVector.fromArray(SPECIES, inverseZ, 0);
+        FloatVector most = dx.abs().max(dy.abs()).max(dz.abs());
+        most.intoArray(unit, 0);
+        axis(most, dx, inverseX, shiftX);
+        axis(most, dy, inverseY, shiftY);
+        axis(most, dz, inverseZ, shiftZ);
+        FloatVector.broadcast(SPECIES, Float.POSITIVE_INFINITY).intoArray(far, 0);
+    }
+
+    private static void axis(FloatVector most, FloatVector d, float[] inverse, float[] shift) {
+        FloatVector i = most.div(d).max(-STEEPEST).min(STEEPEST);
+        i.intoArray(inverse, 0);
+        FloatVector.fromArray(SPECIES, shift, 0).neg().mul(i).intoArray(shift, 0);
+    }
+
+    private static void round(double[] from, float[] to) {
+        for (int h = 0; h < RayPacket.WIDTH; h += OwnRays.LANES) {
+            DoubleVector v = DoubleVector.fromArray(OwnRays.SPECIES, from, h);
+            ((FloatVector) v.convertShape(D2F, HALF, 0)).intoArray(to, h);
+        }
+    }
+
+    /** Moves the far ends to the given distances, rounded up. */
+    void limit(double[] distances) {
+        round(distances, far);
+        FloatVector.fromArray(SPECIES, far, 0).mul(FloatVector.fromArray(SPECIES, unit, 0)).mul(UP).intoArray(far, 0);
+    }
+
+    /** Which rays may meet the box {@code boxes[at … at + 5]}: one bit for each lane. */
+    long hits(float[] boxes, int at) {
+        FloatVector inverse = FloatVector.fromArray(SPECIES, inverseX, 0);
+        FloatVector shift = FloatVector.fromArray(SPECIES, shiftX, 0);
+        FloatVector a = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at]), shift);
+        FloatVector b = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at + 3]), shift);
+        FloatVector in = a.min(b);
+        FloatVector out = a.max(b);
+        inverse = FloatVector.fromArray(SPECIES, inverseY, 0);
+        shift = FloatVector.fromArray(SPECIES, shiftY, 0);
+        a = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at + 1]), shift);
+        b = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at + 4]), shift);
+        in = in.max(a.min(b));
+        out = out.min(a.max(b));
+        inverse = FloatVector.fromArray(SPECIES, inverseZ, 0);
+        shift = FloatVector.fromArray(SPECIES, shiftZ, 0);
+        a = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at + 2]), shift);
+        b = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at + 5]), shift);
+        in = in.max(a.min(b)).max(0);
+        out = out.min(a.max(b)).min(FloatVector.fromArray(SPECIES, far, 0));
+        return in.compare(LE, out).toLong();
+    }
+}

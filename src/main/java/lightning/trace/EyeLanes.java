@@ -1,0 +1,32 @@
+package lightning.trace;
+
+import java.util.Arrays;
+import jdk.incubator.vector.DoubleVector;
+
+/** {@link CameraRays#through} in lanes, operation by operation. */
+final class EyeLanes {
+    private static final DoubleVector COUNT = DoubleVector.zero(OwnRays.SPECIES).addIndex(1);
+
+    private EyeLanes() {}
+
+    /** Puts the rays through the pixel {@code column, row} and those to the right of it into the packet. */
+    static void through(CameraRays camera, int column, int row, RayPacket p) {
+        double y = row + 0.5;
+        double downX = y * camera.down.x();
+        double downY = y * camera.down.y();
+        double downZ = y * camera.down.z();
+        Arrays.fill(p.ox, 0);
+        Arrays.fill(p.oy, 0);
+        Arrays.fill(p.oz, 0);
+        for (int h = 0; h < RayPacket.WIDTH; h += OwnRays.LANES) {
+            DoubleVector x = COUNT.add(column + h + 0.5);
+            DoubleVector dx = x.mul(camera.right.x()).add(camera.corner.x()).add(downX);
+            DoubleVector dy = x.mul(camera.right.y()).add(camera.corner.y()).add(downY);
+            DoubleVector dz = x.mul(camera.right.z()).add(camera.corner.z()).add(downZ);
+            DoubleVector length = dx.mul(dx).add(dy.mul(dy)).add(dz.mul(dz)).sqrt();
+            dx.div(length).intoArray(p.dx, h);
+            dy.div(length).intoArray(p.dy, h);
+            dz.div(length).intoArray(p.dz, h);
+        }
+    }
+}

@@ -1,0 +1,96 @@
+package lightning.trace;
+
+import static jdk.incubator.vector.VectorOperators.EQ;
+import static jdk.incubator.vector.VectorOperators.GT;
+import static jdk.incubator.vector.VectorOperators.LT;
+
+import java.util.Arrays;
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.VectorMask;
+
+/**
+ * One shape against a packet: {@link ShapeTable#distance} in lanes, and what is done with the answer.
+ *
+ * <p>All methods work on the lanes {@code from … to − 1}, whole vectors. Lanes that the shape's box has
+ * rejected get the same answer as from the box: a miss, or a hit behind a nearer one.
+ */
+final class SolidLanes {
+    private final ShapeTable shapes;
+    private final OwnRays own = new OwnRays();
+    private final SlabLanes slab = new SlabLanes();
+    /** The nearest shape so far, as doubles to be compared and blended like the distances. */
+    private final double[] found = new double[RayPacket.WIDTH];
+
+    SolidLanes(ShapeTable shapes) {
+        this.shapes = shapes;
+    }
+
+    private void distances(RayPacket p, int s, int from, int to) {
+        own.enter(shapes.inverse, s, p, from, to);
+        switch (shapes.kind[s]) {
+            case ShapeTable.SPHERE -> SphereLanes.distances(own, from, to);
+            case ShapeTable.CONE -> {
+                ConeLanes.side(own, slab, from, to);
+                slab.distances(own, from, to);
+            }
+            case ShapeTable.CYLINDER -> {
+                CylinderLanes.side(own, slab, from, to);
+                slab.distances(own, from, to);
+            }
+            default -> PlaneLanes.distances(own, from, to);
+        }
+    }
+
+    /** Forgets what has been found. */
+    void begin() {
+        Arrays.fill(found, -1);
+    }
+
+    /** Puts shape {@code s} into the lanes where it is nearer than what they have; whether there is one. */
+    boolean nearer(RayPacket p, int s, int from, int to) {
+        distances(p, s, from, to);
+        boolean any = false;
+        for (int h = from; h < to; h += OwnRays.LANES) {
+            DoubleVector t = DoubleVector.fromArray(OwnRays.SPECIES, own.t, h);
+            DoubleVector best = DoubleVector.fromArray(OwnRays.SPECIES, p.t, h);
+            DoubleVector shape = DoubleVector.fromArray(OwnRays.SPECIES, found, h);
+            VectorMask<Double> nearer = t.compare(LT, best).or(t.compare(EQ, best).and(shape.compare(GT, s)));
+            best.blend(t, nearer).intoArray(p.t, h);
+            shape.blend(s, nearer).intoArray(found, h);
+            any |= nearer.anyTrue();
+        }
+        return any;
+    }
+
+    /** Writes what has been found to the packet's {@code shape}. */
+    void shapes(RayPacket p) {
+        for (int i = 0; i < RayPacket.WIDTH; i++) {
+            p.shape[i] = (int) found[i];
+        }
+    }
+
+    /** One bit for each lane that meets shape {@code s} at a distance below its {@code limit}. */
+    int below(RayPacket p, int s, int from, int to) {
+        distances(p, s, from, to);
+        int mask = 0;
+        for (int h = from; h < to; h += OwnRays.LANES) {
+            DoubleVector limit = DoubleVector.fromArray(OwnRays.SPECIES, p.limit, h);
+            VectorMask<Double> below = DoubleVector.fromArray(OwnRays.SPECIES, own.t, h).compare(LT, limit);
+            mask |= (int) below.toLong() << h;
+        }
+        return mask;
+    }
+
+    /** Writes {@code t} of those lanes of {@code mask} whose shape is {@code s}; returns which they are. */
+    int distances(RayPacket p, int s, int mask, int from, int to) {
+        distances(p, s, from, to);
+        int done = 0;
+        for (int i = from; i < to; i++) {
+            if ((mask >>> i & 1) != 0 && p.shape[i] == s) {
+                p.t[i] = own.t[i];
+                done |= 1 << i;
+            }
+        }
+        return done;
+    }
+}

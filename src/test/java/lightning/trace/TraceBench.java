@@ -1,0 +1,169 @@
+package lightning.trace;
+
+import java.lang.management.ManagementFactory;
+import java.util.Arrays;
+import java.util.Locale;
+import lightning.math.Vec3;
+import lightning.scene.Picture;
+import lightning.scene.Scene;
+
+/** Nanoseconds per ray of each stage of tracing, scalar beside packets. Run it by itself, on a quiet machine. */
+final class TraceBench {
+    private static final int SIZE = 512;
+    private static final int W = RayPacket.WIDTH;
+    private static final int RUNS = 9;
+    private static long sink;
+
+    private final Geometry geometry;
+    private final CameraRays camera;
+    private final PacketTracer tracer;
+    private final RayPacket p = new RayPacket();
+    private final SurfacePacket out = new SurfacePacket();
+    private final double[] rays = new double[SIZE * SIZE * 7];
+    private int shadowRays;
+
+    private TraceBench(Scene scene, int few) {
+        geometry = new Geometry(scene);
+        camera = new CameraRays(scene.camera(), new Picture(SIZE, SIZE, 1));
+        tracer = new PacketTracer(geometry.bvh(), few);
+        shadows(new Vec3(3, 7, 5));
+    }
+
+    private void shadows(Vec3 light) {
+        Vec3 l = geometry.toRenderSpace(light);
+        for (int y = 0; y < SIZE; y++) {
+            for (int x = 0; x < SIZE; x += W) {
+                PacketTracer.eyeRays(camera, x, y, W, p);
+                tracer.nearest(p, W);
+                tracer.surfaces(p, W, out);
+                for (int i = 0; i < W; i++) {
+                    Vec3 to = new Vec3(l.x() - out.px[i], l.y() - out.py[i], l.z() - out.pz[i]);
+                    if (p.shape[i] >= 0 && to.dot(new Vec3(out.nx[i], out.ny[i], out.nz[i])) > 0) {
+                        Vec3 d = to.normalized();
+                        double[] ray = {out.px[i], out.py[i], out.pz[i], d.x(), d.y(), d.z(), to.length()};
+                        System.arraycopy(ray, 0, rays, 7 * shadowRays++, 7);
+                    }
+                }
+            }
+        }
+    }
+
+    private void eyes() {
+        for (int y = 0; y < SIZE; y++) {
+            for (int x = 0; x < SIZE; x += W) {
+                PacketTracer.eyeRays(camera, x, y, W, p);
+                sink += (long) p.dx[3];
+            }
+        }
+    }
+
+    private void eyesAndNearest() {
+        for (int y = 0; y < SIZE; y++) {
+            for (int x = 0; x < SIZE; x += W) {
+                PacketTracer.eyeRays(camera, x, y, W, p);
+                tracer.nearest(p, W);
+                sink += p.shape[3];
+            }
+        }
+    }
+
+    private void eyesToSurfaces() {
+        for (int y = 0; y < SIZE; y++) {
+            for (int x = 0; x < SIZE; x += W) {
+                PacketTracer.eyeRays(camera, x, y, W, p);
+                tracer.nearest(p, W);
+                tracer.surfaces(p, W, out);
+                sink += (long) out.nx[3];
+            }
+        }
+    }
+
+    private void scalarNearest() {
+        for (int y = 0; y < SIZE; y += 4) {
+            for (int x = 0; x < SIZE; x++) {
+                sink += geometry.bvh().nearest(camera.through(x, y));
+            }
+        }
+    }
+
+    private void scalarBlocked() {
+        for (int i = 0; i < shadowRays / 4; i++) {
+            int r = 7 * i;
+            Ray ray = new Ray(new Vec3(rays[r], rays[r + 1], rays[r + 2]), new Vec3(rays[r + 3], rays[r + 4], rays[r + 5]));
+            sink += geometry.bvh().blocked(ray, rays[r + 6]) ? 1 : 0;
+        }
+    }
+
+    private void fill() {
+        for (int i = 0; i < shadowRays; i += W) {
+            load(i, Math.min(W, shadowRays - i));
+            sink += (long) p.limit[3];
+        }
+    }
+
+    private void fillAndBlocked() {
+        for (int i = 0; i < shadowRays; i += W) {
+            int live = Math.min(W, shadowRays - i);
+            load(i, live);
+            sink += tracer.blocked(p, live);
+        }
+    }
+
+    private void load(int first, int live) {
+        for (int i = 0; i < live; i++) {
+            int r = 7 * (first + i);
+            p.ox[i] = rays[r];
+            p.oy[i] = rays[r + 1];
+            p.oz[i] = rays[r + 2];
+            p.dx[i] = rays[r + 3];
+            p.dy[i] = rays[r + 4];
+            p.dz[i] = rays[r + 5];
+            p.limit[i] = rays[r + 6];
+        }
+    }
+
+    private static double nanos(Runnable run, double rays) {
+        double[] times = new double[RUNS];
+        for (int i = 0; i < RUNS; i++) {
+            long start = System.nanoTime();
+            run.run();
+            times[i] = (System.nanoTime() - start) / rays;
+        }
+        Arrays.sort(times);
+        return times[RUNS / 2];
+    }
+
+    private static void report(String name, Scene scene, int few) {
+        TraceBench b = new TraceBench(scene, few);
+        double rays = SIZE * SIZE;
+        for (int i = 0; i < 3; i++) {
+            b.eyesToSurfaces();
+            b.fillAndBlocked();
+        }
+        com.sun.management.ThreadMXBean mx = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+        double eye = nanos(b::eyes, rays);
+        double nearest = nanos(b::eyesAndNearest, rays);
+        long before = mx.getThreadAllocatedBytes(Thread.currentThread().threadId());
+        double surface = nanos(b::eyesToSurfaces, rays);
+        double fill = nanos(b::fill, b.shadowRays);
+        double blocked = nanos(b::fillAndBlocked, b.shadowRays);
+        long bytes = mx.getThreadAllocatedBytes(Thread.currentThread().threadId()) - before;
+        double scalar = nanos(b::scalarNearest, rays / 4);
+        double scalarBlocked = nanos(b::scalarBlocked, b.shadowRays / 4);
+        System.out.printf(Locale.ROOT, "%-12s few %3d | eye %5.2f nearest %6.2f surface %5.2f blocked %6.2f (fill %4.2f) | scalar nearest %6.1f blocked %6.1f | bytes/ray %.2f%n",
+                name, few, eye, nearest - eye, surface - nearest, blocked - fill, fill, scalar, scalarBlocked, bytes / (RUNS * rays));
+    }
+
+    public static void main(String[] args) {
+        for (int round = 0; round < 2; round++) {
+            report("balls", TraceScenes.balls(), 16);
+            report("balls", TraceScenes.balls(), 0);
+            report("bird", TraceScenes.bird(), 16);
+            report("bird", TraceScenes.bird(), 0);
+            report("house", TraceScenes.house(), 0);
+            report("cloud 1000", TraceScenes.cloud(1000, 1), 0);
+            report("cloud 100k", TraceScenes.cloud(100_000, 1), 0);
+        }
+        System.out.println(sink);
+    }
+}

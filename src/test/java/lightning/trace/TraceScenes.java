@@ -1,0 +1,130 @@
+package lightning.trace;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import lightning.math.Vec3;
+import lightning.scene.Camera;
+import lightning.scene.Material;
+import lightning.scene.Node;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.World;
+
+/** Scenes to trace: like those of the paper, and arbitrary ones. */
+final class TraceScenes {
+    private final List<Node> nodes = new ArrayList<>();
+
+    private TraceScenes add(int kind, Vec3 at, Vec3 rotate, Vec3 scale) {
+        String name = "s" + nodes.size();
+        String material = Material.DEFAULT.name();
+        Placement placement = new Placement(at, rotate, scale);
+        nodes.add(switch (kind) {
+            case ShapeTable.SPHERE -> new Shape.Sphere(name, material, placement);
+            case ShapeTable.CONE -> new Shape.Cone(name, material, placement);
+            case ShapeTable.CYLINDER -> new Shape.Cylinder(name, material, placement);
+            default -> new Shape.Plane(name, material, placement);
+        });
+        return this;
+    }
+
+    private TraceScenes add(int kind, double x, double y, double z, double sx, double sy, double sz) {
+        return add(kind, new Vec3(x, y, z), Vec3.ZERO, new Vec3(sx, sy, sz));
+    }
+
+    private Scene seenFrom(double x, double y, double z) {
+        Camera camera = new Camera(new Vec3(x, y, z), new Vec3(0, 1, 0), Vec3.Y, 40);
+        return new Scene(Picture.DEFAULT, camera, World.DEFAULT, List.of(), nodes, List.of());
+    }
+
+    /** Four spheres over a floor. */
+    static Scene balls() {
+        return new TraceScenes()
+                .add(ShapeTable.PLANE, 0, 0, 0, 12, 1, 12)
+                .add(ShapeTable.SPHERE, 0, 1, 0, 1, 1, 1)
+                .add(ShapeTable.SPHERE, -2.2, 0.8, 0.5, 0.8, 0.8, 0.8)
+                .add(ShapeTable.SPHERE, 2.1, 0.7, 0.8, 0.7, 0.7, 0.7)
+                .add(ShapeTable.SPHERE, 0.6, 0.4, 2, 0.4, 0.4, 0.4)
+                .seenFrom(0, 3, 9);
+    }
+
+    /** Four spheres, two cones and four cylinders over a floor: a bird. */
+    static Scene bird() {
+        return new TraceScenes()
+                .add(ShapeTable.SPHERE, 0, 1.6, 0, 0.8, 0.7, 1.1)
+                .add(ShapeTable.SPHERE, 0, 2.5, 0.9, 0.5, 0.5, 0.5)
+                .add(ShapeTable.SPHERE, -0.2, 2.6, 1.3, 0.1, 0.1, 0.1)
+                .add(ShapeTable.SPHERE, 0.2, 2.6, 1.3, 0.1, 0.1, 0.1)
+                .add(ShapeTable.CONE, new Vec3(0, 2.45, 1.3), new Vec3(90, 0, 0), new Vec3(0.15, 0.5, 0.15))
+                .add(ShapeTable.CONE, new Vec3(0, 1.6, -2), new Vec3(80, 0, 0), new Vec3(0.5, 1.4, 0.2))
+                .add(ShapeTable.CYLINDER, new Vec3(-0.3, 0.05, 0.2), Vec3.ZERO, new Vec3(0.08, 1.1, 0.08))
+                .add(ShapeTable.CYLINDER, new Vec3(0.3, 0.05, 0.2), Vec3.ZERO, new Vec3(0.08, 1.1, 0.08))
+                .add(ShapeTable.CYLINDER, new Vec3(-0.3, 0.05, 0.1), new Vec3(90, 0, 0), new Vec3(0.07, 0.5, 0.05))
+                .add(ShapeTable.CYLINDER, new Vec3(0.3, 0.05, 0.1), new Vec3(90, 0, 0), new Vec3(0.07, 0.5, 0.05))
+                .add(ShapeTable.PLANE, 0, 0, 0, 10, 1, 10)
+                .seenFrom(4, 3, 7);
+    }
+
+    /** A log house: 270 cylinders in four walls. */
+    static Scene house() {
+        TraceScenes s = new TraceScenes();
+        for (int row = 0; row < 22; row++) {
+            for (int wall = 0; wall < 4; wall++) {
+                for (int part = 0; part < 3; part++) {
+                    double along = -3 + 2 * part;
+                    double across = wall % 2 == 0 ? -3 : 3;
+                    double y = 0.12 + row * 0.22;
+                    s.add(ShapeTable.CYLINDER, wall < 2 ? new Vec3(along, y, across) : new Vec3(across, y + 0.11, along),
+                            wall < 2 ? new Vec3(0, 0, -90) : new Vec3(90, 0, 0), new Vec3(0.12, 1.9, 0.12));
+                }
+            }
+        }
+        for (int post = 0; post < 6; post++) {
+            s.add(ShapeTable.CYLINDER, -3 + 1.2 * post, 0, 4, 0.1, 4, 0.1);
+        }
+        return s.seenFrom(9, 5, 12);
+    }
+
+    /** Small shapes of all kinds spread in a cube. */
+    static Scene cloud(int count, long seed) {
+        Random random = new Random(seed);
+        TraceScenes s = new TraceScenes();
+        double size = 3 / Math.cbrt(count);
+        for (int i = 0; i < count; i++) {
+            s.add(random.nextInt(4), vector(random, 4), vector(random, 180),
+                    new Vec3(size * (0.2 + random.nextDouble()), size * (0.2 + random.nextDouble()), size * (0.2 + random.nextDouble())));
+        }
+        return s.seenFrom(0, 2, 12);
+    }
+
+    /** Shapes of scales from 10⁻³ to 10⁶, some of them far away, many of them equal. */
+    static Scene wild(int count, long seed) {
+        Random random = new Random(seed);
+        TraceScenes s = new TraceScenes();
+        double moved = random.nextBoolean() ? 0 : 1e7 * random.nextDouble();
+        for (int i = 0; i < count; i++) {
+            Vec3 at = vector(random, Math.pow(10, random.nextInt(6) - 1)).plus(new Vec3(moved, 0, -moved));
+            Vec3 turn = random.nextInt(3) == 0 ? new Vec3(90 * random.nextInt(4), 90 * random.nextInt(4), 0) : vector(random, 180);
+            Vec3 scale = new Vec3(scale(random), scale(random), scale(random));
+            int kind = random.nextInt(4);
+            for (int copy = random.nextInt(8) == 0 ? 2 : 1; copy > 0; copy--) {
+                s.add(kind, at, turn, scale);
+            }
+        }
+        Vec3 from = vector(random, 10).plus(new Vec3(moved, 0, -moved));
+        return new Scene(Picture.DEFAULT, new Camera(from, from.plus(new Vec3(0, 0, -1)), Vec3.Y, 40), World.DEFAULT,
+                List.of(), s.nodes, List.of());
+    }
+
+    private static double scale(Random random) {
+        double s = random.nextInt(3) == 0 ? Math.pow(10, random.nextInt(10) - 3) : 0.1 + 3 * random.nextDouble();
+        return random.nextInt(4) == 0 ? -s : s;
+    }
+
+    private static Vec3 vector(Random random, double reach) {
+        return new Vec3((random.nextDouble() - 0.5) * 2 * reach, (random.nextDouble() - 0.5) * 2 * reach,
+                (random.nextDouble() - 0.5) * 2 * reach);
+    }
+}
