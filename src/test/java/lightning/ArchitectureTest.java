@@ -111,9 +111,16 @@ class ArchitectureTest {
     @Test
     void referenceTracerReachingFastCodeThroughAHelper_isCaught() throws IOException {
         assertCaught(Architecture.referenceTracerKnowsNoFastCode(), "the reference tracer knows neither",
-                "package lightning.trace; public class BvhBuilder {}",
-                "package lightning.trace; public class Nearest { BvhBuilder builder; }",
+                "package lightning.trace; class BoxLanes {}",
+                "package lightning.trace; public class Nearest { BoxLanes boxes; }",
                 "package lightning.shading; class ReferenceTracer { lightning.trace.Nearest nearest; }");
+    }
+
+    @Test
+    void referenceTracerAskingATree_isCaught() throws IOException {
+        assertCaught(Architecture.referenceTracerKnowsNoFastCode(), "asks every shape, and no tree of boxes",
+                "package lightning.trace; public class Bvh {}",
+                "package lightning.shading; class ReferenceTracer { lightning.trace.Bvh bvh; }");
     }
 
     @Test
