@@ -3,7 +3,6 @@ package lightning;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -20,6 +19,10 @@ import org.junit.jupiter.api.io.TempDir;
 @DisabledOnOs(OS.WINDOWS)
 class LauncherTest {
     private static final String WARNING = "WARNING: Using incubator modules: jdk.incubator.vector";
+
+    /** Runs its arguments; cat waits for the filter, which may end after the program. */
+    private static final String WITH_ERRORS_TO_THE_LAST =
+            "{ \"$@\" 2>&1 >&3 | cat >\"$ERR\"; } 3>&1; exit ${PIPESTATUS[0]}";
 
     @TempDir
     private Path folder;
@@ -135,18 +138,20 @@ class LauncherTest {
     /** Runs a command where the only Java is the one that the variables name. */
     private Result run(Map<String, Path> variables, String input, Path command, String... arguments)
             throws IOException, InterruptedException {
-        List<String> line = new ArrayList<>(List.of(command.toString()));
+        List<String> line = new ArrayList<>(List.of("bash", "-c", WITH_ERRORS_TO_THE_LAST, "bash", command.toString()));
         line.addAll(List.of(arguments));
         Path in = Files.writeString(folder.resolve("in"), input);
         Path out = folder.resolve("out");
+        Path err = folder.resolve("err");
         var builder = new ProcessBuilder(line)
-                .redirectInput(in.toFile()).redirectOutput(out.toFile());
+                .redirectInput(in.toFile()).redirectOutput(out.toFile())
+                .redirectError(ProcessBuilder.Redirect.INHERIT);
         builder.environment().keySet().removeIf(name -> name.startsWith("JAVA"));
+        builder.environment().put("ERR", err.toString());
         builder.environment().put("HOME", folder.toString());
         builder.environment().put("PATH", toolsWithoutJava().toString());
         variables.forEach((name, value) -> builder.environment().put(name, value.toString()));
         Process process = builder.start();
-        String err = new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
-        return new Result(process.waitFor(), Files.readString(out), err);
+        return new Result(process.waitFor(), Files.readString(out), Files.readString(err));
     }
 }
