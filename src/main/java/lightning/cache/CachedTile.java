@@ -25,6 +25,17 @@ public final class CachedTile {
         this.film = film;
     }
 
+    /** The largest value in the tile of the film, linear. */
+    float brightest() {
+        float brightest = 0;
+        for (float[] channel : film) {
+            for (float value : channel) {
+                brightest = Math.max(brightest, value);
+            }
+        }
+        return brightest;
+    }
+
     /** The rows of the first level. */
     public HitRows rows() {
         return levels[0].rows();

@@ -1,7 +1,6 @@
 package lightning.cache;
 
 import lightning.image.Film;
-import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
 
@@ -17,8 +16,8 @@ public final class PixelCache {
     private final CachedTile[] tiles;
     private final Scene scene;
     private final Scene mirroredScene;
-    private final Light[] stamps;
-    private final Light[] mirroredStamps;
+    private final LayerStamp[] stamps;
+    private final LayerStamp[] mirroredStamps;
 
     /**
      * @param scene          what the film and the first level show
@@ -27,8 +26,8 @@ public final class PixelCache {
      *                       null where there is no layer
      * @param mirroredStamps the same for {@code mirroredScene}
      */
-    public PixelCache(Geometry geometry, CachedTile[] tiles, Scene scene, Scene mirroredScene, Light[] stamps,
-            Light[] mirroredStamps) {
+    public PixelCache(Geometry geometry, CachedTile[] tiles, Scene scene, Scene mirroredScene, LayerStamp[] stamps,
+            LayerStamp[] mirroredStamps) {
         this.geometry = geometry;
         this.tiles = tiles;
         this.scene = scene;
@@ -58,13 +57,23 @@ public final class PixelCache {
     }
 
     /** The light that layer {@code l} of the first level was computed for, or null. */
-    public Light stamp(int l) {
+    public LayerStamp stamp(int l) {
         return stamps[l];
     }
 
     /** The light that layer {@code l} of the mirror levels was computed for, or null. */
-    public Light mirroredStamp(int l) {
+    public LayerStamp mirroredStamp(int l) {
         return mirroredStamps[l];
+    }
+
+    /** The stamps of all layers of the first level. */
+    public LayerStamp[] stamps() {
+        return stamps.clone();
+    }
+
+    /** The stamps of all layers of the mirror levels. */
+    public LayerStamp[] mirroredStamps() {
+        return mirroredStamps.clone();
     }
 
     /** The picture, over the tiles' own arrays. */
@@ -78,6 +87,15 @@ public final class PixelCache {
             blue[i] = tiles[i].film[2];
         }
         return new Film(scene.picture().width(), scene.picture().height(), red, green, blue);
+    }
+
+    /** The largest value of the film, linear. */
+    public float brightest() {
+        float brightest = 0;
+        for (CachedTile tile : tiles) {
+            brightest = Math.max(brightest, tile.brightest());
+        }
+        return brightest;
     }
 
     /** The bytes of all tiles, the film left out. */

@@ -1,6 +1,6 @@
 package lightning.cache;
 
-import lightning.shading.LightRows;
+import lightning.shading.LightLayer;
 import lightning.trace.HitRows;
 
 /**
@@ -10,13 +10,13 @@ import lightning.trace.HitRows;
  * @param layers one for each light of the scene that the level was lit for, in its order; null where
  *               the light never shone
  */
-public record TileLevel(HitRows rows, LightRows[] layers) {
+public record TileLevel(HitRows rows, LightLayer[] layers) {
     // An array in a record: written once by its maker, never after.
 
     /** The bytes of all columns, array headers left out. */
     public long bytes() {
         long bytes = rows.bytes();
-        for (LightRows layer : layers) {
+        for (LightLayer layer : layers) {
             bytes += layer == null ? 0 : layer.bytes();
         }
         return bytes;

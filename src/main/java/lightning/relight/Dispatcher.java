@@ -7,10 +7,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.IntFunction;
+import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.shading.ConeChange;
+import lightning.shading.IntensityRatio;
+import lightning.shading.Lamp;
 
 /**
  * Finds the least update that leads from the scene rendered last to the scene wanted (paper §4.9), by
@@ -23,9 +26,10 @@ final class Dispatcher {
      * The plan for a scene.
      *
      * @param cache   what is known, or null
-     * @param mirrors whether mirror images shall show the wanted scene too
+     * @param mirrors  whether mirror images shall show the wanted scene too
+     * @param accuracy how edits are carried out
      */
-    static UpdatePlan plan(PixelCache cache, Scene wanted, boolean mirrors) {
+    static UpdatePlan plan(PixelCache cache, Scene wanted, boolean mirrors, Accuracy accuracy) {
         if (cache == null) {
             return new UpdatePlan.FirstPass("no picture yet");
         }
@@ -45,19 +49,20 @@ final class Dispatcher {
         if (known.equals(wanted) && !refresh) {
             return new UpdatePlan.Nothing();
         }
-        return new UpdatePlan.Relight(level(known, cache::stamp, wanted),
-                refresh ? level(cache.mirroredScene(), cache::mirroredStamp, wanted) : null, depthFrom, depthTo);
+        return new UpdatePlan.Relight(level(known, cache::stamp, wanted, accuracy),
+                refresh ? level(cache.mirroredScene(), cache::mirroredStamp, wanted, accuracy) : null, depthFrom, depthTo);
     }
 
     /** The update of the layers that show {@code known} and were computed for {@code stamps}. */
-    private static LevelPlan level(Scene known, IntFunction<Light> stamps, Scene wanted) {
+    private static LevelPlan level(Scene known, IntFunction<LayerStamp> stamps, Scene wanted,
+            Accuracy accuracy) {
         int[] origins = origins(known.lights(), wanted.lights());
         List<LayerPlan> layers = new ArrayList<>();
         Set<Integer> kept = new HashSet<>();
         for (int l = 0; l < origins.length; l++) {
             Light light = wanted.lights().get(l);
-            Light before = origins[l] < 0 ? null : stamps.apply(origins[l]);
-            layers.add(new LayerPlan(light, origins[l], before, update(before, light, wanted, origins[l] < 0)));
+            LayerStamp before = origins[l] < 0 ? null : stamps.apply(origins[l]);
+            layers.add(new LayerPlan(light, origins[l], before, update(before, light, wanted, accuracy)));
             kept.add(origins[l]);
         }
         List<String> dropped = new ArrayList<>();
@@ -116,14 +121,36 @@ final class Dispatcher {
         return place >= 0 && !used[place] ? place : -1;
     }
 
-    private static LightUpdate update(Light before, Light light, Scene wanted, boolean isNew) {
-        if (!wanted.shines(light) || light.intensity() == 0 || light.color().isBlack()) {
-            return new LightUpdate.Keep();
+    /** At level ratio: all contributions anew, of the scene that is shown. */
+    static UpdatePlan.Relight refresh(PixelCache cache) {
+        int depth = cache.scene().picture().depth();
+        return new UpdatePlan.Relight(refresh(cache.scene(), cache.stamps()),
+                cache.mirroredScene().equals(cache.scene()) ? refresh(cache.mirroredScene(), cache.mirroredStamps()) : null,
+                depth, depth);
+    }
+
+    private static LevelPlan refresh(Scene scene, LayerStamp[] stamps) {
+        List<LayerPlan> layers = new ArrayList<>();
+        for (int l = 0; l < stamps.length; l++) {
+            boolean scaled = stamps[l] != null && stamps[l].roundings() > 0 && scene.shines(scene.lights().get(l));
+            LightUpdate update = scaled ? new LightUpdate.Refresh() : new LightUpdate.Keep();
+            layers.add(new LayerPlan(scene.lights().get(l), l, stamps[l], update));
         }
+        return new LevelPlan(layers, List.of(), true);
+    }
+
+    private static LightUpdate update(LayerStamp before, Light light, Scene wanted, Accuracy accuracy) {
+        boolean dark = Lamp.of(light, wanted).isDark();
         if (before == null) {
-            return new LightUpdate.FullRecompute(isNew);
+            return dark ? new LightUpdate.Keep() : new LightUpdate.FullRecompute(true);
         }
-        LightDifference difference = LightDifference.between(before, light);
+        return switch (accuracy) {
+            case EXACT -> dark ? new LightUpdate.Keep() : exact(LightDifference.between(before.light(), light));
+            case RATIO -> wanted.shines(light) ? ratio(before.light(), light, wanted) : new LightUpdate.Keep();
+        };
+    }
+
+    private static LightUpdate exact(LightDifference difference) {
         if (difference.moved()) {
             return new LightUpdate.FullRecompute(false);
         }
@@ -131,5 +158,15 @@ final class Dispatcher {
             return new LightUpdate.Partial(difference.cone(), difference.falloff(), difference.weight());
         }
         return difference.weight() ? new LightUpdate.Reweight() : new LightUpdate.Keep();
+    }
+
+    /**
+     * The paper's choice: a turned light is recomputed in full (§4.5), and so is one whose old weight is 0
+     * (§4.1), shadow rays included.
+     */
+    private static LightUpdate ratio(Light before, Light light, Scene wanted) {
+        LightDifference difference = LightDifference.between(before, light);
+        boolean usable = IntensityRatio.between(Lamp.shining(before, wanted), Lamp.shining(light, wanted)).isUsable();
+        return difference.cone() == ConeChange.TURN || !usable ? new LightUpdate.FullRecompute(false) : exact(difference);
     }
 }

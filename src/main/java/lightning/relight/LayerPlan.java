@@ -1,5 +1,6 @@
 package lightning.relight;
 
+import lightning.cache.LayerStamp;
 import lightning.scene.Light;
 
 /**
@@ -7,12 +8,24 @@ import lightning.scene.Light;
  *
  * @param light  the light as wanted
  * @param from   which layer of the old cache it goes on from, −1 for none
- * @param before the light that the old layer was computed for, null for none
+ * @param before what the old layer shows, null for none
  * @param update what to do
  */
-public record LayerPlan(Light light, int from, Light before, LightUpdate update) {
-    /** The light that the layer shows afterwards, or null if there is none. */
-    Light stamp() {
-        return update instanceof LightUpdate.Keep ? before : light;
+public record LayerPlan(Light light, int from, LayerStamp before, LightUpdate update) {
+    /**
+     * What the layer shows afterwards, or null if there is none.
+     *
+     * @param scaled  whether the update is carried out by ratios
+     * @param largest the largest factor by which a contribution was multiplied
+     */
+    LayerStamp stamp(boolean scaled, double largest) {
+        return switch (update) {
+            case LightUpdate.Keep _ -> before;
+            case LightUpdate.FullRecompute _, LightUpdate.Refresh _ -> LayerStamp.fresh(light);
+            case LightUpdate.Reweight _ -> scaled ? RatioBound.scaled(before, light, 1, largest) : LayerStamp.fresh(light);
+            case LightUpdate.Partial p -> scaled
+                    ? RatioBound.scaled(before, light, (p.falloff() ? 1 : 0) + (p.weight() ? 1 : 0), largest)
+                    : LayerStamp.fresh(light);
+        };
     }
 }

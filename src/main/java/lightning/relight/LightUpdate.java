@@ -20,6 +20,9 @@ public sealed interface LightUpdate {
      */
     record Partial(ConeChange cone, boolean falloff, boolean weight) implements LightUpdate {}
 
+    /** At level ratio: contributions anew, because their error bound grew too large; no ray is cast. */
+    record Refresh() implements LightUpdate {}
+
     /** The light moved, or there is no layer yet: the full diffuse and specular terms (§4.5, §4.6). */
     record FullRecompute(boolean added) implements LightUpdate {}
 }

@@ -32,6 +32,7 @@ final class PlanText {
         switch (layer.update()) {
             case LightUpdate.Keep _ -> { }
             case LightUpdate.Reweight _ -> steps.add(name + "weight");
+            case LightUpdate.Refresh _ -> steps.add(name + "refresh");
             case LightUpdate.FullRecompute full -> steps.add(name + (full.added() ? "add" : "full recompute"));
             case LightUpdate.Partial partial -> {
                 List<String> parts = new ArrayList<>();

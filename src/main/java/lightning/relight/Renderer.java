@@ -2,13 +2,12 @@ package lightning.relight;
 
 import java.util.Arrays;
 import lightning.cache.CachedTile;
+import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
 import lightning.image.Film;
-import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.shading.Lamp;
 import lightning.shading.Progress;
-import lightning.shading.TraceCounts;
 import lightning.shading.Workers;
 import lightning.trace.Geometry;
 
@@ -20,6 +19,7 @@ public final class Renderer implements AutoCloseable {
     private final Options options;
     private final Workers workers;
     private PixelCache cache;
+    private double exposure;
 
     public Renderer(Options options) {
         this.options = options;
@@ -30,9 +30,18 @@ public final class Renderer implements AutoCloseable {
         return options;
     }
 
+    /**
+     * Tells how the film is shown, which decides when an error of level ratio would become visible.
+     *
+     * @param stops the exposure, in stops
+     */
+    public void setExposure(double stops) {
+        exposure = stops;
+    }
+
     /** What {@link #render} would do. */
     public UpdatePlan plan(Scene wanted) {
-        return Dispatcher.plan(cache, wanted, options.reflections() == Reflections.CURRENT);
+        return Dispatcher.plan(cache, wanted, options.reflections() == Reflections.CURRENT, options.accuracy());
     }
 
     /**
@@ -52,7 +61,7 @@ public final class Renderer implements AutoCloseable {
      * @throws java.util.concurrent.CancellationException as {@link #render}
      */
     public Update updateReflections(Progress progress) {
-        return run(Dispatcher.plan(cache(), cache().scene(), true), cache().scene(), progress);
+        return run(Dispatcher.plan(cache(), cache().scene(), true, options.accuracy()), cache().scene(), progress);
     }
 
     /** Whether the mirror images show the scene rendered last. */
@@ -84,47 +93,53 @@ public final class Renderer implements AutoCloseable {
 
     private Update run(UpdatePlan plan, Scene wanted, Progress progress) {
         long start = System.nanoTime();
-        return switch (plan) {
-            case UpdatePlan.Nothing _ ->
-                new Update(plan, 0, 0, TraceCounts.NONE, System.nanoTime() - start, 0, false);
-            case UpdatePlan.FirstPass _ -> firstPass(plan, wanted, progress, start);
-            case UpdatePlan.Relight relight -> relight(relight, wanted, progress, start);
+        Work work = switch (plan) {
+            case UpdatePlan.Nothing _ -> Work.NONE;
+            case UpdatePlan.FirstPass _ -> firstPass(wanted, progress);
+            case UpdatePlan.Relight relight -> relight(relight, wanted, progress);
         };
+        ErrorBound bound = ErrorBound.of(cache);
+        boolean refreshed = bound.shows(exposure);
+        if (refreshed) {
+            work = work.plus(relight(Dispatcher.refresh(cache), wanted, progress));
+            bound = ErrorBound.of(cache);
+        }
+        return new Update(plan, work.rowsTouched(), work.rowsComposed(), work.rays(), System.nanoTime() - start,
+                bound.largest(), refreshed);
     }
 
-    private boolean keepsRows() {
-        return options.storage() == MirrorStorage.FULL_ROWS;
-    }
-
-    private Update firstPass(UpdatePlan plan, Scene wanted, Progress progress, long start) {
+    private Work firstPass(Scene wanted, Progress progress) {
         Geometry geometry = cache != null && cache.geometry().serves(wanted) ? cache.geometry() : new Geometry(wanted);
         Lamp[] lamps = Job.lamps(wanted);
-        Job job = new Job(geometry, wanted, lamps, keepsRows(), null, null, progress);
-        Light[] stamps = new Light[lamps.length];
+        Job job = new Job(geometry, wanted, lamps, options, null, null, progress);
+        LayerStamp[] stamps = new LayerStamp[lamps.length];
         for (int l = 0; l < lamps.length; l++) {
-            stamps[l] = lamps[l].isDark() ? null : lamps[l].light();
+            stamps[l] = lamps[l].isDark() ? null : LayerStamp.fresh(lamps[l].light());
         }
         int tilesY = (wanted.picture().height() + Film.TILE - 1) / Film.TILE;
         CachedTile[] tiles = new CachedTile[job.tilesX() * tilesY];
         TileWorker[] threads = threads(job);
         workers.run(tiles.length, (worker, tile) -> tiles[tile] = threads[worker].firstPass(tile), progress);
         cache = new PixelCache(geometry, tiles, wanted, wanted, stamps, stamps);
-        return update(plan, threads, start);
+        return Work.of(threads);
     }
 
-    private Update relight(UpdatePlan.Relight plan, Scene wanted, Progress progress, long start) {
+    private Work relight(UpdatePlan.Relight plan, Scene wanted, Progress progress) {
         PixelCache old = cache;
         Lamp[] lamps = Job.lamps(wanted);
-        Job job = new Job(old.geometry(), wanted, lamps, keepsRows(),
-                Job.Level.of(plan.top(), old.scene(), lamps),
-                plan.mirrors() == null ? null : Job.Level.of(plan.mirrors(), old.mirroredScene(), lamps), progress);
+        boolean mirrors = plan.mirrors() != null;
+        Job job = new Job(old.geometry(), wanted, lamps, options, Job.Level.of(plan.top(), old.scene(), lamps),
+                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), lamps) : null, progress);
         CachedTile[] tiles = new CachedTile[old.tileCount()];
         TileWorker[] threads = threads(job);
         workers.run(tiles.length, (worker, tile) -> tiles[tile] = threads[worker].relight(old.tile(tile)), progress);
-        boolean mirrors = plan.mirrors() != null;
-        cache = new PixelCache(old.geometry(), tiles, wanted, mirrors ? wanted : old.mirroredScene(), stamps(plan.top()),
-                mirrors ? stamps(plan.mirrors()) : stamps(old));
-        return update(plan, threads, start);
+        double largest = 1;
+        for (TileWorker thread : threads) {
+            largest = Math.max(largest, thread.largestRatio());
+        }
+        cache = new PixelCache(old.geometry(), tiles, wanted, mirrors ? wanted : old.mirroredScene(),
+                stamps(plan.top(), largest), mirrors ? stamps(plan.mirrors(), largest) : old.mirroredStamps());
+        return Work.of(threads);
     }
 
     private TileWorker[] threads(Job job) {
@@ -133,26 +148,9 @@ public final class Renderer implements AutoCloseable {
         return threads;
     }
 
-    private static Light[] stamps(LevelPlan plan) {
-        return plan.layers().stream().map(LayerPlan::stamp).toArray(Light[]::new);
-    }
-
-    private static Light[] stamps(PixelCache old) {
-        Light[] stamps = new Light[old.mirroredScene().lights().size()];
-        Arrays.setAll(stamps, old::mirroredStamp);
-        return stamps;
-    }
-
-    private static Update update(UpdatePlan plan, TileWorker[] threads, long start) {
-        TraceCounts rays = TraceCounts.NONE;
-        long touched = 0;
-        long composed = 0;
-        for (TileWorker thread : threads) {
-            rays = rays.plus(thread.rays());
-            touched += thread.rowsTouched();
-            composed += thread.rowsComposed();
-        }
-        return new Update(plan, touched, composed, rays, System.nanoTime() - start, 0, false);
+    private LayerStamp[] stamps(LevelPlan plan, double largest) {
+        boolean scaled = options.accuracy() == Accuracy.RATIO;
+        return plan.layers().stream().map(layer -> layer.stamp(scaled, largest)).toArray(LayerStamp[]::new);
     }
 
     @Override

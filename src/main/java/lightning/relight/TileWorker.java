@@ -4,9 +4,9 @@ import java.util.Arrays;
 import lightning.cache.CachedTile;
 import lightning.cache.TileLevel;
 import lightning.image.Film;
-import lightning.shading.Columns;
 import lightning.shading.LightKernel;
-import lightning.shading.LightRows;
+import lightning.shading.LightLayer;
+import lightning.shading.RatioKernel;
 import lightning.shading.TileComposer;
 import lightning.shading.TraceCounts;
 import lightning.trace.HitRows;
@@ -18,6 +18,8 @@ final class TileWorker {
     private final Job job;
     private final TileVisibility visibility;
     private final LightKernel lights;
+    private final RatioKernel ratios;
+    private final LayerUpdater updater;
     private final TileComposer composer;
     private long eyeRays;
     private long mirroredRays;
@@ -28,6 +30,11 @@ final class TileWorker {
         PacketTracer tracer = new PacketTracer(job.geometry());
         visibility = new TileVisibility(job.geometry(), job.scene(), tracer);
         lights = new LightKernel(job.geometry().materials(), tracer);
+        ratios = new RatioKernel(lights);
+        updater = switch (job.options().accuracy()) {
+            case EXACT -> new ExactUpdater(lights);
+            case RATIO -> new RatioUpdater(ratios);
+        };
         composer = new TileComposer(job.geometry().materials());
     }
 
@@ -36,7 +43,11 @@ final class TileWorker {
     }
 
     long rowsTouched() {
-        return lights.rowsTouched();
+        return lights.rowsTouched() + ratios.rowsScaled();
+    }
+
+    double largestRatio() {
+        return ratios.largestRatio();
     }
 
     long rowsComposed() {
@@ -56,7 +67,7 @@ final class TileWorker {
 
     /** Updates a tile as planned; null where the work was cancelled. */
     CachedTile relight(CachedTile old) {
-        LightRows[] layers = job.top().layers(old.levels[0], lights, Columns.FRESH, job.progress());
+        LightLayer[] layers = job.top().layers(old.levels[0], updater, job.progress());
         TileLevel top = Arrays.equals(layers, old.levels[0].layers()) ? old.levels[0] : new TileLevel(old.rows(), layers);
         Mirrors mirrors = job.mirrors() == null
                 ? new Mirrors(old.levels, old.hitShapes, old.mirrored)
@@ -84,10 +95,10 @@ final class TileWorker {
     }
 
     private TileLevel lit(HitRows rows) {
-        LightRows[] layers = new LightRows[job.lamps().length];
+        LightLayer[] layers = new LightLayer[job.lamps().length];
         for (int l = 0; l < layers.length && !job.progress().isCancelled(); l++) {
             if (!job.lamps()[l].isDark()) {
-                layers[l] = lights.full(rows, job.lamps()[l], Columns.FRESH);
+                layers[l] = updater.full(rows, job.lamps()[l]);
             }
         }
         return new TileLevel(rows, layers);
@@ -115,7 +126,7 @@ final class TileWorker {
                 || old.levels.length <= job.depth() && old.levels[keep - 1].rows().reflective > 0;
         TileLevel[] levels = Arrays.copyOf(old.levels, keep);
         for (int k = 1; k < keep; k++) {
-            LightRows[] layers = job.mirrors().layers(old.levels[k], lights, Columns.FRESH, job.progress());
+            LightLayer[] layers = job.mirrors().layers(old.levels[k], updater, job.progress());
             if (job.progress().isCancelled()) {
                 return new Mirrors(old.levels, old.hitShapes, old.mirrored);
             }

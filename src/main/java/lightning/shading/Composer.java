@@ -53,19 +53,19 @@ public final class Composer {
      * @param layers   the layer of each light; unread where the light is dark
      * @param mirrored Cr of the reflective rows: red, green and blue columns; unread where there are none
      */
-    public void compose(HitRows rows, Lamp[] lamps, LightRows[] layers, World world, float[][] mirrored) {
+    public void compose(HitRows rows, Lamp[] lamps, LightLayer[] layers, World world, float[][] mirrored) {
         SumRows sum = sum(rows.count, lamps, layers, 0, lamps.length, 0);
         for (int r = 0; r < rows.runs; r++) {
             closeRun(rows, r, sum, (float) world.ambience(), mirrored);
         }
     }
 
-    private static boolean isActive(Lamp lamp, LightRows layer) {
-        return !lamp.isDark() && layer.lit > 0;
+    private static boolean isActive(Lamp lamp, LightLayer layer) {
+        return !lamp.isDark() && layer.lit() > 0;
     }
 
     /** The sum of lights {@code from … to}, or null where none of them adds anything. */
-    private SumRows sum(int rows, Lamp[] lamps, LightRows[] layers, int from, int to, int level) {
+    private SumRows sum(int rows, Lamp[] lamps, LightLayer[] layers, int from, int to, int level) {
         if (to - from < 2) {
             if (from == to || !isActive(lamps[from], layers[from])) {
                 return null;

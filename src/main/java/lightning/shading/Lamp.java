@@ -22,9 +22,17 @@ public record Lamp(Light light, Vec3 source, Vec3 axis, double cosAngle, float r
 
     /** Prepares a light of a scene. */
     public static Lamp of(Light light, Scene scene) {
+        return of(light, scene.camera().from(), scene.shines(light) ? light.intensity() : 0);
+    }
+
+    /** Prepares a light as if it were on and no other were solo. */
+    public static Lamp shining(Light light, Scene scene) {
+        return of(light, scene.camera().from(), light.intensity());
+    }
+
+    private static Lamp of(Light light, Vec3 camera, double power) {
         Vec3 axis = light.direction().normalized();
-        Vec3 source = light.type().hasPosition() ? light.position().minus(scene.camera().from()) : axis.negated();
-        double power = scene.shines(light) ? light.intensity() : 0;
+        Vec3 source = light.type().hasPosition() ? light.position().minus(camera) : axis.negated();
         return new Lamp(light, source, axis, Transform.cosDegrees(light.angle()),
                 (float) (light.color().r() * power), (float) (light.color().g() * power), (float) (light.color().b() * power));
     }

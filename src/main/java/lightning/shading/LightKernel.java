@@ -87,6 +87,21 @@ public final class LightKernel {
         return new LightRows(moved.state, moved.cosine, moved.specular, falloffs, moved.lit);
     }
 
+    /** All terms anew for rows whose states are known: no shadow ray is cast. */
+    LightRows again(HitRows rows, Lamp lamp, LightLayer before, Columns columns) {
+        rowsTouched += before.lit();
+        if (before.lit() == 0) {
+            return new LightRows(before.states(), null, null, null, 0);
+        }
+        lanes.aim(rows, lamp);
+        if (lamp.type().hasCone()) {
+            lanes.axisCosines(rows, lamp);
+        }
+        lanes.cosines(rows, cosine);
+        return new LightRows(before.states(), cosines(rows, before.states(), columns),
+                speculars(rows, before.states(), null, columns), falloffs(rows, lamp, columns), before.lit());
+    }
+
     private static int looksAt(HitRows rows, LightRows before, ConeChange cone) {
         int looked = 0;
         if (cone != ConeChange.NONE) {

@@ -89,14 +89,30 @@ final class LightLanes {
             spots(rows, lamp.light().dropoff());
         }
         Attenuation a = lamp.light().attenuation();
+        boolean cone = lamp.type().hasCone();
         for (int i = 0; i < rows.count; i += LANES) {
-            DoubleVector d = DoubleVector.fromArray(D, distance, i);
-            DoubleVector sum = d.mul(a.linear()).add(a.constant()).add(d.mul(d).mul(a.quadratic()));
-            DoubleVector factor = DoubleVector.broadcast(D, 1).div(sum);
-            DoubleVector atten = DoubleVector.broadcast(D, 1).blend(factor, factor.compare(VectorOperators.LT, 1));
-            DoubleVector all = lamp.type().hasCone() ? atten.mul(DoubleVector.fromArray(D, power, i)) : atten;
-            store(all, to, i);
+            store(factor(a, cone, i), to, i);
         }
+    }
+
+    /** The falloff before it is rounded to float. */
+    void factors(HitRows rows, Lamp lamp, double[] to) {
+        if (lamp.type().hasCone()) {
+            spots(rows, lamp.light().dropoff());
+        }
+        Attenuation a = lamp.light().attenuation();
+        boolean cone = lamp.type().hasCone();
+        for (int i = 0; i < rows.count; i += LANES) {
+            factor(a, cone, i).intoArray(to, i);
+        }
+    }
+
+    private DoubleVector factor(Attenuation a, boolean cone, int i) {
+        DoubleVector d = DoubleVector.fromArray(D, distance, i);
+        DoubleVector sum = d.mul(a.linear()).add(a.constant()).add(d.mul(d).mul(a.quadratic()));
+        DoubleVector factor = DoubleVector.broadcast(D, 1).div(sum);
+        DoubleVector atten = DoubleVector.broadcast(D, 1).blend(factor, factor.compare(VectorOperators.LT, 1));
+        return cone ? atten.mul(DoubleVector.fromArray(D, power, i)) : atten;
     }
 
     private void spots(HitRows rows, double dropoff) {

@@ -1,7 +1,5 @@
 package lightning.shading;
 
-import lightning.trace.HitRows;
-
 /**
  * One light's layer over the hit rows of one tile and level: state, cosine, specular term and
  * falloff, in columns that share the rows' index.
@@ -9,7 +7,7 @@ import lightning.trace.HitRows;
  * <p>Rows that the light does not reach hold 0 in cosine and specular term, so that composing need not
  * ask for the state. Where no row is lit there are no columns but the state.
  */
-public final class LightRows {
+public final class LightRows implements LightLayer {
     /** States, decided in this order; lit means potentially lit (paper §4.4), even with a falloff of 0. */
     public static final byte AWAY = 0;
     public static final byte OUTSIDE = 1;
@@ -29,7 +27,7 @@ public final class LightRows {
     /** atten·spot; null where no row is lit or the light does not fall off. */
     public final float[] falloff;
     /** How many rows are lit. */
-    public int lit;
+    public final int lit;
 
     public LightRows(byte[] state, float[] cosine, float[] specular, float[] falloff, int lit) {
         this.state = state;
@@ -44,17 +42,22 @@ public final class LightRows {
         return state[row] & STATE;
     }
 
-    /** The bytes that the columns hold, without array headers. */
+    @Override
+    public byte[] states() {
+        return state;
+    }
+
+    @Override
+    public int lit() {
+        return lit;
+    }
+
+    @Override
     public long bytes() {
         return state.length + 4L * (length(cosine) + length(specular) + length(falloff));
     }
 
     private static int length(float[] column) {
         return column == null ? 0 : column.length;
-    }
-
-    /** Columns for {@code rows} rows. */
-    static float[] column(int rows) {
-        return new float[HitRows.padded(rows)];
     }
 }

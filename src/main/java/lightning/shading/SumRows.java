@@ -12,7 +12,46 @@ final class SumRows {
     boolean hasSpecular;
 
     /** Sets this to one light's contribution. */
-    void set(int rows, Lamp lamp, LightRows layer, float[] ones) {
+    void set(int rows, Lamp lamp, LightLayer layer, float[] ones) {
+        switch (layer) {
+            case LightRows exact -> set(rows, lamp, exact, ones);
+            case RatioRows ratio -> {
+                hasSpecular = false;
+                copy(rows, ratio.diffuse, diffuseRed, diffuseGreen, diffuseBlue);
+                addSpecular(rows, ratio);
+            }
+        }
+    }
+
+    /** Adds one light's contribution. */
+    void add(int rows, Lamp lamp, LightLayer layer, float[] ones) {
+        switch (layer) {
+            case LightRows exact -> add(rows, lamp, exact, ones);
+            case RatioRows ratio -> {
+                add(rows, ratio.diffuse[0], diffuseRed);
+                add(rows, ratio.diffuse[1], diffuseGreen);
+                add(rows, ratio.diffuse[2], diffuseBlue);
+                addSpecular(rows, ratio);
+            }
+        }
+    }
+
+    private void addSpecular(int rows, RatioRows ratio) {
+        if (ratio.specular != null) {
+            addOrCopy(rows, ratio.specular[0], specularRed);
+            addOrCopy(rows, ratio.specular[1], specularGreen);
+            addOrCopy(rows, ratio.specular[2], specularBlue);
+            hasSpecular = true;
+        }
+    }
+
+    private static void copy(int rows, float[][] from, float[] red, float[] green, float[] blue) {
+        System.arraycopy(from[0], 0, red, 0, rows);
+        System.arraycopy(from[1], 0, green, 0, rows);
+        System.arraycopy(from[2], 0, blue, 0, rows);
+    }
+
+    private void set(int rows, Lamp lamp, LightRows layer, float[] ones) {
         float[] falloff = layer.falloff == null ? ones : layer.falloff;
         set(rows, lamp, layer.cosine, falloff, diffuseRed, diffuseGreen, diffuseBlue);
         hasSpecular = layer.specular != null;
@@ -21,8 +60,7 @@ final class SumRows {
         }
     }
 
-    /** Adds one light's contribution. */
-    void add(int rows, Lamp lamp, LightRows layer, float[] ones) {
+    private void add(int rows, Lamp lamp, LightRows layer, float[] ones) {
         float[] falloff = layer.falloff == null ? ones : layer.falloff;
         add(rows, lamp, layer.cosine, falloff, diffuseRed, diffuseGreen, diffuseBlue);
         if (layer.specular != null) {

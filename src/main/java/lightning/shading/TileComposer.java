@@ -43,7 +43,7 @@ public final class TileComposer {
     }
 
     /** Composes the rows of one level; see {@link Composer#compose}. */
-    public void level(HitRows rows, Lamp[] lamps, LightRows[] layers, World world, float[][] cr) {
+    public void level(HitRows rows, Lamp[] lamps, LightLayer[] layers, World world, float[][] cr) {
         composer.compose(rows, lamps, layers, world, cr);
     }
 

@@ -64,7 +64,7 @@ public final class TraditionalTracer {
         private final TileComposer composer = new TileComposer(geometry.materials());
         private final ScratchColumns columns = new ScratchColumns();
         private final HitRows[] levels = new HitRows[scene.picture().depth() + 1];
-        private final LightRows[] layers = new LightRows[lamps.length];
+        private final LightLayer[] layers = new LightLayer[lamps.length];
         private long eye;
         private long mirrored;
 

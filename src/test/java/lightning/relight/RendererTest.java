@@ -57,4 +57,34 @@ class RendererTest {
             }
         }
     }
+
+    @ParameterizedTest
+    @EnumSource(MirrorStorage.class)
+    void ratio_staysWithinItsReportedBound(MirrorStorage storage) {
+        double largest = 0;
+        int scaled = 0;
+        for (int seed = 0; seed < 60; seed++) {
+            RandomEdits edits = new RandomEdits(seed + 2000);
+            Scene scene = new RandomScenes(seed + 2000).scene(50, 40, 5, 1 + seed % 4);
+            Options options = Options.DEFAULT.withAccuracy(Accuracy.RATIO).withReflections(Reflections.CURRENT).withStorage(storage);
+            try (Renderer renderer = new Renderer(options)) {
+                renderer.render(scene, Progress.NONE);
+                for (int i = 0; i < 12; i++) {
+                    scene = edits.edit(scene);
+                    Update update = renderer.render(scene, Progress.NONE);
+                    float[] expected = new ReferenceTracer(scene).trace().toScanlines();
+                    float[] actual = renderer.film().toScanlines();
+                    double error = 0;
+                    for (int v = 0; v < expected.length; v++) {
+                        error = Math.max(error, Math.abs((double) expected[v] - actual[v]));
+                    }
+                    assertThat(error).as("seed " + seed + " edit " + i + ": " + update.plan().text())
+                            .isLessThanOrEqualTo(update.errorBound());
+                    largest = Math.max(largest, error / Math.max(1e-30, update.errorBound()));
+                    scaled += error > 0 ? 1 : 0;
+                }
+            }
+        }
+        assertThat(scaled).as("updates that differ from the exact picture").isGreaterThan(30);
+    }
 }

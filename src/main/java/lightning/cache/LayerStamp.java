@@ -1,0 +1,18 @@
+package lightning.cache;
+
+import lightning.scene.Light;
+
+/**
+ * What a layer shows.
+ *
+ * @param light     the light that it was computed for
+ * @param roundings how many float roundings lie between a contribution and its exact value, beyond
+ *                  those of the equation itself; 0 where contributions were computed and not scaled
+ * @param absolute  how far a contribution may be off because a value underflowed, linear
+ */
+public record LayerStamp(Light light, int roundings, double absolute) {
+    /** A layer that was just computed. */
+    public static LayerStamp fresh(Light light) {
+        return new LayerStamp(light, 0, 0);
+    }
+}

@@ -1,0 +1,27 @@
+package lightning.relight;
+
+import lightning.shading.Columns;
+import lightning.shading.Lamp;
+import lightning.shading.LightKernel;
+import lightning.shading.LightLayer;
+import lightning.shading.LightRows;
+import lightning.trace.HitRows;
+
+/** Updates that leave a layer as a full trace would make it, in every bit. */
+record ExactUpdater(LightKernel kernel) implements LayerUpdater {
+
+    @Override
+    public LightLayer full(HitRows rows, Lamp lamp) {
+        return kernel.full(rows, lamp, Columns.FRESH);
+    }
+
+    @Override
+    public LightLayer update(HitRows rows, Lamp from, Lamp to, LightLayer before, LightUpdate update) {
+        return switch (update) {
+            case LightUpdate.Keep _, LightUpdate.Reweight _, LightUpdate.Refresh _ -> before;
+            case LightUpdate.FullRecompute _ -> full(rows, to);
+            case LightUpdate.Partial p ->
+                kernel.partial(rows, to, (LightRows) before, p.cone(), p.falloff(), Columns.FRESH);
+        };
+    }
+}

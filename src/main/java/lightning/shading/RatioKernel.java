@@ -1,0 +1,146 @@
+package lightning.shading;
+
+import lightning.trace.HitRows;
+
+/**
+ * The second stage for one tile as the paper has it (§4): contributions are stored with everything
+ * multiplied in, and scaled by ratios. Holds scratch memory: one for each thread.
+ */
+public final class RatioKernel {
+    private static final float[] ZEROS = new float[LightLanes.ROWS];
+
+    private final LightKernel exact;
+    private final AttenuationRatio falloffs = new AttenuationRatio();
+    private final ScratchColumns scratch = new ScratchColumns();
+    private double largestRatio = 1;
+    private long rowsScaled;
+
+    public RatioKernel(LightKernel exact) {
+        this.exact = exact;
+    }
+
+    /** The largest factor that {@link #partial} multiplied any contribution by since the start. */
+    public double largestRatio() {
+        return largestRatio;
+    }
+
+    /** Rows whose contributions were scaled since the start. */
+    public long rowsScaled() {
+        return rowsScaled;
+    }
+
+    /** All contributions, shadow rays included: the worst case, and the paper's answer to an old value of 0. */
+    public RatioRows full(HitRows rows, Lamp lamp) {
+        scratch.reset();
+        return contributions(rows, lamp, exact.full(rows, lamp, scratch), Columns.FRESH.states(rows.count));
+    }
+
+    /** All contributions anew for rows whose states are known: no shadow ray is cast. */
+    public RatioRows again(HitRows rows, Lamp lamp, RatioRows before) {
+        scratch.reset();
+        return contributions(rows, lamp, exact.again(rows, lamp, before, scratch), Columns.FRESH.states(rows.count));
+    }
+
+    private RatioRows contributions(HitRows rows, Lamp lamp, LightRows layer, byte[] states) {
+        System.arraycopy(layer.state, 0, states, 0, rows.count);
+        if (layer.lit == 0) {
+            return new RatioRows(states, null, null, 0);
+        }
+        float[][] diffuse = weighted(rows, lamp, layer.cosine, layer.falloff);
+        float[][] specular = layer.specular == null ? null : weighted(rows, lamp, layer.specular, layer.falloff);
+        return new RatioRows(states, diffuse, specular, layer.lit);
+    }
+
+    private static float[][] weighted(HitRows rows, Lamp lamp, float[] term, float[] falloff) {
+        float[][] out = columns(rows);
+        for (int i = 0; i < rows.count; i++) {
+            float faded = falloff == null ? term[i] : term[i] * falloff[i];
+            out[0][i] = lamp.red() * faded;
+            out[1][i] = lamp.green() * faded;
+            out[2][i] = lamp.blue() * faded;
+        }
+        return out;
+    }
+
+    private static float[][] columns(HitRows rows) {
+        return new float[][] {Columns.FRESH.floats(rows.count), Columns.FRESH.floats(rows.count), Columns.FRESH.floats(rows.count)};
+    }
+
+    /** The paper's updates of colour, intensity, attenuation, dropoff and angle, alone or together. */
+    public RatioRows partial(HitRows rows, Lamp from, Lamp to, RatioRows before, ConeChange cone, boolean falloff) {
+        IntensityRatio intensity = IntensityRatio.between(from, to);
+        if (!intensity.isUsable()) {
+            return full(rows, to);
+        }
+        if (before.lit() == 0 && cone != ConeChange.ANGLE_ADD) {
+            return cone == ConeChange.NONE ? before : moved(rows, to, before, before, cone);
+        }
+        double largest = intensity.largest();
+        if (falloff && before.lit() > 0) {
+            double ratio = falloffs.compute(rows, from, to, before.states());
+            if (ratio == Double.POSITIVE_INFINITY) {
+                return full(rows, to);
+            }
+            largest = Math.max(largest, largest * ratio);
+        }
+        largestRatio = Math.max(largestRatio, largest);
+        RatioRows scaled = scaled(rows, before, intensity, falloff && before.lit() > 0);
+        return cone == ConeChange.NONE ? scaled : moved(rows, to, before, scaled, cone);
+    }
+
+    private RatioRows scaled(HitRows rows, RatioRows before, IntensityRatio intensity, boolean falloff) {
+        if (before.lit() == 0 || !falloff && intensity.equals(IntensityRatio.NONE)) {
+            return before;
+        }
+        rowsScaled += before.lit();
+        return new RatioRows(before.states(), scaled(rows, before.diffuse, intensity, falloff),
+                before.specular == null ? null : scaled(rows, before.specular, intensity, falloff), before.lit());
+    }
+
+    private float[][] scaled(HitRows rows, float[][] from, IntensityRatio intensity, boolean falloff) {
+        float[][] to = columns(rows);
+        for (int c = 0; c < 3; c++) {
+            float factor = intensity.channel(c);
+            float[] in = from[c];
+            float[] out = to[c];
+            for (int i = 0; i < rows.count; i++) {
+                out[i] = in[i] * factor;
+            }
+            if (falloff) {
+                float[] ratio = falloffs.ratio;
+                for (int i = 0; i < rows.count; i++) {
+                    out[i] = out[i] * ratio[i];
+                }
+            }
+        }
+        return to;
+    }
+
+    /** Removes rows that left the cone and adds those that entered it; {@code scaled} holds the others. */
+    private RatioRows moved(HitRows rows, Lamp lamp, RatioRows before, RatioRows scaled, ConeChange cone) {
+        scratch.reset();
+        LightRows known = new LightRows(before.states(), ZEROS, ZEROS, null, before.lit());
+        LightRows now = exact.partial(rows, lamp, known, cone, true, scratch);
+        if (now == known) {
+            return scaled;
+        }
+        RatioRows entered = contributions(rows, lamp, now, Columns.FRESH.states(rows.count));
+        for (int i = 0; i < rows.count && entered.lit() > 0; i++) {
+            boolean stays = (before.states()[i] & LightRows.STATE) == LightRows.LIT
+                    && (entered.states()[i] & LightRows.STATE) == LightRows.LIT;
+            if (stays) {
+                take(scaled.diffuse, entered.diffuse, i);
+                if (entered.specular != null) {
+                    take(scaled.specular, entered.specular, i);
+                }
+            }
+        }
+        return entered;
+    }
+
+    private static void take(float[][] from, float[][] to, int row) {
+        to[0][row] = from[0][row];
+        to[1][row] = from[1][row];
+        to[2][row] = from[2][row];
+    }
+}

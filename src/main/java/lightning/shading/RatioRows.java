@@ -1,0 +1,37 @@
+package lightning.shading;
+
+/**
+ * One light's layer as the paper stores it (§2.4): the finished contributions, weight and falloff
+ * multiplied in, which edits scale by ratios. Rows that the light does not reach hold 0; the paper's
+ * negative diffuse colour, its flag for them, is the state here.
+ */
+public final class RatioRows implements LightLayer {
+    private final byte[] states;
+    private final int lit;
+    /** Diffuse contributions: red, green, blue columns; null where no row is lit. */
+    final float[][] diffuse;
+    /** Specular contributions; null where no row is lit or none is specular. */
+    final float[][] specular;
+
+    RatioRows(byte[] states, float[][] diffuse, float[][] specular, int lit) {
+        this.states = states;
+        this.diffuse = diffuse;
+        this.specular = specular;
+        this.lit = lit;
+    }
+
+    @Override
+    public byte[] states() {
+        return states;
+    }
+
+    @Override
+    public int lit() {
+        return lit;
+    }
+
+    @Override
+    public long bytes() {
+        return states.length + 12L * ((diffuse == null ? 0 : diffuse[0].length) + (specular == null ? 0 : specular[0].length));
+    }
+}
