@@ -133,8 +133,10 @@ class TextureTest {
         write(root.resolve("secret.png"), 1, 1);
         Files.createSymbolicLink(scenes.resolve("a.png"), root.resolve("secret.png"));
         Files.createSymbolicLink(scenes.resolve("sub"), root);
+        Files.createSymbolicLink(scenes.resolve("textures"), root);
         assertThat(problem("a.png")).contains("found a link that leads out of it");
         assertThat(problem("sub/secret.png")).contains("found a link that leads out of it");
+        assertThat(problem("secret.png")).contains("must be inside the folder 'textures', found a link that leads out of it");
     }
 
     @Test
