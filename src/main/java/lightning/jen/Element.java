@@ -30,7 +30,8 @@ record Element(BlockType<?> type, String name, Map<String, Value> values, List<E
 
     static Element of(Node node) {
         Element element = switch (node) {
-            case Group g -> new Element(Blocks.GROUP, "", Blocks.GROUP.values(g), g.children().stream().map(Element::of).toList());
+            case Group g -> new Element(Blocks.GROUP, "", Blocks.GROUP.values(g),
+                    g.children().stream().map(Element::of).toList());
             case Shape.Sphere s -> of(Blocks.SPHERE, s);
             case Shape.Cone c -> of(Blocks.CONE, c);
             case Shape.Cylinder c -> of(Blocks.CYLINDER, c);

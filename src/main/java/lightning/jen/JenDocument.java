@@ -40,7 +40,7 @@ public final class JenDocument {
      *     cannot name
      */
     public JenDocument with(Scene edited) {
-        return edited.equals(scene) ? this : new JenDocument(edited, Patch.apply(text, edited));
+        return edited.equals(scene) ? this : new JenDocument(edited, Patch.apply(text, scene, edited));
     }
 
     /**

@@ -6,18 +6,22 @@ import java.util.Optional;
 
 /** Finds what a mistyped word was meant to be. */
 final class Nearest {
-    private static final int LONGEST = 100;
+    private static final int LONGEST_WORD = 40;
+    private static final int MOST_CANDIDATES = 1000;
 
     private Nearest() {}
 
-    /** The candidate with the fewest edits to {@code word}, if no more than a third of its letters (rounded) differ. */
+    /**
+     * The candidate with the fewest edits to {@code word}, if no more than a third of its letters (rounded) differ; of very
+     * many candidates only the first are looked at.
+     */
     static Optional<String> to(String word, Collection<String> candidates) {
-        if (word.length() > LONGEST) {
+        if (word.length() > LONGEST_WORD) {
             return Optional.empty();
         }
         String best = null;
         int least = (word.length() + 1) / 3 + 1;
-        for (String candidate : candidates) {
+        for (String candidate : (Iterable<String>) candidates.stream().limit(MOST_CANDIDATES)::iterator) {
             if (Math.abs(candidate.length() - word.length()) < least) {
                 int edits = edits(word, candidate);
                 if (edits < least) {

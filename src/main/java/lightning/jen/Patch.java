@@ -28,23 +28,31 @@ final class Patch {
         this.tokens = tokens;
     }
 
-    /** The patched text. */
-    static String apply(String text, Scene edited) {
+    /**
+     * The patched text.
+     *
+     * @param before what {@code text} reads as: what is the same in {@code edited} is not looked at
+     */
+    static String apply(String text, Scene before, Scene edited) {
         var problems = new Problems();
         Tokens tokens = Lexer.tokens(text, problems);
         List<Block> blocks = Parser.file(tokens, problems);
-        return new Patch(new Source("", text), tokens).scene(blocks, edited);
+        return new Patch(new Source("", text), tokens).scene(blocks, before, edited);
     }
 
-    private String scene(List<Block> blocks, Scene edited) {
+    private String scene(List<Block> blocks, Scene before, Scene edited) {
         var edits = new Edits(source.text());
         single(edits, blocks, Element.of(Blocks.PICTURE, edited.picture()));
         single(edits, blocks, Element.of(Blocks.CAMERA, edited.camera()));
         single(edits, blocks, Element.of(Blocks.WORLD, edited.world()));
         List<Element> added = new ArrayList<>();
-        added.addAll(list(edits, ofKinds(blocks, List.of(Blocks.MATERIAL.keyword())),
-                edited.materials().stream().map(Element::of).toList()));
-        added.addAll(list(edits, ofKinds(blocks, Blocks.NODES), edited.nodes().stream().map(Element::of).toList()));
+        if (!edited.materials().equals(before.materials())) {
+            added.addAll(list(edits, ofKinds(blocks, List.of(Blocks.MATERIAL.keyword())),
+                    edited.materials().stream().map(Element::of).toList()));
+        }
+        if (!edited.nodes().equals(before.nodes())) {
+            added.addAll(list(edits, ofKinds(blocks, Blocks.NODES), edited.nodes().stream().map(Element::of).toList()));
+        }
         added.addAll(list(edits, ofKinds(blocks, List.of(Blocks.LIGHT.keyword())),
                 edited.lights().stream().map(Element::of).toList()));
         var out = new StringBuilder(edits.apply(0, source.text().length()));

@@ -23,7 +23,7 @@ final class TextureFolder {
 
     /** @param scene the folder that holds the scene file */
     TextureFolder(Path scene) {
-        this.scene = scene.toAbsolutePath().normalize();
+        this.scene = scene;
     }
 
     /** Says in a sentence why a texture cannot be used. */
@@ -65,11 +65,12 @@ final class TextureFolder {
     }
 
     private Path find(String file) throws UnusableException, IOException {
-        for (Path folder : folders()) {
+        List<Path> folders = folders();
+        for (Path folder : folders) {
             Path path = folder.resolve(file);
             if (Files.isRegularFile(path)) {
                 Path real = path.toRealPath();
-                if (!real.startsWith(folder.toRealPath())) {
+                if (!real.startsWith(folder)) {
                     throw new UnusableException("texture '" + file + "' must be inside " + shown(folder)
                             + ", found a link that leads out of it");
                 }
@@ -77,13 +78,14 @@ final class TextureFolder {
             }
         }
         throw new UnusableException("there is no texture '" + file + "' in "
-                + String.join(" or ", folders().stream().map(TextureFolder::shown).toList()));
+                + String.join(" or ", folders.stream().map(TextureFolder::shown).toList()));
     }
 
-    private List<Path> folders() {
+    /** Where textures may be, without links on the way; {@code textures} itself may be one, which then leads out. */
+    private List<Path> folders() throws IOException {
         List<Path> folders = new ArrayList<>();
-        folders.add(scene);
-        Path above = scene;
+        Path above = scene.toRealPath();
+        folders.add(above);
         for (int i = 0; i <= FOLDERS_ABOVE && above != null; i++, above = above.getParent()) {
             Path textures = above.resolve("textures");
             if (Files.isDirectory(textures)) {
@@ -95,6 +97,6 @@ final class TextureFolder {
     }
 
     private static String shown(Path folder) {
-        return "the folder '" + folder.getFileName() + "'";
+        return "the folder '" + (folder.getFileName() == null ? folder : folder.getFileName()) + "'";
     }
 }

@@ -14,12 +14,12 @@ final class TextureName {
      */
     static void check(String file) {
         if (!ALLOWED.matcher(file).matches()) {
-            throw new IllegalArgumentException("texture must be a file name of 1 to 200 letters, digits, spaces and _ . , ( ) + - /, was '"
-                    + file.replaceAll("\\p{C}", "?") + "'");
+            throw new IllegalArgumentException("texture must be a file name of 1 to 200 letters, digits, spaces and "
+                    + "_ . , ( ) + - /, was '" + file.replaceAll("\\p{C}", "?") + "'");
         }
         if (file.startsWith("/")) {
-            throw new IllegalArgumentException("texture must be a file beside the scene or in its textures folder, was the absolute path '"
-                    + file + "'");
+            throw new IllegalArgumentException("texture must be a file beside the scene or in its textures folder, "
+                    + "was the absolute path '" + file + "'");
         }
         for (String name : file.split("/", -1)) {
             if (name.isEmpty() || name.equals(".") || name.equals("..")) {

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.stream.Collectors;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
-import lightning.scene.Limits;
 
 /** What follows a property's name in the file. Two values are equal when every bit is. */
 sealed interface Value {
@@ -62,6 +61,7 @@ sealed interface Value {
         if (v == 0) {
             return 1 / v < 0 ? "-0" : "0";
         }
-        return Math.abs(v) < 1e7 ? Limits.text(v) : Double.toString(v).replace(".0E", "E").replace('E', 'e');
+        return v == Math.rint(v) && Math.abs(v) < 1e7 ? Long.toString((long) v)
+                : Double.toString(v).replace(".0E", "E").replace('E', 'e');
     }
 }

@@ -4,12 +4,12 @@
  *
  * <pre>{@code
  * JenDocument document = JenReader.read(Path.of("scenes/bird.jen"));
- * Scene dimmer = document.scene().withWorld(new World(0.1, Rgb.BLACK));
+ * Scene dimmer = PropertyEdit.apply(document.scene(), "key.intensity=0.4");
  * document.with(dimmer).save(Path.of("scenes/bird.jen"));
  * }</pre>
  *
  * <p>The way of a file: {@code Source} (bytes to characters) → {@code Lexer} → {@code Parser}
  * (blocks with places) → {@code SceneBuilder}. What a block may hold stands in one table,
- * {@code Blocks}, which the parser, the writer and the patch share.
+ * {@code Blocks}, which the parser, the writer, the patch and {@link lightning.jen.PropertyEdit} share.
  */
 package lightning.jen;

@@ -1,5 +1,6 @@
 package lightning.scene;
 
+import java.util.regex.Pattern;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 
@@ -34,6 +35,8 @@ public final class Limits {
     public static final double MAX_FOV = 170;
     public static final double MAX_REPEAT = 1e6;
     public static final double MAX_ROTATION = 1e6;
+
+    private static final Pattern NAME = Pattern.compile("[\\p{L}_][\\p{L}\\p{N}_-]*");
 
     private Limits() {}
 
@@ -97,7 +100,7 @@ public final class Limits {
     }
 
     public static String name(String name) {
-        if (!name.matches("[\\p{L}_][\\p{L}\\p{N}_-]*") || name.length() > 100) {
+        if (name.length() > 100 || !NAME.matcher(name).matches()) {
             throw new IllegalArgumentException("a name must begin with a letter or _, go on with letters, digits, - or _, "
                     + "and have at most 100 characters, was '" + name + "'");
         }

@@ -1,0 +1,142 @@
+package lightning.jen;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Path;
+import java.util.List;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.scene.Attenuation;
+import lightning.scene.Group;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Picture;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class PropertyEditTest {
+    private final Scene scene = read("""
+            jen 1
+            material floor {}
+            group g { sphere ball { material floor } }
+            light key spot {}
+            light fill point {}
+            """);
+    private final Light key = scene.light("key").orElseThrow();
+
+    @Test
+    void everyPropertyOfALight_canBeSet() {
+        assertThat(key("intensity=0.4")).isEqualTo(key.withIntensity(0.4));
+        assertThat(key("color=1 0.9 0.8")).isEqualTo(key.withColor(new Rgb(1, 0.9, 0.8)));
+        assertThat(key("at=1 2 -3")).isEqualTo(key.withPosition(new Vec3(1, 2, -3)));
+        assertThat(key("direction=1 0 0")).isEqualTo(key.withDirection(new Vec3(1, 0, 0)));
+        assertThat(key("attenuation=0.1 1 0.1")).isEqualTo(key.withAttenuation(new Attenuation(0.1, 1, 0.1)));
+        assertThat(key("angle=12")).isEqualTo(key.withAngle(12));
+        assertThat(key("dropoff=3")).isEqualTo(key.withDropoff(3));
+        assertThat(key("type=point")).isEqualTo(key.withType(LightType.POINT));
+        assertThat(key("on=no")).isEqualTo(key.withOn(false));
+        assertThat(key("solo = yes")).isEqualTo(key.withSolo(true));
+    }
+
+    @Test
+    void name_renamesTheLightInItsPlace() {
+        assertThat(PropertyEdit.apply(scene, "key.name=rim").lights()).containsExactly(key.withName("rim"), scene.lights().get(1));
+    }
+
+    @Test
+    void pictureCameraAndWorld_canBeSet() {
+        assertThat(PropertyEdit.apply(scene, "picture.size=640 480").picture())
+                .isEqualTo(Picture.DEFAULT.withSize(640, 480));
+        assertThat(PropertyEdit.apply(scene, "picture.depth=5").picture()).isEqualTo(Picture.DEFAULT.withDepth(5));
+        assertThat(PropertyEdit.apply(scene, "camera.from=1 2 3").camera().from()).isEqualTo(new Vec3(1, 2, 3));
+        assertThat(PropertyEdit.apply(scene, "world.ambience=0.1").world().ambience()).isEqualTo(0.1);
+    }
+
+    @Test
+    void shapesInGroupsAndMaterials_canBeSet() {
+        Group g = (Group) PropertyEdit.apply(scene, "ball.at=1 2 3").nodes().getFirst();
+        assertThat(((Shape) g.children().getFirst()).placement().at()).isEqualTo(new Vec3(1, 2, 3));
+        assertThat(PropertyEdit.apply(scene, "g.scale=1 2 1").nodes().getFirst().placement().scale()).isEqualTo(new Vec3(1, 2, 1));
+        assertThat(PropertyEdit.apply(scene, "floor.shininess=7").materials().getFirst().shininess()).isEqualTo(7);
+    }
+
+    @Test
+    void lightIsAdded_fromBothForms() {
+        Light rim = Light.of("rim", LightType.POINT).withIntensity(0.5).withPosition(new Vec3(0, 1, 2));
+        assertThat(PropertyEdit.add(scene, "rim point intensity=0.5 at=0 1 2").lights()).endsWith(rim).hasSize(3);
+        assertThat(PropertyEdit.add(scene, "light rim point { intensity 0.5 at 0 1 2 }").lights()).endsWith(rim).hasSize(3);
+        assertThat(PropertyEdit.add(scene, "rim spot").lights()).endsWith(Light.of("rim", LightType.SPOT));
+    }
+
+    @Test
+    void lightIsDeleted_byName() {
+        assertThat(PropertyEdit.delete(scene, "key").lights()).extracting(Light::name).containsExactly("fill");
+        assertThatThrownBy(() -> PropertyEdit.delete(scene, "fil")).isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("there is no light 'fil', did you mean 'fill'?");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "key | an edit must be written as NAME.PROPERTY=VALUE, was 'key'",
+        "=1 | an edit must be written as NAME.PROPERTY=VALUE, was '=1'",
+        "kee.on=no | the scene has nothing named 'kee', did you mean 'key'?",
+        "key.intensty=1 | light 'key': unknown property 'intensty', expected one of color, intensity, at, direction, attenuation, angle, dropoff, on, solo, type, name, did you mean 'intensity'?",
+        "key.intensity=-3 | light 'key': intensity must be ≥ 0, was -3",
+        "key.intensity= | light 'key': intensity must have a number, found 0",
+        "key.intensity=1 2 | light 'key': intensity must have a number, found 2",
+        "key.intensity=1 on no | light 'key': expected nothing behind the value of intensity, found 'on'",
+        "key.intensity=1e999 | light 'key': intensity must be a number within ±1.8e308, found '1e999'",
+        "key.type=pint | light 'key': type must be directional, point or spot, was 'pint', did you mean 'point'?",
+        "key.name=fill | light 'fill': the name is already taken",
+        "key.name=1 | a name must begin with a letter or _, go on with letters, digits, - or _, and have at most 100 characters, was '1'",
+        "key.direction=0 0 0 | light 'key': direction must not be zero, was 0 0 0",
+        "ball.material=flor | shape 'ball': there is no material 'flor'",
+        "floor.repeat=2 2 | material 'floor': repeat needs a texture, found none",
+        "floor.texture=\"a.png\" | material 'floor': texture must be one that the scene already has, was 'a.png'",
+        "camera.from=0 0 0 | camera: from and to must be two different points",
+        "picture.depth=1.5 | picture: depth must be a whole number, was 1.5",
+    })
+    void wrongEdit_saysWhatIsWrong(String edit, String message) {
+        assertThatThrownBy(() -> PropertyEdit.apply(scene, edit)).isInstanceOf(IllegalArgumentException.class).hasMessage(message);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "rim | expected a light's name and type, as in 'fill point', found 'rim'",
+        "rim pint | light 'rim': type must be directional, point or spot, was 'pint', did you mean 'point'?",
+        "rim point intensity=-1 on=5 | light 'rim': intensity must be ≥ 0, was -1; light 'rim': on: expected yes or no, found '5'",
+        "key point | light 'key': the name is already taken",
+        "sphere s { } | expected one light, as in 'fill point intensity=0.5', found 'sphere s { }'",
+        "light a point {} light b point {} | expected one light, as in 'fill point intensity=0.5', found 'light a point {} light b point {}'",
+    })
+    void wrongNewLight_saysWhatIsWrong(String light, String message) {
+        assertThatThrownBy(() -> PropertyEdit.add(scene, light)).isInstanceOf(IllegalArgumentException.class).hasMessage(message);
+    }
+
+    @Test
+    void aValue_mayBeWrittenAsTheFileWritesIt() {
+        for (Property<Light> p : Blocks.LIGHT.properties()) {
+            String value = p.get().apply(key).text();
+            assertThat(PropertyEdit.set(scene, "key", p.name(), value)).as(p.name()).isEqualTo(scene);
+        }
+        assertThat(List.of("color", "at", "solo")).isSubsetOf(Blocks.LIGHT.propertyNames());
+    }
+
+    private Light key(String edit) {
+        Scene edited = PropertyEdit.apply(scene, "key." + edit);
+        assertThat(edited.lights().get(1)).isEqualTo(scene.lights().get(1));
+        return edited.light("key").orElseThrow();
+    }
+
+    private static Scene read(String text) {
+        try {
+            return JenReader.read(text, "s.jen", Path.of("")).scene();
+        } catch (JenException e) {
+            throw new AssertionError(e);
+        }
+    }
+}

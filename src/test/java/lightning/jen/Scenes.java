@@ -1,0 +1,267 @@
+package lightning.jen;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.Set;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.scene.Attenuation;
+import lightning.scene.Camera;
+import lightning.scene.Group;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Limits;
+import lightning.scene.Material;
+import lightning.scene.Node;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
+import lightning.scene.World;
+
+/** Random scenes and random edits of them, over the whole range of every number. */
+final class Scenes {
+    /** The files that random scenes name, with pictures that differ. */
+    static final List<String> TEXTURES = List.of("a.png", "sub/b c.png", "ä.png");
+
+    private final Random random;
+    private final List<Texture> images;
+    private final Set<String> names = new HashSet<>();
+
+    Scenes(Random random, List<Texture> images) {
+        this.random = random;
+        this.images = images;
+    }
+
+    Scene scene() {
+        names.clear();
+        List<Material> materials = materials();
+        List<Node> nodes = list(4, () -> node(materials, 0));
+        return new Scene(picture(), camera(), world(), materials, nodes, list(5, this::light));
+    }
+
+    /** The scene after a few edits of any kind: values, names, order, additions, deletions. */
+    Scene edited(Scene scene) {
+        names.clear();
+        names(scene.nodes());
+        scene.lights().forEach(l -> names.add(l.name()));
+        Scene s = scene;
+        for (int i = random.nextInt(4); i >= 0; i--) {
+            s = switch (random.nextInt(6)) {
+                case 0 -> s.withPicture(chance() ? picture() : s.picture().withDepth(random.nextInt(11)));
+                case 1 -> s.withCamera(camera());
+                case 2 -> s.withWorld(chance() ? world() : s.world().withAmbience(positive(1e6)));
+                case 3 -> new Scene(s.picture(), s.camera(), s.world(), s.materials(), nodes(s.nodes(), s.materials(), 0), s.lights());
+                case 4 -> new Scene(s.picture(), s.camera(), s.world(), editedMaterials(s), s.nodes(), s.lights());
+                default -> s.withLights(changed(s.lights(), this::light, this::light));
+            };
+        }
+        return s;
+    }
+
+    private void names(List<Node> nodes) {
+        for (Node n : nodes) {
+            names.add(n.name());
+            if (n instanceof Group g) {
+                names(g.children());
+            }
+        }
+    }
+
+    private <T> List<T> changed(List<T> all, java.util.function.Supplier<T> fresh, java.util.function.UnaryOperator<T> edit) {
+        List<T> list = new ArrayList<>(all);
+        int i = random.nextInt(list.size() + 1);
+        switch (random.nextInt(4)) {
+            case 0 -> list.add(i, fresh.get());
+            case 1 -> {
+                if (i < list.size()) {
+                    list.remove(i);
+                }
+            }
+            case 2 -> java.util.Collections.shuffle(list, random);
+            default -> {
+                if (i < list.size()) {
+                    list.set(i, edit.apply(list.get(i)));
+                }
+            }
+        }
+        return list;
+    }
+
+    private List<Node> nodes(List<Node> nodes, List<Material> materials, int depth) {
+        return changed(nodes, () -> node(materials, depth), n -> switch (n) {
+            case Group g -> new Group(chance() ? g.name() : name(), chance() ? g.placement() : placement(),
+                    nodes(g.children(), materials, depth + 1));
+            case Shape.Sphere s -> chance() ? new Shape.Sphere(s.name(), material(materials), s.placement())
+                    : new Shape.Cone(s.name(), s.material(), s.placement());
+            case Shape s -> new Shape.Plane(s.name(), s.material(), placement());
+        });
+    }
+
+    private List<Material> editedMaterials(Scene s) {
+        List<Material> materials = new ArrayList<>(s.materials());
+        java.util.Collections.shuffle(materials, random);
+        materials.replaceAll(m -> switch (random.nextInt(3)) {
+            case 0 -> m;
+            case 1 -> new Material(m.name(), m.ambient(), m.diffuse(), m.specular(), m.shininess(), m.reflective(), texture());
+            default -> new Material(m.name(), color(1e6), m.diffuse(), m.specular(), m.shininess(), color(1), m.texture());
+        });
+        Set<String> taken = new HashSet<>();
+        materials.forEach(m -> taken.add(m.name()));
+        if (chance() && taken.add("extra")) {
+            materials.add(random.nextInt(materials.size() + 1), material("extra"));
+        }
+        return materials;
+    }
+
+    private Light light(Light l) {
+        return switch (random.nextInt(12)) {
+            case 0 -> l.withName(name());
+            case 1 -> l.withType(LightType.values()[random.nextInt(3)]);
+            case 2 -> l.withColor(color(1000));
+            case 3 -> l.withIntensity(positive(1e30));
+            case 4 -> l.withPosition(vector(1e12));
+            case 5 -> l.withDirection(direction());
+            case 6 -> l.withAttenuation(attenuation());
+            case 7 -> l.withAngle(positive(180));
+            case 8 -> l.withDropoff(positive(1e6));
+            case 9 -> l.withOn(chance());
+            case 10 -> l.withSolo(chance());
+            default -> l.withPosition(new Vec3(l.position().x(), number(1e12), l.position().z()));
+        };
+    }
+
+    private Light light() {
+        Light l = Light.of(name(), LightType.values()[random.nextInt(3)]);
+        return chance() ? l : new Light(l.name(), l.type(), color(1000), positive(1e30), vector(1e12), direction(), attenuation(),
+                positive(180), positive(1e6), chance(), chance());
+    }
+
+    private Attenuation attenuation() {
+        return new Attenuation(positive(1e30), positive(1e30), positive(1e30));
+    }
+
+    private List<Material> materials() {
+        Set<String> taken = new HashSet<>();
+        return list(4, () -> {
+            String name = List.of("wood", "default", "x", "scale").get(random.nextInt(4));
+            while (!taken.add(name)) {
+                name += "_";
+            }
+            return material(name);
+        });
+    }
+
+    private Material material(String name) {
+        return chance() ? new Material(name, color(1e6), color(1), color(1), positive(1e6), color(1), texture())
+                : new Material(name, Rgb.BLACK, Rgb.grey(0.8), Rgb.BLACK, 16, Rgb.BLACK, texture());
+    }
+
+    private Optional<TextureMap> texture() {
+        int i = random.nextInt(TEXTURES.size());
+        return random.nextInt(3) == 0 ? Optional.of(new TextureMap(TEXTURES.get(i), chance() ? 1 : scale(1e-6, 1e6),
+                scale(1e-6, 1e6), images.get(i))) : Optional.empty();
+    }
+
+    private Node node(List<Material> materials, int depth) {
+        String name = name();
+        return switch (random.nextInt(depth < 3 ? 6 : 4)) {
+            case 0 -> new Shape.Sphere(name, material(materials), placement());
+            case 1 -> new Shape.Cone(name, material(materials), placement());
+            case 2 -> new Shape.Cylinder(name, material(materials), placement());
+            case 3 -> new Shape.Plane(name, material(materials), placement());
+            default -> new Group(name, placement(), list(4, () -> node(materials, depth + 1)));
+        };
+    }
+
+    private String material(List<Material> materials) {
+        return materials.isEmpty() || chance() ? "default" : materials.get(random.nextInt(materials.size())).name();
+    }
+
+    private Placement placement() {
+        return chance() ? Placement.IDENTITY : new Placement(vector(1e12), vector(1e6),
+                new Vec3(scale(0.01, 100), scale(0.01, 100), chance() ? 1 : scale(0.01, 100)));
+    }
+
+    private Picture picture() {
+        return chance() ? Picture.DEFAULT : new Picture(1 + random.nextInt(16384), 1 + random.nextInt(16384), random.nextInt(11));
+    }
+
+    private World world() {
+        return chance() ? World.DEFAULT : new World(positive(1e6), color(1e6));
+    }
+
+    private Camera camera() {
+        try {
+            return chance() ? Camera.DEFAULT
+                    : new Camera(vector(1e12), vector(1e12), direction(), 0.01 + positive(169));
+        } catch (IllegalArgumentException e) {
+            return Camera.DEFAULT;
+        }
+    }
+
+    private String name() {
+        String[] words = {"key", "fill", "on", "light", "ä", "_", "A-1", "𝒜", "material", "jen"};
+        String name = words[random.nextInt(words.length)];
+        while (!names.add(name)) {
+            name += random.nextInt(10);
+        }
+        return name;
+    }
+
+    private <T> List<T> list(int most, java.util.function.Supplier<T> item) {
+        List<T> list = new ArrayList<>();
+        for (int i = random.nextInt(most + 1); i > 0; i--) {
+            list.add(item.get());
+        }
+        return list;
+    }
+
+    private Vec3 vector(double max) {
+        return new Vec3(number(max), number(max), number(max));
+    }
+
+    private Vec3 direction() {
+        Vec3 v = vector(Limits.MAX_COORDINATE);
+        return v.maxAbs() >= 1e-12 ? v : new Vec3(0, -0.0, -1);
+    }
+
+    private Rgb color(double max) {
+        return new Rgb(positive(max), positive(max), positive(max));
+    }
+
+    private double scale(double min, double max) {
+        double v = Math.max(positive(max), min);
+        return chance() ? v : -v;
+    }
+
+    private double number(double max) {
+        double v = positive(max);
+        return chance() ? v : -v;
+    }
+
+    /** Any double from 0 to {@code max}: zeros of both signs, the least, the largest, all exponents, round ones. */
+    private double positive(double max) {
+        return switch (random.nextInt(7)) {
+            case 0 -> 0;
+            case 1 -> -0.0;
+            case 2 -> max;
+            case 3 -> Double.MIN_VALUE;
+            case 4 -> Math.min(max, random.nextInt(200) / 10.0);
+            case 5 -> random.nextDouble() * max;
+            default -> {
+                double v = Math.abs(Double.longBitsToDouble(random.nextLong()));
+                yield v <= max ? v : random.nextDouble();
+            }
+        };
+    }
+
+    private boolean chance() {
+        return random.nextBoolean();
+    }
+}
