@@ -1,5 +1,8 @@
 package lightning.shading;
 
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorSpecies;
 import lightning.scene.World;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
@@ -14,11 +17,9 @@ import lightning.trace.MaterialTable;
  */
 public final class Composer {
     private static final int ROWS = LightLanes.ROWS;
-    private static final float[] ONES = new float[ROWS];
-
-    static {
-        java.util.Arrays.fill(ONES, 1);
-    }
+    private static final VectorSpecies<Float> F = FloatVector.SPECIES_PREFERRED;
+    private static final float[] ZEROS = new float[ROWS];
+    private static final float[][] NO_MIRRORS = new float[3][];
 
     private final MaterialTable materials;
     private final SumRows[] sums = new SumRows[12];
@@ -51,12 +52,13 @@ public final class Composer {
      *
      * @param lamps    the lights in scene order
      * @param layers   the layer of each light; unread where the light is dark
-     * @param mirrored Cr of the reflective rows: red, green and blue columns; unread where there are none
+     * @param mirrored Cr of the reflective rows: red, green and blue columns; null where there are none
      */
     public void compose(HitRows rows, Lamp[] lamps, LightLayer[] layers, World world, float[][] mirrored) {
         SumRows sum = sum(rows.count, lamps, layers, 0, lamps.length, 0);
+        float[][] cr = mirrored == null ? NO_MIRRORS : mirrored;
         for (int r = 0; r < rows.runs; r++) {
-            closeRun(rows, r, sum, (float) world.ambience(), mirrored);
+            closeRun(rows, r, sum, (float) world.ambience(), cr);
         }
     }
 
@@ -71,7 +73,7 @@ public final class Composer {
                 return null;
             }
             SumRows own = sums[level];
-            own.set(rows, lamps[from], layers[from], ONES);
+            own.set(rows, lamps[from], layers[from]);
             return own;
         }
         int middle = (from + to) >>> 1;
@@ -81,7 +83,7 @@ public final class Composer {
         }
         if (to - middle == 1) {
             if (isActive(lamps[middle], layers[middle])) {
-                left.add(rows, lamps[middle], layers[middle], ONES);
+                left.add(rows, lamps[middle], layers[middle]);
             }
             return left;
         }
@@ -93,58 +95,43 @@ public final class Composer {
     }
 
     private void closeRun(HitRows rows, int r, SumRows sum, float ambience, float[][] mirrored) {
-        int m = rows.runMaterial[r];
-        boolean textured = materials.isTextured(m);
-        int from = rows.runStart(r);
-        int to = rows.runEnd[r];
-        close(from, to, m, 0, ambience, textured ? rows.diffuseRed : null, sum == null ? null : sum.diffuseRed,
-                specular(sum, sum == null ? null : sum.specularRed), mirrored == null ? null : mirrored[0], red);
-        close(from, to, m, 1, ambience, textured ? rows.diffuseGreen : null, sum == null ? null : sum.diffuseGreen,
-                specular(sum, sum == null ? null : sum.specularGreen), mirrored == null ? null : mirrored[1], green);
-        close(from, to, m, 2, ambience, textured ? rows.diffuseBlue : null, sum == null ? null : sum.diffuseBlue,
-                specular(sum, sum == null ? null : sum.specularBlue), mirrored == null ? null : mirrored[2], blue);
-    }
-
-    private static float[] specular(SumRows sum, float[] column) {
-        return sum == null || !sum.hasSpecular ? null : column;
+        boolean textured = materials.isTextured(rows.runMaterial[r]);
+        boolean specular = sum != null && sum.hasSpecular;
+        close(rows, r, 0, ambience, textured ? rows.diffuseRed : null, sum == null ? ZEROS : sum.diffuseRed,
+                specular ? sum.specularRed : null, mirrored[0], red);
+        close(rows, r, 1, ambience, textured ? rows.diffuseGreen : null, sum == null ? ZEROS : sum.diffuseGreen,
+                specular ? sum.specularGreen : null, mirrored[1], green);
+        close(rows, r, 2, ambience, textured ? rows.diffuseBlue : null, sum == null ? ZEROS : sum.diffuseBlue,
+                specular ? sum.specularBlue : null, mirrored[2], blue);
     }
 
     /**
      * One channel of one run: {@link LightingEquation#color} with absent terms left out, which changes
      * no bit, because they would add +0 or multiply by 1.
      */
-    private void close(int from, int to, int m, int channel, float ambience, float[] texture, float[] diffuse,
+    private void close(HitRows rows, int r, int channel, float ambience, float[] texture, float[] diffuse,
             float[] specular, float[] mirrored, float[] out) {
+        int m = rows.runMaterial[r];
         float emitted = materials.ambient(m, channel) * ambience;
         float kd = materials.diffuse(m, channel);
-        float ks = materials.specular(m, channel);
+        float ks = specular == null ? 0 : materials.specular(m, channel);
         float kr = materials.reflective(m, channel);
-        if (diffuse == null) {
-            java.util.Arrays.fill(out, from, to, emitted);
-        } else if (texture == null) {
-            for (int i = from; i < to; i++) {
-                out[i] = emitted + kd * diffuse[i];
+        int to = rows.runEnd[r];
+        for (int i = rows.runStart(r); i < to; i += F.length()) {
+            VectorMask<Float> in = F.indexInRange(i, to);
+            FloatVector light = FloatVector.fromArray(F, diffuse, i, in);
+            light = texture == null ? light.mul(kd) : light.mul(FloatVector.fromArray(F, texture, i, in));
+            FloatVector color = light.add(emitted);
+            if (kr != 0) {
+                color = color.mul(1 - kr);
             }
-        } else {
-            for (int i = from; i < to; i++) {
-                out[i] = emitted + texture[i] * diffuse[i];
+            if (ks != 0) {
+                color = color.add(FloatVector.fromArray(F, specular, i, in).mul(ks));
             }
-        }
-        if (kr != 0) {
-            float rest = 1 - kr;
-            for (int i = from; i < to; i++) {
-                out[i] = out[i] * rest;
+            if (kr != 0) {
+                color = color.add(FloatVector.fromArray(F, mirrored, i, in).mul(kr));
             }
-        }
-        if (ks != 0 && specular != null) {
-            for (int i = from; i < to; i++) {
-                out[i] = out[i] + ks * specular[i];
-            }
-        }
-        if (kr != 0) {
-            for (int i = from; i < to; i++) {
-                out[i] = out[i] + kr * mirrored[i];
-            }
+            color.intoArray(out, i, in);
         }
     }
 }
