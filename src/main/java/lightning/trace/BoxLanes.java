@@ -1,11 +1,16 @@
 package lightning.trace;
 
 import static jdk.incubator.vector.VectorOperators.D2F;
+import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LE;
+import static jdk.incubator.vector.VectorOperators.LT;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorShape;
+import jdk.incubator.vector.VectorShuffle;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
@@ -18,8 +23,12 @@ import jdk.incubator.vector.VectorSpecies;
  */
 final class BoxLanes {
     private static final VectorSpecies<Float> SPECIES = FloatVector.SPECIES_PREFERRED;
+    private static final VectorSpecies<Integer> BITS = IntVector.SPECIES_PREFERRED;
     private static final VectorSpecies<Float> HALF =
             VectorSpecies.of(float.class, VectorShape.forBitSize(OwnRays.SPECIES.vectorBitSize() / 2));
+    private static final VectorShuffle<Float> SWAP =
+            VectorShuffle.fromOp(SPECIES, i -> (i + OwnRays.LANES) % RayPacket.WIDTH);
+    private static final VectorMask<Float> UPPER = VectorMask.fromLong(SPECIES, -1L << OwnRays.LANES);
     /** A ray that is flatter on an axis than 1 : 2⁶⁰ drifts by less than the boxes are padded. */
     private static final float STEEPEST = 0x1p60f;
     /** More than the rounding of a distance to float. */
@@ -33,67 +42,73 @@ final class BoxLanes {
     private final float[] shiftZ = new float[RayPacket.WIDTH];
     /** The largest component of each direction. */
     private final float[] unit = new float[RayPacket.WIDTH];
-    /** Boxes beyond this are missed; at least the distance that it stands for. */
-    private final float[] far = new float[RayPacket.WIDTH];
+    /** Boxes beyond this are missed: the bits of a float, at least the distance that it stands for. */
+    private final int[] far = new int[RayPacket.WIDTH];
 
     /** Takes over the packet's rays, at first without a far end. */
     void enter(RayPacket p) {
-        round(p.dx, inverseX);
-        round(p.dy, inverseY);
-        round(p.dz, inverseZ);
-        round(p.ox, shiftX);
-        round(p.oy, shiftY);
-        round(p.oz, shiftZ);
-        FloatVector dx = FloatVector.fromArray(SPECIES, inverseX, 0);
-        FloatVector dy = FloatVector.fromArray(SPECIES, inverseY, 0);
-        FloatVector dz = FloatVector.fromArray(SPECIES, inverseZ, 0);
-        FloatVector most = dx.abs().max(dy.abs()).max(dz.abs());
-        most.intoArray(unit, 0);
-        axis(most, dx, inverseX, shiftX);
-        axis(most, dy, inverseY, shiftY);
-        axis(most, dz, inverseZ, shiftZ);
-        FloatVector.broadcast(SPECIES, Float.POSITIVE_INFINITY).intoArray(far, 0);
+        round(p.dx).intoArray(inverseX, 0);
+        round(p.dy).intoArray(inverseY, 0);
+        round(p.dz).intoArray(inverseZ, 0);
+        // Absolute values: their bits are ordered as they are.
+        FloatVector.fromArray(SPECIES, inverseX, 0).abs().reinterpretAsInts()
+                .max(FloatVector.fromArray(SPECIES, inverseY, 0).abs().reinterpretAsInts())
+                .max(FloatVector.fromArray(SPECIES, inverseZ, 0).abs().reinterpretAsInts())
+                .reinterpretAsFloats().intoArray(unit, 0);
+        axis(p.ox, inverseX, shiftX);
+        axis(p.oy, inverseY, shiftY);
+        axis(p.oz, inverseZ, shiftZ);
+        FloatVector.broadcast(SPECIES, Float.POSITIVE_INFINITY).reinterpretAsInts().intoArray(far, 0);
     }
 
-    private static void axis(FloatVector most, FloatVector d, float[] inverse, float[] shift) {
-        FloatVector i = most.div(d).max(-STEEPEST).min(STEEPEST);
+    /** Replaces the direction in {@code inverse}. */
+    private void axis(double[] o, float[] inverse, float[] shift) {
+        FloatVector i = FloatVector.fromArray(SPECIES, unit, 0).div(FloatVector.fromArray(SPECIES, inverse, 0));
+        i = i.blend(STEEPEST, i.compare(GT, STEEPEST)).blend(-STEEPEST, i.compare(LT, -STEEPEST));
         i.intoArray(inverse, 0);
-        FloatVector.fromArray(SPECIES, shift, 0).neg().mul(i).intoArray(shift, 0);
+        round(o).neg().mul(i).intoArray(shift, 0);
     }
 
-    private static void round(double[] from, float[] to) {
-        for (int h = 0; h < RayPacket.WIDTH; h += OwnRays.LANES) {
-            DoubleVector v = DoubleVector.fromArray(OwnRays.SPECIES, from, h);
-            ((FloatVector) v.convertShape(D2F, HALF, 0)).intoArray(to, h);
-        }
+    /** Put together in registers: two stores of half a vector would hold up the load of the whole one. */
+    private static FloatVector round(double[] from) {
+        FloatVector low = (FloatVector) DoubleVector.fromArray(OwnRays.SPECIES, from, 0).convertShape(D2F, HALF, 0);
+        FloatVector high = (FloatVector) DoubleVector.fromArray(OwnRays.SPECIES, from, OwnRays.LANES).convertShape(D2F, HALF, 0);
+        return ((FloatVector) low.reinterpretShape(SPECIES, 0))
+                .blend(((FloatVector) high.reinterpretShape(SPECIES, 0)).rearrange(SWAP), UPPER);
     }
 
     /** Moves the far ends to the given distances, rounded up. */
     void limit(double[] distances) {
-        round(distances, far);
-        FloatVector.fromArray(SPECIES, far, 0).mul(FloatVector.fromArray(SPECIES, unit, 0)).mul(UP).intoArray(far, 0);
+        round(distances).mul(FloatVector.fromArray(SPECIES, unit, 0)).mul(UP)
+                .reinterpretAsInts().intoArray(far, 0);
     }
 
-    /** Which rays may meet the box {@code boxes[at … at + 5]}: one bit for each lane. */
+    /**
+     * Which rays may meet the box {@code boxes[at … at + 5]}: one bit for each lane.
+     *
+     * <p>Distances are compared as the integers of their bits, one instruction instead of the six that
+     * Java's order of ±0 and NaN takes. Integers order positive floats as floats do; negative ones come
+     * in the wrong order but before all positive ones, and all that matters of them is that they are behind.
+     */
     long hits(float[] boxes, int at) {
         FloatVector inverse = FloatVector.fromArray(SPECIES, inverseX, 0);
         FloatVector shift = FloatVector.fromArray(SPECIES, shiftX, 0);
-        FloatVector a = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at]), shift);
-        FloatVector b = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at + 3]), shift);
-        FloatVector in = a.min(b);
-        FloatVector out = a.max(b);
+        IntVector a = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at]), shift).reinterpretAsInts();
+        IntVector b = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at + 3]), shift).reinterpretAsInts();
+        IntVector in = a.min(b).max(0);
+        IntVector out = a.max(b).min(IntVector.fromArray(BITS, far, 0));
         inverse = FloatVector.fromArray(SPECIES, inverseY, 0);
         shift = FloatVector.fromArray(SPECIES, shiftY, 0);
-        a = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at + 1]), shift);
-        b = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at + 4]), shift);
+        a = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at + 1]), shift).reinterpretAsInts();
+        b = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at + 4]), shift).reinterpretAsInts();
         in = in.max(a.min(b));
         out = out.min(a.max(b));
         inverse = FloatVector.fromArray(SPECIES, inverseZ, 0);
         shift = FloatVector.fromArray(SPECIES, shiftZ, 0);
-        a = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at + 2]), shift);
-        b = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at + 5]), shift);
-        in = in.max(a.min(b)).max(0);
-        out = out.min(a.max(b)).min(FloatVector.fromArray(SPECIES, far, 0));
+        a = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at + 2]), shift).reinterpretAsInts();
+        b = inverse.fma(FloatVector.broadcast(SPECIES, boxes[at + 5]), shift).reinterpretAsInts();
+        in = in.max(a.min(b));
+        out = out.min(a.max(b));
         return in.compare(LE, out).toLong();
     }
 }

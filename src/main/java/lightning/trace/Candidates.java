@@ -1,28 +1,91 @@
 package lightning.trace;
 
-/** The few shapes that a bundle of rays can meet, each with its box. Reused; not shared between threads. */
+import java.util.Arrays;
+
+/**
+ * The few shapes that a bundle of rays can meet, nearest first, each with its box: found once for the
+ * bundle, so that its packets need not search the tree. Reused; not shared between threads.
+ */
 public final class Candidates {
+    /** With more than this the tree is faster. */
+    static final int MOST = 24;
+
     int count;
-    int[] shape = new int[16];
-    float[] boxes = new float[6 * 16];
+    /** Whether there are more than fit: packets must search the tree. */
+    boolean tooMany;
+    int[] shape = new int[MOST];
+    /** The shapes' boxes, {@code float[6 * count]}. */
+    float[] boxes = new float[6 * MOST];
+    private final double[] since = new double[MOST];
+    private int[] stack = new int[16];
 
     /** All shapes of a small scene. */
     static Candidates all(Bvh bvh) {
         Candidates c = new Candidates();
-        for (int s = 0; s < bvh.shapes.count; s++) {
-            c.add(bvh, s);
-        }
+        c.count = bvh.shapes.count;
+        c.shape = new int[c.count];
+        Arrays.setAll(c.shape, s -> s);
+        c.boxes = bvh.shapeBoxes.clone();
         return c;
     }
 
-    /** Adds a shape. */
-    private void add(Bvh bvh, int s) {
-        if (count == shape.length) {
-            shape = java.util.Arrays.copyOf(shape, 2 * count);
-            boxes = java.util.Arrays.copyOf(boxes, 12 * count);
+    /** Whether no ray of the bundle meets anything: nothing blocks it. */
+    public boolean isEmpty() {
+        return count == 0 && !tooMany;
+    }
+
+    /** Finds the shapes whose boxes the beam touches. */
+    public void collect(Geometry geometry, Beam beam) {
+        collect(geometry.bvh(), beam);
+    }
+
+    void collect(Bvh bvh, Beam beam) {
+        count = 0;
+        tooMany = false;
+        if (stack.length < bvh.depth + 2) {
+            stack = new int[bvh.depth + 2];
         }
-        System.arraycopy(bvh.shapeBoxes, 6 * s, boxes, 6 * count, 6);
-        shape[count++] = s;
+        int top = 0;
+        if (bvh.shapes.count == 1) {
+            add(bvh, 0, beam.touches(bvh.shapeBoxes, 0));
+        } else if (bvh.shapes.count > 1) {
+            stack[top++] = 0;
+        }
+        while (top > 0) {
+            int node = stack[--top];
+            for (int c = 0; c < 2; c++) {
+                double time = beam.touches(bvh.boxes, 12 * node + 6 * c);
+                int child = bvh.child[2 * node + c];
+                if (child < 0) {
+                    add(bvh, ~child, time);
+                    if (tooMany) {
+                        return;
+                    }
+                } else if (time < Double.POSITIVE_INFINITY) {
+                    stack[top++] = child;
+                }
+            }
+        }
+    }
+
+    /** Puts a shape before those that the beam touches later. */
+    private void add(Bvh bvh, int s, double time) {
+        if (!(time < Double.POSITIVE_INFINITY)) {
+            return;
+        }
+        if (count == MOST) {
+            tooMany = true;
+            return;
+        }
+        int at = count++;
+        for (; at > 0 && since[at - 1] > time; at--) {
+            since[at] = since[at - 1];
+            shape[at] = shape[at - 1];
+            System.arraycopy(boxes, 6 * at - 6, boxes, 6 * at, 6);
+        }
+        since[at] = time;
+        shape[at] = s;
+        System.arraycopy(bvh.shapeBoxes, 6 * s, boxes, 6 * at, 6);
     }
 
     /** Moves a shape that blocks rays to the front: the next packet is likely to be blocked by it too. */

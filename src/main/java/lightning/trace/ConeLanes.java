@@ -29,7 +29,8 @@ final class ConeLanes {
             DoubleVector v = oz.mul(dy).sub(y.mul(dz));
             DoubleVector w = ox.mul(dz).sub(oz.mul(dx));
             DoubleVector root = u.mul(u).add(v.mul(v)).sub(w.mul(w)).sqrt();
-            DoubleVector q = b.sub(root).blend(b.add(root), b.compare(GE, 0));
+            VectorMask<Double> ahead = b.compare(GE, 0);
+            DoubleVector q = b.sub(root).blend(b.add(root), ahead);
             DoubleVector t0 = c.div(q);
             DoubleVector t1 = q.div(a);
             VectorMask<Double> less = t0.compare(LT, t1);
@@ -38,7 +39,7 @@ final class ConeLanes {
             VectorMask<Double> steep = a.compare(LT, 0);
             VectorMask<Double> open = steep.or(a.compare(EQ, 0));
             VectorMask<Double> down = dy.compare(GT, 0);
-            VectorMask<Double> forwards = b.compare(GT, 0).andNot(steep).or(steep.and(down));
+            VectorMask<Double> forwards = ahead.andNot(steep).or(steep.and(down));
             DoubleVector bound = t0.blend(low.blend(high, down), steep);
             DoubleVector in = low.blend(miss.neg().blend(bound, forwards), open);
             DoubleVector out = high.blend(bound.blend(miss, forwards), open);

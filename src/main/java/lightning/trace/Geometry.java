@@ -83,6 +83,16 @@ public final class Geometry {
         return nearest;
     }
 
+    /** The same by the tree of boxes; origins are the camera or lie within the box of the scene. */
+    public int nearest(Ray ray) {
+        return bvh.nearest(ray);
+    }
+
+    /** Whether any shape is met at a distance below {@code limit}, by the tree of boxes. */
+    public boolean blocked(Ray ray, double limit) {
+        return bvh.blocked(ray, limit);
+    }
+
     /** Whether any shape is met at a distance below {@code limit}; every shape is asked. */
     public boolean blockedByAny(Ray ray, double limit) {
         for (int s = 0; s < shapes.count; s++) {

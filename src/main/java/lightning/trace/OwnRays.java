@@ -27,26 +27,33 @@ final class OwnRays {
 
     /** Maps the packet's rays into the space of shape {@code s}. */
     void enter(double[] inverse, int s, RayPacket p, int from, int to) {
-        row(inverse, 12 * s, p, ox, dx, from, to);
-        row(inverse, 12 * s + 4, p, oy, dy, from, to);
-        row(inverse, 12 * s + 8, p, oz, dz, from, to);
-    }
-
-    private static void row(double[] m, int i, RayPacket p, double[] o, double[] d, int from, int to) {
-        double mx = m[i];
-        double my = m[i + 1];
-        double mz = m[i + 2];
-        double mt = m[i + 3];
+        // All read before the first store, after which the compiler would read them again.
+        int i = 12 * s;
+        double m00 = inverse[i];
+        double m01 = inverse[i + 1];
+        double m02 = inverse[i + 2];
+        double t0 = inverse[i + 3];
+        double m10 = inverse[i + 4];
+        double m11 = inverse[i + 5];
+        double m12 = inverse[i + 6];
+        double t1 = inverse[i + 7];
+        double m20 = inverse[i + 8];
+        double m21 = inverse[i + 9];
+        double m22 = inverse[i + 10];
+        double t2 = inverse[i + 11];
         for (int h = from; h < to; h += LANES) {
-            DoubleVector.fromArray(SPECIES, p.ox, h).mul(mx)
-                    .add(DoubleVector.fromArray(SPECIES, p.oy, h).mul(my))
-                    .add(DoubleVector.fromArray(SPECIES, p.oz, h).mul(mz))
-                    .add(mt)
-                    .intoArray(o, h);
-            DoubleVector.fromArray(SPECIES, p.dx, h).mul(mx)
-                    .add(DoubleVector.fromArray(SPECIES, p.dy, h).mul(my))
-                    .add(DoubleVector.fromArray(SPECIES, p.dz, h).mul(mz))
-                    .intoArray(d, h);
+            DoubleVector x = DoubleVector.fromArray(SPECIES, p.ox, h);
+            DoubleVector y = DoubleVector.fromArray(SPECIES, p.oy, h);
+            DoubleVector z = DoubleVector.fromArray(SPECIES, p.oz, h);
+            x.mul(m00).add(y.mul(m01)).add(z.mul(m02)).add(t0).intoArray(ox, h);
+            x.mul(m10).add(y.mul(m11)).add(z.mul(m12)).add(t1).intoArray(oy, h);
+            x.mul(m20).add(y.mul(m21)).add(z.mul(m22)).add(t2).intoArray(oz, h);
+            x = DoubleVector.fromArray(SPECIES, p.dx, h);
+            y = DoubleVector.fromArray(SPECIES, p.dy, h);
+            z = DoubleVector.fromArray(SPECIES, p.dz, h);
+            x.mul(m00).add(y.mul(m01)).add(z.mul(m02)).intoArray(dx, h);
+            x.mul(m10).add(y.mul(m11)).add(z.mul(m12)).intoArray(dy, h);
+            x.mul(m20).add(y.mul(m21)).add(z.mul(m22)).intoArray(dz, h);
         }
     }
 }

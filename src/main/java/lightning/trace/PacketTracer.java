@@ -1,7 +1,5 @@
 package lightning.trace;
 
-import java.util.Arrays;
-
 /**
  * Traces packets of rays. Holds scratch memory: one for each thread.
  *
@@ -89,6 +87,10 @@ public final class PacketTracer {
      * @param candidates of a beam that all of the packet's rays are in
      */
     public void nearest(RayPacket p, int live, Candidates candidates) {
+        if (candidates.tooMany) {
+            nearest(p, live);
+            return;
+        }
         begin(p);
         int lanes = lanes(live);
         for (int c = 0; c < candidates.count; c++) {
@@ -145,6 +147,9 @@ public final class PacketTracer {
      * @param candidates of a beam that all of the packet's rays are in, up to their limits
      */
     public int blocked(RayPacket p, int live, Candidates candidates) {
+        if (candidates.tooMany) {
+            return blocked(p, live);
+        }
         if (candidates.count == 0) {
             return 0;
         }
@@ -175,9 +180,8 @@ public final class PacketTracer {
     }
 
     private void begin(RayPacket p) {
-        Arrays.fill(p.t, Solids.MISS);
         box.enter(p);
-        solid.begin();
+        solid.begin(p);
     }
 
     private void meet(RayPacket p, int s, int mask) {

@@ -1,12 +1,15 @@
 package lightning.trace;
 
+import static jdk.incubator.vector.VectorOperators.D2I;
 import static jdk.incubator.vector.VectorOperators.EQ;
 import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LT;
 
-import java.util.Arrays;
 import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorShape;
+import jdk.incubator.vector.VectorSpecies;
 
 /**
  * One shape against a packet: {@link ShapeTable#distance} in lanes, and what is done with the answer.
@@ -15,6 +18,9 @@ import jdk.incubator.vector.VectorMask;
  * rejected get the same answer as from the box: a miss, or a hit behind a nearer one.
  */
 final class SolidLanes {
+    private static final VectorSpecies<Integer> INTS =
+            VectorSpecies.of(int.class, VectorShape.forBitSize(OwnRays.SPECIES.vectorBitSize() / 2));
+
     private final ShapeTable shapes;
     private final OwnRays own = new OwnRays();
     private final SlabLanes slab = new SlabLanes();
@@ -41,9 +47,12 @@ final class SolidLanes {
         }
     }
 
-    /** Forgets what has been found. */
-    void begin() {
-        Arrays.fill(found, -1);
+    /** Puts misses into all lanes. */
+    void begin(RayPacket p) {
+        for (int h = 0; h < RayPacket.WIDTH; h += OwnRays.LANES) {
+            DoubleVector.broadcast(OwnRays.SPECIES, Solids.MISS).intoArray(p.t, h);
+            DoubleVector.broadcast(OwnRays.SPECIES, -1).intoArray(found, h);
+        }
     }
 
     /** Puts shape {@code s} into the lanes where it is nearer than what they have; whether there is one. */
@@ -64,8 +73,9 @@ final class SolidLanes {
 
     /** Writes what has been found to the packet's {@code shape}. */
     void shapes(RayPacket p) {
-        for (int i = 0; i < RayPacket.WIDTH; i++) {
-            p.shape[i] = (int) found[i];
+        for (int h = 0; h < RayPacket.WIDTH; h += OwnRays.LANES) {
+            DoubleVector v = DoubleVector.fromArray(OwnRays.SPECIES, found, h);
+            ((IntVector) v.convertShape(D2I, INTS, 0)).intoArray(p.shape, h);
         }
     }
 

@@ -77,7 +77,7 @@ final class Solids {
         // stays; along a generator (a = 0) only one root is left.
         boolean steep = a < 0;
         boolean generator = a == 0;
-        boolean forwards = steep ? dh > 0 : b > 0;
+        boolean forwards = steep ? dh > 0 : b >= 0;
         double bound = steep ? (dh > 0 ? high : low) : t0;
         double sideIn = steep || generator ? (forwards ? bound : -MISS) : low;
         double sideOut = steep || generator ? (forwards ? MISS : bound) : high;

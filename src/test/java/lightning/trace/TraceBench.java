@@ -10,6 +10,7 @@ import lightning.scene.Scene;
 /** Nanoseconds per ray of each stage of tracing, scalar beside packets. Run it by itself, on a quiet machine. */
 final class TraceBench {
     private static final int SIZE = 512;
+    private static final int TILE = 32;
     private static final int W = RayPacket.WIDTH;
     private static final int RUNS = 9;
     private static long sink;
@@ -21,6 +22,12 @@ final class TraceBench {
     private final SurfacePacket out = new SurfacePacket();
     private final double[] rays = new double[SIZE * SIZE * 7];
     private int shadowRays;
+    private final int[] tileStart = new int[SIZE * SIZE / (TILE * TILE) + 1];
+    private int tiles;
+    private Vec3 light;
+    private final Beam[] shadowBeams = new Beam[tileStart.length];
+    private final Beam beam = new Beam();
+    private final Candidates candidates = new Candidates();
 
     private TraceBench(Scene scene, int few) {
         geometry = new Geometry(scene);
@@ -31,9 +38,11 @@ final class TraceBench {
 
     private void shadows(Vec3 light) {
         Vec3 l = geometry.toRenderSpace(light);
-        for (int y = 0; y < SIZE; y++) {
-            for (int x = 0; x < SIZE; x += W) {
-                PacketTracer.eyeRays(camera, x, y, W, p);
+        this.light = l;
+        for (int tile = 0; tile < SIZE * SIZE / (TILE * TILE); tile++) {
+            tileStart[tiles++] = shadowRays;
+            for (int n = 0; n < TILE * TILE; n += W) {
+                PacketTracer.eyeRays(camera, tile % (SIZE / TILE) * TILE + n % TILE, tile / (SIZE / TILE) * TILE + n / TILE, W, p);
                 tracer.nearest(p, W);
                 tracer.surfaces(p, W, out);
                 for (int i = 0; i < W; i++) {
@@ -44,6 +53,13 @@ final class TraceBench {
                         System.arraycopy(ray, 0, rays, 7 * shadowRays++, 7);
                     }
                 }
+            }
+        }
+        tileStart[tiles++] = shadowRays;
+        for (int tile = 0; tile + 1 < tiles; tile++) {
+            shadowBeams[tile] = new Beam();
+            for (int i = tileStart[tile]; i < tileStart[tile + 1]; i++) {
+                shadowBeams[tile].origin(rays[7 * i], rays[7 * i + 1], rays[7 * i + 2]);
             }
         }
     }
@@ -63,6 +79,37 @@ final class TraceBench {
                 PacketTracer.eyeRays(camera, x, y, W, p);
                 tracer.nearest(p, W);
                 sink += p.shape[3];
+            }
+        }
+    }
+
+    private void eyesAndNearestOfTiles() {
+        for (int tile = 0; tile < SIZE; tile += TILE) {
+            for (int left = 0; left < SIZE; left += TILE) {
+                beam.eye(camera, left, tile, TILE, TILE);
+                candidates.collect(geometry, beam);
+                for (int y = tile; y < tile + TILE; y++) {
+                    for (int x = left; x < left + TILE; x += W) {
+                        PacketTracer.eyeRays(camera, x, y, W, p);
+                        tracer.nearest(p, W, candidates);
+                        sink += p.shape[3];
+                    }
+                }
+            }
+        }
+    }
+
+    private void fillAndBlockedOfTiles() {
+        for (int tile = 0; tile + 1 < tiles; tile++) {
+            int first = tileStart[tile];
+            int end = tileStart[tile + 1];
+            Beam beam = shadowBeams[tile];
+            beam.towards(light);
+            candidates.collect(geometry, beam);
+            for (int i = first; i < end && !candidates.isEmpty(); i += W) {
+                int live = Math.min(W, end - i);
+                load(i, live);
+                sink += tracer.blocked(p, live, candidates);
             }
         }
     }
@@ -130,7 +177,7 @@ final class TraceBench {
             times[i] = (System.nanoTime() - start) / rays;
         }
         Arrays.sort(times);
-        return times[RUNS / 2];
+        return times[Integer.getInteger("rank", RUNS / 2)];
     }
 
     private static void report(String name, Scene scene, int few) {
@@ -139,19 +186,23 @@ final class TraceBench {
         for (int i = 0; i < 3; i++) {
             b.eyesToSurfaces();
             b.fillAndBlocked();
+            b.eyesAndNearestOfTiles();
+            b.fillAndBlockedOfTiles();
         }
         com.sun.management.ThreadMXBean mx = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
         double eye = nanos(b::eyes, rays);
         double nearest = nanos(b::eyesAndNearest, rays);
         long before = mx.getThreadAllocatedBytes(Thread.currentThread().threadId());
         double surface = nanos(b::eyesToSurfaces, rays);
+        double tileNearest = nanos(b::eyesAndNearestOfTiles, rays);
+        double tileBlocked = nanos(b::fillAndBlockedOfTiles, b.shadowRays);
         double fill = nanos(b::fill, b.shadowRays);
         double blocked = nanos(b::fillAndBlocked, b.shadowRays);
         long bytes = mx.getThreadAllocatedBytes(Thread.currentThread().threadId()) - before;
         double scalar = nanos(b::scalarNearest, rays / 4);
         double scalarBlocked = nanos(b::scalarBlocked, b.shadowRays / 4);
-        System.out.printf(Locale.ROOT, "%-12s few %3d | eye %5.2f nearest %6.2f surface %5.2f blocked %6.2f (fill %4.2f) | scalar nearest %6.1f blocked %6.1f | bytes/ray %.2f%n",
-                name, few, eye, nearest - eye, surface - nearest, blocked - fill, fill, scalar, scalarBlocked, bytes / (RUNS * rays));
+        System.out.printf(Locale.ROOT, "%-12s few %3d | eye %5.2f nearest %6.2f surface %5.2f blocked %6.2f (fill %4.2f) | tiles nearest %5.2f blocked with fill %5.2f | scalar nearest %6.1f blocked %6.1f | bytes/ray %.2f%n",
+                name, few, eye, nearest - eye, surface - nearest, blocked - fill, fill, tileNearest - eye, tileBlocked, scalar, scalarBlocked, bytes / (RUNS * rays));
     }
 
     public static void main(String[] args) {

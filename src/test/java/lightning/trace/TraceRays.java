@@ -48,7 +48,7 @@ final class TraceRays {
         return random.nextBoolean() ? t : Math.nextUp(t);
     }
 
-    private Vec3 origin() {
+    Vec3 origin() {
         Vec3 o = switch (random.nextInt(5)) {
             case 0 -> new Vec3(random(), random(), random()).times(reach);
             case 1 -> somewhere();
@@ -58,7 +58,7 @@ final class TraceRays {
         return o.maxAbs() <= reach ? o : Vec3.ZERO;
     }
 
-    private Vec3 direction(Vec3 from) {
+    Vec3 direction(Vec3 from) {
         Vec3 d = switch (random.nextInt(6)) {
             case 0 -> new Vec3(random(), random(), random());
             case 1 -> axis();

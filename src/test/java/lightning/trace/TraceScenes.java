@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Random;
 import lightning.math.Vec3;
 import lightning.scene.Camera;
+import lightning.scene.Group;
 import lightning.scene.Material;
 import lightning.scene.Node;
 import lightning.scene.Picture;
@@ -116,6 +117,43 @@ final class TraceScenes {
         Vec3 from = vector(random, 10).plus(new Vec3(moved, 0, -moved));
         return new Scene(Picture.DEFAULT, new Camera(from, from.plus(new Vec3(0, 0, -1)), Vec3.Y, 40), World.DEFAULT,
                 List.of(), s.nodes, List.of());
+    }
+
+    /** Equal spheres, all in one place. */
+    static Scene heap(int count) {
+        TraceScenes s = new TraceScenes();
+        for (int i = 0; i < count; i++) {
+            s.add(ShapeTable.SPHERE, 0, 1, 0, 1, 1, 1);
+        }
+        return s.seenFrom(0, 1, 8);
+    }
+
+    /** Shapes in turned groups that stretch one axis and squeeze another, more and more. */
+    static Scene skewed(int count, long seed) {
+        Random random = new Random(seed);
+        TraceScenes s = new TraceScenes();
+        for (int i = 0; i < count; i++) {
+            TraceScenes one = new TraceScenes();
+            one.add(random.nextInt(4), vector(random, 1), vector(random, 180), new Vec3(1, 1, 1));
+            Node node = one.nodes.getFirst();
+            double stretch = Math.pow(10, random.nextInt(5));
+            for (int level = random.nextInt(4); level > 0; level--) {
+                Placement turned = new Placement(vector(random, 1), vector(random, 180), new Vec3(stretch, 1, 1 / stretch));
+                node = new Group("g" + i + "_" + level, turned, List.of(node));
+            }
+            s.nodes.add(new Group("g" + i, Placement.IDENTITY, List.of(rename(node, i))));
+        }
+        return s.seenFrom(0, 2, 12);
+    }
+
+    private static Node rename(Node node, int i) {
+        return switch (node) {
+            case Group g -> new Group(g.name(), g.placement(), List.of(rename(g.children().getFirst(), i)));
+            case Shape.Sphere x -> new Shape.Sphere("s" + i, x.material(), x.placement());
+            case Shape.Cone x -> new Shape.Cone("s" + i, x.material(), x.placement());
+            case Shape.Cylinder x -> new Shape.Cylinder("s" + i, x.material(), x.placement());
+            case Shape.Plane x -> new Shape.Plane("s" + i, x.material(), x.placement());
+        };
     }
 
     private static double scale(Random random) {

@@ -1,0 +1,128 @@
+package lightning.trace;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.Random;
+import lightning.math.Vec3;
+import lightning.scene.Scene;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+
+class BvhTest {
+    private final RayPacket p = new RayPacket();
+
+    @Property
+    void singleRays_getTheAnswerOfAllShapes(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed) {
+        Geometry geometry = new Geometry(TraceScenes.wild(shapes, seed));
+        TraceRays rays = new TraceRays(geometry, seed);
+        for (int n = 0; n < 10; n++) {
+            rays.fill(p);
+            for (int i = 0; i < RayPacket.WIDTH; i++) {
+                Ray ray = TraceRays.ray(p, i);
+                assertThat(geometry.nearest(ray)).isEqualTo(geometry.nearestOfAll(ray));
+                assertThat(geometry.blocked(ray, p.limit[i])).isEqualTo(geometry.blockedByAny(ray, p.limit[i]));
+            }
+        }
+    }
+
+    @Test
+    void emptyScene_isMissed() {
+        Geometry geometry = new Geometry(TraceScenes.cloud(0, 1));
+        Ray ray = new Ray(Vec3.ZERO, new Vec3(0, 0, -1));
+        assertThat(geometry.nearest(ray)).isEqualTo(-1);
+        assertThat(geometry.blocked(ray, Double.POSITIVE_INFINITY)).isFalse();
+    }
+
+    @Test
+    void everyShape_isInOneLeaf() {
+        Bvh bvh = new Geometry(TraceScenes.cloud(1000, 1)).bvh();
+        boolean[] seen = new boolean[1000];
+        for (int c : bvh.child) {
+            if (c < 0) {
+                assertThat(seen[~c]).isFalse();
+                seen[~c] = true;
+            }
+        }
+        assertThat(seen).doesNotContain(false);
+    }
+
+    @Test
+    void childBoxes_coverAllBelowThem() {
+        Bvh bvh = new Geometry(TraceScenes.cloud(300, 2)).bvh();
+        for (int i = 0; i < bvh.child.length; i++) {
+            int c = bvh.child[i];
+            for (int inner = 0; inner < (c < 0 ? 1 : 2); inner++) {
+                float[] box = c < 0 ? bvh.shapeBoxes : bvh.boxes;
+                int at = c < 0 ? 6 * ~c : 12 * c + 6 * inner;
+                for (int a = 0; a < 3; a++) {
+                    assertThat(bvh.boxes[6 * i + a]).isLessThanOrEqualTo(box[at + a]);
+                    assertThat(bvh.boxes[6 * i + 3 + a]).isGreaterThanOrEqualTo(box[at + 3 + a]);
+                }
+            }
+        }
+    }
+
+    @Test
+    void thousandShapesInOneSpot_makeAShallowTreeAndTheFirstWins() {
+        Geometry geometry = new Geometry(TraceScenes.heap(1000));
+        assertThat(geometry.bvh().depth).isLessThanOrEqualTo(11);
+        Ray ray = new Ray(Vec3.ZERO, geometry.toRenderSpace(Vec3.ZERO));
+        assertThat(geometry.nearest(ray)).isZero();
+        PacketTracer tracer = new PacketTracer(geometry);
+        java.util.Arrays.fill(p.dz, -1);
+        tracer.nearest(p, RayPacket.WIDTH);
+        assertThat(p.shape).containsOnly(0);
+    }
+
+    /** Distances that grow by a factor would make a split by surface area peel off one shape at a time. */
+    @Test
+    void shapesAtGrowingDistances_keepTheDepthBounded() {
+        float[] boxes = new float[6 * 120];
+        for (int s = 0; s < 120; s++) {
+            float at = (float) Math.pow(2, s - 60);
+            java.util.Arrays.fill(boxes, 6 * s, 6 * s + 3, at);
+            java.util.Arrays.fill(boxes, 6 * s + 3, 6 * s + 6, at * 1.01f);
+        }
+        assertThat(new BvhBuilder(boxes).depth).isLessThan(70);
+    }
+
+    @Test
+    void millionShapes_areBuiltInSeconds() {
+        Random random = new Random(1);
+        float[] boxes = new float[6_000_000];
+        for (int s = 0; s < 1_000_000; s++) {
+            for (int a = 0; a < 3; a++) {
+                boxes[6 * s + a] = random.nextFloat();
+                boxes[6 * s + 3 + a] = boxes[6 * s + a] + 0.01f;
+            }
+        }
+        org.junit.jupiter.api.Assertions.assertTimeout(Duration.ofSeconds(30),
+                () -> assertThat(new BvhBuilder(boxes).depth).isBetween(20, 60));
+    }
+
+    /** Skewed so much that the inverse map is noise: boxes say nothing, all shapes must be asked. */
+    @Property
+    void shapesBeyondNumbers_areStillFoundTheSame(@ForAll long seed) {
+        Scene scene = TraceScenes.skewed(6, seed);
+        Geometry geometry;
+        try {
+            geometry = new Geometry(scene);
+        } catch (ArithmeticException singular) {
+            return;
+        }
+        PacketTracer tracer = new PacketTracer(geometry.bvh(), 1);
+        TraceRays rays = new TraceRays(geometry, seed);
+        for (int n = 0; n < 20; n++) {
+            rays.fill(p);
+            tracer.nearest(p, RayPacket.WIDTH);
+            for (int i = 0; i < RayPacket.WIDTH; i++) {
+                Ray ray = TraceRays.ray(p, i);
+                assertThat(p.shape[i]).isEqualTo(geometry.nearestOfAll(ray));
+                assertThat(geometry.nearest(ray)).isEqualTo(geometry.nearestOfAll(ray));
+            }
+        }
+    }
+}

@@ -1,0 +1,165 @@
+package lightning.trace;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import lightning.math.Vec3;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.DoubleRange;
+import net.jqwik.api.constraints.Scale;
+import org.junit.jupiter.api.Test;
+
+/** Distances worked out on paper. */
+class SolidsTest {
+    private static final double MISS = Solids.MISS;
+
+    @Test
+    void sphereHeadOn_isMetAtItsNearSide() {
+        assertThat(Solids.sphere(0, 0, 5, 0, 0, -1)).isEqualTo(4);
+        assertThat(Solids.sphere(0, 0, 5, 0, 0, -2)).isEqualTo(2);
+        assertThat(Solids.sphere(0, 0, 5, 0, 0, 1)).isEqualTo(MISS);
+        assertThat(Solids.sphere(0, 0, 5, 0, 1, 0)).isEqualTo(MISS);
+    }
+
+    @Test
+    void sphereFromInside_isMetAhead() {
+        assertThat(Solids.sphere(0, 0, 0, 0, 0, 3)).isEqualTo(1 / 3.0);
+        assertThat(Solids.sphere(0, 0.5, 0, 0, 1, 0)).isEqualTo(0.5);
+        assertThat(Solids.sphere(0, 0.5, 0, 0, -1, 0)).isEqualTo(1.5);
+    }
+
+    @Test
+    void sphereFromItsSurface_isMetOnTheOtherSideOnly() {
+        assertThat(Solids.sphere(0, 1, 0, 0, -1, 0)).isEqualTo(2);
+        assertThat(Solids.sphere(0, 1, 0, 0, 1, 0)).isEqualTo(MISS);
+    }
+
+    @Property
+    void sphereFromFarAway_isMetToFullPrecision(@ForAll @DoubleRange(min = 0, max = 0.999) @Scale(6) double offset,
+            @ForAll @DoubleRange(min = 2, max = 1e7) double far) {
+        double expected = far - Math.sqrt((1 - offset) * (1 + offset));
+        assertThat(Solids.sphere(offset, 0, far, 0, 0, -1)).isCloseTo(expected, within(far * 0x1p-51));
+    }
+
+    @Test
+    void cylinderFromTheSide_isMetAtItsRadius() {
+        assertThat(Solids.cylinder(3, 0.5, 0, -1, 0, 0)).isEqualTo(2);
+        assertThat(Solids.cylinder(3, 0, 0, -1, 0, 0)).isEqualTo(2);
+        assertThat(Solids.cylinder(3, 1.01, 0, -1, 0, 0)).isEqualTo(MISS);
+    }
+
+    @Test
+    void cylinderFromInsideAlongTheAxis_isMetAtTheCap() {
+        assertThat(Solids.cylinder(0, 0.25, 0, 0, 1, 0)).isEqualTo(0.75);
+        assertThat(Solids.cylinder(0.5, 0.25, 0.5, 0, -1, 0)).isEqualTo(0.25);
+        assertThat(Solids.cylinder(0, 0.25, 0, 1, 0, 0)).isEqualTo(1);
+    }
+
+    @Test
+    void cylinderFromAboveAlongTheAxis_isMetAtTheCapWithinItsRadius() {
+        assertThat(Solids.cylinder(0.9, 3, 0, 0, -1, 0)).isEqualTo(2);
+        assertThat(Solids.cylinder(1, 3, 0, 0, -1, 0)).isEqualTo(2);
+        assertThat(Solids.cylinder(1.001, 3, 0, 0, -1, 0)).isEqualTo(MISS);
+    }
+
+    @Test
+    void cylinderThroughTheCap_isMetWhereTheSlantCrossesIt() {
+        assertThat(Solids.cylinder(-1, 2, 0, 1, -1, 0)).isEqualTo(1);
+        assertThat(Solids.cylinder(-2.5, 1.5, 0, 1, -0.5, 0)).isEqualTo(1.5);
+    }
+
+    @Test
+    void coneFromTheSide_isMetWhereItsRadiusIsOneMinusTheHeight() {
+        assertThat(Solids.cone(3, 0.25, 0, -1, 0, 0)).isEqualTo(2.25);
+        assertThat(Solids.cone(3, 0.75, 0, -1, 0, 0)).isEqualTo(2.75);
+        assertThat(Solids.cone(3, 1.25, 0, -1, 0, 0)).isEqualTo(MISS);
+        assertThat(Solids.cone(3, -0.25, 0, -1, 0, 0)).isEqualTo(MISS);
+    }
+
+    @Test
+    void coneFromAbove_isMetAtTheApexFromBelowAtTheBase() {
+        assertThat(Solids.cone(0, 3, 0, 0, -1, 0)).isEqualTo(2);
+        assertThat(Solids.cone(0.5, 3, 0, 0, -1, 0)).isEqualTo(2.5);
+        assertThat(Solids.cone(0.5, -3, 0, 0, 1, 0)).isEqualTo(3);
+        assertThat(Solids.cone(1.5, -3, 0, 0, 1, 0)).isEqualTo(MISS);
+    }
+
+    @Test
+    void coneFromInside_isMetAhead() {
+        assertThat(Solids.cone(0, 0.5, 0, 1, 0, 0)).isEqualTo(0.5);
+        assertThat(Solids.cone(0, 0.5, 0, 0, -1, 0)).isEqualTo(0.5);
+        assertThat(Solids.cone(0, 0.5, 0, 0, 1, 0)).isEqualTo(0.5);
+    }
+
+    @Test
+    void coneAlongAGenerator_isMetOnceFromInside() {
+        // Parallel to the generator from (1, 0, 0) to the apex, half as far from the axis.
+        assertThat(Solids.cone(0.5, 0, 0, -1, 1, 0)).isEqualTo(0.75);
+        assertThat(Solids.cone(-1, -1, 0, 1, 1, 0)).isEqualTo(1);
+    }
+
+    @Test
+    void coneBesideAGenerator_isMissed() {
+        assertThat(Solids.cone(0, 1, 0.01, 1, -1, 0)).isEqualTo(MISS);
+    }
+
+    @Test
+    void coneAboveItsApex_isNotThere() {
+        // Through the upper half of the double cone only.
+        assertThat(Solids.cone(3, 2, 0, -1, 0, 0)).isEqualTo(MISS);
+        assertThat(Solids.cone(3, 2, 0, -1, 0.1, 0)).isEqualTo(MISS);
+    }
+
+    @Test
+    void plane_isMetUpToItsEdgeFromBothSides() {
+        assertThat(Solids.plane(0.5, 2, 0.5, 0, -1, 0)).isEqualTo(2);
+        assertThat(Solids.plane(-0.5, -2, 0.5, 0, 1, 0)).isEqualTo(2);
+        assertThat(Solids.plane(Math.nextUp(0.5), 2, 0, 0, -1, 0)).isEqualTo(MISS);
+        assertThat(Solids.plane(0, 2, -0.6, 0, -1, 0)).isEqualTo(MISS);
+    }
+
+    @Test
+    void planeFromWithin_isNotMet() {
+        assertThat(Solids.plane(0, 0, 0, 1, 0, 0)).isEqualTo(MISS);
+        assertThat(Solids.plane(0, 0, 0, 1, -1, 0)).isEqualTo(MISS);
+        assertThat(Solids.plane(0, 1, 0, 1, 0, 0)).isEqualTo(MISS);
+    }
+
+    @Test
+    void rayWithoutDirection_missesAll() {
+        for (double y : new double[] {0, 0.5, 3}) {
+            assertThat(Solids.sphere(0, y, 0, 0, 0, 0)).isEqualTo(MISS);
+            assertThat(Solids.cylinder(0, y, 0, 0, 0, 0)).isEqualTo(MISS);
+            assertThat(Solids.cone(0, y, 0, 0, 0, 0)).isEqualTo(MISS);
+            assertThat(Solids.plane(0, y, 0, 0, 0, 0)).isEqualTo(MISS);
+        }
+    }
+
+    /** Whatever is met is a point of the surface, and the middle between origin and it is not beyond another one. */
+    @Property
+    void pointOfAHit_liesOnTheSurface(@ForAll @DoubleRange(min = -4, max = 4) double ox, @ForAll @DoubleRange(min = -4, max = 4) double oy,
+            @ForAll @DoubleRange(min = -4, max = 4) double oz, @ForAll @DoubleRange(min = -1, max = 1) double tx,
+            @ForAll @DoubleRange(min = 0, max = 1) double ty, @ForAll @DoubleRange(min = -1, max = 1) double tz) {
+        Vec3 o = new Vec3(ox, oy, oz);
+        Vec3 d = new Vec3(tx - ox, ty - oy, tz - oz);
+        org.junit.jupiter.api.Assumptions.assumeTrue(d.maxAbs() > 1e-3);
+        Vec3 sphere = o.plus(d.times(finite(Solids.sphere(ox, oy, oz, d.x(), d.y(), d.z()))));
+        assertOn(sphere.length() - 1, o, sphere);
+        Vec3 cylinder = o.plus(d.times(finite(Solids.cylinder(ox, oy, oz, d.x(), d.y(), d.z()))));
+        assertOn(Math.max(Math.hypot(cylinder.x(), cylinder.z()) - 1, Math.abs(cylinder.y() - 0.5) - 0.5), o, cylinder);
+        Vec3 cone = o.plus(d.times(finite(Solids.cone(ox, oy, oz, d.x(), d.y(), d.z()))));
+        assertOn(Math.max(Math.hypot(cone.x(), cone.z()) - (1 - cone.y()), -cone.y()), o, cone);
+    }
+
+    private static double finite(double t) {
+        assertThat(t).isPositive();
+        return t < MISS ? t : 0;
+    }
+
+    private static void assertOn(double outside, Vec3 o, Vec3 p) {
+        if (!p.equals(o)) {
+            assertThat(outside).as("%s from %s", p, o).isCloseTo(0, within(1e-7));
+        }
+    }
+}
