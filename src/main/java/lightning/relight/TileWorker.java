@@ -29,7 +29,7 @@ final class TileWorker {
         this.job = job;
         PacketTracer tracer = new PacketTracer(job.geometry());
         visibility = new TileVisibility(job.geometry(), job.scene(), tracer);
-        lights = new LightKernel(job.geometry().materials(), tracer);
+        lights = new LightKernel(job.geometry(), tracer);
         ratios = new RatioKernel(lights);
         updater = switch (job.options().accuracy()) {
             case EXACT -> new ExactUpdater(lights);

@@ -1,6 +1,7 @@
 package lightning.shading;
 
 import java.util.Arrays;
+import lightning.trace.Geometry;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
 import lightning.trace.PacketTracer;
@@ -20,9 +21,9 @@ public final class LightKernel {
     private final float[] specular = new float[ROWS];
     private long rowsTouched;
 
-    public LightKernel(MaterialTable materials, PacketTracer tracer) {
-        this.materials = materials;
-        shadows = new ShadowCaster(tracer);
+    public LightKernel(Geometry geometry, PacketTracer tracer) {
+        materials = geometry.materials();
+        shadows = new ShadowCaster(geometry, tracer);
     }
 
     /** Shadow rays cast since the start. */

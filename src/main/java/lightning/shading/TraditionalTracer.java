@@ -60,7 +60,7 @@ public final class TraditionalTracer {
     private final class PerThread {
         private final PacketTracer tracer = new PacketTracer(geometry);
         private final TileVisibility visibility = new TileVisibility(geometry, scene, tracer);
-        private final LightKernel lights = new LightKernel(geometry.materials(), tracer);
+        private final LightKernel lights = new LightKernel(geometry, tracer);
         private final TileComposer composer = new TileComposer(geometry.materials());
         private final ScratchColumns columns = new ScratchColumns();
         private final HitRows[] levels = new HitRows[scene.picture().depth() + 1];

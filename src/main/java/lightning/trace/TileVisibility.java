@@ -21,7 +21,10 @@ public final class TileVisibility {
     private final CameraRays camera;
     private final int width;
     private final int height;
+    private final Geometry geometry;
     private final PacketTracer tracer;
+    private final Beam beam = new Beam();
+    private final Candidates candidates = new Candidates();
     private final RayPacket packet = new RayPacket();
     private final SurfacePacket surface = new SurfacePacket();
     private final double[] dx = new double[ROWS];
@@ -35,6 +38,7 @@ public final class TileVisibility {
     private final float[] texel = new float[3];
 
     public TileVisibility(Geometry geometry, Scene scene, PacketTracer tracer) {
+        this.geometry = geometry;
         shapes = geometry.shapes();
         materials = geometry.materials();
         camera = new CameraRays(scene.camera(), scene.picture());
@@ -54,11 +58,13 @@ public final class TileVisibility {
         int columns = Math.min(size, width - x0);
         int lines = Math.min(size, height - y0);
         int rays = 0;
+        beam.eye(camera, x0, y0, columns, lines);
+        candidates.collect(geometry, beam);
         for (int y = 0; y < lines; y++) {
             for (int x = 0; x < columns; x += RayPacket.WIDTH) {
                 int live = Math.min(RayPacket.WIDTH, columns - x);
                 PacketTracer.eyeRays(camera, x0 + x, y0 + y, live, packet);
-                tracer.nearest(packet, live);
+                tracer.nearest(packet, live, candidates);
                 keep(rays, live);
                 for (int i = 0; i < live; i++) {
                     slot[rays + i] = (short) (y * size + x + i);
