@@ -54,14 +54,14 @@ public final class PaperCases {
         edit("angle-smaller", "Fig. 10", 97, LightType.SPOT, l -> l.withAngle(l.angle() * 0.6));
         edit("angle-larger", "Fig. 10", 81, LightType.SPOT, l -> l.withAngle(Math.min(l.angle() * 1.5, Limits.MAX_ANGLE)));
         edit("dropoff", "Fig. 13", 95, LightType.SPOT, PaperCases::steeper);
-        edit("position", "Fig. 15", 82, LightType.POINT, l -> l.withPosition(shot.point(0, -0.3, 1.6)));
+        edit("position", "Fig. 15", 82, LightType.POINT, l -> l.withPosition(shot.point(0, -0.3, 2.1)));
         edit("direction", "Fig. 15", 83, LightType.DIRECTIONAL, l -> l.withDirection(shot.vector(1, -1, 0.7)));
         edit("type", "Fig. 15", 82, LightType.DIRECTIONAL, this::asPoint);
         shining(LightType.DIRECTIONAL).ifPresent(l -> add("delete", "Fig. 17", 95, without(l)));
         add("add", "Fig. 19", 71, with(new Light(freshName(), LightType.DIRECTIONAL, Rgb.WHITE, 0.3, shot.point(-1, 2, 1),
                 shot.vector(0.8, -1, -0.8), Attenuation.NONE, 30, 0, true, false)));
         add("ambience", "Fig. 21", 98, scene.withWorld(scene.world().withAmbience(scene.world().ambience() * 0.1)));
-        edit("position-feet", "Fig. 23", 82, LightType.POINT, l -> l.withPosition(shot.point(0.15, -0.4, 0.9)));
+        edit("position-feet", "Fig. 23", 82, LightType.POINT, l -> l.withPosition(shot.point(0.2, -0.4, 1.2)));
         edit("composite-1", "Fig. 24", 98, LightType.POINT, l -> faded(dimmed(l)).withColor(new Rgb(0.4, 1, 0.5)));
         edit("composite-2", "Fig. 24", 82, LightType.SPOT, l -> steeper(dimmed(aimed(l, shot.point(0, 0.4, 0)))
                 .withAngle(l.angle() * 0.7)));
@@ -81,7 +81,7 @@ public final class PaperCases {
     }
 
     private static Light dimmed(Light light) {
-        return light.withIntensity(light.intensity() * 0.4);
+        return light.withIntensity(light.intensity() * 0.3);
     }
 
     private static Light steeper(Light light) {
