@@ -19,7 +19,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** The scenes hold exactly what the paper counts in them (§4 and appendix B). */
 class PaperScenesTest {
     @ParameterizedTest
-    @CsvSource({"bird, 4, 2, 4, 1", "balls, 4, 0, 0, 1", "spaceship, 0, 1, 11, 8"})
+    @CsvSource({"bird, 4, 2, 4, 1", "balls, 4, 0, 0, 1", "spaceship, 0, 1, 11, 8",
+        "desk, 1, 2, 16, 44", "house, 1, 2, 266, 1"})
     void scene_hasTheShapesThatThePaperCounts(String name, int spheres, int cones, int cylinders, int planes) {
         List<Shape> shapes = SceneFiles.read(name).placedShapes().stream().map(PlacedShape::shape).toList();
 
@@ -34,7 +35,7 @@ class PaperScenesTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"bird, 1, 1, 1", "balls, 1, 1, 2", "spaceship, 2, 1, 1"})
+    @CsvSource({"bird, 1, 1, 1", "balls, 1, 1, 2", "spaceship, 2, 1, 1", "desk, 2, 1, 1", "house, 1, 1, 2"})
     void scene_hasTheLightsThatThePaperCounts(String name, int points, int spots, int directionals) {
         Map<LightType, Long> lights = SceneFiles.read(name).lights().stream()
                 .collect(Collectors.groupingBy(Light::type, Collectors.counting()));
@@ -43,8 +44,29 @@ class PaperScenesTest {
                 LightType.SPOT, (long) spots, LightType.DIRECTIONAL, (long) directionals));
     }
 
+    @Test
+    void orange_hasTheNineLightsOfFigure3() {
+        assertThat(SceneFiles.read("orange").lights()).hasSize(9);
+    }
+
+    @Test
+    void night_hasThirtyLightsOfAllTypes() {
+        Scene night = SceneFiles.read("night");
+
+        assertThat(night.lights()).hasSize(30);
+        assertThat(night.lights()).extracting(Light::type).contains(LightType.values());
+    }
+
+    @Test
+    void nightsStreet_mirrors() {
+        PlacedShape street = SceneFiles.read("night").placedShapes().stream()
+                .filter(p -> p.shape().name().equals("street")).findFirst().orElseThrow();
+
+        assertThat(street.material().reflective().min()).isGreaterThan(0.2);
+    }
+
     @ParameterizedTest
-    @CsvSource({"bird", "balls", "spaceship"})
+    @CsvSource({"bird", "balls", "spaceship", "desk", "house", "orange", "night"})
     void everyLight_shines(String name) {
         Scene scene = SceneFiles.read(name);
 
