@@ -25,10 +25,10 @@ final class BoxLanes {
     private static final VectorSpecies<Float> SPECIES = FloatVector.SPECIES_PREFERRED;
     private static final VectorSpecies<Integer> BITS = IntVector.SPECIES_PREFERRED;
     private static final VectorSpecies<Float> HALF =
-            VectorSpecies.of(float.class, VectorShape.forBitSize(OwnRays.SPECIES.vectorBitSize() / 2));
+            VectorSpecies.of(float.class, VectorShape.forBitSize(Lanes.SPECIES.vectorBitSize() / 2));
     private static final VectorShuffle<Float> SWAP =
-            VectorShuffle.fromOp(SPECIES, i -> (i + OwnRays.LANES) % RayPacket.WIDTH);
-    private static final VectorMask<Float> UPPER = VectorMask.fromLong(SPECIES, -1L << OwnRays.LANES);
+            VectorShuffle.fromOp(SPECIES, i -> (i + Lanes.COUNT) % RayPacket.WIDTH);
+    private static final VectorMask<Float> UPPER = VectorMask.fromLong(SPECIES, -1L << Lanes.COUNT);
     /** A ray that is flatter on an axis than 1 : 2⁶⁰ drifts by less than the boxes are padded. */
     private static final float STEEPEST = 0x1p60f;
     /** More than the rounding of a distance to float. */
@@ -71,8 +71,8 @@ final class BoxLanes {
 
     /** Put together in registers: two stores of half a vector would hold up the load of the whole one. */
     private static FloatVector round(double[] from) {
-        FloatVector low = (FloatVector) DoubleVector.fromArray(OwnRays.SPECIES, from, 0).convertShape(D2F, HALF, 0);
-        FloatVector high = (FloatVector) DoubleVector.fromArray(OwnRays.SPECIES, from, OwnRays.LANES).convertShape(D2F, HALF, 0);
+        FloatVector low = (FloatVector) DoubleVector.fromArray(Lanes.SPECIES, from, 0).convertShape(D2F, HALF, 0);
+        FloatVector high = (FloatVector) DoubleVector.fromArray(Lanes.SPECIES, from, Lanes.COUNT).convertShape(D2F, HALF, 0);
         return ((FloatVector) low.reinterpretShape(SPECIES, 0))
                 .blend(((FloatVector) high.reinterpretShape(SPECIES, 0)).rearrange(SWAP), UPPER);
     }

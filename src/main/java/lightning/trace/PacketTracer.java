@@ -196,11 +196,11 @@ public final class PacketTracer {
 
     /** The first lane of the vectors in which the mask has bits. */
     private static int first(int mask) {
-        return (mask & -1 >>> -OwnRays.LANES) != 0 ? 0 : OwnRays.LANES;
+        return (mask & -1 >>> -Lanes.COUNT) != 0 ? 0 : Lanes.COUNT;
     }
 
     private static int end(int mask) {
-        return mask >>> OwnRays.LANES != 0 ? RayPacket.WIDTH : OwnRays.LANES;
+        return mask >>> Lanes.COUNT != 0 ? RayPacket.WIDTH : Lanes.COUNT;
     }
 
     private static boolean forwards(RayPacket p, int lane, int axis) {
