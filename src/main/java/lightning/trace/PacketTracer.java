@@ -20,6 +20,7 @@ public final class PacketTracer {
     private final SurfaceLanes surface;
     private final int[] stack;
     private final int[] stackMask;
+    private final int[] masks = new int[2];
     private final Candidates all;
     private int lastOccluder = -1;
 
@@ -50,8 +51,9 @@ public final class PacketTracer {
         int lane = 0;
         while (true) {
             if (next >= 0) {
-                int first = (int) box.hits(bvh.boxes, 12 * next) & mask;
-                int second = (int) box.hits(bvh.boxes, 12 * next + 6) & mask;
+                box.hits(bvh.boxes, 12 * next, 2, masks);
+                int first = masks[0] & mask;
+                int second = masks[1] & mask;
                 if (first != 0 && second != 0) {
                     int near = forwards(p, lane, bvh.axis[next]) ? 0 : 1;
                     stack[top] = bvh.child[2 * next + 1 - near];
@@ -93,10 +95,16 @@ public final class PacketTracer {
         }
         begin(p);
         int lanes = lanes(live);
+        int[] masks = candidates.masks;
+        box.hits(candidates.boxes, 0, candidates.count, masks);
+        boolean met = false;
         for (int c = 0; c < candidates.count; c++) {
-            int mask = (int) box.hits(candidates.boxes, 6 * c) & lanes;
+            int mask = masks[c] & lanes;
+            if (mask != 0 && met) {
+                mask &= (int) box.hits(candidates.boxes, 6 * c);
+            }
             if (mask != 0) {
-                meet(p, candidates.shape[c], mask);
+                met |= meet(p, candidates.shape[c], mask);
             }
         }
         solid.shapes(p);
@@ -125,8 +133,9 @@ public final class PacketTracer {
             int next = stack[--top];
             int mask = stackMask[top] & open;
             while (mask != 0 && next >= 0) {
-                int first = (int) box.hits(bvh.boxes, 12 * next) & mask;
-                int second = (int) box.hits(bvh.boxes, 12 * next + 6) & mask;
+                box.hits(bvh.boxes, 12 * next, 2, masks);
+                int first = masks[0] & mask;
+                int second = masks[1] & mask;
                 if (first != 0 && second != 0) {
                     stack[top] = bvh.child[2 * next + 1];
                     stackMask[top++] = second;
@@ -157,8 +166,10 @@ public final class PacketTracer {
         box.limit(p.limit);
         int lanes = lanes(live);
         int open = lanes;
+        int[] masks = candidates.masks;
+        box.hits(candidates.boxes, 0, candidates.count, masks);
         for (int c = 0; c < candidates.count && open != 0; c++) {
-            int mask = (int) box.hits(candidates.boxes, 6 * c) & open;
+            int mask = masks[c] & open;
             if (mask != 0) {
                 int blocked = blockedBy(p, candidates.shape[c], mask);
                 open &= ~blocked;
@@ -184,10 +195,12 @@ public final class PacketTracer {
         solid.begin(p);
     }
 
-    private void meet(RayPacket p, int s, int mask) {
-        if (solid.nearer(p, s, first(mask), end(mask))) {
+    private boolean meet(RayPacket p, int s, int mask) {
+        boolean nearer = solid.nearer(p, s, first(mask), end(mask));
+        if (nearer) {
             box.limit(p.t);
         }
+        return nearer;
     }
 
     private static int lanes(int live) {
