@@ -8,7 +8,7 @@ import java.util.Arrays;
  */
 public final class Candidates {
     /** With more than this the tree is faster. */
-    static final int MOST = 24;
+    static final int MOST = 48;
 
     int count;
     /** Whether there are more than fit: packets must search the tree. */
