@@ -25,10 +25,10 @@ final class BoxLanes {
     private static final VectorSpecies<Float> SPECIES = FloatVector.SPECIES_PREFERRED;
     private static final VectorSpecies<Integer> BITS = IntVector.SPECIES_PREFERRED;
     private static final VectorSpecies<Float> HALF =
-            VectorSpecies.of(float.class, VectorShape.forBitSize(OwnRays.SPECIES.vectorBitSize() / 2));
+            VectorSpecies.of(float.class, VectorShape.forBitSize(Lanes.SPECIES.vectorBitSize() / 2));
     private static final VectorShuffle<Float> SWAP =
-            VectorShuffle.fromOp(SPECIES, i -> (i + OwnRays.LANES) % RayPacket.WIDTH);
-    private static final VectorMask<Float> UPPER = VectorMask.fromLong(SPECIES, -1L << OwnRays.LANES);
+            VectorShuffle.fromOp(SPECIES, i -> (i + Lanes.COUNT) % RayPacket.WIDTH);
+    private static final VectorMask<Float> UPPER = VectorMask.fromLong(SPECIES, -1L << Lanes.COUNT);
     /** A ray that is flatter on an axis than 1 : 2⁶⁰ drifts by less than the boxes are padded. */
     private static final float STEEPEST = 0x1p60f;
     /** More than the rounding of a distance to float. */
@@ -71,8 +71,8 @@ final class BoxLanes {
 
     /** Put together in registers: two stores of half a vector would hold up the load of the whole one. */
     private static FloatVector round(double[] from) {
-        FloatVector low = (FloatVector) DoubleVector.fromArray(OwnRays.SPECIES, from, 0).convertShape(D2F, HALF, 0);
-        FloatVector high = (FloatVector) DoubleVector.fromArray(OwnRays.SPECIES, from, OwnRays.LANES).convertShape(D2F, HALF, 0);
+        FloatVector low = (FloatVector) DoubleVector.fromArray(Lanes.SPECIES, from, 0).convertShape(D2F, HALF, 0);
+        FloatVector high = (FloatVector) DoubleVector.fromArray(Lanes.SPECIES, from, Lanes.COUNT).convertShape(D2F, HALF, 0);
         return ((FloatVector) low.reinterpretShape(SPECIES, 0))
                 .blend(((FloatVector) high.reinterpretShape(SPECIES, 0)).rearrange(SWAP), UPPER);
     }
@@ -110,5 +110,35 @@ final class BoxLanes {
         in = in.max(a.min(b));
         out = out.min(a.max(b));
         return in.compare(LE, out).toLong();
+    }
+
+    /**
+     * {@link #hits(float[], int)} for the boxes {@code 0 … count − 1} at once: a third of the time, as the
+     * rays stay in registers. Writes one mask for each box.
+     */
+    void hits(float[] boxes, int from, int count, int[] masks) {
+        FloatVector inverseX = FloatVector.fromArray(SPECIES, this.inverseX, 0);
+        FloatVector inverseY = FloatVector.fromArray(SPECIES, this.inverseY, 0);
+        FloatVector inverseZ = FloatVector.fromArray(SPECIES, this.inverseZ, 0);
+        FloatVector shiftX = FloatVector.fromArray(SPECIES, this.shiftX, 0);
+        FloatVector shiftY = FloatVector.fromArray(SPECIES, this.shiftY, 0);
+        FloatVector shiftZ = FloatVector.fromArray(SPECIES, this.shiftZ, 0);
+        IntVector end = IntVector.fromArray(BITS, far, 0);
+        for (int c = 0; c < count; c++) {
+            int at = from + 6 * c;
+            IntVector a = inverseX.fma(FloatVector.broadcast(SPECIES, boxes[at]), shiftX).reinterpretAsInts();
+            IntVector b = inverseX.fma(FloatVector.broadcast(SPECIES, boxes[at + 3]), shiftX).reinterpretAsInts();
+            IntVector in = a.min(b).max(0);
+            IntVector out = a.max(b).min(end);
+            a = inverseY.fma(FloatVector.broadcast(SPECIES, boxes[at + 1]), shiftY).reinterpretAsInts();
+            b = inverseY.fma(FloatVector.broadcast(SPECIES, boxes[at + 4]), shiftY).reinterpretAsInts();
+            in = in.max(a.min(b));
+            out = out.min(a.max(b));
+            a = inverseZ.fma(FloatVector.broadcast(SPECIES, boxes[at + 2]), shiftZ).reinterpretAsInts();
+            b = inverseZ.fma(FloatVector.broadcast(SPECIES, boxes[at + 5]), shiftZ).reinterpretAsInts();
+            in = in.max(a.min(b));
+            out = out.min(a.max(b));
+            masks[c] = (int) in.compare(LE, out).toLong();
+        }
     }
 }

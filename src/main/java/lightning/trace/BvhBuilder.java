@@ -150,8 +150,9 @@ final class BvhBuilder {
 
     private static void grow(float[] b, int at, float[] by, int i) {
         for (int a = 0; a < 3; a++) {
-            b[at + a] = Math.min(b[at + a], by[i + a]);
-            b[at + 3 + a] = Math.max(b[at + 3 + a], by[i + 3 + a]);
+            // Not Math.min and max, whose order of ±0 and NaN costs half of the building time.
+            b[at + a] = by[i + a] < b[at + a] ? by[i + a] : b[at + a];
+            b[at + 3 + a] = by[i + 3 + a] > b[at + 3 + a] ? by[i + 3 + a] : b[at + 3 + a];
         }
     }
 

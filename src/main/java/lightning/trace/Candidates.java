@@ -8,7 +8,7 @@ import java.util.Arrays;
  */
 public final class Candidates {
     /** With more than this the tree is faster. */
-    static final int MOST = 24;
+    static final int MOST = 48;
 
     int count;
     /** Whether there are more than fit: packets must search the tree. */
@@ -16,6 +16,8 @@ public final class Candidates {
     int[] shape = new int[MOST];
     /** The shapes' boxes, {@code float[6 * count]}. */
     float[] boxes = new float[6 * MOST];
+    /** Scratch of the tracer: which lanes of a packet may meet each. */
+    int[] masks = new int[MOST];
     private final double[] since = new double[MOST];
     private int[] stack = new int[16];
 
@@ -26,6 +28,7 @@ public final class Candidates {
         c.shape = new int[c.count];
         Arrays.setAll(c.shape, s -> s);
         c.boxes = bvh.shapeBoxes.clone();
+        c.masks = new int[c.count];
         return c;
     }
 

@@ -1,9 +1,12 @@
 package lightning.trace;
 
+import static jdk.incubator.vector.DoubleVector.broadcast;
+import static jdk.incubator.vector.DoubleVector.fromArray;
 import static jdk.incubator.vector.VectorOperators.EQ;
 import static jdk.incubator.vector.VectorOperators.GE;
 import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LT;
+import static lightning.trace.Lanes.SPECIES;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
@@ -13,20 +16,30 @@ final class ConeLanes {
     private ConeLanes() {}
 
     /** Writes the intervals of the lanes {@code from … to − 1} inside the side. */
-    static void side(OwnRays r, SlabLanes slab, int from, int to) {
-        for (int h = from; h < to; h += OwnRays.LANES) {
-            DoubleVector miss = DoubleVector.broadcast(OwnRays.SPECIES, Solids.MISS);
-            DoubleVector ox = DoubleVector.fromArray(OwnRays.SPECIES, r.ox, h);
-            DoubleVector oz = DoubleVector.fromArray(OwnRays.SPECIES, r.oz, h);
-            DoubleVector dx = DoubleVector.fromArray(OwnRays.SPECIES, r.dx, h);
-            DoubleVector dz = DoubleVector.fromArray(OwnRays.SPECIES, r.dz, h);
-            DoubleVector y = DoubleVector.broadcast(OwnRays.SPECIES, 1).sub(DoubleVector.fromArray(OwnRays.SPECIES, r.oy, h));
-            DoubleVector dy = DoubleVector.fromArray(OwnRays.SPECIES, r.dy, h).neg();
-            DoubleVector a = dx.mul(dx).add(dz.mul(dz)).sub(dy.mul(dy));
-            DoubleVector b = y.mul(dy).sub(ox.mul(dx).add(oz.mul(dz)));
-            DoubleVector c = ox.mul(ox).add(oz.mul(oz)).sub(y.mul(y));
-            DoubleVector u = ox.mul(dy).sub(y.mul(dx));
-            DoubleVector v = oz.mul(dy).sub(y.mul(dz));
+    static void side(double[] m, int i, RayPacket p, SlabLanes slab, int from, int to) {
+        for (int h = from; h < to; h += Lanes.COUNT) {
+            DoubleVector x = fromArray(SPECIES, p.ox, h);
+            DoubleVector y = fromArray(SPECIES, p.oy, h);
+            DoubleVector z = fromArray(SPECIES, p.oz, h);
+            DoubleVector ox = x.mul(m[i]).add(y.mul(m[i + 1])).add(z.mul(m[i + 2])).add(m[i + 3]);
+            DoubleVector oy = x.mul(m[i + 4]).add(y.mul(m[i + 5])).add(z.mul(m[i + 6])).add(m[i + 7]);
+            DoubleVector oz = x.mul(m[i + 8]).add(y.mul(m[i + 9])).add(z.mul(m[i + 10])).add(m[i + 11]);
+            x = fromArray(SPECIES, p.dx, h);
+            y = fromArray(SPECIES, p.dy, h);
+            z = fromArray(SPECIES, p.dz, h);
+            DoubleVector dx = x.mul(m[i]).add(y.mul(m[i + 1])).add(z.mul(m[i + 2]));
+            DoubleVector dy = x.mul(m[i + 4]).add(y.mul(m[i + 5])).add(z.mul(m[i + 6]));
+            DoubleVector dz = x.mul(m[i + 8]).add(y.mul(m[i + 9])).add(z.mul(m[i + 10]));
+            DoubleVector miss = broadcast(SPECIES, Solids.MISS);
+            oy.intoArray(slab.oy, h);
+            dy.intoArray(slab.dy, h);
+            DoubleVector height = broadcast(SPECIES, 1).sub(oy);
+            DoubleVector dh = dy.neg();
+            DoubleVector a = dx.mul(dx).add(dz.mul(dz)).sub(dh.mul(dh));
+            DoubleVector b = height.mul(dh).sub(ox.mul(dx).add(oz.mul(dz)));
+            DoubleVector c = ox.mul(ox).add(oz.mul(oz)).sub(height.mul(height));
+            DoubleVector u = ox.mul(dh).sub(height.mul(dx));
+            DoubleVector v = oz.mul(dh).sub(height.mul(dz));
             DoubleVector w = ox.mul(dz).sub(oz.mul(dx));
             DoubleVector root = u.mul(u).add(v.mul(v)).sub(w.mul(w)).sqrt();
             VectorMask<Double> ahead = b.compare(GE, 0);
@@ -38,14 +51,14 @@ final class ConeLanes {
             DoubleVector high = t0.blend(t1, less);
             VectorMask<Double> steep = a.compare(LT, 0);
             VectorMask<Double> open = steep.or(a.compare(EQ, 0));
-            VectorMask<Double> down = dy.compare(GT, 0);
+            VectorMask<Double> down = dh.compare(GT, 0);
             VectorMask<Double> forwards = ahead.andNot(steep).or(steep.and(down));
             DoubleVector bound = t0.blend(low.blend(high, down), steep);
             DoubleVector in = low.blend(miss.neg().blend(bound, forwards), open);
             DoubleVector out = high.blend(bound.blend(miss, forwards), open);
             VectorMask<Double> none = root.compare(GE, 0).not().or(open.andNot(bound.compare(EQ, bound)));
-            in.blend(miss, none).intoArray(slab.in, h);
-            out.blend(miss.neg(), none).intoArray(slab.out, h);
+            in.blend(miss, none).intoArray(slab.sideIn, h);
+            out.blend(miss.neg(), none).intoArray(slab.sideOut, h);
         }
     }
 }

@@ -1,8 +1,11 @@
 package lightning.trace;
 
+import static jdk.incubator.vector.DoubleVector.broadcast;
+import static jdk.incubator.vector.DoubleVector.fromArray;
 import static jdk.incubator.vector.VectorOperators.GE;
 import static jdk.incubator.vector.VectorOperators.LE;
 import static jdk.incubator.vector.VectorOperators.LT;
+import static lightning.trace.Lanes.SPECIES;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
@@ -12,14 +15,23 @@ final class CylinderLanes {
     private CylinderLanes() {}
 
     /** Writes the intervals of the lanes {@code from … to − 1} inside the endless cylinder. */
-    static void side(OwnRays r, SlabLanes slab, int from, int to) {
-        for (int h = from; h < to; h += OwnRays.LANES) {
-            DoubleVector miss = DoubleVector.broadcast(OwnRays.SPECIES, Solids.MISS);
-            DoubleVector ox = DoubleVector.fromArray(OwnRays.SPECIES, r.ox, h);
-            DoubleVector oz = DoubleVector.fromArray(OwnRays.SPECIES, r.oz, h);
-            DoubleVector dx = DoubleVector.fromArray(OwnRays.SPECIES, r.dx, h);
-            DoubleVector dy = DoubleVector.fromArray(OwnRays.SPECIES, r.dy, h);
-            DoubleVector dz = DoubleVector.fromArray(OwnRays.SPECIES, r.dz, h);
+    static void side(double[] m, int i, RayPacket p, SlabLanes slab, int from, int to) {
+        for (int h = from; h < to; h += Lanes.COUNT) {
+            DoubleVector x = fromArray(SPECIES, p.ox, h);
+            DoubleVector y = fromArray(SPECIES, p.oy, h);
+            DoubleVector z = fromArray(SPECIES, p.oz, h);
+            DoubleVector ox = x.mul(m[i]).add(y.mul(m[i + 1])).add(z.mul(m[i + 2])).add(m[i + 3]);
+            DoubleVector oy = x.mul(m[i + 4]).add(y.mul(m[i + 5])).add(z.mul(m[i + 6])).add(m[i + 7]);
+            DoubleVector oz = x.mul(m[i + 8]).add(y.mul(m[i + 9])).add(z.mul(m[i + 10])).add(m[i + 11]);
+            x = fromArray(SPECIES, p.dx, h);
+            y = fromArray(SPECIES, p.dy, h);
+            z = fromArray(SPECIES, p.dz, h);
+            DoubleVector dx = x.mul(m[i]).add(y.mul(m[i + 1])).add(z.mul(m[i + 2]));
+            DoubleVector dy = x.mul(m[i + 4]).add(y.mul(m[i + 5])).add(z.mul(m[i + 6]));
+            DoubleVector dz = x.mul(m[i + 8]).add(y.mul(m[i + 9])).add(z.mul(m[i + 10]));
+            oy.intoArray(slab.oy, h);
+            dy.intoArray(slab.dy, h);
+            DoubleVector miss = broadcast(SPECIES, Solids.MISS);
             DoubleVector a = dx.mul(dx).add(dz.mul(dz));
             DoubleVector b = ox.mul(dx).add(oz.mul(dz)).neg();
             DoubleVector c = ox.mul(ox).add(oz.mul(oz)).sub(1);
@@ -31,8 +43,8 @@ final class CylinderLanes {
             VectorMask<Double> parallel = a.compare(LE, dy.mul(dy).mul(Solids.PARALLEL));
             DoubleVector far = miss.neg().blend(miss, c.compare(LE, 0));
             VectorMask<Double> less = t0.compare(LT, t1);
-            t1.blend(t0, less).blend(far.neg(), parallel).intoArray(slab.in, h);
-            t0.blend(t1, less).blend(far, parallel).intoArray(slab.out, h);
+            t1.blend(t0, less).blend(far.neg(), parallel).intoArray(slab.sideIn, h);
+            t0.blend(t1, less).blend(far, parallel).intoArray(slab.sideOut, h);
         }
     }
 }

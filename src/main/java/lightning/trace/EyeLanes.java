@@ -5,7 +5,7 @@ import jdk.incubator.vector.DoubleVector;
 
 /** {@link CameraRays#through} in lanes, operation by operation. */
 final class EyeLanes {
-    private static final DoubleVector COUNT = DoubleVector.zero(OwnRays.SPECIES).addIndex(1);
+    private static final DoubleVector COUNT = DoubleVector.zero(Lanes.SPECIES).addIndex(1);
 
     private EyeLanes() {}
 
@@ -18,7 +18,7 @@ final class EyeLanes {
         Arrays.fill(p.ox, 0);
         Arrays.fill(p.oy, 0);
         Arrays.fill(p.oz, 0);
-        for (int h = 0; h < RayPacket.WIDTH; h += OwnRays.LANES) {
+        for (int h = 0; h < RayPacket.WIDTH; h += Lanes.COUNT) {
             DoubleVector x = COUNT.add(column + h + 0.5);
             DoubleVector dx = x.mul(camera.right.x()).add(camera.corner.x()).add(downX);
             DoubleVector dy = x.mul(camera.right.y()).add(camera.corner.y()).add(downY);

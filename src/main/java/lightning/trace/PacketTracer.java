@@ -10,8 +10,8 @@ package lightning.trace;
  * <p>Directions have a length from 1e−30 to 1e30; origins are the camera or lie within the box of the scene.
  */
 public final class PacketTracer {
-    /** Up to this many shapes each is tried in turn; a tree would only add boxes. */
-    static final int FEW = 12;
+    /** Up to this many shapes the boxes of all are tested in turn, which the tree beats only with about fifty. */
+    static final int FEW = 40;
 
     private final ShapeTable shapes;
     private final Bvh bvh;
@@ -20,6 +20,7 @@ public final class PacketTracer {
     private final SurfaceLanes surface;
     private final int[] stack;
     private final int[] stackMask;
+    private final int[] masks = new int[2];
     private final Candidates all;
     private int lastOccluder = -1;
 
@@ -34,7 +35,7 @@ public final class PacketTracer {
         surface = new SurfaceLanes(shapes);
         stack = new int[bvh.depth + 1];
         stackMask = new int[bvh.depth + 1];
-        all = shapes.count <= few ? Candidates.all(bvh) : null;
+        all = shapes.count <= Math.max(few, 1) ? Candidates.all(bvh) : null;
     }
 
     /** Finds the nearest hit of the first {@code live} lanes; writes {@code t} and {@code shape}. */
@@ -43,15 +44,17 @@ public final class PacketTracer {
             nearest(p, live, all);
             return;
         }
-        begin(p);
+        box.enter(p);
+        solid.begin(p);
         int top = 0;
         int next = 0;
         int mask = lanes(live);
         int lane = 0;
         while (true) {
             if (next >= 0) {
-                int first = (int) box.hits(bvh.boxes, 12 * next) & mask;
-                int second = (int) box.hits(bvh.boxes, 12 * next + 6) & mask;
+                box.hits(bvh.boxes, 12 * next, 2, masks);
+                int first = masks[0] & mask;
+                int second = masks[1] & mask;
                 if (first != 0 && second != 0) {
                     int near = forwards(p, lane, bvh.axis[next]) ? 0 : 1;
                     stack[top] = bvh.child[2 * next + 1 - near];
@@ -91,12 +94,23 @@ public final class PacketTracer {
             nearest(p, live);
             return;
         }
-        begin(p);
+        solid.begin(p);
+        if (candidates.count == 0) {
+            solid.shapes(p);
+            return;
+        }
+        box.enter(p);
         int lanes = lanes(live);
+        int[] masks = candidates.masks;
+        box.hits(candidates.boxes, 0, candidates.count, masks);
+        boolean met = false;
         for (int c = 0; c < candidates.count; c++) {
-            int mask = (int) box.hits(candidates.boxes, 6 * c) & lanes;
+            int mask = masks[c] & lanes;
+            if (mask != 0 && met) {
+                mask &= (int) box.hits(candidates.boxes, 6 * c);
+            }
             if (mask != 0) {
-                meet(p, candidates.shape[c], mask);
+                met |= meet(p, candidates.shape[c], mask);
             }
         }
         solid.shapes(p);
@@ -125,8 +139,9 @@ public final class PacketTracer {
             int next = stack[--top];
             int mask = stackMask[top] & open;
             while (mask != 0 && next >= 0) {
-                int first = (int) box.hits(bvh.boxes, 12 * next) & mask;
-                int second = (int) box.hits(bvh.boxes, 12 * next + 6) & mask;
+                box.hits(bvh.boxes, 12 * next, 2, masks);
+                int first = masks[0] & mask;
+                int second = masks[1] & mask;
                 if (first != 0 && second != 0) {
                     stack[top] = bvh.child[2 * next + 1];
                     stackMask[top++] = second;
@@ -157,8 +172,10 @@ public final class PacketTracer {
         box.limit(p.limit);
         int lanes = lanes(live);
         int open = lanes;
+        int[] masks = candidates.masks;
+        box.hits(candidates.boxes, 0, candidates.count, masks);
         for (int c = 0; c < candidates.count && open != 0; c++) {
-            int mask = (int) box.hits(candidates.boxes, 6 * c) & open;
+            int mask = masks[c] & open;
             if (mask != 0) {
                 int blocked = blockedBy(p, candidates.shape[c], mask);
                 open &= ~blocked;
@@ -179,15 +196,12 @@ public final class PacketTracer {
         return blocked;
     }
 
-    private void begin(RayPacket p) {
-        box.enter(p);
-        solid.begin(p);
-    }
-
-    private void meet(RayPacket p, int s, int mask) {
-        if (solid.nearer(p, s, first(mask), end(mask))) {
+    private boolean meet(RayPacket p, int s, int mask) {
+        boolean nearer = solid.nearer(p, s, first(mask), end(mask));
+        if (nearer) {
             box.limit(p.t);
         }
+        return nearer;
     }
 
     private static int lanes(int live) {
@@ -196,11 +210,11 @@ public final class PacketTracer {
 
     /** The first lane of the vectors in which the mask has bits. */
     private static int first(int mask) {
-        return (mask & -1 >>> -OwnRays.LANES) != 0 ? 0 : OwnRays.LANES;
+        return (mask & -1 >>> -Lanes.COUNT) != 0 ? 0 : Lanes.COUNT;
     }
 
     private static int end(int mask) {
-        return mask >>> OwnRays.LANES != 0 ? RayPacket.WIDTH : OwnRays.LANES;
+        return mask >>> Lanes.COUNT != 0 ? RayPacket.WIDTH : Lanes.COUNT;
     }
 
     private static boolean forwards(RayPacket p, int lane, int axis) {

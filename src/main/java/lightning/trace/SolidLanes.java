@@ -1,9 +1,12 @@
 package lightning.trace;
 
+import static jdk.incubator.vector.DoubleVector.broadcast;
+import static jdk.incubator.vector.DoubleVector.fromArray;
 import static jdk.incubator.vector.VectorOperators.D2I;
 import static jdk.incubator.vector.VectorOperators.EQ;
 import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LT;
+import static lightning.trace.Lanes.SPECIES;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.IntVector;
@@ -19,10 +22,11 @@ import jdk.incubator.vector.VectorSpecies;
  */
 final class SolidLanes {
     private static final VectorSpecies<Integer> INTS =
-            VectorSpecies.of(int.class, VectorShape.forBitSize(OwnRays.SPECIES.vectorBitSize() / 2));
+            VectorSpecies.of(int.class, VectorShape.forBitSize(SPECIES.vectorBitSize() / 2));
 
     private final ShapeTable shapes;
-    private final OwnRays own = new OwnRays();
+    /** The distances to the shape in question. */
+    private final double[] own = new double[RayPacket.WIDTH];
     private final SlabLanes slab = new SlabLanes();
     /** The nearest shape so far, as doubles to be compared and blended like the distances. */
     private final double[] found = new double[RayPacket.WIDTH];
@@ -32,26 +36,27 @@ final class SolidLanes {
     }
 
     private void distances(RayPacket p, int s, int from, int to) {
-        own.enter(shapes.inverse, s, p, from, to);
+        double[] m = shapes.inverse;
+        int i = 12 * s;
         switch (shapes.kind[s]) {
-            case ShapeTable.SPHERE -> SphereLanes.distances(own, from, to);
+            case ShapeTable.SPHERE -> SphereLanes.distances(m, i, p, own, from, to);
             case ShapeTable.CONE -> {
-                ConeLanes.side(own, slab, from, to);
+                ConeLanes.side(m, i, p, slab, from, to);
                 slab.distances(own, from, to);
             }
             case ShapeTable.CYLINDER -> {
-                CylinderLanes.side(own, slab, from, to);
+                CylinderLanes.side(m, i, p, slab, from, to);
                 slab.distances(own, from, to);
             }
-            default -> PlaneLanes.distances(own, from, to);
+            default -> PlaneLanes.distances(m, i, p, own, from, to);
         }
     }
 
     /** Puts misses into all lanes. */
     void begin(RayPacket p) {
-        for (int h = 0; h < RayPacket.WIDTH; h += OwnRays.LANES) {
-            DoubleVector.broadcast(OwnRays.SPECIES, Solids.MISS).intoArray(p.t, h);
-            DoubleVector.broadcast(OwnRays.SPECIES, -1).intoArray(found, h);
+        for (int h = 0; h < RayPacket.WIDTH; h += Lanes.COUNT) {
+            broadcast(SPECIES, Solids.MISS).intoArray(p.t, h);
+            broadcast(SPECIES, -1).intoArray(found, h);
         }
     }
 
@@ -59,10 +64,10 @@ final class SolidLanes {
     boolean nearer(RayPacket p, int s, int from, int to) {
         distances(p, s, from, to);
         boolean any = false;
-        for (int h = from; h < to; h += OwnRays.LANES) {
-            DoubleVector t = DoubleVector.fromArray(OwnRays.SPECIES, own.t, h);
-            DoubleVector best = DoubleVector.fromArray(OwnRays.SPECIES, p.t, h);
-            DoubleVector shape = DoubleVector.fromArray(OwnRays.SPECIES, found, h);
+        for (int h = from; h < to; h += Lanes.COUNT) {
+            DoubleVector t = fromArray(SPECIES, own, h);
+            DoubleVector best = fromArray(SPECIES, p.t, h);
+            DoubleVector shape = fromArray(SPECIES, found, h);
             VectorMask<Double> nearer = t.compare(LT, best).or(t.compare(EQ, best).and(shape.compare(GT, s)));
             best.blend(t, nearer).intoArray(p.t, h);
             shape.blend(s, nearer).intoArray(found, h);
@@ -73,8 +78,8 @@ final class SolidLanes {
 
     /** Writes what has been found to the packet's {@code shape}. */
     void shapes(RayPacket p) {
-        for (int h = 0; h < RayPacket.WIDTH; h += OwnRays.LANES) {
-            DoubleVector v = DoubleVector.fromArray(OwnRays.SPECIES, found, h);
+        for (int h = 0; h < RayPacket.WIDTH; h += Lanes.COUNT) {
+            DoubleVector v = fromArray(SPECIES, found, h);
             ((IntVector) v.convertShape(D2I, INTS, 0)).intoArray(p.shape, h);
         }
     }
@@ -83,9 +88,9 @@ final class SolidLanes {
     int below(RayPacket p, int s, int from, int to) {
         distances(p, s, from, to);
         int mask = 0;
-        for (int h = from; h < to; h += OwnRays.LANES) {
-            DoubleVector limit = DoubleVector.fromArray(OwnRays.SPECIES, p.limit, h);
-            VectorMask<Double> below = DoubleVector.fromArray(OwnRays.SPECIES, own.t, h).compare(LT, limit);
+        for (int h = from; h < to; h += Lanes.COUNT) {
+            DoubleVector limit = fromArray(SPECIES, p.limit, h);
+            VectorMask<Double> below = fromArray(SPECIES, own, h).compare(LT, limit);
             mask |= (int) below.toLong() << h;
         }
         return mask;
@@ -97,7 +102,7 @@ final class SolidLanes {
         int done = 0;
         for (int i = from; i < to; i++) {
             if ((mask >>> i & 1) != 0 && p.shape[i] == s) {
-                p.t[i] = own.t[i];
+                p.t[i] = own[i];
                 done |= 1 << i;
             }
         }

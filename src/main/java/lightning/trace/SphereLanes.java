@@ -1,9 +1,12 @@
 package lightning.trace;
 
+import static jdk.incubator.vector.DoubleVector.broadcast;
+import static jdk.incubator.vector.DoubleVector.fromArray;
 import static jdk.incubator.vector.VectorOperators.GE;
 import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LE;
 import static jdk.incubator.vector.VectorOperators.LT;
+import static lightning.trace.Lanes.SPECIES;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
@@ -12,15 +15,21 @@ import jdk.incubator.vector.VectorMask;
 final class SphereLanes {
     private SphereLanes() {}
 
-    /** Writes the distances of the lanes {@code from … to − 1} to {@code r.t}. */
-    static void distances(OwnRays r, int from, int to) {
-        for (int h = from; h < to; h += OwnRays.LANES) {
-            DoubleVector ox = DoubleVector.fromArray(OwnRays.SPECIES, r.ox, h);
-            DoubleVector oy = DoubleVector.fromArray(OwnRays.SPECIES, r.oy, h);
-            DoubleVector oz = DoubleVector.fromArray(OwnRays.SPECIES, r.oz, h);
-            DoubleVector dx = DoubleVector.fromArray(OwnRays.SPECIES, r.dx, h);
-            DoubleVector dy = DoubleVector.fromArray(OwnRays.SPECIES, r.dy, h);
-            DoubleVector dz = DoubleVector.fromArray(OwnRays.SPECIES, r.dz, h);
+    /** Writes the distances of the lanes {@code from … to − 1} to {@code out}. */
+    static void distances(double[] m, int i, RayPacket p, double[] out, int from, int to) {
+        for (int h = from; h < to; h += Lanes.COUNT) {
+            DoubleVector x = fromArray(SPECIES, p.ox, h);
+            DoubleVector y = fromArray(SPECIES, p.oy, h);
+            DoubleVector z = fromArray(SPECIES, p.oz, h);
+            DoubleVector ox = x.mul(m[i]).add(y.mul(m[i + 1])).add(z.mul(m[i + 2])).add(m[i + 3]);
+            DoubleVector oy = x.mul(m[i + 4]).add(y.mul(m[i + 5])).add(z.mul(m[i + 6])).add(m[i + 7]);
+            DoubleVector oz = x.mul(m[i + 8]).add(y.mul(m[i + 9])).add(z.mul(m[i + 10])).add(m[i + 11]);
+            x = fromArray(SPECIES, p.dx, h);
+            y = fromArray(SPECIES, p.dy, h);
+            z = fromArray(SPECIES, p.dz, h);
+            DoubleVector dx = x.mul(m[i]).add(y.mul(m[i + 1])).add(z.mul(m[i + 2]));
+            DoubleVector dy = x.mul(m[i + 4]).add(y.mul(m[i + 5])).add(z.mul(m[i + 6]));
+            DoubleVector dz = x.mul(m[i + 8]).add(y.mul(m[i + 9])).add(z.mul(m[i + 10]));
             DoubleVector a = dx.mul(dx).add(dy.mul(dy)).add(dz.mul(dz));
             DoubleVector b = ox.mul(dx).add(oy.mul(dy)).add(oz.mul(dz)).neg();
             DoubleVector c = ox.mul(ox).add(oy.mul(oy)).add(oz.mul(oz)).sub(1);
@@ -33,7 +42,7 @@ final class SphereLanes {
             VectorMask<Double> leaves = c.compare(LE, 0).and(ahead);
             DoubleVector t = c.blend(q, leaves).div(q.blend(a, leaves));
             VectorMask<Double> hit = t.compare(GT, 0).and(t.compare(LT, Solids.MISS));
-            DoubleVector.broadcast(OwnRays.SPECIES, Solids.MISS).blend(t, hit).intoArray(r.t, h);
+            broadcast(SPECIES, Solids.MISS).blend(t, hit).intoArray(out, h);
         }
     }
 }

@@ -1,5 +1,7 @@
 package lightning.trace;
 
+import static jdk.incubator.vector.DoubleVector.broadcast;
+import static jdk.incubator.vector.DoubleVector.fromArray;
 import static jdk.incubator.vector.VectorOperators.D2F;
 import static jdk.incubator.vector.VectorOperators.EQ;
 import static jdk.incubator.vector.VectorOperators.GT;
@@ -18,12 +20,12 @@ import jdk.incubator.vector.VectorSpecies;
  * of which it meets one or two as a rule.
  */
 final class SurfaceLanes {
-    private static final VectorSpecies<Double> SPECIES = OwnRays.SPECIES;
+    private static final VectorSpecies<Double> SPECIES = Lanes.SPECIES;
     private static final VectorShape HALF_SHAPE = VectorShape.forBitSize(SPECIES.vectorBitSize() / 2);
     private static final VectorSpecies<Float> FLOATS = VectorSpecies.of(float.class, HALF_SHAPE);
     private static final VectorSpecies<Integer> INTS = VectorSpecies.of(int.class, HALF_SHAPE);
     private static final DoubleVector ZERO = DoubleVector.zero(SPECIES);
-    private static final DoubleVector ONE = DoubleVector.broadcast(SPECIES, 1);
+    private static final DoubleVector ONE = broadcast(SPECIES, 1);
 
     private final ShapeTable shapes;
     private final double[] x = new double[RayPacket.WIDTH];
@@ -50,7 +52,7 @@ final class SurfaceLanes {
         }
         while (left != 0) {
             int s = p.shape[Integer.numberOfTrailingZeros(left)];
-            for (int h = 0; h < RayPacket.WIDTH; h += OwnRays.LANES) {
+            for (int h = 0; h < RayPacket.WIDTH; h += Lanes.COUNT) {
                 VectorMask<Integer> same = IntVector.fromArray(INTS, p.shape, h).compare(EQ, s);
                 int mask = (int) same.toLong();
                 if (mask != 0) {
@@ -69,29 +71,29 @@ final class SurfaceLanes {
     }
 
     private void points(RayPacket p) {
-        for (int h = 0; h < RayPacket.WIDTH; h += OwnRays.LANES) {
-            DoubleVector t = DoubleVector.fromArray(SPECIES, p.t, h);
-            DoubleVector.fromArray(SPECIES, p.ox, h).add(t.mul(DoubleVector.fromArray(SPECIES, p.dx, h))).intoArray(x, h);
-            DoubleVector.fromArray(SPECIES, p.oy, h).add(t.mul(DoubleVector.fromArray(SPECIES, p.dy, h))).intoArray(y, h);
-            DoubleVector.fromArray(SPECIES, p.oz, h).add(t.mul(DoubleVector.fromArray(SPECIES, p.dz, h))).intoArray(z, h);
+        for (int h = 0; h < RayPacket.WIDTH; h += Lanes.COUNT) {
+            DoubleVector t = fromArray(SPECIES, p.t, h);
+            fromArray(SPECIES, p.ox, h).add(t.mul(fromArray(SPECIES, p.dx, h))).intoArray(x, h);
+            fromArray(SPECIES, p.oy, h).add(t.mul(fromArray(SPECIES, p.dy, h))).intoArray(y, h);
+            fromArray(SPECIES, p.oz, h).add(t.mul(fromArray(SPECIES, p.dz, h))).intoArray(z, h);
         }
     }
 
     private void ownPoints(int s, int h) {
         double[] m = shapes.inverse;
         int i = 12 * s;
-        DoubleVector px = DoubleVector.fromArray(SPECIES, x, h);
-        DoubleVector py = DoubleVector.fromArray(SPECIES, y, h);
-        DoubleVector pz = DoubleVector.fromArray(SPECIES, z, h);
+        DoubleVector px = fromArray(SPECIES, x, h);
+        DoubleVector py = fromArray(SPECIES, y, h);
+        DoubleVector pz = fromArray(SPECIES, z, h);
         px.mul(m[i]).add(py.mul(m[i + 1])).add(pz.mul(m[i + 2])).add(m[i + 3]).intoArray(ownX, h);
         px.mul(m[i + 4]).add(py.mul(m[i + 5])).add(pz.mul(m[i + 6])).add(m[i + 7]).intoArray(ownY, h);
         px.mul(m[i + 8]).add(py.mul(m[i + 9])).add(pz.mul(m[i + 10])).add(m[i + 11]).intoArray(ownZ, h);
     }
 
     private void outOfSphere(int h) {
-        DoubleVector.fromArray(SPECIES, ownX, h).intoArray(ax, h);
-        DoubleVector.fromArray(SPECIES, ownY, h).intoArray(ay, h);
-        DoubleVector.fromArray(SPECIES, ownZ, h).intoArray(az, h);
+        fromArray(SPECIES, ownX, h).intoArray(ax, h);
+        fromArray(SPECIES, ownY, h).intoArray(ay, h);
+        fromArray(SPECIES, ownZ, h).intoArray(az, h);
     }
 
     private void outOfPlane(int h) {
@@ -101,13 +103,13 @@ final class SurfaceLanes {
     }
 
     private void outOfCone(int h) {
-        DoubleVector ox = DoubleVector.fromArray(SPECIES, ownX, h);
-        DoubleVector oy = DoubleVector.fromArray(SPECIES, ownY, h);
-        DoubleVector oz = DoubleVector.fromArray(SPECIES, ownZ, h);
+        DoubleVector ox = fromArray(SPECIES, ownX, h);
+        DoubleVector oy = fromArray(SPECIES, ownY, h);
+        DoubleVector oz = fromArray(SPECIES, ownZ, h);
         DoubleVector height = ONE.sub(oy);
         VectorMask<Double> side = ox.mul(ox).add(oz.mul(oz)).sqrt().sub(height).abs().compare(LE, oy.abs());
         DoubleVector sx = ZERO.blend(ox, side);
-        DoubleVector sy = DoubleVector.broadcast(SPECIES, -1).blend(height, side);
+        DoubleVector sy = broadcast(SPECIES, -1).blend(height, side);
         DoubleVector sz = ZERO.blend(oz, side);
         VectorMask<Double> apex = sx.compare(EQ, 0).and(sy.compare(EQ, 0)).and(sz.compare(EQ, 0));
         sx.intoArray(ax, h);
@@ -116,45 +118,45 @@ final class SurfaceLanes {
     }
 
     private void outOfCylinder(int h) {
-        DoubleVector ox = DoubleVector.fromArray(SPECIES, ownX, h);
-        DoubleVector oy = DoubleVector.fromArray(SPECIES, ownY, h);
-        DoubleVector oz = DoubleVector.fromArray(SPECIES, ownZ, h);
+        DoubleVector ox = fromArray(SPECIES, ownX, h);
+        DoubleVector oy = fromArray(SPECIES, ownY, h);
+        DoubleVector oz = fromArray(SPECIES, ownZ, h);
         DoubleVector below = oy.abs();
         DoubleVector above = ONE.sub(oy).abs();
         DoubleVector cap = above.blend(below, below.compare(LT, above));
         VectorMask<Double> side = ox.mul(ox).add(oz.mul(oz)).sqrt().sub(1).abs().compare(LE, cap);
         ZERO.blend(ox, side).intoArray(ax, h);
-        DoubleVector.broadcast(SPECIES, -1).blend(ONE, oy.compare(GT, 0.5)).blend(ZERO, side).intoArray(ay, h);
+        broadcast(SPECIES, -1).blend(ONE, oy.compare(GT, 0.5)).blend(ZERO, side).intoArray(ay, h);
         ZERO.blend(oz, side).intoArray(az, h);
     }
 
     private void store(RayPacket p, int s, int h, int lanes, SurfacePacket out) {
         double[] m = shapes.inverse;
         int i = 12 * s;
-        DoubleVector vx = DoubleVector.fromArray(SPECIES, ax, h);
-        DoubleVector vy = DoubleVector.fromArray(SPECIES, ay, h);
-        DoubleVector vz = DoubleVector.fromArray(SPECIES, az, h);
+        DoubleVector vx = fromArray(SPECIES, ax, h);
+        DoubleVector vy = fromArray(SPECIES, ay, h);
+        DoubleVector vz = fromArray(SPECIES, az, h);
         DoubleVector bx = vx.mul(m[i]).add(vy.mul(m[i + 4])).add(vz.mul(m[i + 8]));
         DoubleVector by = vx.mul(m[i + 1]).add(vy.mul(m[i + 5])).add(vz.mul(m[i + 9]));
         DoubleVector bz = vx.mul(m[i + 2]).add(vy.mul(m[i + 6])).add(vz.mul(m[i + 10]));
         DoubleVector length = bx.mul(bx).add(by.mul(by)).add(bz.mul(bz)).sqrt();
-        VectorMask<Double> away = bx.mul(DoubleVector.fromArray(SPECIES, p.dx, h))
-                .add(by.mul(DoubleVector.fromArray(SPECIES, p.dy, h)))
-                .add(bz.mul(DoubleVector.fromArray(SPECIES, p.dz, h)))
+        VectorMask<Double> away = bx.mul(fromArray(SPECIES, p.dx, h))
+                .add(by.mul(fromArray(SPECIES, p.dy, h)))
+                .add(bz.mul(fromArray(SPECIES, p.dz, h)))
                 .compare(GT, 0);
         DoubleVector unit = ONE.div(length.blend(length.neg(), away));
         bx = bx.mul(unit);
         by = by.mul(unit);
         bz = bz.mul(unit);
-        DoubleVector px = DoubleVector.fromArray(SPECIES, x, h);
-        DoubleVector py = DoubleVector.fromArray(SPECIES, y, h);
-        DoubleVector pz = DoubleVector.fromArray(SPECIES, z, h);
+        DoubleVector px = fromArray(SPECIES, x, h);
+        DoubleVector py = fromArray(SPECIES, y, h);
+        DoubleVector pz = fromArray(SPECIES, z, h);
         DoubleVector off = px.abs().add(py.abs()).add(pz.abs()).mul(Surface.OFFSET).add(shapes.error[s]);
         VectorMask<Double> mask = VectorMask.fromLong(SPECIES, lanes);
         VectorMask<Float> floats = VectorMask.fromLong(FLOATS, lanes);
-        DoubleVector.fromArray(SPECIES, ownX, h).intoArray(out.ownX, h, mask);
-        DoubleVector.fromArray(SPECIES, ownY, h).intoArray(out.ownY, h, mask);
-        DoubleVector.fromArray(SPECIES, ownZ, h).intoArray(out.ownZ, h, mask);
+        fromArray(SPECIES, ownX, h).intoArray(out.ownX, h, mask);
+        fromArray(SPECIES, ownY, h).intoArray(out.ownY, h, mask);
+        fromArray(SPECIES, ownZ, h).intoArray(out.ownZ, h, mask);
         ((FloatVector) px.add(bx.mul(off)).convertShape(D2F, FLOATS, 0)).intoArray(out.px, h, floats);
         ((FloatVector) py.add(by.mul(off)).convertShape(D2F, FLOATS, 0)).intoArray(out.py, h, floats);
         ((FloatVector) pz.add(bz.mul(off)).convertShape(D2F, FLOATS, 0)).intoArray(out.pz, h, floats);

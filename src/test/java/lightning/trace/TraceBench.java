@@ -207,13 +207,14 @@ final class TraceBench {
 
     public static void main(String[] args) {
         for (int round = 0; round < 2; round++) {
-            report("balls", TraceScenes.balls(), 16);
-            report("balls", TraceScenes.balls(), 0);
-            report("bird", TraceScenes.bird(), 16);
+            report("balls", TraceScenes.balls(), PacketTracer.FEW);
+            report("bird", TraceScenes.bird(), PacketTracer.FEW);
             report("bird", TraceScenes.bird(), 0);
-            report("house", TraceScenes.house(), 0);
-            report("cloud 1000", TraceScenes.cloud(1000, 1), 0);
-            report("cloud 100k", TraceScenes.cloud(100_000, 1), 0);
+            report("cloud 40", TraceScenes.cloud(40, 1), PacketTracer.FEW);
+            report("cloud 40", TraceScenes.cloud(40, 1), 0);
+            report("house", TraceScenes.house(), PacketTracer.FEW);
+            report("cloud 1000", TraceScenes.cloud(1000, 1), PacketTracer.FEW);
+            report("cloud 100k", TraceScenes.cloud(100_000, 1), PacketTracer.FEW);
         }
         System.out.println(sink);
     }
