@@ -62,7 +62,12 @@ record Job(Geometry geometry, Scene scene, Lamp[] lamps, Options options, Level 
             for (int l = 0; l < lamps.length && !progress.isCancelled(); l++) {
                 LayerPlan layer = plan.layers().get(l);
                 LightLayer before = layer.from() < 0 ? null : old.layers()[layer.from()];
-                layers[l] = updater.update(old.rows(), lampsBefore[l], lamps[l], before, layer.update());
+                if (before == null) {
+                    // Never lit, or a mirror level that a deeper recursion added while the light was dark.
+                    layers[l] = lamps[l].isDark() ? null : updater.full(old.rows(), lamps[l]);
+                } else {
+                    layers[l] = updater.update(old.rows(), lampsBefore[l], lamps[l], before, layer.update());
+                }
             }
             return layers;
         }

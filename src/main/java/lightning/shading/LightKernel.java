@@ -80,7 +80,8 @@ public final class LightKernel {
             lanes.axisCosines(rows, lamp);
         }
         LightRows moved = looked == 0 ? before : moveCone(rows, lamp, before, cone, columns);
-        rowsTouched += looked == 0 ? moved.lit : looked;
+        // The falloff is written for lit rows; those of them that were looked at are counted already.
+        rowsTouched += looked + (falloff && !cone.looksAt(LightRows.LIT) ? before.lit : 0);
         if (moved.lit == 0) {
             return moved;
         }

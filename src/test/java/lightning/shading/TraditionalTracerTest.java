@@ -1,22 +1,33 @@
 package lightning.shading;
 
-import static org.assertj.core.api.Assertions.assertThat;
-
-import lightning.RandomScenes;
-import lightning.image.Film;
+import lightning.image.FilmAssert;
+import lightning.jen.JenWriter;
+import lightning.sample.SceneArbitraries;
 import lightning.scene.Scene;
-import org.junit.jupiter.api.Test;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.constraints.IntRange;
+import net.jqwik.api.statistics.StatisticsReport;
 
 class TraditionalTracerTest {
-    @Test
-    void everyValueEqualsTheReferenceTrace() {
-        try (Workers workers = new Workers(2)) {
-            for (int seed = 0; seed < 60; seed++) {
-                Scene scene = new RandomScenes(seed).scene(70, 45, 6, seed % 7);
-                Film expected = new ReferenceTracer(scene).trace();
-                Film actual = new TraditionalTracer(scene).trace(workers, Progress.NONE).film();
-                assertThat(actual.sameBits(expected)).as("seed " + seed).isTrue();
-            }
+
+    @Provide
+    Arbitrary<Scene> scenes() {
+        return SceneArbitraries.scenes();
+    }
+
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    @StatisticsReport(onFailureOnly = true)
+    void everyValueEqualsTheReferenceTrace(@ForAll("scenes") Scene scene, @ForAll @IntRange(min = 1, max = 3) int threads) {
+        SceneCoverage.collect(scene);
+        try (Workers workers = new Workers(threads)) {
+            FilmAssert.assertSameBits(new TraditionalTracer(scene).trace(workers, Progress.NONE).film(),
+                    new ReferenceTracer(scene).trace(), "traditional-trace");
+        } catch (AssertionError e) {
+            throw new AssertionError(e.getMessage() + "\nthe scene was\n" + JenWriter.write(scene), e);
         }
     }
 }

@@ -1,0 +1,72 @@
+package lightning.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import lightning.image.Film;
+import lightning.sample.Session;
+import lightning.scene.Scene;
+import lightning.shading.Progress;
+import lightning.shading.SceneCoverage;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.constraints.IntRange;
+import net.jqwik.api.statistics.StatisticsReport;
+
+/** A cancelled update leaves everything as if it had never begun. */
+class CancellationTest {
+
+    @Provide
+    Arbitrary<Session> sessions() {
+        return Session.sessions();
+    }
+
+    /** Two renderers go through a session; the updates of one are cancelled once before they are done. */
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    @StatisticsReport(onFailureOnly = true)
+    void cancelledUpdates_leaveFilmPlanAndAllLaterWorkUnchanged(@ForAll("sessions") Session session,
+            @ForAll @IntRange(min = 0, max = 12) int questions, @ForAll MirrorStorage storage, @ForAll Reflections reflections,
+            @ForAll @IntRange(min = 1, max = 3) int threads) {
+        Options options = new Options(Accuracy.EXACT, reflections, storage, threads);
+        try (Renderer undisturbed = new Renderer(options); Renderer disturbed = new Renderer(options)) {
+            Scene first = session.scenes().getFirst();
+            undisturbed.render(first, Progress.NONE);
+            disturbed.render(first, Progress.NONE);
+            int cancelled = 0;
+            for (int step = 1; step < session.scenes().size(); step++) {
+                Scene scene = session.scenes().get(step);
+                Update actual = interrupted(disturbed, scene, questions + step % 3, session, step);
+                cancelled += actual == null ? 1 : 0;
+                actual = actual == null ? disturbed.render(scene, Progress.NONE) : actual;
+                assertThat(work(actual)).isEqualTo(work(undisturbed.render(scene, Progress.NONE)));
+                SessionAssert.assertSameBits(disturbed.film(), undisturbed.film(), "after-a-cancelled-update", session, step,
+                        actual.plan().text());
+            }
+            SceneCoverage.collect("cancelled", cancelled > 0);
+        }
+    }
+
+    /** An update that may be cancelled on its way; null if it was, and then nothing may be different. */
+    private static Update interrupted(Renderer renderer, Scene wanted, int questions, Session session, int step) {
+        Film film = renderer.film().copy();
+        Scene scene = renderer.scene();
+        UpdatePlan plan = renderer.plan(wanted);
+        try {
+            return renderer.render(wanted, new CancelAfter(questions));
+        } catch (CancellationException e) {
+            assertThat(renderer.scene()).isSameAs(scene);
+            assertThat(renderer.plan(wanted)).isEqualTo(plan);
+            SessionAssert.assertSameBits(renderer.film(), film, "cancelled-update", session, step, plan.text());
+            return null;
+        }
+    }
+
+    /** What an update says but for its time. */
+    private static List<Object> work(Update update) {
+        return List.of(update.plan(), update.rowsTouched(), update.rowsComposed(), update.rays());
+    }
+}

@@ -1,0 +1,99 @@
+package lightning.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import lightning.image.Film;
+import lightning.sample.Session;
+import lightning.scene.Scene;
+import lightning.shading.Progress;
+import lightning.shading.ReferenceTracer;
+import lightning.shading.SceneCoverage;
+import lightning.shading.TraceCounts;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.constraints.IntRange;
+import net.jqwik.api.statistics.StatisticsReport;
+
+/** At level exact every picture has the bits of a reference trace, whatever edits led to it. */
+class ExactnessTest {
+
+    @Provide
+    Arbitrary<Session> sessions() {
+        return Session.sessions();
+    }
+
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    @StatisticsReport(onFailureOnly = true)
+    void currentReflections_equalTheReferenceAfterEveryEdit(@ForAll("sessions") Session session,
+            @ForAll MirrorStorage storage, @ForAll @IntRange(min = 1, max = 3) int threads) {
+        SceneCoverage.collect(session.scenes().getFirst());
+        Options options = new Options(Accuracy.EXACT, Reflections.CURRENT, storage, threads);
+        try (Renderer renderer = new Renderer(options)) {
+            for (int step = 0; step < session.scenes().size(); step++) {
+                Scene scene = session.scenes().get(step);
+                Update update = renderer.render(scene, Progress.NONE);
+                SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(),
+                        "current-reflections", session, step, update.plan().text());
+            }
+        }
+    }
+
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    void staleReflections_showTheSceneOfTheirLastUpdate(@ForAll("sessions") Session session,
+            @ForAll @IntRange(min = 1, max = 7) int refreshEach, @ForAll MirrorStorage storage,
+            @ForAll @IntRange(min = 1, max = 3) int threads) {
+        Options options = new Options(Accuracy.EXACT, Reflections.STALE, storage, threads);
+        try (Renderer renderer = new Renderer(options)) {
+            Scene before = session.scenes().getFirst();
+            Scene mirrored = before;
+            for (int step = 0; step < session.scenes().size(); step++) {
+                Scene scene = session.scenes().get(step);
+                Update update = renderer.render(scene, Progress.NONE);
+                mirrored = refreshesReflections(before, scene) ? scene : mirrored;
+                SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene, mirrored).trace(),
+                        "stale-reflections", session, step, update.plan().text());
+                if (step % refreshEach == refreshEach - 1) {
+                    renderer.updateReflections(Progress.NONE);
+                    mirrored = scene;
+                    SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(),
+                            "updated-reflections", session, step, "reflections");
+                }
+                assertThat(renderer.reflectionsAreCurrent()).isEqualTo(mirrored.equals(scene));
+                before = scene;
+            }
+        }
+    }
+
+    /** Edits of depth and size, and of what rays can hit, bring the mirror images up to date. */
+    private static boolean refreshesReflections(Scene before, Scene scene) {
+        return !before.picture().equals(scene.picture()) || !before.camera().equals(scene.camera())
+                || !before.nodes().equals(scene.nodes()) || !before.materials().equals(scene.materials());
+    }
+
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    void theRenderedSceneAgain_costsNothing(@ForAll("sessions") Session session, @ForAll Reflections reflections) {
+        try (Renderer renderer = new Renderer(new Options(Accuracy.EXACT, reflections, MirrorStorage.FULL_ROWS, 1))) {
+            Scene rendered = session.scenes().getFirst();
+            renderer.render(rendered, Progress.NONE);
+            Film film = renderer.film().copy();
+            for (Scene edited : session.scenes()) {
+                renderer.plan(edited);
+            }
+            Update update = renderer.render(copy(rendered), Progress.NONE);
+            assertThat(update.plan()).isEqualTo(new UpdatePlan.Nothing());
+            assertThat(update.rays()).isEqualTo(TraceCounts.NONE);
+            assertThat(update.rowsTouched() + update.rowsComposed()).isZero();
+            assertThat(renderer.film().sameBits(film)).isTrue();
+        }
+    }
+
+    /** An equal scene that shares no list with the given one. */
+    private static Scene copy(Scene s) {
+        return new Scene(s.picture().withDepth(s.picture().depth()), s.camera(), s.world(), List.copyOf(s.materials().reversed()).reversed(),
+                List.copyOf(s.nodes().reversed()).reversed(), s.lights().stream().map(l -> l.withName(l.name())).toList());
+    }
+}

@@ -1,0 +1,42 @@
+package lightning.relight;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import lightning.image.Film;
+import lightning.image.FilmAssert;
+import lightning.jen.JenWriter;
+import lightning.sample.Session;
+import lightning.scene.Scene;
+
+/** Compares films met during a session; a failure leaves the scenes as files beside the pictures. */
+final class SessionAssert {
+    private SessionAssert() {}
+
+    /**
+     * @param name what is tested, the folder's name in {@code target/failures}
+     * @param step which edit it was; 0 is the first picture
+     */
+    static void assertSameBits(Film actual, Film expected, String name, Session session, int step, String plan) {
+        try {
+            FilmAssert.assertSameBits(actual, expected, name);
+        } catch (AssertionError e) {
+            Scene scene = session.scenes().get(step);
+            save(name, "session.txt", session.toString());
+            save(name, "scene.jen", JenWriter.write(scene));
+            throw new AssertionError("after edit " + step + " (" + plan + "): " + e.getMessage()
+                    + "\nthe scene was\n" + JenWriter.write(scene) + "\nand the session" + session, e);
+        }
+    }
+
+    private static void save(String name, String file, String text) {
+        try {
+            Path folder = Path.of("target", "failures", name);
+            Files.createDirectories(folder);
+            Files.writeString(folder.resolve(file), text);
+        } catch (IOException e) {
+            throw new UncheckedIOException("the scene of a failed test could not be written", e);
+        }
+    }
+}

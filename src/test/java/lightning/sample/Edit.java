@@ -1,0 +1,183 @@
+package lightning.sample;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.scene.Camera;
+import lightning.scene.Light;
+import lightning.scene.Node;
+import lightning.scene.Scene;
+import lightning.scene.World;
+
+/** One edit of a scene; in a scene where it makes no sense it changes nothing. Lights are told by their place in the list. */
+public sealed interface Edit {
+
+    /**
+     * The scene after the edit.
+     *
+     * @param history all scenes so far, the one to edit last
+     */
+    Scene apply(List<Scene> history);
+
+    private static Light light(Scene scene, int index) {
+        return scene.lights().get(index % scene.lights().size());
+    }
+
+    private static String freshName(Scene scene, String stem) {
+        return IntStream.iterate(0, i -> i + 1).mapToObj(i -> stem + i).filter(n -> scene.light(n).isEmpty())
+                .findFirst().orElseThrow();
+    }
+
+    private static Scene with(Scene scene, int at, Light light) {
+        List<Light> lights = new ArrayList<>(scene.lights());
+        lights.add(at % (lights.size() + 1), light);
+        return scene.withLights(lights);
+    }
+
+    /** An attribute of one light. */
+    record OfLight(int index, LightChange change) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene scene = history.getLast();
+            return scene.lights().isEmpty() ? scene : scene.withLight(change.on(light(scene, index), scene));
+        }
+    }
+
+    record Add(int at, LightSeed seed) implements Edit {
+        private static final int MOST = 7;
+
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene scene = history.getLast();
+            return scene.lights().size() >= MOST ? scene : with(scene, at, seed.in(scene, freshName(scene, "added")));
+        }
+    }
+
+    record Duplicate(int index, int at) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene scene = history.getLast();
+            return scene.lights().isEmpty() || scene.lights().size() >= Add.MOST ? scene
+                    : with(scene, at, light(scene, index).withName(freshName(scene, "copy")));
+        }
+    }
+
+    record Delete(int index) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene scene = history.getLast();
+            return scene.lights().isEmpty() ? scene
+                    : scene.withLights(scene.lights().stream().filter(l -> l != light(scene, index)).toList());
+        }
+    }
+
+    record Rename(int index) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene scene = history.getLast();
+            return scene.lights().isEmpty() ? scene : scene.withLights(scene.lights().stream()
+                    .map(l -> l == light(scene, index) ? l.withName(freshName(scene, "renamed")) : l).toList());
+        }
+    }
+
+    /** Two lights take each other's name: what they are and where they stand in the sum changes places. */
+    record SwapNames(int one, int other) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene scene = history.getLast();
+            if (scene.lights().size() < 2) {
+                return scene;
+            }
+            Light a = light(scene, one);
+            Light b = light(scene, other);
+            return scene.withLights(scene.lights().stream()
+                    .map(l -> l == a ? a.withName(b.name()) : l == b ? b.withName(a.name()) : l).toList());
+        }
+    }
+
+    record Reorder(int from, int to) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene scene = history.getLast();
+            if (scene.lights().isEmpty()) {
+                return scene;
+            }
+            Light moved = light(scene, from);
+            return with(scene.withLights(scene.lights().stream().filter(l -> l != moved).toList()), to, moved);
+        }
+    }
+
+    record Ambience(double to) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            return history.getLast().withWorld(history.getLast().world().withAmbience(to));
+        }
+    }
+
+    record Background(Rgb to) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            return history.getLast().withWorld(new World(history.getLast().world().ambience(), to));
+        }
+    }
+
+    record Depth(int to) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            return history.getLast().withPicture(history.getLast().picture().withDepth(to));
+        }
+    }
+
+    record Size(int width, int height) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            return history.getLast().withPicture(history.getLast().picture().withSize(width, height));
+        }
+    }
+
+    /** The camera goes around what it looks at. */
+    record Orbit(double side) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Camera c = history.getLast().camera();
+            Vec3 step = new Vec3(side * c.from().minus(c.to()).length(), 0, 0);
+            return history.getLast().withCamera(new Camera(c.from().plus(step), c.to(), c.up(), c.fov()));
+        }
+    }
+
+    /** One node goes: another geometry. */
+    record RemoveNode(int index) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene s = history.getLast();
+            if (s.nodes().isEmpty()) {
+                return s;
+            }
+            List<Node> nodes = new ArrayList<>(s.nodes());
+            nodes.remove(index % nodes.size());
+            return new Scene(s.picture(), s.camera(), s.world(), s.materials(), nodes, s.lights());
+        }
+    }
+
+    /** Back to an earlier scene. */
+    record Undo(int steps) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            return history.get(Math.max(0, history.size() - 1 - steps));
+        }
+    }
+
+    /** Several edits at once (paper §4.9). */
+    record Together(List<Edit> edits) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            List<Scene> scenes = new ArrayList<>(history);
+            for (Edit edit : edits) {
+                scenes.add(edit.apply(scenes));
+            }
+            return scenes.getLast();
+        }
+    }
+}

@@ -1,0 +1,85 @@
+package lightning.sample;
+
+import java.util.List;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.Tuple;
+
+/** Arbitrary edits of every kind that the dispatcher knows. */
+public final class EditArbitraries {
+    private EditArbitraries() {}
+
+    /** One to twelve edits. */
+    public static Arbitrary<List<Edit>> sequences() {
+        return edits().list().ofMinSize(1).ofMaxSize(12);
+    }
+
+    static Arbitrary<Edit> edits() {
+        return Arbitraries.frequencyOf(Tuple.of(9, single()),
+                Tuple.of(1, single().list().ofMinSize(2).ofMaxSize(4).map(Edit.Together::new)));
+    }
+
+    private static Arbitrary<Edit> single() {
+        return Arbitraries.frequencyOf(
+                Tuple.of(24, ofLights()),
+                Tuple.of(8, ofTheList()),
+                Tuple.of(6, ofTheWorld()),
+                Tuple.of(4, Arbitraries.integers().between(1, 6).map(Edit.Undo::new)),
+                Tuple.of(1, ofTheGeometry()));
+    }
+
+    private static Arbitrary<Edit> ofLights() {
+        return Combinators.combine(lights(), changes()).as(Edit.OfLight::new);
+    }
+
+    private static Arbitrary<LightChange> changes() {
+        return Arbitraries.oneOf(List.of(
+                LightArbitraries.colors().map(LightChange.Color::new),
+                LightArbitraries.intensities().map(LightChange.Intensity::new),
+                LightArbitraries.attenuations().map(LightChange.Fading::new),
+                LightArbitraries.angles().map(LightChange.Angle::new),
+                LightArbitraries.angles().map(LightChange.Angle::new),
+                LightArbitraries.dropoffs().map(LightChange.Dropoff::new),
+                LightArbitraries.types().map(LightChange.Type::new),
+                Arbitraries.of(new LightChange.SwitchOn()),
+                Arbitraries.of(new LightChange.SwitchOn()),
+                Arbitraries.of(new LightChange.SwitchSolo()),
+                LightArbitraries.places().map(LightChange.Move::new),
+                LightArbitraries.aims().map(LightChange.Turn::new),
+                Arbitraries.of(0.5, 2.0, 1e3).map(LightChange.Lengthen::new)));
+    }
+
+    private static Arbitrary<Edit> ofTheList() {
+        return Arbitraries.oneOf(List.of(
+                Combinators.combine(lights(), LightArbitraries.lights()).as(Edit.Add::new),
+                Combinators.combine(lights(), lights()).as(Edit.Duplicate::new),
+                lights().map(Edit.Delete::new),
+                lights().map(Edit.Rename::new),
+                Combinators.combine(lights(), lights()).as(Edit.SwapNames::new),
+                Combinators.combine(lights(), lights()).as(Edit.Reorder::new)));
+    }
+
+    private static Arbitrary<Edit> ofTheWorld() {
+        return Arbitraries.oneOf(List.of(
+                Numbers.betweenOr(0, 1, 0.0, 1e6).map(Edit.Ambience::new),
+                Numbers.colors().map(Edit.Background::new),
+                SceneArbitraries.depths().map(Edit.Depth::new),
+                SceneArbitraries.depths().map(Edit.Depth::new)));
+    }
+
+    private static Arbitrary<Edit> ofTheGeometry() {
+        return Arbitraries.oneOf(List.of(
+                Combinators.combine(sides(), sides()).as(Edit.Size::new),
+                Numbers.between(-0.3, 0.3).map(Edit.Orbit::new),
+                Arbitraries.integers().between(0, 9).map(Edit.RemoveNode::new)));
+    }
+
+    private static Arbitrary<Integer> sides() {
+        return Arbitraries.integers().between(8, 40).withoutEdgeCases();
+    }
+
+    private static Arbitrary<Integer> lights() {
+        return Arbitraries.integers().between(0, 6).withoutEdgeCases();
+    }
+}

@@ -1,0 +1,88 @@
+package lightning.sample;
+
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.scene.Attenuation;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.Tuple;
+
+/** Lights of all types and each of their attributes, with the values at which the equation changes its form. */
+final class LightArbitraries {
+    private LightArbitraries() {}
+
+    static Arbitrary<LightSeed> lights() {
+        return Combinators.combine(types(), colors(), intensities(), attenuations(), angles(), dropoffs(), on(), solo())
+                .as((type, color, intensity, attenuation, angle, dropoff, on, solo) -> Light.of("l", type).withColor(color)
+                        .withIntensity(intensity).withAttenuation(attenuation).withAngle(angle).withDropoff(dropoff)
+                        .withOn(on).withSolo(solo))
+                .flatMap(light -> Combinators.combine(places(), aims()).as((at, aim) -> new LightSeed(light, at, aim)));
+    }
+
+    static Arbitrary<LightType> types() {
+        return Arbitraries.of(LightType.class);
+    }
+
+    static Arbitrary<Rgb> colors() {
+        return Arbitraries.frequencyOf(Tuple.of(9, Numbers.colors()), Tuple.of(1, Numbers.colors().map(c -> c.times(1000))));
+    }
+
+    static Arbitrary<Double> intensities() {
+        return Arbitraries.frequencyOf(Tuple.of(6, Numbers.between(0, 3)), Tuple.of(2, Arbitraries.of(1.0)),
+                Tuple.of(1, Arbitraries.of(0.0, 1e-45, 1e-300, 1e6, 1e30)));
+    }
+
+    static Arbitrary<Attenuation> attenuations() {
+        Arbitrary<Double> factor = Numbers.betweenOr(0, 1, 0.0, 1.0);
+        return Arbitraries.frequencyOf(
+                Tuple.of(2, Arbitraries.of(Attenuation.NONE, new Attenuation(0, 0, 0))),
+                Tuple.of(1, Arbitraries.of(new Attenuation(0, 1, 1), new Attenuation(0.1, 1, 0.1), new Attenuation(0, 0, 1),
+                        new Attenuation(1e30, 0, 1e30), new Attenuation(0, 1e-30, 0))),
+                Tuple.of(3, Combinators.combine(factor, factor, factor).as(Attenuation::new)));
+    }
+
+    static Arbitrary<Double> angles() {
+        return Arbitraries.frequencyOf(Tuple.of(4, Numbers.between(5, 60)), Tuple.of(1, Numbers.between(0, 180)),
+                Tuple.of(1, Arbitraries.of(0.0, 1e-3, 90.0, 180.0)));
+    }
+
+    static Arbitrary<Double> dropoffs() {
+        return Arbitraries.frequencyOf(Tuple.of(2, Arbitraries.of(0.0)), Tuple.of(3, Numbers.between(0, 12)),
+                Tuple.of(1, Arbitraries.of(1.0, 2.0, 0.5, 1e-9, 1e4, 1e6)));
+    }
+
+    private static Arbitrary<Boolean> on() {
+        return Arbitraries.frequency(Tuple.of(9, true), Tuple.of(1, false));
+    }
+
+    private static Arbitrary<Boolean> solo() {
+        return Arbitraries.frequency(Tuple.of(19, false), Tuple.of(1, true));
+    }
+
+    static Arbitrary<Place> places() {
+        Arbitrary<Place> above = Numbers.vectors(Numbers.between(-4, 4), Numbers.between(1, 6), Numbers.between(-4, 4))
+                .map(Place.Near::new);
+        return Arbitraries.frequencyOf(
+                Tuple.of(8, above),
+                Tuple.of(1, Numbers.vectors(-15, 15).map(Place.Near::new)),
+                Tuple.of(1, Arbitraries.integers().between(0, 9).map(Place.InShape::new)),
+                Tuple.of(1, rows()));
+    }
+
+    static Arbitrary<Place> aims() {
+        return Arbitraries.frequencyOf(
+                Tuple.of(5, Numbers.vectors(-2, 2).map(Place.Near::new)),
+                Tuple.of(1, Arbitraries.of(new Place.Near(Vec3.ZERO))),
+                Tuple.of(1, Numbers.vectors(-20, 20).map(Place.Near::new)),
+                Tuple.of(1, Arbitraries.integers().between(0, 9).map(Place.InShape::new)),
+                Tuple.of(1, rows()));
+    }
+
+    private static Arbitrary<Place> rows() {
+        return Combinators.combine(Arbitraries.integers().between(0, 39), Arbitraries.integers().between(0, 39))
+                .as(Place.OnRow::new);
+    }
+}

@@ -1,0 +1,27 @@
+package lightning.sample;
+
+import lightning.math.Vec3;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+
+/**
+ * A light yet to be put into a scene.
+ *
+ * @param attributes all but name, position and direction
+ * @param at         where it stands
+ * @param aim        what it shines at
+ */
+record LightSeed(Light attributes, Place at, Place aim) {
+
+    /** The light of the given name. */
+    Light in(Scene scene, String name) {
+        Vec3 position = at.in(scene);
+        return attributes.withName(name).withPosition(position).withDirection(direction(position, aim.in(scene)));
+    }
+
+    /** The direction to what is aimed at; down where there is none. */
+    static Vec3 direction(Vec3 from, Vec3 to) {
+        Vec3 direction = to.minus(from);
+        return direction.maxAbs() < 1e-12 ? new Vec3(0, -1, 0) : direction;
+    }
+}

@@ -1,0 +1,56 @@
+package lightning.sample;
+
+import java.util.Optional;
+import lightning.math.Rgb;
+import lightning.scene.Material;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.Tuple;
+
+/** Materials: matt and glossy, mirroring and black, plain and textured. */
+final class MaterialArbitraries {
+    private MaterialArbitraries() {}
+
+    static Arbitrary<Material> materials(String name) {
+        return Combinators.combine(ambient(), Numbers.colors(), sometimesBlack(), shininess(), sometimesBlack(), textures())
+                .as((ambient, diffuse, specular, shininess, reflective, texture) ->
+                        new Material(name, ambient, diffuse, specular, shininess, reflective, texture));
+    }
+
+    private static Arbitrary<Rgb> ambient() {
+        return Arbitraries.frequencyOf(Tuple.of(6, Numbers.colors()),
+                Tuple.of(1, Numbers.colors().map(c -> c.times(1e6))));
+    }
+
+    private static Arbitrary<Rgb> sometimesBlack() {
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Rgb.BLACK)), Tuple.of(2, Numbers.colors()));
+    }
+
+    private static Arbitrary<Double> shininess() {
+        return Arbitraries.frequencyOf(
+                Tuple.of(3, Arbitraries.integers().between(1, 60).map(Integer::doubleValue).withoutEdgeCases()),
+                Tuple.of(2, Numbers.between(0, 40)),
+                Tuple.of(1, Arbitraries.of(0.0, 1.0, 0.5, 1e-6, 1e4, 1e6)));
+    }
+
+    private static Arbitrary<Optional<TextureMap>> textures() {
+        Arbitrary<TextureMap> maps = Combinators.combine(images(), repeats(), repeats())
+                .as((image, u, v) -> new TextureMap("sample.png", u, v, image));
+        return Arbitraries.frequencyOf(
+                Tuple.of(4, Arbitraries.of(Optional.<TextureMap>empty())),
+                Tuple.of(1, maps.map(Optional::of)));
+    }
+
+    private static Arbitrary<Double> repeats() {
+        return Arbitraries.of(1.0, 2.0, -1.0, 3.7, 1e-6, 1e6);
+    }
+
+    private static Arbitrary<Texture> images() {
+        Arbitrary<Integer> side = Arbitraries.integers().between(1, 4);
+        return Combinators.combine(side, side, Arbitraries.floats().between(0, 1).array(float[].class).ofSize(48))
+                .as((width, height, values) -> new Texture(width, height, java.util.Arrays.copyOf(values, 3 * width * height)));
+    }
+}

@@ -1,0 +1,106 @@
+package lightning.sample;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.math.Vec3;
+import lightning.scene.Group;
+import lightning.scene.Node;
+import lightning.scene.Placement;
+import lightning.scene.Shape;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.Tuple;
+
+/**
+ * Shapes of all kinds under arbitrary transforms, alone and in groups, about the origin: most of them
+ * within 2 units of it, over a floor at y = −1 that reaches 7 units in each direction.
+ */
+final class NodeArbitraries {
+    /** Names of the materials that shapes choose from; {@code default} is the scene's own. */
+    static final List<String> MATERIALS = List.of("m0", "m1", "m2", "default");
+
+    private NodeArbitraries() {}
+
+    /** A floor in most cases, perhaps a shell around everything, and up to eight more nodes. */
+    static Arbitrary<List<Node>> nodes() {
+        Arbitrary<List<Node>> free = Arbitraries.frequencyOf(Tuple.of(5, shapes()), Tuple.of(1, groups()))
+                .list().ofMinSize(0).ofMaxSize(8);
+        return Combinators.combine(Arbitraries.of(true, true, true, true, false), Arbitraries.of(MATERIALS),
+                Arbitraries.of(false, false, true), Arbitraries.of(MATERIALS), free).as(NodeArbitraries::assemble);
+    }
+
+    private static List<Node> assemble(boolean floor, String floorMaterial, boolean shell, String shellMaterial, List<Node> free) {
+        List<Node> nodes = new ArrayList<>();
+        if (floor) {
+            nodes.add(new Shape.Plane("floor", floorMaterial, placement(new Vec3(0, -1, 0), new Vec3(14, 1, 14))));
+        }
+        if (shell) {
+            nodes.add(new Shape.Sphere("shell", shellMaterial, placement(Vec3.ZERO, new Vec3(12, 11, 13))));
+        }
+        for (Node node : free) {
+            nodes.add(named(node, "n" + nodes.size()));
+        }
+        return nodes;
+    }
+
+    private static Placement placement(Vec3 at, Vec3 scale) {
+        return new Placement(at, Vec3.ZERO, scale);
+    }
+
+    /** A node with another name; the children of a group get names made from it. */
+    private static Node named(Node node, String name) {
+        return switch (node) {
+            case Shape.Sphere s -> new Shape.Sphere(name, s.material(), s.placement());
+            case Shape.Cone s -> new Shape.Cone(name, s.material(), s.placement());
+            case Shape.Cylinder s -> new Shape.Cylinder(name, s.material(), s.placement());
+            case Shape.Plane s -> new Shape.Plane(name, s.material(), s.placement());
+            case Group g -> {
+                List<Node> children = new ArrayList<>();
+                for (Node child : g.children()) {
+                    children.add(named(child, name + "_" + children.size()));
+                }
+                yield new Group(name, g.placement(), children);
+            }
+        };
+    }
+
+    private static Arbitrary<Node> shapes() {
+        return Combinators.combine(Arbitraries.integers().between(0, 3), Arbitraries.of(MATERIALS), placements())
+                .as((kind, material, placement) -> switch (kind) {
+                    case 0 -> new Shape.Sphere("n", material, placement);
+                    case 1 -> new Shape.Cone("n", material, placement);
+                    case 2 -> new Shape.Cylinder("n", material, placement);
+                    default -> new Shape.Plane("n", material, placement);
+                });
+    }
+
+    private static Arbitrary<Node> groups() {
+        return Combinators.combine(placements(), shapes().list().ofMinSize(0).ofMaxSize(3))
+                .as((placement, children) -> {
+                    List<Node> inner = new ArrayList<>();
+                    children.forEach(c -> inner.add(named(c, "n" + inner.size())));
+                    return new Group("n", placement, inner);
+                });
+    }
+
+    private static Arbitrary<Placement> placements() {
+        return Combinators.combine(Numbers.vectors(Numbers.between(-2, 2), Numbers.between(-1, 2), Numbers.between(-2, 2)),
+                rotations(), scales()).as(Placement::new);
+    }
+
+    private static Arbitrary<Vec3> rotations() {
+        Arbitrary<Double> angle = Numbers.betweenOr(-360, 360, 0.0, 90.0, 180.0, 1e6);
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Vec3.ZERO)), Tuple.of(3, Numbers.vectors(angle, angle, angle)));
+    }
+
+    private static Arbitrary<Vec3> scales() {
+        Arbitrary<Double> ordinary = Numbers.between(0.3, 1.5);
+        Arbitrary<Double> extreme = Arbitraries.of(1e-3, -1.0, 1e-2, 50.0, 1e3);
+        return Arbitraries.frequencyOf(
+                Tuple.of(3, ordinary.map(s -> new Vec3(s, s, s))),
+                Tuple.of(6, Numbers.vectors(ordinary, ordinary, ordinary)),
+                Tuple.of(1, Numbers.vectors(extreme, ordinary, ordinary)),
+                Tuple.of(1, Numbers.vectors(ordinary, extreme, extreme)));
+    }
+}

@@ -1,0 +1,94 @@
+package lightning.sample;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.math.Vec3;
+import lightning.scene.Camera;
+import lightning.scene.Group;
+import lightning.scene.Light;
+import lightning.scene.Material;
+import lightning.scene.Node;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.World;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.Tuple;
+
+/**
+ * Arbitrary scenes: up to ten nodes, up to six lights, small pictures of one to four tiles. All are
+ * thought about the origin and seen from 7 units away; some are then enlarged, shrunk or moved far off
+ * together with their camera.
+ */
+public final class SceneArbitraries {
+    private SceneArbitraries() {}
+
+    /** Any scene. */
+    public static Arbitrary<Scene> scenes() {
+        Arbitrary<List<Material>> materials = Combinators.combine(MaterialArbitraries.materials("m0"),
+                MaterialArbitraries.materials("m1"), MaterialArbitraries.materials("m2")).as(List::of);
+        return Combinators.combine(frames(), views(), pictures(), worlds(), materials, NodeArbitraries.nodes(),
+                LightArbitraries.lights().list().ofMinSize(0).ofMaxSize(6)).as(SceneArbitraries::assemble);
+    }
+
+    /** The scene's size and where in the world it lies. */
+    private record Frame(Vec3 origin, double unit) {
+        Vec3 point(Vec3 p) {
+            return origin.plus(p.times(unit));
+        }
+
+        Node node(Node node) {
+            Placement p = node.placement();
+            Placement placed = new Placement(point(p.at()), p.rotate(), p.scale().times(unit));
+            return switch (node) {
+                case Shape.Sphere s -> new Shape.Sphere(s.name(), s.material(), placed);
+                case Shape.Cone s -> new Shape.Cone(s.name(), s.material(), placed);
+                case Shape.Cylinder s -> new Shape.Cylinder(s.name(), s.material(), placed);
+                case Shape.Plane s -> new Shape.Plane(s.name(), s.material(), placed);
+                case Group g -> new Group(g.name(), placed, g.children());
+            };
+        }
+    }
+
+    private static Scene assemble(Frame frame, Vec3 from, Picture picture, World world, List<Material> materials,
+            List<Node> nodes, List<LightSeed> seeds) {
+        Camera camera = new Camera(frame.point(from), frame.point(Vec3.ZERO), Vec3.Y, 40);
+        Scene dark = new Scene(picture, camera, world, materials, nodes.stream().map(frame::node).toList(), List.of());
+        List<Light> lights = new ArrayList<>();
+        for (LightSeed seed : seeds) {
+            lights.add(seed.in(dark, "l" + lights.size()));
+        }
+        return dark.withLights(lights);
+    }
+
+    private static Arbitrary<Frame> frames() {
+        Arbitrary<Vec3> far = Numbers.vectors(-1, 1);
+        return Arbitraries.frequencyOf(
+                Tuple.of(10, Arbitraries.of(new Frame(Vec3.ZERO, 1))),
+                Tuple.of(1, far.map(o -> new Frame(o.times(1e4), 1))),
+                Tuple.of(1, far.map(o -> new Frame(o.times(1e9), 1))),
+                Tuple.of(1, far.map(o -> new Frame(o, 1e-2))),
+                Tuple.of(1, far.map(o -> new Frame(o.times(1e6), 1e2))));
+    }
+
+    private static Arbitrary<Vec3> views() {
+        return Numbers.vectors(Numbers.between(-3, 3), Numbers.between(0.5, 4), Arbitraries.of(7.0));
+    }
+
+    static Arbitrary<Picture> pictures() {
+        Arbitrary<Integer> side = Arbitraries.integers().between(8, 40).withoutEdgeCases();
+        return Combinators.combine(side, side, depths()).as(Picture::new);
+    }
+
+    static Arbitrary<Integer> depths() {
+        return Arbitraries.frequencyOf(Tuple.of(2, Arbitraries.of(0, 1)), Tuple.of(5, Arbitraries.of(2, 3, 4)),
+                Tuple.of(1, Arbitraries.integers().between(0, 10).withoutEdgeCases()));
+    }
+
+    static Arbitrary<World> worlds() {
+        return Combinators.combine(Numbers.betweenOr(0, 1, 0.0, 1.0, 1e6), Numbers.colors()).as(World::new);
+    }
+}

@@ -1,0 +1,40 @@
+package lightning.sample;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.jen.JenWriter;
+import lightning.scene.Scene;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+
+/** What an artist did: a scene, and edits of it one after the other. */
+public final class Session {
+    private final List<Edit> edits;
+    private final List<Scene> scenes = new ArrayList<>();
+
+    private Session(List<Edit> edits, Scene first) {
+        this.edits = edits;
+        scenes.add(first);
+        for (Edit edit : edits) {
+            scenes.add(edit.apply(scenes));
+        }
+    }
+
+    /** Sessions of one to twelve edits; in search of the plainest failure, edits are left out first. */
+    public static Arbitrary<Session> sessions() {
+        return Combinators.combine(EditArbitraries.sequences(), SceneArbitraries.scenes()).as(Session::new);
+    }
+
+    /** The first scene and the scene after each edit. */
+    public List<Scene> scenes() {
+        return scenes;
+    }
+
+    /** The first scene as a file, then the edits. */
+    @Override
+    public String toString() {
+        StringBuilder text = new StringBuilder("\n").append(JenWriter.write(scenes.getFirst())).append('\n');
+        edits.forEach(e -> text.append("# ").append(e).append('\n'));
+        return text.toString();
+    }
+}

@@ -1,0 +1,39 @@
+package lightning.shading;
+
+import java.util.function.BiFunction;
+import java.util.function.Predicate;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+import lightning.trace.SurfacePoint;
+import net.jqwik.api.statistics.Statistics;
+
+/** Counts over the cases of a property what their pictures show, and asks for a fifth of each. */
+public final class SceneCoverage {
+    private static final double LEAST_PERCENT = 20;
+    /** Below so many cases the shares say nothing. */
+    private static final int ENOUGH = 100;
+
+    private SceneCoverage() {}
+
+    /** Counts one case. */
+    public static void collect(Scene scene) {
+        SeenRows rows = new SeenRows(scene);
+        collect("lit", anyLight(scene, rows, SeenRows::lit));
+        collect("shadowed", anyLight(scene, rows, SeenRows::shadowed));
+        collect("outside the cone", anyLight(scene, rows, SeenRows::outside));
+        collect("mirrored", scene.picture().depth() >= 1 && !rows.level(1).isEmpty());
+        collect("mirrored twice", scene.picture().depth() >= 2 && !rows.level(2).isEmpty());
+    }
+
+    private static boolean anyLight(Scene scene, SeenRows rows, BiFunction<SeenRows, Light, Predicate<SurfacePoint>> kind) {
+        return scene.lights().stream().filter(scene::shines)
+                .anyMatch(light -> rows.level(0).stream().anyMatch(kind.apply(rows, light)));
+    }
+
+    /** Counts one case, in which something is shown or not. */
+    public static void collect(String label, boolean shown) {
+        Statistics.label(label).collect(shown).coverage(coverage -> {
+            coverage.check(true).count((count, all) -> all < ENOUGH || 100.0 * count >= LEAST_PERCENT * all);
+        });
+    }
+}
