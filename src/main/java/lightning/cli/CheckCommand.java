@@ -14,7 +14,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
 /** Reads a scene and tells every problem. */
-@Command(name = "check", header = "Find every problem of a scene file.",
+@Command(name = "check", abbreviateSynopsis = true, header = "Find every problem of a scene file.",
         description = {
             "Reads the scene and its textures. Each problem is one line, FILE:LINE:COLUMN: what is wrong, what was expected and",
             "what was found; the exit code is then 2. A scene without problems is described in one line."},

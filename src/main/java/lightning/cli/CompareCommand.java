@@ -12,7 +12,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** Tells how much two pictures differ. */
-@Command(name = "compare", header = "Tell how much two pictures differ.",
+@Command(name = "compare", abbreviateSynopsis = true, header = "Tell how much two pictures differ.",
         description = {
             "Compares two pictures of the same size, of the formats .png, .xpm and .pfm in any combination. The exit code is",
             "that of diff: 0 for equal pictures, 1 for different ones, 2 for trouble.",

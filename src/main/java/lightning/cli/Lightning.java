@@ -38,6 +38,7 @@ public final class Lightning {
     static CommandLine commands(Console console) {
         CommandLine commands = new CommandLine(new RootCommand(console))
                 .addSubcommand(new RenderCommand(console))
+                .addSubcommand(new RelightCommand(console))
                 .addSubcommand(new CheckCommand(console))
                 .addSubcommand(new CompareCommand(console));
         return commands

@@ -13,7 +13,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** Traces a scene and writes the picture. */
-@Command(name = "render", header = "Trace a scene and write the picture.",
+@Command(name = "render", abbreviateSynopsis = true, header = "Trace a scene and write the picture.",
         description = {
             "Traces the scene from nothing and says how long it took and how many rays it cast."},
         footer = {
