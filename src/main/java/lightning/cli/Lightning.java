@@ -39,6 +39,7 @@ public final class Lightning {
         CommandLine commands = new CommandLine(new RootCommand(console))
                 .addSubcommand(new RenderCommand(console))
                 .addSubcommand(new RelightCommand(console))
+                .addSubcommand(new ExplainCommand(console))
                 .addSubcommand(new CheckCommand(console))
                 .addSubcommand(new CompareCommand(console));
         return commands
