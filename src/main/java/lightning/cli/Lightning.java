@@ -40,6 +40,7 @@ public final class Lightning {
                 .addSubcommand(new RenderCommand(console))
                 .addSubcommand(new RelightCommand(console))
                 .addSubcommand(new ExplainCommand(console))
+                .addSubcommand(new ExportCommand(console))
                 .addSubcommand(new CheckCommand(console))
                 .addSubcommand(new CompareCommand(console));
         return commands
