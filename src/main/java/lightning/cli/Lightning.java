@@ -41,6 +41,7 @@ public final class Lightning {
                 .addSubcommand(new RelightCommand(console))
                 .addSubcommand(new ExplainCommand(console))
                 .addSubcommand(new ExportCommand(console))
+                .addSubcommand(new EffectsCommand(console))
                 .addSubcommand(new CheckCommand(console))
                 .addSubcommand(new CompareCommand(console));
         return commands

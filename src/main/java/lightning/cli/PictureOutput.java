@@ -36,6 +36,11 @@ final class PictureOutput {
         return file;
     }
 
+    /** Stops. */
+    double exposure() {
+        return view.exposure();
+    }
+
     /** Finds out before a long computation whether its result could not be written. */
     void check() throws IOException, BadInput {
         PictureFile.requireKnownExtension(file);
