@@ -31,7 +31,7 @@ public final class Lightning {
             return exit;
         } catch (Throwable e) {
             // Whatever it is, a user gets a sentence.
-            return Problem.report(console, e);
+            return Complaint.report(console, e);
         }
     }
 
@@ -42,6 +42,7 @@ public final class Lightning {
                 .addSubcommand(new ExplainCommand(console))
                 .addSubcommand(new ExportCommand(console))
                 .addSubcommand(new EffectsCommand(console))
+                .addSubcommand(new TourCommand(console))
                 .addSubcommand(new CheckCommand(console))
                 .addSubcommand(new CompareCommand(console));
         return commands
@@ -50,7 +51,7 @@ public final class Lightning {
                 .setColorScheme(CommandLine.Help.defaultColorScheme(console.terminal() ? Ansi.AUTO : Ansi.OFF))
                 .setUsageHelpWidth(HELP_WIDTH)
                 .setCaseInsensitiveEnumValuesAllowed(true)
-                .setExecutionExceptionHandler((e, _, _) -> Problem.report(console, e))
+                .setExecutionExceptionHandler((e, _, _) -> Complaint.report(console, e))
                 .setParameterExceptionHandler((e, _) -> badUsage(console, e));
     }
 

@@ -80,12 +80,17 @@ final class ProgressBar implements Progress, AutoCloseable {
         };
     }
 
-    /** Erases the line. */
-    @Override
-    public synchronized void close() {
+    /** Makes room for other output; the next step shows the bar again. */
+    synchronized void erase() {
         if (visible) {
             console.out().print(ERASE);
             console.out().flush();
+            visible = false;
         }
+    }
+
+    @Override
+    public void close() {
+        erase();
     }
 }

@@ -1,7 +1,6 @@
 package lightning.cli;
 
 import java.io.IOException;
-import java.nio.channels.ClosedByInterruptException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
@@ -11,14 +10,14 @@ import java.util.concurrent.CancellationException;
 import lightning.jen.JenException;
 
 /** Turns whatever went wrong into sentences and an exit code; the only place that does. */
-final class Problem {
-    private Problem() {}
+final class Complaint {
+    private Complaint() {}
 
     /** Says what went wrong; returns the exit code. */
     static int report(Console console, Throwable problem) {
         return switch (problem) {
             case CancellationException _ -> cancelled(console);
-            case ClosedByInterruptException _ -> cancelled(console);
+            case IOException _ when Thread.currentThread().isInterrupted() -> cancelled(console);
             case JenException e -> {
                 e.problems().forEach(p -> console.err().println(p));
                 yield ExitCode.BAD_INPUT;
