@@ -5,4 +5,5 @@ module lightning {
     requires info.picocli;
     requires org.apache.commons.imaging;
 
+    opens lightning.cli to info.picocli;
 }

@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 import lightning.DocCommands.Command;
+import lightning.cli.Lightning;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
@@ -122,14 +123,14 @@ class DocsTest {
 
     /** Runs the program in this JVM and returns its exit code. */
     private static int program(PrintStream out, PrintStream err, String... arguments) {
-        throw new UnsupportedOperationException("no page shows a command before lightning.cli.Lightning.run exists");
+        return Lightning.run(out, err, arguments);
     }
 
-    /** Sends the files that a page's commands write (-o), and read again later, to the test's folder. */
+    /** Sends the files that a page's commands write (-o, --save), and read again later, to the test's folder. */
     private String[] inFolder(Set<String> outputs, String... arguments) {
         String[] moved = arguments.clone();
         for (int i = 0; i < moved.length; i++) {
-            if (i > 0 && moved[i - 1].equals("-o")) {
+            if (i > 0 && (moved[i - 1].equals("-o") || moved[i - 1].equals("--save"))) {
                 outputs.add(moved[i]);
             }
             if (outputs.contains(moved[i])) {

@@ -15,7 +15,9 @@ import lightning.trace.TileVisibility;
 public final class TraditionalTracer {
     private final Geometry geometry;
     private final Scene scene;
+    private final Scene mirrored;
     private final Lamp[] lamps;
+    private final Lamp[] mirroredLamps;
 
     /** Prepares a trace, the tree of boxes included. */
     public TraditionalTracer(Scene scene) {
@@ -28,12 +30,28 @@ public final class TraditionalTracer {
      * @throws IllegalArgumentException if it is not the scene's
      */
     public TraditionalTracer(Scene scene, Geometry geometry) {
-        if (!geometry.serves(scene)) {
+        this(scene, scene, geometry);
+    }
+
+    /**
+     * Prepares a trace of {@code scene} whose mirrors show {@code mirrored}: what a picture with stale
+     * reflections must be (paper §4.8). The two may differ in lights and world.
+     *
+     * @throws IllegalArgumentException if the geometry is not that of both
+     */
+    public TraditionalTracer(Scene scene, Scene mirrored, Geometry geometry) {
+        if (!geometry.serves(scene) || !geometry.serves(mirrored)) {
             throw new IllegalArgumentException("the geometry is another scene's");
         }
         this.scene = scene;
+        this.mirrored = mirrored;
         this.geometry = geometry;
-        lamps = scene.lights().stream().map(light -> Lamp.of(light, scene)).toArray(Lamp[]::new);
+        lamps = lamps(scene);
+        mirroredLamps = lamps(mirrored);
+    }
+
+    private static Lamp[] lamps(Scene scene) {
+        return scene.lights().stream().map(light -> Lamp.of(light, scene)).toArray(Lamp[]::new);
     }
 
     /** A finished picture and the rays it took. */
@@ -51,7 +69,7 @@ public final class TraditionalTracer {
         workers.run(film.tileCount(), (worker, tile) -> threads[worker].tile(film, tile, progress), progress);
         TraceCounts rays = TraceCounts.NONE;
         for (PerThread thread : threads) {
-            rays = rays.plus(new TraceCounts(thread.eye, thread.mirrored, thread.lights.shadowRays()));
+            rays = rays.plus(new TraceCounts(thread.eye, thread.reflected, thread.lights.shadowRays()));
         }
         return new Result(film, rays);
     }
@@ -64,9 +82,9 @@ public final class TraditionalTracer {
         private final TileComposer composer = new TileComposer(geometry.materials());
         private final ScratchColumns columns = new ScratchColumns();
         private final HitRows[] levels = new HitRows[scene.picture().depth() + 1];
-        private final LightLayer[] layers = new LightLayer[lamps.length];
+        private final LightLayer[] layers = new LightLayer[Math.max(lamps.length, mirroredLamps.length)];
         private long eye;
-        private long mirrored;
+        private long reflected;
 
         void tile(Film film, int tile, Progress progress) {
             int x0 = tile % film.tilesX() * Film.TILE;
@@ -76,18 +94,19 @@ public final class TraditionalTracer {
             int deepest = 0;
             while (deepest < scene.picture().depth() && rows.reflective > 0) {
                 int next = deepest + 1;
-                mirrored += rows.reflective;
+                reflected += rows.reflective;
                 rows = visibility.mirrored(rows, null, (count, textured) -> level(next));
                 deepest = next;
             }
             for (int k = deepest; k >= 0; k--) {
-                light(levels[k], progress);
+                Lamp[] shining = k == 0 ? lamps : mirroredLamps;
+                light(levels[k], shining, progress);
                 if (progress.isCancelled()) {
                     return;
                 }
                 float[][] cr = k == deepest ? composer.unfollowed(levels[k])
-                        : composer.followed(levels[k], levels[k + 1], scene.world());
-                composer.level(levels[k], lamps, layers, scene.world(), cr);
+                        : composer.followed(levels[k], levels[k + 1], mirrored.world());
+                composer.level(levels[k], shining, layers, k == 0 ? scene.world() : mirrored.world(), cr);
             }
             composer.toFilm(levels[0], scene.world(), film.red(tile), film.green(tile), film.blue(tile));
         }
@@ -99,12 +118,10 @@ public final class TraditionalTracer {
             return levels[k];
         }
 
-        private void light(HitRows rows, Progress progress) {
+        private void light(HitRows rows, Lamp[] lamps, Progress progress) {
             columns.reset();
             for (int l = 0; l < lamps.length && !progress.isCancelled(); l++) {
-                if (!lamps[l].isDark()) {
-                    layers[l] = lights.full(rows, lamps[l], columns);
-                }
+                layers[l] = lamps[l].isDark() ? null : lights.full(rows, lamps[l], columns);
             }
         }
     }

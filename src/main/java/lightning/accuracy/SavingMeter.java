@@ -1,0 +1,143 @@
+package lightning.accuracy;
+
+import java.util.Arrays;
+import lightning.image.Difference;
+import lightning.relight.Accuracy;
+import lightning.relight.Options;
+import lightning.relight.Renderer;
+import lightning.relight.Update;
+import lightning.relight.UpdatePlan;
+import lightning.scene.Scene;
+import lightning.shading.Progress;
+import lightning.shading.TraceCounts;
+import lightning.shading.TraditionalTracer;
+import lightning.shading.Workers;
+import lightning.trace.Geometry;
+
+/**
+ * Measures updates beside full traces, in turns, so that whatever slows the machine for a while slows both.
+ *
+ * <p>Each measurement warms up, then repeats (update, undo, full trace) and takes medians. The full trace gets its tree
+ * of boxes for free.
+ */
+public final class SavingMeter implements AutoCloseable {
+    private static final int WARM_UPS = 2;
+    /** Bytes of a term of a light's layer, and of a pixel of the film. */
+    private static final int TERM = Float.BYTES;
+    private static final int PIXEL = 3 * Float.BYTES;
+
+    private final Renderer renderer;
+    private final Workers workers;
+    private final int repetitions;
+    private final double bytesPerMs;
+
+    /**
+     * @param repetitions how often each is measured, ≥ 1
+     * @throws IllegalArgumentException if it is below 1
+     */
+    public SavingMeter(Options options, int repetitions) {
+        if (repetitions < 1) {
+            throw new IllegalArgumentException("the number of repetitions must be ≥ 1, was " + repetitions);
+        }
+        this.repetitions = repetitions;
+        renderer = new Renderer(options);
+        workers = new Workers(options.threads());
+        bytesPerMs = Bandwidth.bytesPerMs(workers);
+    }
+
+    /** The renderer that is measured: after {@link #update} it shows the scene after the update. */
+    public Renderer renderer() {
+        return renderer;
+    }
+
+    /** Bytes in a millisecond that memory can read and write. */
+    public double bytesPerMs() {
+        return bytesPerMs;
+    }
+
+    /**
+     * Measures the first pass of a scene.
+     *
+     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     */
+    public FirstPassCost firstPass(Scene scene, Progress progress) {
+        double[] first = new double[repetitions];
+        double[] full = new double[repetitions];
+        TraditionalTracer tracer = new TraditionalTracer(scene);
+        for (int i = -WARM_UPS; i < repetitions; i++) {
+            try (Renderer fresh = new Renderer(renderer.options())) {
+                first[Math.max(i, 0)] = fresh.render(scene, progress).milliseconds();
+            }
+            full[Math.max(i, 0)] = milliseconds(() -> tracer.trace(workers, progress));
+        }
+        renderer.render(scene, progress);
+        long bytes = renderer.cache().bytes();
+        return new FirstPassCost(median(first), median(full), renderer.cache().rowCount(), bytes, bytes / bytesPerMs);
+    }
+
+    /**
+     * Measures the update from one scene to another, and verifies its picture.
+     *
+     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     */
+    public Saving update(Scene before, Scene after, Progress progress) {
+        settle(before, progress);
+        Update update = renderer.render(after, progress);
+        boolean kept = isKept(update, progress);
+        var tracer = new TraditionalTracer(after, renderer.cache().geometry());
+        TraceCounts fullRays = tracer.trace(workers, progress).rays();
+        double[] updates = new double[repetitions];
+        double[] fulls = new double[repetitions];
+        for (int i = -WARM_UPS; i < repetitions; i++) {
+            settle(before, progress);
+            updates[Math.max(i, 0)] = renderer.render(after, progress).milliseconds();
+            fulls[Math.max(i, 0)] = milliseconds(() -> tracer.trace(workers, progress));
+        }
+        double full = median(fulls);
+        return new Saving(update, median(updates), full, fullRays, cap(update, full, fullRays), kept);
+    }
+
+    /** Shows a scene, mirrors included. */
+    private void settle(Scene scene, Progress progress) {
+        renderer.render(scene, progress);
+        renderer.updateReflections(progress);
+    }
+
+    private boolean isKept(Update update, Progress progress) {
+        Scene scene = renderer.scene();
+        Geometry geometry = renderer.cache().geometry();
+        var oracle = new TraditionalTracer(scene, renderer.cache().mirroredScene(), geometry).trace(workers, progress).film();
+        return renderer.options().accuracy() == Accuracy.EXACT || update.errorBound() == 0
+                ? renderer.film().sameBits(oracle)
+                : Difference.of(renderer.film(), oracle).maxAbsolute() <= update.errorBound();
+    }
+
+    /** Composing must at least write the film, and an update of a layer its column, or read it. */
+    private double cap(Update update, double fullMs, TraceCounts fullRays) {
+        if (update.plan() instanceof UpdatePlan.Nothing) {
+            return 100;
+        }
+        double rays = fullMs * update.rays().all() / fullRays.all();
+        double bytes = (double) PIXEL * update.rowsComposed() + (double) TERM * update.rowsTouched();
+        return 100 * (1 - Math.max(rays, bytes / bytesPerMs) / fullMs);
+    }
+
+    private static double milliseconds(Runnable work) {
+        long start = System.nanoTime();
+        work.run();
+        return (System.nanoTime() - start) / 1e6;
+    }
+
+    private static double median(double[] values) {
+        double[] sorted = values.clone();
+        Arrays.sort(sorted);
+        int middle = sorted.length / 2;
+        return sorted.length % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+    }
+
+    @Override
+    public void close() {
+        renderer.close();
+        workers.close();
+    }
+}

@@ -1,0 +1,75 @@
+package lightning.cli;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+
+/** Reads a scene and tells every problem. */
+@Command(name = "check", abbreviateSynopsis = true, header = "Find every problem of a scene file.",
+        description = {
+            "Reads the scene and its textures. Each problem is one line, FILE:LINE:COLUMN: what is wrong, what was expected and",
+            "what was found; the exit code is then 2. A scene without problems is described in one line."},
+        footer = {
+            "Example:",
+            "  lightning check scenes/bird.jen"})
+final class CheckCommand implements Callable<Integer> {
+    private final Console console;
+
+    @Mixin
+    private SceneFile input;
+
+    CheckCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() throws Exception {
+        Scene scene = input.read().scene();
+        List<String> parts = new ArrayList<>();
+        parts.add(counted("shape", scene.placedShapes().stream().map(s -> kind(s.shape()))));
+        parts.add(counted("light", scene.lights().stream().map(CheckCommand::kind)));
+        parts.add(number(scene.materials().size(), "material"));
+        parts.add(number(scene.materials().stream().flatMap(m -> m.texture().stream()).map(t -> t.file()).distinct().count(), "texture"));
+        console.line("%s: no problems; %s; %d x %d pixels, depth %d", input.path(), String.join(", ", parts),
+                scene.picture().width(), scene.picture().height(), scene.picture().depth());
+        return ExitCode.DONE;
+    }
+
+    /** As in "3 lights (1 point, 2 spot)". */
+    private static String counted(String noun, Stream<String> kinds) {
+        Map<String, Long> counts = kinds.collect(Collectors.groupingBy(k -> k, TreeMap::new, Collectors.counting()));
+        long all = counts.values().stream().mapToLong(n -> n).sum();
+        String detail = counts.entrySet().stream().map(e -> e.getValue() + " " + e.getKey()).collect(Collectors.joining(", "));
+        return number(all, noun) + (all == 0 ? "" : " (" + detail + ")");
+    }
+
+    private static String number(long count, String noun) {
+        return count + " " + noun + (count == 1 ? "" : "s");
+    }
+
+    private static String kind(Shape shape) {
+        return switch (shape) {
+            case Shape.Sphere _ -> "sphere";
+            case Shape.Cone _ -> "cone";
+            case Shape.Cylinder _ -> "cylinder";
+            case Shape.Plane _ -> "plane";
+        };
+    }
+
+    private static String kind(Light light) {
+        return switch (light.type()) {
+            case DIRECTIONAL -> "directional";
+            case POINT -> "point";
+            case SPOT -> "spot";
+        };
+    }
+}

@@ -1,0 +1,70 @@
+package lightning.cli;
+
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import lightning.image.Difference;
+import lightning.image.DifferencePicture;
+import lightning.image.Film;
+import lightning.image.PictureFile;
+import lightning.image.ViewTransform;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Tells how much two pictures differ. */
+@Command(name = "compare", abbreviateSynopsis = true, header = "Tell how much two pictures differ.",
+        description = {
+            "Compares two pictures of the same size, of the formats .png, .xpm and .pfm in any combination. The exit code is",
+            "that of diff: 0 for equal pictures, 1 for different ones, 2 for trouble.",
+            "Only .pfm holds all bits of a picture: a .png can tell equal displays, not equal pictures."},
+        footer = {
+            "Examples:",
+            "  lightning compare before.png after.png",
+            "  lightning compare before.pfm after.pfm -o difference.png"})
+final class CompareCommand implements Callable<Integer> {
+    private final Console console;
+
+    @Parameters(index = "0", paramLabel = "a.png", description = "One picture.")
+    private Path first;
+    @Parameters(index = "1", paramLabel = "b.png", description = "The other.")
+    private Path second;
+    @Option(names = {"-o", "--output"}, paramLabel = "FILE",
+            description = "Writes where they differ: black where all bits agree, brighter the larger the difference.")
+    private Path output;
+
+    CompareCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() throws Exception {
+        if (output != null) {
+            PictureFile.requireKnownExtension(output);
+            PictureOutput.checkFolder(output);
+        }
+        Film a = PictureFile.read(first);
+        Film b = PictureFile.read(second);
+        if (a.width() != b.width() || a.height() != b.height()) {
+            throw new BadInput(Console.text("pictures to compare must have the same size, %s has %d x %d pixels, %s has %d x %d",
+                    first, a.width(), a.height(), second, b.width(), b.height()));
+        }
+        Difference difference = Difference.of(a, b);
+        if (output != null) {
+            PictureFile.write(output, DifferencePicture.of(a, b), ViewTransform.DEFAULT);
+        }
+        print(difference, 3L * a.width() * a.height());
+        return difference.isNone() ? ExitCode.DONE : ExitCode.CHECK_FAILED;
+    }
+
+    private void print(Difference d, long values) {
+        if (d.isNone()) {
+            console.line("equal: all %d values agree in every bit", values);
+            return;
+        }
+        console.line("different: %d of %d pixels, %d of %d values", d.pixels(), values / 3, d.values(), values);
+        console.line("largest difference  %.6g linear at pixel %d,%d; %d ulp at most anywhere", d.maxAbsolute(), d.x(), d.y(), d.maxUlp());
+        console.line("mean difference     %.6g linear", d.meanAbsolute());
+        console.line("rmse                %.6g linear, PSNR %.2f dB", d.rmse(), d.linearPsnr());
+        console.line("as displayed        PSNR %.2f dB, SSIM %.6f", d.displayPsnr(), d.ssim());
+    }
+}

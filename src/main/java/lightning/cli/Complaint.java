@@ -1,0 +1,65 @@
+package lightning.cli;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
+import java.util.concurrent.CancellationException;
+import lightning.jen.JenException;
+
+/** Turns whatever went wrong into sentences and an exit code; the only place that does. */
+final class Complaint {
+    private Complaint() {}
+
+    /** Says what went wrong; returns the exit code. */
+    static int report(Console console, Throwable problem) {
+        return switch (problem) {
+            case CancellationException _ -> cancelled(console);
+            case IOException _ when Thread.currentThread().isInterrupted() -> cancelled(console);
+            case JenException e -> {
+                e.problems().forEach(p -> console.err().println(p));
+                yield ExitCode.BAD_INPUT;
+            }
+            case BadInput e -> sentence(console, e.getMessage());
+            case IOException e -> sentence(console, sentence(e));
+            case OutOfMemoryError _ -> sentence(console, "there is not enough memory for this picture; ask for a smaller --size, "
+                    + "or give Java more with JAVA_TOOL_OPTIONS=-Xmx8g");
+            default -> sentence(console, "an error of the program itself, not of your input: " + problem
+                    + place(problem) + "; please report it with the command and the scene");
+        };
+    }
+
+    private static int cancelled(Console console) {
+        console.err().println("lightning: cancelled");
+        return ExitCode.CANCELLED;
+    }
+
+    private static int sentence(Console console, String sentence) {
+        console.err().println("lightning: " + sentence);
+        return ExitCode.BAD_INPUT;
+    }
+
+    /** What Java's file errors mean; their own messages are mostly just the file's name. */
+    static String sentence(IOException e) {
+        return switch (e) {
+            case NoSuchFileException missing -> missing.getFile() + ": there is no such file";
+            case AccessDeniedException denied -> denied.getFile() + ": permission denied";
+            case NotDirectoryException no -> no.getFile() + ": is no folder";
+            case FileAlreadyExistsException there -> there.getFile() + ": is there already and is no folder";
+            case FileSystemException other when other.getReason() != null -> other.getFile() + ": " + other.getReason();
+            default -> e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
+        };
+    }
+
+    /** The one line of our own code where it happened. */
+    private static String place(Throwable problem) {
+        for (StackTraceElement element : problem.getStackTrace()) {
+            if (element.getClassName().startsWith("lightning.")) {
+                return " (" + element.getFileName() + ", line " + element.getLineNumber() + ")";
+            }
+        }
+        return "";
+    }
+}

@@ -1,0 +1,13 @@
+package lightning.cli;
+
+/** What a command tells the shell. */
+final class ExitCode {
+    static final int DONE = 0;
+    /** The check that the command was asked for failed. */
+    static final int CHECK_FAILED = 1;
+    static final int BAD_INPUT = 2;
+    /** As shells number a program that Ctrl-C ended. */
+    static final int CANCELLED = 130;
+
+    private ExitCode() {}
+}

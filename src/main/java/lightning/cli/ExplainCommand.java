@@ -1,0 +1,113 @@
+package lightning.cli;
+
+import java.util.concurrent.Callable;
+import lightning.image.ViewTransform;
+import lightning.math.Vec3;
+import lightning.scene.PlacedShape;
+import lightning.scene.Scene;
+import lightning.shading.LightReport;
+import lightning.shading.PixelExplainer;
+import lightning.shading.PointReport;
+import lightning.trace.SurfacePoint;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** Tells why one pixel has its colour. */
+@Command(name = "explain", header = "Tell why a pixel has its colour.", abbreviateSynopsis = true,
+        description = {
+            "Traces one pixel: what the eye sees there, where and how it lies, and for each light whether it reaches the point",
+            "(facing away, outside the cone, shadowed by a shape, lit), its cosine, specular term and falloff, and what it adds",
+            "to the point's colour, with its share in percent. Mirrored rays follow, indented. Colours are linear red, green,",
+            "blue; the last line is the pixel as the film and as the display have it, equal to render's in every bit."},
+        footer = {
+            "Examples:",
+            "  lightning explain scenes/bird.jen 150,230",
+            "  lightning explain scenes/bird.jen 960,540 --size 1920x1080"})
+final class ExplainCommand implements Callable<Integer> {
+    private final Console console;
+
+    @Mixin
+    private SceneFile input;
+    @Parameters(index = "1", paramLabel = "X,Y", converter = Pixel.Converter.class,
+            description = "The pixel, counted from 0 at the upper left.")
+    private Pixel pixel;
+    @Mixin
+    private PictureOptions picture;
+
+    ExplainCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() throws Exception {
+        Scene scene = picture.apply(input.read().scene());
+        int width = scene.picture().width();
+        int height = scene.picture().height();
+        if (pixel.x() >= width || pixel.y() >= height) {
+            throw new BadInput(Console.text("pixel %d,%d is outside the picture, expected 0,0 to %d,%d", pixel.x(), pixel.y(),
+                    width - 1, height - 1));
+        }
+        var explainer = new PixelExplainer(scene);
+        PointReport report = explainer.pixel(pixel.x(), pixel.y());
+        console.line("pixel %d,%d of %d x %d", pixel.x(), pixel.y(), width, height);
+        print(explainer, report, "");
+        float[] c = report.color();
+        ViewTransform view = ViewTransform.DEFAULT;
+        console.line("pixel: linear %s %s %s, displayed %d %d %d", c[0], c[1], c[2], view.encode(c[0]), view.encode(c[1]),
+                view.encode(c[2]));
+        return ExitCode.DONE;
+    }
+
+    private void print(PixelExplainer explainer, PointReport report, String indent) {
+        if (report.isBackground()) {
+            console.line("%snothing: the background, %s", indent, rgb(report.color()));
+            return;
+        }
+        SurfacePoint at = report.at();
+        var geometry = explainer.geometry();
+        PlacedShape shape = geometry.shape(at.shape());
+        Vec3 point = geometry.toScene(new Vec3(at.px(), at.py(), at.pz()));
+        console.line("%s%s of material %s", indent, shape.shape().name(), shape.material().name());
+        console.line("%s  at %.6g %.6g %.6g, normal %.6g %.6g %.6g", indent, point.x(), point.y(), point.z(), at.nx(), at.ny(), at.nz());
+        double all = total(report.color());
+        var parts = new PointParts(shape.material(), at);
+        console.line("%s  %-12s adds %s %s", indent, "ambient", rgb(report.ambient()), share(report.ambient(), all));
+        for (LightReport light : report.lights()) {
+            float[] added = parts.of(light);
+            console.line("%s  %-12s adds %s %s  %s", indent, light.light().name(), rgb(added), share(added, all), state(explainer, light));
+        }
+        if (report.reflected() != null) {
+            float[] mirrored = parts.mirrored(report.reflected().color());
+            console.line("%s  %-12s adds %s %s", indent, "mirror", rgb(mirrored), share(mirrored, all));
+            console.line("%s  sum          is   %s", indent, rgb(report.color()));
+            console.line("%s  the mirrored ray meets", indent);
+            print(explainer, report.reflected(), indent + "    ");
+        } else {
+            console.line("%s  sum          is   %s", indent, rgb(report.color()));
+        }
+    }
+
+    private static String state(PixelExplainer explainer, LightReport light) {
+        return switch (light.state()) {
+            case DARK -> "off";
+            case AWAY -> Console.text("facing away, cosine %.6g", light.cosine());
+            case OUTSIDE -> Console.text("outside the cone, cosine %.6g", light.cosine());
+            case SHADOWED -> Console.text("shadowed by %s, cosine %.6g", explainer.geometry().shape(light.blocker()).shape().name(),
+                    light.cosine());
+            case LIT -> Console.text("lit, cosine %.6g, specular %.6g, falloff %.6g", light.cosine(), light.specular(), light.falloff());
+        };
+    }
+
+    private static String rgb(float[] c) {
+        return Console.text("%9.6f %9.6f %9.6f", c[0], c[1], c[2]);
+    }
+
+    private static String share(float[] part, double all) {
+        return all == 0 ? "        " : Console.text("(%5.1f %%)", 100 * total(part) / all);
+    }
+
+    private static double total(float[] c) {
+        return (double) c[0] + c[1] + c[2];
+    }
+}

@@ -1,0 +1,82 @@
+package lightning.cli;
+
+import java.io.PrintStream;
+import java.io.PrintWriter;
+import picocli.CommandLine;
+import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.UnmatchedArgumentException;
+
+/** Runs the command that the arguments name. */
+public final class Lightning {
+    private static final int HELP_WIDTH = 120;
+
+    private Lightning() {}
+
+    /**
+     * Runs one command in this thread; interrupting it cancels the command.
+     *
+     * @param out  gets the results
+     * @param err  gets complaints and remarks
+     * @param args as {@code lightning --help} tells
+     * @return the exit code: 0 done, 1 the check failed, 2 bad usage or bad input, 130 cancelled
+     */
+    public static int run(PrintStream out, PrintStream err, String... args) {
+        Console console = Console.of(out, err);
+        try {
+            CommandLine commands = commands(console);
+            int exit = isUnknown(commands, args) ? unknownCommand(console, commands, args[0]) : commands.execute(args);
+            out.flush();
+            err.flush();
+            return exit;
+        } catch (Throwable e) {
+            // Whatever it is, a user gets a sentence.
+            return Complaint.report(console, e);
+        }
+    }
+
+    static CommandLine commands(Console console) {
+        CommandLine commands = new CommandLine(new RootCommand(console))
+                .addSubcommand(new RenderCommand(console))
+                .addSubcommand(new RelightCommand(console))
+                .addSubcommand(new ExplainCommand(console))
+                .addSubcommand(new ExportCommand(console))
+                .addSubcommand(new EffectsCommand(console))
+                .addSubcommand(new TourCommand(console))
+                .addSubcommand(new CheckCommand(console))
+                .addSubcommand(new CompareCommand(console));
+        return commands
+                .setOut(writer(console.out()))
+                .setErr(writer(console.err()))
+                .setColorScheme(CommandLine.Help.defaultColorScheme(console.terminal() ? Ansi.AUTO : Ansi.OFF))
+                .setUsageHelpWidth(HELP_WIDTH)
+                .setCaseInsensitiveEnumValuesAllowed(true)
+                .setExecutionExceptionHandler((e, _, _) -> Complaint.report(console, e))
+                .setParameterExceptionHandler((e, _) -> badUsage(console, e));
+    }
+
+    /** A word that is neither a command nor a scene; picocli would complain about what follows it. */
+    private static boolean isUnknown(CommandLine commands, String... args) {
+        return args.length > 0 && !args[0].startsWith("-") && !args[0].endsWith(".jen")
+                && !commands.getSubcommands().containsKey(args[0]);
+    }
+
+    private static int unknownCommand(Console console, CommandLine commands, String word) {
+        console.err().println("lightning: there is no command '" + word + "'; expected a scene.jen or one of "
+                + String.join(", ", commands.getSubcommands().keySet()) + ".");
+        console.err().println("Try 'lightning --help'.");
+        return ExitCode.BAD_INPUT;
+    }
+
+    private static int badUsage(Console console, ParameterException e) {
+        String name = e.getCommandLine().getCommandSpec().qualifiedName();
+        console.err().println(name + ": " + e.getMessage());
+        UnmatchedArgumentException.printSuggestions(e, writer(console.err()));
+        console.err().println("Try '" + name + " --help'.");
+        return ExitCode.BAD_INPUT;
+    }
+
+    private static PrintWriter writer(PrintStream stream) {
+        return new PrintWriter(stream, true, stream.charset());
+    }
+}

@@ -1,0 +1,22 @@
+package lightning.cli;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+
+/** A pixel, on the command line {@code 150,230}; both from 0, x to the right, y down. */
+record Pixel(int x, int y) {
+    private static final Pattern FORM = Pattern.compile("(\\d{1,9}),(\\d{1,9})");
+
+    static final class Converter implements ITypeConverter<Pixel> {
+        @Override
+        public Pixel convert(String text) {
+            Matcher form = FORM.matcher(text);
+            if (!form.matches()) {
+                throw new TypeConversionException("expected X,Y as in 150,230, found '" + text + "'");
+            }
+            return new Pixel(Integer.parseInt(form.group(1)), Integer.parseInt(form.group(2)));
+        }
+    }
+}

@@ -1,0 +1,96 @@
+package lightning.cli;
+
+import java.util.function.LongSupplier;
+import lightning.shading.Progress;
+
+/**
+ * A line on the terminal that tells how far a work is and how long it will still take, once it has taken a second;
+ * nothing where no terminal is. The work stops when the thread that made the bar is interrupted.
+ *
+ * <p>Own code, because the known libraries for this bring a terminal library of a megabyte with them for what is one
+ * line of text here.
+ */
+final class ProgressBar implements Progress, AutoCloseable {
+    private static final int WIDTH = 30;
+    private static final long SECOND = 1_000_000_000;
+    private static final long BETWEEN = SECOND / 10;
+    /** Goes to the line's start and erases it. */
+    private static final String ERASE = "\r\u001b[K";
+
+    private final Console console;
+    private final String what;
+    private final LongSupplier clock;
+    private final Thread owner = Thread.currentThread();
+    private final long start;
+    private long shown;
+    private boolean visible;
+
+    ProgressBar(Console console, String what) {
+        this(console, what, System::nanoTime);
+    }
+
+    /** @param clock nanoseconds from any origin */
+    ProgressBar(Console console, String what, LongSupplier clock) {
+        this.console = console;
+        this.what = what;
+        this.clock = clock;
+        start = clock.getAsLong();
+        shown = start + SECOND - BETWEEN;
+    }
+
+    @Override
+    public synchronized void tiles(int done, int total) {
+        long now = clock.getAsLong();
+        if (!console.terminal() || now - shown < BETWEEN) {
+            return;
+        }
+        shown = now;
+        visible = true;
+        console.out().print(ERASE + text(done, total, (now - start) / 1e9));
+        console.out().flush();
+    }
+
+    private String text(int done, int total, double seconds) {
+        int filled = (int) ((long) WIDTH * done / total);
+        double left = seconds * (total - done) / Math.max(done, 1);
+        return Console.text("%s [%s%s] %3d %%, %s left", what, "#".repeat(filled), "-".repeat(WIDTH - filled),
+                (int) (100L * done / total), duration(left));
+    }
+
+    static String duration(double seconds) {
+        long whole = (long) Math.ceil(seconds);
+        return whole < 60 ? whole + " s" : Console.text("%d:%02d min", whole / 60, whole % 60);
+    }
+
+    @Override
+    public boolean isCancelled() {
+        return owner.isInterrupted();
+    }
+
+    /** Stops with the same thread, and shows nothing: for the parts of a work that the bar shows as a whole. */
+    Progress silent() {
+        return new Progress() {
+            @Override
+            public void tiles(int done, int total) {}
+
+            @Override
+            public boolean isCancelled() {
+                return owner.isInterrupted();
+            }
+        };
+    }
+
+    /** Makes room for other output; the next step shows the bar again. */
+    synchronized void erase() {
+        if (visible) {
+            console.out().print(ERASE);
+            console.out().flush();
+            visible = false;
+        }
+    }
+
+    @Override
+    public void close() {
+        erase();
+    }
+}

@@ -1,0 +1,76 @@
+package lightning.cli;
+
+import java.util.concurrent.Callable;
+import lightning.image.Film;
+import lightning.relight.Options;
+import lightning.relight.Renderer;
+import lightning.scene.Scene;
+import lightning.shading.TraceCounts;
+import lightning.shading.TraditionalTracer;
+import lightning.shading.Workers;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** Traces a scene and writes the picture. */
+@Command(name = "render", abbreviateSynopsis = true, header = "Trace a scene and write the picture.",
+        description = {
+            "Traces the scene from nothing and says how long it took and how many rays it cast."},
+        footer = {
+            "Examples:",
+            "  lightning render scenes/bird.jen -o bird.png",
+            "  lightning render scenes/bird.jen -o big.png --size 1920x1080 --exposure 0.5",
+            "  lightning render scenes/bird.jen -o exact.pfm --depth 0 --traditional"})
+final class RenderCommand implements Callable<Integer> {
+    private final Console console;
+
+    @Mixin
+    private SceneFile input;
+    @Mixin
+    private PictureOutput output;
+    @Mixin
+    private PictureOptions picture;
+    @Mixin
+    private ThreadsOption threads;
+    @Option(names = "--traditional",
+            description = "Trace without keeping anything for later edits: the yardstick of every saving. The picture is the same.")
+    private boolean traditional;
+
+    RenderCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() throws Exception {
+        output.check();
+        Scene scene = picture.apply(input.read().scene());
+        if (traditional) {
+            traceTraditionally(scene);
+        } else {
+            firstPass(scene);
+        }
+        return ExitCode.DONE;
+    }
+
+    private void traceTraditionally(Scene scene) throws Exception {
+        try (Workers workers = new Workers(threads.count()); ProgressBar bar = new ProgressBar(console, "tracing")) {
+            long start = System.nanoTime();
+            TraditionalTracer.Result result = new TraditionalTracer(scene).trace(workers, bar);
+            write(scene, result.film(), "traditional trace", (System.nanoTime() - start) / 1e6, result.rays());
+        }
+    }
+
+    private void firstPass(Scene scene) throws Exception {
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(threads.count()));
+                ProgressBar bar = new ProgressBar(console, "tracing")) {
+            var update = renderer.render(scene, bar);
+            write(scene, renderer.film(), "first pass", update.milliseconds(), update.rays());
+        }
+    }
+
+    private void write(Scene scene, Film film, String what, double milliseconds, TraceCounts rays) throws Exception {
+        output.write(film);
+        console.line("%s: %s of %d x %d pixels, depth %d, in %.1f ms: %d eye rays, %d mirrored, %d shadow rays", output.file(), what,
+                film.width(), film.height(), scene.picture().depth(), milliseconds, rays.eye(), rays.mirrored(), rays.shadow());
+    }
+}

@@ -1,0 +1,58 @@
+package lightning.cli;
+
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.IVersionProvider;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ScopeType;
+import picocli.CommandLine.Spec;
+
+/** The program without a command: one day the editor, until then the tour. */
+@Command(name = "lightning", versionProvider = RootCommand.Version.class,
+        header = "Light ray-traced scenes: trace once, then relight exactly in a fraction of a full trace.",
+        description = {
+            "Without a command, shows the scene (scenes/bird.jen where none is named). There is no editor yet, so that is",
+            "the tour: every kind of edit, with pictures and times."},
+        commandListHeading = "%nCommands (each has a --help with examples):%n",
+        footer = {
+            "Exit codes: 0 done, 1 the check failed (relight --verify, compare), 2 bad usage or bad input, 130 cancelled.",
+            "",
+            "To begin with:",
+            "  lightning check scenes/bird.jen",
+            "  lightning render scenes/bird.jen -o bird.png",
+            "  lightning relight scenes/bird.jen -o red.png --set \"sun.color=1 0 0\" --verify"})
+final class RootCommand implements Callable<Integer> {
+    private final Console console;
+
+    @Spec
+    private CommandSpec command;
+    @Parameters(index = "0", arity = "0..1", paramLabel = "scene.jen", description = "The scene.")
+    private Path scene;
+    @Option(names = {"-h", "--help"}, usageHelp = true, scope = ScopeType.INHERIT, description = "Show this help.")
+    private boolean help;
+    @Option(names = {"-V", "--version"}, versionHelp = true, scope = ScopeType.INHERIT, description = "Show the version.")
+    private boolean version;
+
+    RootCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() {
+        console.remark("There is no editor yet; here is the tour of the scene instead.");
+        return command.commandLine().execute(scene == null ? new String[] {"tour"} : new String[] {"tour", scene.toString()});
+    }
+
+    /** The version of the program, and what it runs on. */
+    static final class Version implements IVersionProvider {
+        @Override
+        public String[] getVersion() {
+            var descriptor = Lightning.class.getModule().getDescriptor();
+            String number = descriptor == null ? "of a build" : descriptor.rawVersion().orElse("of a build");
+            return new String[] {"Lightning " + number + " on Java " + Runtime.version()};
+        }
+    }
+}

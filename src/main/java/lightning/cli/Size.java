@@ -1,0 +1,27 @@
+package lightning.cli;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import lightning.scene.Limits;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+
+/** A picture's size in pixels, on the command line {@code 640x480}. */
+record Size(int width, int height) {
+    private static final Pattern FORM = Pattern.compile("(\\d{1,9})[xX×](\\d{1,9})");
+
+    static final class Converter implements ITypeConverter<Size> {
+        @Override
+        public Size convert(String text) {
+            Matcher form = FORM.matcher(text);
+            if (!form.matches()) {
+                throw new TypeConversionException("expected WIDTHxHEIGHT in pixels as in 640x480, found '" + text + "'");
+            }
+            Size size = new Size(Integer.parseInt(form.group(1)), Integer.parseInt(form.group(2)));
+            if (Math.min(size.width, size.height) < 1 || Math.max(size.width, size.height) > Limits.MAX_SIZE) {
+                throw new TypeConversionException("width and height must be from 1 to " + Limits.MAX_SIZE + ", found '" + text + "'");
+            }
+            return size;
+        }
+    }
+}

@@ -1,0 +1,30 @@
+package lightning.cli;
+
+import lightning.shading.Workers;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** The option {@code --threads}. */
+final class ThreadsOption {
+    private static final int MOST = 1024;
+
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
+
+    private int threads = Workers.available();
+
+    @Option(names = "--threads", paramLabel = "N",
+            description = "How many threads work, as many as there are processors without it. The picture is the same for any number.")
+    private void setThreads(int value) {
+        if (value < 1 || value > MOST) {
+            throw new ParameterException(command.commandLine(), "--threads must be from 1 to " + MOST + ", was " + value);
+        }
+        threads = value;
+    }
+
+    int count() {
+        return threads;
+    }
+}

@@ -1,0 +1,124 @@
+package lightning.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import lightning.accuracy.FirstPassCost;
+import lightning.accuracy.PaperCase;
+import lightning.accuracy.PaperCases;
+import lightning.accuracy.Saving;
+import lightning.accuracy.SavingMeter;
+import lightning.image.Film;
+import lightning.image.PictureFile;
+import lightning.image.ViewTransform;
+import lightning.relight.Options;
+import lightning.scene.Scene;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Makes every kind of edit on a scene, with pictures and times. */
+@Command(name = "tour", header = "Make every kind of edit on a scene, with pictures and times.", abbreviateSynopsis = true,
+        description = {
+            "Traces the scene, makes the paper's edits on it one by one, each from the scene as it is, writes the pictures, and",
+            "prints a line for each edit: its plan, the rows of light layers it touched, its shadow rays, its time and a full",
+            "trace's (medians of repetitions in turns), what it saves, what the paper saved on its own scene and machine, the",
+            "cap, and whether the picture equals a full trace in every bit. As in the paper, mirrors are not updated by an edit,",
+            "and the full trace compared for equality shows the same in its mirrors.",
+            "",
+            "The cap is what the edit could save at most if it cast its rays as fast as the full trace casts its own, and moved",
+            "its bytes as fast as memory does: a fast full trace and few lights leave less to save.",
+            "",
+            "The exit code is 1 if a picture is not equal."},
+        footer = {
+            "Examples:",
+            "  lightning tour",
+            "  lightning tour scenes/balls.jen -o balls-tour --size 640x480 --repetitions 3"})
+final class TourCommand implements Callable<Integer> {
+    private static final Path BIRD = Path.of("scenes", "bird.jen");
+    private static final int MOST_REPETITIONS = 1000;
+
+    private final Console console;
+
+    @Spec
+    private CommandSpec command;
+    @Parameters(index = "0", arity = "0..1", paramLabel = "scene.jen", description = "The scene; scenes/bird.jen without it.")
+    private Path scene;
+    @Option(names = {"-o", "--output"}, paramLabel = "DIR", defaultValue = "lightning-tour",
+            description = "The folder for the pictures, made if it is not there; lightning-tour without it.")
+    private Path folder;
+    @Option(names = "--size", paramLabel = "WxH", converter = Size.Converter.class, defaultValue = "1920x1080",
+            description = "Pixels; 1920x1080 without it.")
+    private Size size;
+    @Mixin
+    private ThreadsOption threads;
+    private int repetitions = 5;
+
+    @Option(names = "--repetitions", paramLabel = "N", description = "How often each is measured; 5 without it.")
+    private void setRepetitions(int value) {
+        if (value < 1 || value > MOST_REPETITIONS) {
+            throw new ParameterException(command.commandLine(), "--repetitions must be from 1 to " + MOST_REPETITIONS + ", was " + value);
+        }
+        repetitions = value;
+    }
+
+    TourCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() throws Exception {
+        Path file = scene == null ? bird() : scene;
+        Scene read = SceneFile.read(file).scene();
+        Scene sized = read.withPicture(read.picture().withSize(size.width(), size.height()));
+        Files.createDirectories(folder);
+        console.line("%s at %d x %d pixels, depth %d, %d threads; pictures go to %s", file, size.width(), size.height(),
+                read.picture().depth(), threads.count(), folder);
+        List<PaperCase> cases = PaperCases.of(sized);
+        try (SavingMeter meter = new SavingMeter(Options.DEFAULT.withThreads(threads.count()), repetitions);
+                ProgressBar bar = new ProgressBar(console, "tour")) {
+            return tour(sized, cases, meter, bar) ? ExitCode.DONE : ExitCode.CHECK_FAILED;
+        }
+    }
+
+    /** The scene beside which the program was started, or the one installed with it. */
+    private static Path bird() {
+        String home = System.getProperty("lightning.home");
+        return Files.exists(BIRD) || home == null ? BIRD : Path.of(home).resolve(BIRD);
+    }
+
+    private boolean tour(Scene sized, List<PaperCase> cases, SavingMeter meter, ProgressBar bar) throws IOException {
+        int steps = cases.size() + 1;
+        bar.tiles(0, steps);
+        FirstPassCost first = meter.firstPass(sized, bar.silent());
+        write("first-pass", meter.renderer().film());
+        var table = new TourTable(console);
+        boolean kept = true;
+        bar.erase();
+        table.first(first, meter.bytesPerMs());
+        table.head();
+        for (int i = 0; i < cases.size(); i++) {
+            bar.tiles(i + 1, steps);
+            PaperCase edit = cases.get(i);
+            List<Scene> scenes = edit.scenes();
+            Saving saving = meter.update(scenes.get(scenes.size() - 2), scenes.getLast(), bar.silent());
+            write(edit.name(), meter.renderer().film());
+            bar.erase();
+            table.row(edit, saving);
+            kept &= saving.kept();
+        }
+        table.foot();
+        return kept;
+    }
+
+    private void write(String name, Film film) throws IOException {
+        PictureFile.write(folder.resolve(name.toLowerCase(Locale.ROOT) + ".png"), film, ViewTransform.DEFAULT);
+    }
+}

@@ -1,0 +1,42 @@
+package lightning.cli;
+
+import lightning.accuracy.FirstPassCost;
+import lightning.accuracy.PaperCase;
+import lightning.accuracy.Saving;
+
+/** The tour's table, one line at a time. */
+final class TourTable {
+    private static final String COLUMNS = "%-15s %-32s %9s %11s %8s %8s %7s %6s %6s  %s";
+
+    private final Console console;
+
+    TourTable(Console console) {
+        this.console = console;
+    }
+
+    void first(FirstPassCost cost, double bytesPerMs) {
+        console.line("first pass %.1f ms, full trace %.1f ms: keeping all costs %.1f %% (the paper: 19; writing it to memory at %.0f GB/s"
+                + " alone: %.1f)", cost.firstMs(), cost.fullMs(), cost.percentSlower(), bytesPerMs / 1e6, cost.percentFloor());
+        console.line("kept: %d rows, %.1f bytes a row", cost.rows(), cost.bytesPerRow());
+        console.line("");
+    }
+
+    void head() {
+        console.line(COLUMNS, "edit", "plan", "rows", "shadow rays", "ms", "full ms", "saves %", "paper", "cap", "equal");
+    }
+
+    void row(PaperCase edit, Saving saving) {
+        console.line(COLUMNS, edit.name(), saving.update().plan().text(), saving.update().rowsTouched(),
+                saving.update().rays().shadow(), number(saving.updateMs(), 2), number(saving.fullMs(), 1), number(saving.percent(), 1),
+                number(edit.paperSaving(), 0), number(saving.cap(), 1), saving.kept() ? "yes" : "NO");
+    }
+
+    void foot() {
+        console.line("");
+        console.line("saves: of a full trace's time; paper: on its own scene and machine of 1998; cap: what ray counts and memory allow");
+    }
+
+    private static String number(double value, int digits) {
+        return Double.isNaN(value) ? "" : Console.text("%." + digits + "f", value);
+    }
+}

@@ -1,0 +1,33 @@
+package lightning.shading;
+
+import lightning.scene.Light;
+
+/**
+ * What one light does at one point, term by term as the lighting equation has them.
+ *
+ * @param light     the light
+ * @param state     why it reaches the point or not
+ * @param blocker   the index of the nearest shape between the point and the light; −1 if there is none or nobody looked
+ * @param cosine    N·L, also below 0
+ * @param specular  max(V·R, 0)<sup>shininess</sup>; 0 where the light does not reach
+ * @param falloff   atten·spot; 0 where the light does not reach
+ * @param diffuse   its part of Σ Idiff, linear, {@code float[3]}
+ * @param highlight its part of Σ Ispec, linear, {@code float[3]}
+ */
+public record LightReport(Light light, State state, int blocker, float cosine, float specular, float falloff, float[] diffuse,
+        float[] highlight) {
+
+    /** Decided in this order, but for {@link #DARK}, which comes first. */
+    public enum State {
+        /** Off, silenced by a solo light, black or of intensity 0. */
+        DARK,
+        /** The surface faces away from it. */
+        AWAY,
+        /** The point is outside its cone. */
+        OUTSIDE,
+        /** A shape is in between. */
+        SHADOWED,
+        /** It shines on the point. */
+        LIT
+    }
+}
