@@ -39,6 +39,28 @@ public final class Texture {
         return rgb[3 * (y * width + x) + channel];
     }
 
+    /**
+     * Mixes four pixels bilinearly.
+     *
+     * @param across the share of column {@code x1} against {@code x0}, 0…1
+     * @param along  the share of row {@code y1} against {@code y0}, 0…1
+     * @param to     gets the linear RGB, {@code float[3]}
+     */
+    public void mix(int x0, int y0, int x1, int y1, double across, double along, float[] to) {
+        float[] p = rgb;
+        int upperLeft = 3 * (y0 * width + x0);
+        int upperRight = 3 * (y0 * width + x1);
+        int lowerLeft = 3 * (y1 * width + x0);
+        int lowerRight = 3 * (y1 * width + x1);
+        double left = 1 - across;
+        double upper = 1 - along;
+        for (int c = 0; c < 3; c++) {
+            double above = p[upperLeft + c] * left + p[upperRight + c] * across;
+            double below = p[lowerLeft + c] * left + p[lowerRight + c] * across;
+            to[c] = (float) (above * upper + below * along);
+        }
+    }
+
     @Override
     public boolean equals(Object o) {
         return this == o || o instanceof Texture t && width == t.width && Arrays.equals(rgb, t.rgb);

@@ -64,6 +64,13 @@ public final class TileComposer {
     /** Writes each row's colour to its parent. */
     private void scatter(HitRows rows, float[] red, float[] green, float[] blue) {
         short[] parent = rows.parent;
+        // Rows of one material keep the order of their parents: where every parent has its row, row i is parent i.
+        if (rows.runs == 1 && parent[rows.count - 1] == rows.count - 1) {
+            System.arraycopy(composer.red(), 0, red, 0, rows.count);
+            System.arraycopy(composer.green(), 0, green, 0, rows.count);
+            System.arraycopy(composer.blue(), 0, blue, 0, rows.count);
+            return;
+        }
         scatter(rows.count, parent, composer.red(), red);
         scatter(rows.count, parent, composer.green(), green);
         scatter(rows.count, parent, composer.blue(), blue);

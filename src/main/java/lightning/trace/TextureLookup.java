@@ -59,11 +59,7 @@ final class TextureLookup {
         int x1 = wrap((int) left + 1, width);
         int y0 = wrap((int) top, height);
         int y1 = wrap((int) top + 1, height);
-        for (int c = 0; c < 3; c++) {
-            double upper = image.channel(x0, y0, c) * (1 - across) + image.channel(x1, y0, c) * across;
-            double lower = image.channel(x0, y1, c) * (1 - across) + image.channel(x1, y1, c) * across;
-            rgb[c] = (float) (upper * (1 - along) + lower * along);
-        }
+        image.mix(x0, y0, x1, y1, across, along, rgb);
     }
 
     private static int wrap(int i, int size) {
