@@ -1,5 +1,7 @@
 package lightning.trace;
 
+import java.util.Arrays;
+
 /**
  * Traces packets of rays. Holds scratch memory: one for each thread.
  *
@@ -10,8 +12,11 @@ package lightning.trace;
  * <p>Directions have a length from 1e−30 to 1e30; origins are the camera or lie within the box of the scene.
  */
 public final class PacketTracer {
-    /** Up to this many shapes the boxes of all are tested in turn, which the tree beats only with about fifty. */
-    static final int FEW = 40;
+    /** Up to this many shapes the boxes of all are tested in turn, which the tree beats from about forty. */
+    static final int FEW = 32;
+
+    /** Up to this many shapes are tested without their boxes, which cost as much as one or two shapes. */
+    private static final int BARE = 3;
 
     private final ShapeTable shapes;
     private final Bvh bvh;
@@ -95,22 +100,24 @@ public final class PacketTracer {
             return;
         }
         solid.begin(p);
-        if (candidates.count == 0) {
-            solid.shapes(p);
-            return;
-        }
-        box.enter(p);
         int lanes = lanes(live);
-        int[] masks = candidates.masks;
-        box.hits(candidates.boxes, 0, candidates.count, masks);
-        boolean met = false;
-        for (int c = 0; c < candidates.count; c++) {
-            int mask = masks[c] & lanes;
-            if (mask != 0 && met) {
-                mask &= (int) box.hits(candidates.boxes, 6 * c);
+        if (candidates.count <= BARE) {
+            for (int c = 0; c < candidates.count; c++) {
+                solid.nearer(p, candidates.shape[c], 0, RayPacket.WIDTH);
             }
-            if (mask != 0) {
-                met |= meet(p, candidates.shape[c], mask);
+        } else {
+            box.enter(p);
+            int[] masks = candidates.masks;
+            box.hits(candidates.boxes, 0, candidates.count, masks);
+            boolean met = false;
+            for (int c = 0; c < candidates.count; c++) {
+                int mask = masks[c] & lanes;
+                if (mask != 0 && met) {
+                    mask &= (int) box.hits(candidates.boxes, 6 * c);
+                }
+                if (mask != 0) {
+                    met |= meet(p, candidates.shape[c], mask);
+                }
             }
         }
         solid.shapes(p);
@@ -165,23 +172,21 @@ public final class PacketTracer {
         if (candidates.tooMany) {
             return blocked(p, live);
         }
-        if (candidates.count == 0) {
-            return 0;
-        }
-        box.enter(p);
-        box.limit(p.limit);
         int lanes = lanes(live);
         int open = lanes;
         int[] masks = candidates.masks;
-        box.hits(candidates.boxes, 0, candidates.count, masks);
+        if (candidates.count <= BARE) {
+            Arrays.fill(masks, 0, candidates.count, lanes);
+        } else {
+            box.enter(p);
+            box.limit(p.limit);
+            box.hits(candidates.boxes, 0, candidates.count, masks);
+        }
         for (int c = 0; c < candidates.count && open != 0; c++) {
-            int mask = masks[c] & open;
-            if (mask != 0) {
-                int blocked = blockedBy(p, candidates.shape[c], mask);
-                open &= ~blocked;
-                if (blocked != 0) {
-                    candidates.promote(c);
-                }
+            int blocked = blockedBy(p, candidates.shape[c], masks[c] & open);
+            open &= ~blocked;
+            if (blocked != 0) {
+                candidates.promote(c);
             }
         }
         return lanes & ~open;
