@@ -38,7 +38,7 @@ import picocli.CommandLine.Option;
             "  lightning relight scenes/bird.jen -o new.png --add \"fill point intensity=0.5 at=0 3 2\" --save new.jen"})
 final class RelightCommand implements Callable<Integer> {
     /** Nanoseconds. */
-    private static final long WARM_UP = 1_000_000_000;
+    private static final long WARM_UP = 500_000_000;
 
     private final Console console;
 

@@ -1,0 +1,66 @@
+package lightning.accuracy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import lightning.RandomScenes;
+import lightning.relight.Accuracy;
+import lightning.relight.Options;
+import lightning.relight.Renderer;
+import lightning.relight.Update;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+import lightning.shading.Progress;
+import lightning.shading.TraceCounts;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class SavingMeterTest {
+    private final Scene before = new RandomScenes(4).scene(64, 48, 6, 3);
+    private final Light light = before.lights().getFirst();
+    private final Scene after = before.withLight(light.withOn(true).withPosition(light.position().times(0.5)).withIntensity(2));
+
+    @ParameterizedTest
+    @EnumSource(Accuracy.class)
+    void update_isTheRenderersAndKept(Accuracy accuracy) {
+        Options options = Options.DEFAULT.withThreads(2).withAccuracy(accuracy);
+        try (SavingMeter meter = new SavingMeter(options, 1); Renderer renderer = new Renderer(options)) {
+            Saving saving = meter.update(before, after, Progress.NONE);
+            renderer.render(before, Progress.NONE);
+            Update update = renderer.render(after, Progress.NONE);
+            assertThat(saving.update().plan()).isEqualTo(update.plan());
+            assertThat(saving.update().rays()).isEqualTo(update.rays());
+            assertThat(saving.update().rowsTouched()).isEqualTo(update.rowsTouched());
+            assertThat(saving.fullRays().eye()).isEqualTo(64 * 48);
+            assertThat(saving.kept()).isTrue();
+            assertThat(meter.renderer().scene()).isEqualTo(after);
+        }
+    }
+
+    @Test
+    void percent_isOfTheFullTrace() {
+        assertThat(new Saving(null, 5, 20, TraceCounts.NONE, 100, true).percent()).isEqualTo(75);
+        assertThat(new FirstPassCost(22, 20, 10, 1250, 1).bytesPerRow()).isEqualTo(125);
+        assertThat(new FirstPassCost(25, 20, 10, 1250, 1).percentSlower()).isEqualTo(25);
+        assertThat(new FirstPassCost(25, 20, 10, 1250, 1).percentFloor()).isEqualTo(5);
+    }
+
+    @Test
+    void firstPass_countsWhatIsKept() {
+        try (SavingMeter meter = new SavingMeter(Options.DEFAULT.withThreads(2), 2); Renderer renderer = new Renderer(Options.DEFAULT)) {
+            FirstPassCost cost = meter.firstPass(before, Progress.NONE);
+            renderer.render(before, Progress.NONE);
+            assertThat(cost.rows()).isEqualTo(renderer.cache().rowCount());
+            assertThat(cost.bytes()).isEqualTo(renderer.cache().bytes());
+            assertThat(cost.firstMs()).isPositive();
+            assertThat(cost.fullMs()).isPositive();
+        }
+    }
+
+    @Test
+    void noRepetitions_areRefused() {
+        assertThatThrownBy(() -> new SavingMeter(Options.DEFAULT, 0)).isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("the number of repetitions must be ≥ 1, was 0");
+    }
+}

@@ -1,0 +1,91 @@
+package lightning.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import lightning.file.SafeFile;
+import lightning.shading.Progress;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The process as a whole, ended from outside as by Ctrl-C. */
+@DisabledOnOs(OS.WINDOWS)
+class InterruptTest {
+    private static final int EDITS = 1000;
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void endedTrace_saysSoAndLeavesNoFile() throws Exception {
+        Path scene = Cli.scene(folder);
+        List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "--add-modules", "jdk.incubator.vector", "-cp", System.getProperty("java.class.path"), "lightning.Main",
+                "relight", scene.toString(), "-o", folder.resolve("a.png").toString(), "--size", "200x200"));
+        for (int edit = 0; edit < EDITS; edit++) {
+            line.addAll(List.of("--set", "sun.intensity=" + edit, "--then"));
+        }
+        Process process = new ProcessBuilder(line).redirectErrorStream(true).start();
+        try (var out = new BufferedReader(new InputStreamReader(process.getInputStream()))) {
+            // The first pass is done; so many edits keep it at work for long.
+            assertThat(out.lines().anyMatch(text -> text.startsWith("first pass"))).isTrue();
+            // Process.destroy would close the streams too.
+            process.toHandle().destroy();
+            assertThat(out.lines().toList()).contains("lightning: cancelled");
+        }
+        assertThat(process.waitFor(10, TimeUnit.SECONDS)).isTrue();
+        assertThat(process.exitValue()).isEqualTo(143);
+        try (var files = Files.list(folder)) {
+            assertThat(files.toList()).isEqualTo(List.of(scene));
+        }
+    }
+
+    @Test
+    void interruptedSave_leavesTheOldFileAndNothingElse() throws Exception {
+        Path file = Files.writeString(folder.resolve("a.png"), "old");
+        int[] exit = new int[1];
+        var err = new ByteArrayOutputStream();
+        Thread command = new Thread(() -> {
+            try {
+                SafeFile.write(file, out -> {
+                    Thread.currentThread().interrupt();
+                    out.write(new byte[1_000_000]);
+                });
+            } catch (IOException e) {
+                var print = new PrintStream(err, true);
+                exit[0] = Complaint.report(new Console(print, print, false), e);
+            }
+        });
+        command.start();
+        command.join();
+        assertThat(exit[0]).isEqualTo(130);
+        assertThat(file).hasContent("old");
+        try (var files = Files.list(folder)) {
+            assertThat(files.toList()).containsExactly(file);
+        }
+    }
+
+    @Test
+    void bar_stopsTheWorkWhenItsThreadIsInterrupted() {
+        try (var bar = new ProgressBar(new Console(System.out, System.err, false), "work")) {
+            Progress silent = bar.silent();
+            assertThat(bar.isCancelled()).isFalse();
+            Thread.currentThread().interrupt();
+            assertThat(bar.isCancelled()).isTrue();
+            assertThat(silent.isCancelled()).isTrue();
+        } finally {
+            assertThat(Thread.interrupted()).isTrue();
+        }
+    }
+}

@@ -1,0 +1,114 @@
+package lightning.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import picocli.CommandLine;
+
+class LightningTest {
+    @TempDir
+    Path folder;
+
+    static Set<String> names() {
+        return commands().getSubcommands().keySet();
+    }
+
+    private static CommandLine commands() {
+        return Lightning.commands(new Console(System.out, System.err, false));
+    }
+
+    @Test
+    void help_listsEveryCommand() {
+        Cli help = Cli.run("--help").isDone();
+        assertThat(help.out()).contains(names());
+        assertThat(names()).contains("render", "relight", "export", "effects", "explain", "check", "compare", "tour");
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void helpOfEachCommand_showsExamplesThatParse(String name) {
+        Cli help = Cli.run(name, "--help").isDone();
+        String[] examples = help.out().lines().filter(line -> line.startsWith("  lightning ")).toArray(String[]::new);
+        assertThat(examples).isNotEmpty().allSatisfy(line -> assertThat(line).startsWith("  lightning " + name));
+        for (String example : examples) {
+            assertThatCode(() -> commands().parseArgs(words(example))).as(example).doesNotThrowAnyException();
+        }
+    }
+
+    private static String[] words(String line) {
+        return Stream.of(line.strip().split(" +(?=(?:[^\"]*\"[^\"]*\")*[^\"]*$)")).skip(1)
+                .map(word -> word.replace("\"", "")).toArray(String[]::new);
+    }
+
+    @Test
+    void version_namesProgramAndJava() {
+        assertThat(Cli.run("--version").isDone().out()).startsWith("Lightning ").contains("Java " + Runtime.version());
+    }
+
+    @Test
+    void unknownCommand_isRefusedWithTheKnownOnes() {
+        Cli.run("rendr", "a.jen", "-o", "b.png").isRefusedSaying("there is no command 'rendr'", "render, relight");
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void unknownOption_isRefused(String name) {
+        Cli.run(name, "--nonsense").isRefusedSaying("lightning " + name + ": ", "Try 'lightning " + name + " --help'");
+    }
+
+    @Test
+    void missingScene_isRefusedByItsName() {
+        Cli.run("check", folder.resolve("no.jen")).isRefusedSaying(folder.resolve("no.jen") + ": there is no such file");
+    }
+
+    @Test
+    void folderInPlaceOfAScene_isRefused() {
+        Cli.run("check", folder).isRefusedSaying(folder + ": is a folder");
+    }
+
+    @Test
+    void sceneWithoutACommand_isToldThatThereIsNoEditor() throws Exception {
+        Cli tour = Cli.run(Files.writeString(folder.resolve("bad.jen"), "jen 2"));
+        assertThat(tour.exit()).isEqualTo(2);
+        assertThat(tour.err()).startsWith("There is no editor yet").contains("bad.jen:1:5");
+    }
+
+    @Test
+    void errorsOfTheProgram_areASentenceWithExitCode2() {
+        var throwing = new PrintStream(PrintStream.nullOutputStream()) {
+            @Override
+            public void println(String line) {
+                throw new IllegalStateException("wrong");
+            }
+        };
+        var err = new ByteArrayOutputStream();
+        assertThat(Lightning.run(throwing, new PrintStream(err, true), "check", "scenes/bird.jen")).isEqualTo(2);
+        assertThat(err.toString()).hasLineCount(1).contains("an error of the program itself", "wrong", "please report it");
+    }
+
+    @Test
+    void numbers_areTheSameInEveryLocale() throws Exception {
+        Path scene = Cli.scene(folder);
+        Locale before = Locale.getDefault();
+        String expected = Cli.run("explain", scene, "24,16").isDone().out();
+        try {
+            Locale.setDefault(Locale.forLanguageTag("ar-EG-u-nu-arab"));
+            assertThat(Cli.run("explain", scene, "24,16").isDone().out()).isEqualTo(expected);
+            Locale.setDefault(Locale.GERMANY);
+            assertThat(Cli.run("explain", scene, "24,16").isDone().out()).isEqualTo(expected).contains("0.");
+        } finally {
+            Locale.setDefault(before);
+        }
+    }
+}

@@ -1,0 +1,144 @@
+package lightning.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import lightning.image.Film;
+import lightning.image.PictureFile;
+import lightning.image.ViewTransform;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** check, compare, explain, export, effects and tour, as their users see them. */
+class OtherCommandsTest {
+    @TempDir
+    Path folder;
+    private Path scene;
+
+    @BeforeEach
+    void write() throws Exception {
+        scene = Cli.scene(folder);
+    }
+
+    private Path picture(String name, float red) throws Exception {
+        Film film = Film.black(4, 3);
+        film.red(0)[0] = red;
+        Path file = folder.resolve(name);
+        PictureFile.write(file, film, ViewTransform.DEFAULT);
+        return file;
+    }
+
+    @Test
+    void check_describesASceneWithoutProblems() {
+        assertThat(Cli.run("check", scene).isDone().out()).contains("no problems", "3 shapes (1 cone, 1 plane, 1 sphere)",
+                "3 lights (1 directional, 1 point, 1 spot)", "2 materials, 0 textures", "48 x 32 pixels, depth 2");
+    }
+
+    @Test
+    void check_tellsEveryProblemWithItsPlace() throws Exception {
+        Files.writeString(scene, "jen 1\nsphere a { scale 1 0 1 }\nlight b laser {}\n");
+        Cli refused = Cli.run("check", scene);
+        refused.isRefusedSaying(scene + ":2:", "sphere 'a': scale", scene + ":3:9: light 'b': type");
+    }
+
+    @Test
+    void compareEqual_isDone() throws Exception {
+        assertThat(Cli.run("compare", picture("a.pfm", 0.5f), picture("b.pfm", 0.5f)).isDone().out())
+                .isEqualTo("equal: all 36 values agree in every bit\n");
+    }
+
+    @Test
+    void compareDifferent_endsWith1AndWritesWhere() throws Exception {
+        Path where = folder.resolve("d.png");
+        Cli compared = Cli.run("compare", picture("a.pfm", 0.5f), picture("b.pfm", 0.75f), "-o", where);
+        assertThat(compared.exit()).isEqualTo(1);
+        assertThat(compared.out()).startsWith("different: 1 of 12 pixels, 1 of 36 values\nlargest difference  0.250000 linear at pixel 0,0;");
+        Film shown = PictureFile.read(where);
+        assertThat(shown.red(0, 0)).isPositive();
+        assertThat(shown.red(1, 0)).isZero();
+    }
+
+    @Test
+    void compareTrouble_endsWith2() throws Exception {
+        Path a = picture("a.pfm", 0);
+        Cli.run("compare", a, folder.resolve("no.png")).isRefusedSaying("no.png: no such file");
+        Cli.run("compare", a, scene).isRefusedSaying("a.jen: a picture's name must end in");
+        Cli.run("compare", a).isRefusedSaying("b.png");
+        Cli.run("compare", a, a, "-o", folder.resolve("d.txt")).isRefusedSaying("d.txt");
+        Path small = folder.resolve("small.pfm");
+        PictureFile.write(small, Film.black(1, 1), ViewTransform.DEFAULT);
+        Cli.run("compare", a, small).isRefusedSaying("4 x 3 pixels", "1 x 1");
+        Files.writeString(small, "PF but not really");
+        Cli.run("compare", a, small).isRefusedSaying("small.pfm: ");
+    }
+
+    @Test
+    void explain_namesShapeLightsAndMirror() {
+        String out = Cli.run("explain", scene, "24,26").isDone().out();
+        assertThat(out).contains("ground of material floor", "at ", "normal ", "lamp", "sun", "stage", "the mirrored ray meets", "%");
+    }
+
+    @Test
+    void explainedColor_isThePixelsOfRender() throws Exception {
+        Path picture = folder.resolve("a.pfm");
+        Cli.run("render", scene, "-o", picture).isDone();
+        Film film = PictureFile.read(picture);
+        for (int x = 0; x < 48; x += 7) {
+            assertThat(Cli.run("explain", scene, x + ",20").isDone().out().lines().toList().getLast())
+                    .startsWith("pixel: linear " + film.red(x, 20) + " " + film.green(x, 20) + " " + film.blue(x, 20) + ",");
+        }
+    }
+
+    @Test
+    void explainBackground_saysSo() {
+        assertThat(Cli.run("explain", scene, "0,0").isDone().out()).contains("nothing: the background");
+    }
+
+    @Test
+    void explainOutside_isRefused() {
+        Cli.run("explain", scene, "48,0").isRefusedSaying("pixel 48,0 is outside the picture, expected 0,0 to 47,31");
+        Cli.run("explain", scene, "5").isRefusedSaying("expected X,Y as in 150,230, found '5'");
+        Cli.run("explain", scene).isRefusedSaying("X,Y");
+    }
+
+    @Test
+    void export_writesTheSceneAndTellsWhatDoesNotMap() throws Exception {
+        Path pov = folder.resolve("a.pov");
+        Cli exported = Cli.run("export", scene, "-o", pov).isDone();
+        assertThat(exported.err()).contains("light lamp: attenuation", "without the limit 1");
+        assertThat(Files.readString(pov)).contains("// Not as in the scene: light lamp: attenuation", "max_trace_level 3", "sphere {");
+    }
+
+    @Test
+    void exportToAnotherName_isRefused() {
+        Cli.run("export", scene, "-o", folder.resolve("a.png")).isRefusedSaying("must end in .pov");
+        Cli.run("export", scene, "-o", folder.resolve("no/a.pov")).isRefusedSaying("there is no folder");
+    }
+
+    @Test
+    void effects_namesWhoCallsForThemAndTheirBytes() {
+        String out = Cli.run("effects", scene).isDone().out();
+        assertThat(out.lines().map(line -> line.replaceAll(" +", " ")))
+                .contains("shadows lamp, sun, stage", "textures -", "reflection up to 2 bounces: floor", "dropoff stage", "cylinders -")
+                .anyMatch(line -> line.startsWith(" in all ")).anyMatch(line -> line.matches(" textures \\d+ bytes saved at most, .*"));
+    }
+
+    @Test
+    void tour_makesTheNamedEditsWithAPictureEach() throws Exception {
+        Path tour = folder.resolve("tour");
+        String out = Cli.run("tour", scene, "-o", tour, "--size", "40x30", "--repetitions", "1", "--threads", "2").isDone().out();
+        assertThat(out).contains("first pass", "color ", "angle-larger ", "delete ", "composite-2 ", "equal").doesNotContain(" NO");
+        for (String name : new String[] {"first-pass", "color", "angle-larger", "delete", "composite-2"}) {
+            assertThat(PictureFile.read(tour.resolve(name + ".png")).width()).isEqualTo(40);
+        }
+    }
+
+    @Test
+    void tourWithBadInput_isRefused() throws Exception {
+        Cli.run("tour", scene, "--repetitions", "0").isRefusedSaying("--repetitions must be from 1 to 1000, was 0");
+        Cli.run("tour", folder.resolve("no.jen")).isRefusedSaying("no.jen: there is no such file");
+        Cli.run("tour", scene, "-o", scene).isRefusedSaying("a.jen: is there already and is no folder");
+    }
+}

@@ -1,0 +1,78 @@
+package lightning.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+
+class ProgressBarTest {
+    private final ByteArrayOutputStream screen = new ByteArrayOutputStream();
+    private final AtomicLong clock = new AtomicLong(-5_000_000_000L);
+
+    private ProgressBar bar(boolean terminal) {
+        var print = new PrintStream(screen, true);
+        return new ProgressBar(new Console(print, print, terminal), "tracing", clock::get);
+    }
+
+    private void pass(double seconds) {
+        clock.addAndGet((long) (seconds * 1e9));
+    }
+
+    @Test
+    void firstSecond_showsNothing() {
+        try (ProgressBar bar = bar(true)) {
+            pass(0.9);
+            bar.tiles(5, 10);
+        }
+        assertThat(screen.toString()).isEmpty();
+    }
+
+    @Test
+    void afterASecond_showsShareAndRemainingTime() {
+        ProgressBar bar = bar(true);
+        pass(2);
+        bar.tiles(25, 100);
+        assertThat(screen.toString()).endsWith("tracing [#######-----------------------]  25 %, 6 s left");
+    }
+
+    @Test
+    void quickSteps_areShownTenTimesASecondAtMost() {
+        ProgressBar bar = bar(true);
+        pass(2);
+        bar.tiles(1, 10);
+        int once = screen.size();
+        pass(0.05);
+        bar.tiles(2, 10);
+        assertThat(screen.size()).isEqualTo(once);
+        pass(0.05);
+        bar.tiles(3, 10);
+        assertThat(screen.size()).isGreaterThan(once);
+    }
+
+    @Test
+    void noTerminal_showsNothing() {
+        try (ProgressBar bar = bar(false)) {
+            pass(20);
+            bar.tiles(5, 10);
+        }
+        assertThat(screen.toString()).isEmpty();
+    }
+
+    @Test
+    void closing_erasesTheLine() {
+        try (ProgressBar bar = bar(true)) {
+            pass(2);
+            bar.tiles(5, 10);
+        }
+        assertThat(screen.toString()).endsWith("left\r\u001b[K");
+    }
+
+    @Test
+    void durations_areInSecondsThenMinutes() {
+        assertThat(ProgressBar.duration(0.2)).isEqualTo("1 s");
+        assertThat(ProgressBar.duration(59.5)).isEqualTo("1:00 min");
+        assertThat(ProgressBar.duration(125)).isEqualTo("2:05 min");
+    }
+}

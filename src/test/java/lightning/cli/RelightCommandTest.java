@@ -1,0 +1,117 @@
+package lightning.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import lightning.image.Difference;
+import lightning.image.Film;
+import lightning.image.PictureFile;
+import lightning.jen.JenReader;
+import lightning.jen.PropertyEdit;
+import lightning.scene.Scene;
+import lightning.shading.ReferenceTracer;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class RelightCommandTest {
+    @TempDir
+    Path folder;
+    private Path path;
+    private Path picture;
+    private Scene scene;
+
+    @BeforeEach
+    void write() throws Exception {
+        path = Cli.scene(folder);
+        picture = folder.resolve("out.pfm");
+        scene = JenReader.read(path).scene();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--storage=rows", "--storage=shapes"})
+    void currentReflections_writeTheReferencePictureOfTheEditedScene(String storage) throws Exception {
+        Cli.run("relight", path, "-o", picture, "--set", "lamp.at=1 3 2", "--set", "sun.color=1 0 0", "--reflections", "current",
+                storage, "--verify").isDone();
+        Scene edited = PropertyEdit.apply(PropertyEdit.apply(scene, "lamp.at=1 3 2"), "sun.color=1 0 0");
+        assertThat(PictureFile.read(picture).sameBits(new ReferenceTracer(edited).trace())).isTrue();
+    }
+
+    @Test
+    void staleReflections_showTheFirstScene() throws Exception {
+        String out = Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--verify").isDone().out();
+        Scene edited = PropertyEdit.apply(scene, "lamp.intensity=3");
+        Film reference = new ReferenceTracer(edited, scene).trace();
+        assertThat(PictureFile.read(picture).sameBits(reference)).isTrue();
+        long stale = Difference.of(reference, new ReferenceTracer(edited).trace()).pixels();
+        assertThat(out).contains("verified: 0 pixels, 0 values differ", stale + " pixels differ from updated ones");
+        assertThat(stale).isPositive();
+    }
+
+    @Test
+    void then_startsTheNextEdit() {
+        String out = Cli.run("relight", path, "-o", picture, "--set", "stage.angle=12", "--set", "stage.dropoff=9", "--then",
+                "--delete", "sun", "--then", "--add", "fill point at=0 3 2 intensity=0.2").isDone().out();
+        assertThat(out.lines().map(line -> line.replaceAll(": \\d+ rows.*", "")).skip(1)).containsExactly(
+                "1. stage: angle remove + falloff", "2. sun: delete", "3. fill: add");
+    }
+
+    @Test
+    void eachEdit_isOneLineWithPlanRowsRaysTimesAndPromise() {
+        String out = Cli.run("relight", path, "-o", picture, "--set", "sun.intensity=0.1").isDone().out();
+        assertThat(out.lines().skip(1)).singleElement().asString().matches(
+                "1\\. sun: weight: \\d+ rows, 0 shadow rays, [\\d.]+ ms of a full trace's [\\d.]+ \\(saves -?[\\d.]+ %\\), exact");
+    }
+
+    @Test
+    void ratio_tellsItsBoundAndKeepsIt() {
+        String out = Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=0.3", "--then", "--set",
+                "lamp.intensity=0.7", "--accuracy", "ratio", "--verify").isDone().out();
+        assertThat(out).contains("off by at most", "verified: ");
+    }
+
+    @Test
+    void save_keepsWhatWasNotEdited() throws Exception {
+        Path saved = folder.resolve("saved.jen");
+        Cli.run("relight", path, "-o", picture, "--set", "sun.intensity=0.25", "--size", "20x20", "--save", saved).isDone();
+        assertThat(Files.readString(saved)).isEqualTo(Cli.SCENE.replace("intensity 0.4", "intensity 0.25"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "--set | moon.intensity=1 | --set moon.intensity=1: the scene has nothing named 'moon'",
+        "--set | sun.intensity | must be written as NAME.PROPERTY=VALUE",
+        "--set | sun.intensity=-1 | intensity must be ≥ 0, was -1",
+        "--set | sun.intensty=1 | unknown property 'intensty'",
+        "--delete | moon | there is no light 'moon'",
+        "--add | fill | expected a light's name and type",
+        "--accuracy | fine | --accuracy",
+        "--storage | none | --storage"})
+    void badEdit_isRefusedBeforeTheTrace(String option, String value, String sentence) {
+        Cli.run("relight", path, "-o", picture, "--set", "sun.intensity=1", option, value).isRefusedSaying(sentence);
+        assertThat(picture).doesNotExist();
+    }
+
+    @Test
+    void noEdit_isRefused() {
+        Cli.run("relight", path, "-o", picture).isRefusedSaying("--set");
+    }
+
+    @Test
+    void brokenPromise_isNoticed() {
+        Film black = Film.black(2, 2);
+        Film other = Film.black(2, 2);
+        other.red(0)[0] = 0.25f;
+        Difference none = Difference.of(black, black);
+        Difference some = Difference.of(black, other);
+        assertThat(new Verification(none, none, false, 0).kept()).isTrue();
+        assertThat(new Verification(some, some, false, 0).kept()).isFalse();
+        assertThat(new Verification(some, some, false, 0).text()).startsWith("NOT KEPT: 1 pixels, 1 values");
+        assertThat(new Verification(some, some, false, 0.25).kept()).isTrue();
+        assertThat(new Verification(some, some, false, 0.24).kept()).isFalse();
+    }
+}

@@ -1,0 +1,125 @@
+package lightning.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import lightning.image.Film;
+import lightning.image.PictureFile;
+import lightning.jen.JenReader;
+import lightning.scene.Scene;
+import lightning.shading.ReferenceTracer;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class RenderCommandTest {
+    @TempDir
+    Path folder;
+    private Path scene;
+
+    @BeforeEach
+    void write() throws Exception {
+        scene = Cli.scene(folder);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--threads=1", "--threads=3", "--traditional"})
+    void pfm_holdsTheReferencePicture(String option) throws Exception {
+        Path picture = folder.resolve("a.pfm");
+        Cli.run("render", scene, "-o", picture, option).isDone();
+        assertThat(PictureFile.read(picture).sameBits(new ReferenceTracer(JenReader.read(scene).scene()).trace())).isTrue();
+    }
+
+    @Test
+    void sizeAndDepth_replaceTheScenesOwn() throws Exception {
+        Path picture = folder.resolve("a.pfm");
+        Cli.run("render", scene, "-o", picture, "--size", "20x30", "--depth", "0").isDone();
+        Scene read = JenReader.read(scene).scene();
+        Scene wanted = read.withPicture(read.picture().withSize(20, 30).withDepth(0));
+        assertThat(PictureFile.read(picture).sameBits(new ReferenceTracer(wanted).trace())).isTrue();
+    }
+
+    @Test
+    void exposure_brightensPng() throws Exception {
+        Path plain = folder.resolve("plain.png");
+        Path bright = folder.resolve("bright.png");
+        Cli.run("render", scene, "-o", plain).isDone();
+        Cli.run("render", scene, "-o", bright, "--exposure", "1").isDone();
+        Film a = PictureFile.read(plain);
+        Film b = PictureFile.read(bright);
+        assertThat(b.red(0, 0) / a.red(0, 0)).isBetween(1.9f, 2.1f);
+    }
+
+    @Test
+    void xpm_isWrittenAsText() throws Exception {
+        Path picture = folder.resolve("a.xpm");
+        Cli.run("render", scene, "-o", picture).isDone();
+        assertThat(Files.readString(picture)).startsWith("/* XPM */");
+    }
+
+    @Test
+    void report_tellsSizeAndRays() {
+        assertThat(Cli.run("render", scene, "-o", folder.resolve("a.png")).isDone().out())
+                .contains("48 x 32 pixels, depth 2", "1536 eye rays", "shadow rays");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "--size | 3 | expected WIDTHxHEIGHT",
+        "--size | 0x5 | from 1 to 16384",
+        "--size | 99999x5 | from 1 to 16384",
+        "--depth | 11 | --depth must be from 0 to 10, was 11",
+        "--depth | -1 | --depth must be from 0 to 10, was -1",
+        "--depth | x | --depth",
+        "--threads | 0 | --threads must be from 1 to 1024, was 0",
+        "--exposure | NaN | --exposure must be from -64 to 64 stops, was NaN"})
+    void badOption_isRefused(String option, String value, String sentence) {
+        Cli.run("render", scene, "-o", folder.resolve("a.png"), option, value).isRefusedSaying(sentence);
+        assertThat(folder.resolve("a.png")).doesNotExist();
+    }
+
+    @Test
+    void missingOutput_isRefused() {
+        Cli.run("render", scene).isRefusedSaying("--output");
+    }
+
+    @Test
+    void outputThatCannotBeWritten_isRefusedBeforeTheTrace() {
+        Cli.run("render", scene, "-o", folder.resolve("a.gif")).isRefusedSaying("must end in .png, .xpm or .pfm");
+        Cli.run("render", scene, "-o", folder.resolve("no/a.png")).isRefusedSaying("there is no folder " + folder.resolve("no"));
+    }
+
+    @Test
+    void problemsOfTheScene_areOneALine() throws Exception {
+        Files.writeString(scene, "jen 1\nlight a point { intensity -1 }\nsphere b { scal 1 1 1 }\n");
+        Cli refused = Cli.run("render", scene, "-o", folder.resolve("a.png"));
+        refused.isRefusedSaying(scene + ":2:", scene + ":3:");
+        assertThat(refused.err()).hasLineCount(2);
+    }
+
+    @Test
+    void interruptedTrace_leavesTheOldPictureAndNothingElse() throws Exception {
+        Path picture = Files.writeString(folder.resolve("a.png"), "old");
+        int[] exit = new int[1];
+        Thread command = new Thread(() -> {
+            Thread.currentThread().interrupt();
+            exit[0] = Cli.run("render", scene, "-o", picture).exit();
+        });
+        command.start();
+        command.join();
+        assertThat(exit[0]).isEqualTo(130);
+        assertThat(picture).hasContent("old");
+        assertThat(names()).containsExactlyInAnyOrder("a.jen", "a.png");
+    }
+
+    private List<String> names() throws Exception {
+        try (var files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString()).toList();
+        }
+    }
+}

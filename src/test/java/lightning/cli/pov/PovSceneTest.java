@@ -1,0 +1,83 @@
+package lightning.cli.pov;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import lightning.RandomScenes;
+import lightning.math.Transform;
+import lightning.math.Vec3;
+import lightning.scene.Attenuation;
+import lightning.scene.Scene;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.DoubleRange;
+import org.junit.jupiter.api.Test;
+
+class PovSceneTest {
+    /** The whole text of a scene, without braces in strings, as POV-Ray would nest it. */
+    @Test
+    void text_closesEveryBrace() {
+        for (int seed = 0; seed < 20; seed++) {
+            Scene scene = new RandomScenes(seed).scene(30, 20, 6, seed % 5);
+            String text = PovScene.of(scene, "x").text();
+            assertThat(text.chars().filter(c -> c == '{').count()).isEqualTo(text.chars().filter(c -> c == '}').count());
+            assertThat(text).doesNotContain("NaN", "Infinity");
+            assertThat(text.lines().filter(line -> line.startsWith("light_source"))).hasSize(
+                    (int) scene.lights().stream().filter(scene::shines).count());
+            assertThat(text.lines().filter(line -> line.startsWith("  matrix"))).hasSize(scene.placedShapes().size());
+        }
+    }
+
+    @Test
+    void losses_standInTheHeadOfTheFile() {
+        PovScene pov = PovScene.of(new RandomScenes(3).scene(30, 20, 6, 4), "x");
+        assertThat(pov.losses()).isNotEmpty();
+        pov.losses().forEach(loss -> assertThat(pov.text()).contains("// Not as in the scene: " + loss + "\n"));
+    }
+
+    @Test
+    void matrix_mapsPointsAsTheTransformDoes() {
+        Transform transform = Transform.translation(new Vec3(1, 2, 3)).times(Transform.rotation(new Vec3(10, 20, 30)))
+                .times(Transform.scaling(new Vec3(2, 3, 4)));
+        Matcher numbers = Pattern.compile("<(.*)>").matcher(PovText.matrix(transform));
+        assertThat(numbers.find()).isTrue();
+        double[] m = Arrays.stream(numbers.group(1).split(", ")).mapToDouble(Double::parseDouble).toArray();
+        Vec3 p = new Vec3(0.3, -0.7, 0.9);
+        // The manual of POV-Ray 3.7, "matrix": a row vector times the matrix, its fourth row the translation.
+        Vec3 mapped = new Vec3(
+                m[0] * p.x() + m[3] * p.y() + m[6] * p.z() + m[9],
+                m[1] * p.x() + m[4] * p.y() + m[7] * p.z() + m[10],
+                m[2] * p.x() + m[5] * p.y() + m[8] * p.z() + m[11]);
+        assertThat(mapped.minus(transform.point(p)).maxAbs()).isLessThan(1e-12);
+    }
+
+    @Property(tries = 200)
+    void fadeOfOneTerm_isOursBeyondTheLimit(@ForAll @DoubleRange(min = 1, max = 5) double constant,
+            @ForAll @DoubleRange(min = 0.01, max = 4) double factor, @ForAll boolean quadratic,
+            @ForAll @DoubleRange(min = 0, max = 30) double distance) {
+        var attenuation = new Attenuation(constant, quadratic ? 0 : factor, quadratic ? factor : 0);
+        PovFade fade = PovFade.of(attenuation, 1, 10);
+        double ours = 1 / (constant + factor * (quadratic ? distance * distance : distance));
+        assertThat(fade.exact()).isTrue();
+        assertThat(fade.factor(distance)).isCloseTo(ours, within(1e-9));
+    }
+
+    @Property(tries = 200)
+    void fadeOfAllTerms_isNearOurs(@ForAll @DoubleRange(min = 0, max = 2) double constant,
+            @ForAll @DoubleRange(min = 0.1, max = 2) double linear, @ForAll @DoubleRange(min = 0.1, max = 2) double quadratic,
+            @ForAll @DoubleRange(min = 3, max = 9) double distance) {
+        var attenuation = new Attenuation(constant, linear, quadratic);
+        PovFade fade = PovFade.of(attenuation, 3, 9);
+        double ours = 1 / (constant + linear * distance + quadratic * distance * distance);
+        assertThat(fade.factor(distance) / Math.min(ours, 1)).isBetween(0.9, 1.1);
+    }
+
+    @Test
+    void noFading_isNoFading() {
+        assertThat(PovFade.of(Attenuation.NONE, 1, 10)).isEqualTo(new PovFade(1, 0, 0, true));
+        assertThat(PovFade.of(new Attenuation(2, 0, 0), 1, 10).factor(7)).isEqualTo(0.5);
+    }
+}

@@ -1,0 +1,87 @@
+package lightning.effects;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.EnumSet;
+import lightning.jen.JenReader;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Test;
+
+class EffectsTest {
+    private static final String PLAIN = "material grey { diffuse 0.5 0.5 0.5 }\nsphere ball { material grey }\n";
+
+    private static Effects of(String... text) throws Exception {
+        Scene scene = JenReader.read("jen 1\n" + String.join("\n", text), "test", Path.of("")).scene();
+        return Effects.of(scene);
+    }
+
+    @Test
+    void emptyScene_callsForNothing() throws Exception {
+        assertThat(of("light a point {}").absent()).isEqualTo(EnumSet.allOf(Effect.class));
+    }
+
+    @Test
+    void plainLight_callsForShadowsAndItsType() throws Exception {
+        Effects effects = of(PLAIN, "light a point {}");
+        assertThat(effects.callers().keySet()).containsExactly(Effect.SHADOWS, Effect.POINT_LIGHTS, Effect.SPHERES);
+        assertThat(effects.callers(Effect.SHADOWS)).containsExactly("a");
+        assertThat(effects.depth()).isZero();
+    }
+
+    @Test
+    void attributesThatDoNotAct_callForNothing() throws Exception {
+        Effects effects = of(PLAIN, "light a directional { attenuation 1 1 1  angle 20  dropoff 5 }",
+                "light b point { angle 20  dropoff 5 }");
+        assertThat(effects.absent()).contains(Effect.ATTENUATION, Effect.SPOT_CONE, Effect.DROPOFF);
+    }
+
+    @Test
+    void attributesThatAct_areCalledForByName() throws Exception {
+        Effects effects = of(PLAIN, "light a spot { attenuation 1 1 1  angle 20  dropoff 5 }", "light b spot { angle 180 }");
+        assertThat(effects.callers(Effect.ATTENUATION)).containsExactly("a");
+        assertThat(effects.callers(Effect.SPOT_CONE)).containsExactly("a");
+        assertThat(effects.callers(Effect.DROPOFF)).containsExactly("a");
+        assertThat(effects.callers(Effect.SPOT_LIGHTS)).containsExactly("a", "b");
+    }
+
+    @Test
+    void darkLights_callForNothing() throws Exception {
+        Effects effects = of(PLAIN, "light a point { on no }", "light b point { intensity 0 }", "light c spot { color 0 0 0 }");
+        assertThat(effects.callers().keySet()).containsExactly(Effect.SPHERES);
+    }
+
+    @Test
+    void soloLight_silencesTheCallsOfOthers() throws Exception {
+        Effects effects = of(PLAIN, "light a point { solo yes }", "light b spot { dropoff 3 }");
+        assertThat(effects.callers(Effect.SHADOWS)).containsExactly("a");
+        assertThat(effects.has(Effect.DROPOFF)).isFalse();
+    }
+
+    @Test
+    void materialsOnShapes_callForSpecularAndReflection() throws Exception {
+        Effects effects = of("material used { specular 0.5 0.5 0.5  reflective 0 0.1 0 }",
+                "material unused { specular 1 1 1  reflective 1 1 1 }", "cone c { material used }", "light a point {}",
+                "picture { depth 4 }");
+        assertThat(effects.callers(Effect.SPECULAR)).containsExactly("used");
+        assertThat(effects.callers(Effect.REFLECTION)).containsExactly("used");
+        assertThat(effects.depth()).isEqualTo(4);
+        assertThat(effects.callers(Effect.CONES)).containsExactly("c");
+    }
+
+    @Test
+    void mirrorsAtDepth0_callForNoReflection() throws Exception {
+        Effects effects = of("material m { reflective 1 1 1 }", "plane p { material m }", "picture { depth 0 }");
+        assertThat(effects.has(Effect.REFLECTION)).isFalse();
+    }
+
+    @Test
+    void highlightsWithoutLight_areNotCalledFor() throws Exception {
+        assertThat(of("material m { specular 1 1 1 }", "cylinder c { material m }").callers().keySet()).containsExactly(Effect.CYLINDERS);
+    }
+
+    @Test
+    void bird_callsForAllButNothing() throws Exception {
+        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).isEmpty();
+    }
+}
