@@ -119,9 +119,9 @@ public final class RatioKernel {
     /** Removes rows that left the cone and adds those that entered it; {@code scaled} holds the others. */
     private RatioRows moved(HitRows rows, Lamp lamp, RatioRows before, RatioRows scaled, ConeChange cone) {
         scratch.reset();
-        LightRows known = new LightRows(before.states(), ZEROS, ZEROS, null, before.lit());
-        LightRows now = exact.partial(rows, lamp, known, cone, true, scratch);
-        if (now == known) {
+        LightRows known = new LightRows(before.states(), ZEROS, before.specular == null ? null : ZEROS, null, before.lit());
+        LightRows now = exact.partial(rows, lamp, known, cone, false, scratch);
+        if (now.state == known.state) {
             return scaled;
         }
         RatioRows entered = contributions(rows, lamp, now, Columns.FRESH.states(rows.count));
