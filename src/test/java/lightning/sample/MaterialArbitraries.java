@@ -49,8 +49,14 @@ final class MaterialArbitraries {
     }
 
     private static Arbitrary<Texture> images() {
-        Arbitrary<Integer> side = Arbitraries.integers().between(1, 4);
-        return Combinators.combine(side, side, Arbitraries.floats().between(0, 1).array(float[].class).ofSize(48))
-                .as((width, height, values) -> new Texture(width, height, java.util.Arrays.copyOf(values, 3 * width * height)));
+        return Arbitraries.randomValue(random -> {
+            int width = 1 + random.nextInt(4);
+            int height = 1 + random.nextInt(4);
+            float[] rgb = new float[3 * width * height];
+            for (int i = 0; i < rgb.length; i++) {
+                rgb[i] = random.nextInt(5) / 4f;
+            }
+            return new Texture(width, height, rgb);
+        });
     }
 }

@@ -26,11 +26,11 @@ final class NodeArbitraries {
     static Arbitrary<List<Node>> nodes() {
         Arbitrary<List<Node>> free = Arbitraries.frequencyOf(Tuple.of(5, shapes()), Tuple.of(1, groups()))
                 .list().ofMinSize(0).ofMaxSize(8);
-        return Combinators.combine(Arbitraries.of(true, true, true, true, false), Arbitraries.of(MATERIALS),
-                Arbitraries.of(false, false, true), Arbitraries.of(MATERIALS), free).as(NodeArbitraries::assemble);
+        return Combinators.combine(free, Arbitraries.of(false, false, true), Arbitraries.of(false, true, true, true, true),
+                Arbitraries.of(MATERIALS), Arbitraries.of(MATERIALS)).as(NodeArbitraries::assemble);
     }
 
-    private static List<Node> assemble(boolean floor, String floorMaterial, boolean shell, String shellMaterial, List<Node> free) {
+    private static List<Node> assemble(List<Node> free, boolean shell, boolean floor, String floorMaterial, String shellMaterial) {
         List<Node> nodes = new ArrayList<>();
         if (floor) {
             nodes.add(new Shape.Plane("floor", floorMaterial, placement(new Vec3(0, -1, 0), new Vec3(14, 1, 14))));

@@ -30,10 +30,14 @@ public final class SceneCoverage {
                 .anyMatch(light -> rows.level(0).stream().anyMatch(kind.apply(rows, light)));
     }
 
-    /** Counts one case, in which something is shown or not. */
-    public static void collect(String label, boolean shown) {
+    private static void collect(String label, boolean shown) {
+        collect(label, shown, LEAST_PERCENT);
+    }
+
+    /** Counts one case, in which something is shown or not, and asks for a share of it. */
+    public static void collect(String label, boolean shown, double leastPercent) {
         Statistics.label(label).collect(shown).coverage(coverage -> {
-            coverage.check(true).count((count, all) -> all < ENOUGH || 100.0 * count >= LEAST_PERCENT * all);
+            coverage.check(true).count((count, all) -> all < ENOUGH || 100.0 * count >= leastPercent * all);
         });
     }
 }
