@@ -3,7 +3,6 @@ package lightning.shading;
 import java.util.Arrays;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
-import lightning.trace.MaterialTable;
 import lightning.trace.PacketTracer;
 
 /**
@@ -11,19 +10,22 @@ import lightning.trace.PacketTracer;
  * scratch memory: one for each thread.
  */
 public final class LightKernel {
-    private static final int ROWS = LightLanes.ROWS;
     private static final int WAY = LightRows.CLEAR | LightRows.BLOCKED;
 
-    private final MaterialTable materials;
     private final ShadowCaster shadows;
     private final LightLanes lanes = new LightLanes();
-    private final float[] cosine = new float[ROWS];
-    private final float[] specular = new float[ROWS];
+    private final TermColumns terms;
+    private final float[] cosine = new float[LightLanes.ROWS];
+    private final int[] facing = RowBits.room();
+    private final int[] chosen = RowBits.room();
+    private final int[] blocked = RowBits.room();
+    private final int[] lit = RowBits.room();
+    private final int[] litBefore = RowBits.room();
     private long rowsTouched;
 
     public LightKernel(Geometry geometry, PacketTracer tracer) {
-        materials = geometry.materials();
         shadows = new ShadowCaster(geometry, tracer);
+        terms = new TermColumns(geometry.materials(), lanes);
     }
 
     /** Shadow rays cast since the start. */
@@ -38,29 +40,64 @@ public final class LightKernel {
 
     /** The light's whole diffuse and specular terms: the paper's worst case (§4.5). */
     public LightRows full(HitRows rows, Lamp lamp, Columns columns) {
-        byte[] state = columns.states(rows.count);
-        lanes.aim(rows, lamp);
+        aim(rows, lamp);
         lanes.cosines(rows, cosine);
         boolean cone = lamp.type().hasCone();
-        if (cone) {
-            lanes.axisCosines(rows, lamp);
+        int words = RowBits.words(rows.count);
+        for (int b = 0; b < words; b++) {
+            facing[b] = lanes.facing(cosine, b) & RowBits.valid(b, rows.count);
+            chosen[b] = cone && facing[b] != 0 ? facing[b] & lanes.inside(b, lamp.cosAngle()) : facing[b];
         }
-        for (int i = 0; i < rows.count; i++) {
-            if (!(cosine[i] > 0)) {
-                state[i] = LightRows.AWAY;
-            } else if (cone && !(lanes.axisCosine[i] >= lamp.cosAngle())) {
-                state[i] = LightRows.OUTSIDE;
+        shadows.cast(rows, lamp, chosen, blocked);
+        for (int b = 0; b < words; b++) {
+            lit[b] = chosen[b] & ~blocked[b];
+        }
+        rowsTouched += rows.count;
+        return layer(rows, lamp, states(rows, columns), null, columns);
+    }
+
+    /** The states of rows that were all asked, or away, or outside. */
+    private byte[] states(HitRows rows, Columns columns) {
+        byte[] state = columns.states(rows.count);
+        for (int b = 0, row = 0; row < rows.count; b++, row += RowBits.WIDTH) {
+            int end = Math.min(rows.count, row + RowBits.WIDTH);
+            int valid = RowBits.valid(b, rows.count);
+            if (lit[b] == valid) {
+                Arrays.fill(state, row, end, (byte) (LightRows.LIT | LightRows.CLEAR));
+            } else if (facing[b] == 0) {
+                Arrays.fill(state, row, end, LightRows.AWAY);
             } else {
-                shadows.choose(i);
+                for (int i = row; i < end; i++) {
+                    state[i] = state(facing[b] >>> i - row & 1, chosen[b] >>> i - row & 1, lit[b] >>> i - row & 1);
+                }
             }
         }
-        int lit = shadows.cast(rows, lamp, state);
-        rowsTouched += rows.count;
-        if (lit == 0) {
+        return state;
+    }
+
+    private static byte state(int facing, int inside, int lit) {
+        return (byte) (facing == 0 ? LightRows.AWAY
+                : inside == 0 ? LightRows.OUTSIDE
+                        : lit == 0 ? LightRows.SHADOWED | LightRows.BLOCKED : LightRows.LIT | LightRows.CLEAR);
+    }
+
+    private void aim(HitRows rows, Lamp lamp) {
+        lanes.aim(rows, lamp);
+        if (lamp.type().hasCone()) {
+            lanes.axisCosines(rows, lamp);
+        }
+    }
+
+    /** A layer from its states and the rows in {@link #lit}; terms of rows lit before are taken over. */
+    private LightRows layer(HitRows rows, Lamp lamp, byte[] state, LightRows before, Columns columns) {
+        int count = RowBits.count(lit, rows.count);
+        if (count == 0) {
             return new LightRows(state, null, null, null, 0);
         }
-        return new LightRows(state, cosines(rows, state, columns), speculars(rows, state, null, columns),
-                falloffs(rows, lamp, columns), lit);
+        int[] known = before == null || before.specular == null ? null : litBefore;
+        return new LightRows(state, terms.cosines(rows, cosine, lit, columns),
+                terms.speculars(rows, lit, known, before == null ? null : before.specular, columns),
+                before == null ? terms.falloffs(rows, lamp, columns) : before.falloff, count);
     }
 
     /**
@@ -75,17 +112,14 @@ public final class LightKernel {
         if (looked == 0 && !(falloff && before.lit > 0)) {
             return before;
         }
-        lanes.aim(rows, lamp);
-        if (lamp.type().hasCone()) {
-            lanes.axisCosines(rows, lamp);
-        }
+        aim(rows, lamp);
         LightRows moved = looked == 0 ? before : moveCone(rows, lamp, before, cone, columns);
         // The falloff is written for lit rows; those of them that were looked at are counted already.
         rowsTouched += looked + (falloff && !cone.looksAt(LightRows.LIT) ? before.lit : 0);
         if (moved.lit == 0) {
             return moved;
         }
-        float[] falloffs = falloff || before.falloff == null ? falloffs(rows, lamp, columns) : before.falloff;
+        float[] falloffs = falloff || before.falloff == null ? terms.falloffs(rows, lamp, columns) : before.falloff;
         return new LightRows(moved.state, moved.cosine, moved.specular, falloffs, moved.lit);
     }
 
@@ -95,13 +129,10 @@ public final class LightKernel {
         if (before.lit() == 0) {
             return new LightRows(before.states(), null, null, null, 0);
         }
-        lanes.aim(rows, lamp);
-        if (lamp.type().hasCone()) {
-            lanes.axisCosines(rows, lamp);
-        }
+        aim(rows, lamp);
         lanes.cosines(rows, cosine);
-        return new LightRows(before.states(), cosines(rows, before.states(), columns),
-                speculars(rows, before.states(), null, columns), falloffs(rows, lamp, columns), before.lit());
+        RowBits.inState(before.states(), rows.count, LightRows.LIT, lit);
+        return layer(rows, lamp, before.states(), null, columns);
     }
 
     private static int looksAt(HitRows rows, LightRows before, ConeChange cone) {
@@ -118,100 +149,33 @@ public final class LightKernel {
     private LightRows moveCone(HitRows rows, Lamp lamp, LightRows before, ConeChange change, Columns columns) {
         byte[] state = columns.states(rows.count);
         System.arraycopy(before.state, 0, state, 0, rows.count);
+        Arrays.fill(chosen, 0);
         boolean cone = lamp.type().hasCone();
-        int lit = before.lit;
         for (int i = 0; i < rows.count; i++) {
-            int old = before.state(i);
-            if (!change.looksAt(old)) {
+            if (!change.looksAt(before.state(i))) {
                 continue;
             }
-            lit -= old == LightRows.LIT ? 1 : 0;
             int way = before.state[i] & WAY;
             if (cone && !(lanes.axisCosine[i] >= lamp.cosAngle())) {
                 state[i] = (byte) (LightRows.OUTSIDE | way);
             } else if (way == 0) {
-                shadows.choose(i);
+                RowBits.add(chosen, i);
             } else {
                 state[i] = (byte) (way | (way == LightRows.CLEAR ? LightRows.LIT : LightRows.SHADOWED));
-                lit += way == LightRows.CLEAR ? 1 : 0;
             }
         }
-        lit += shadows.cast(rows, lamp, state);
-        if (lit == 0) {
-            return new LightRows(state, null, null, null, 0);
+        shadows.cast(rows, lamp, chosen, blocked);
+        for (int i = 0; i < rows.count; i++) {
+            if (RowBits.contains(chosen, i)) {
+                state[i] = state(1, 1, RowBits.contains(blocked, i) ? 0 : 1);
+            }
         }
         if (Arrays.equals(state, 0, rows.count, before.state, 0, rows.count)) {
             return before;
         }
+        RowBits.inState(before.state, rows.count, LightRows.LIT, litBefore);
+        RowBits.inState(state, rows.count, LightRows.LIT, lit);
         lanes.cosines(rows, cosine);
-        return new LightRows(state, cosines(rows, state, columns), speculars(rows, state, before, columns),
-                before.falloff, lit);
-    }
-
-    private static boolean isLit(byte[] state, int row) {
-        return (state[row] & LightRows.STATE) == LightRows.LIT;
-    }
-
-    /** The cosine of lit rows, 0 for others. */
-    private float[] cosines(HitRows rows, byte[] state, Columns columns) {
-        float[] column = columns.floats(rows.count);
-        for (int i = 0; i < rows.count; i++) {
-            column[i] = isLit(state, i) ? cosine[i] : 0;
-        }
-        return column;
-    }
-
-    /** The specular term of lit rows, 0 for others; computed only where a row was not lit before. */
-    private float[] speculars(HitRows rows, byte[] state, LightRows before, Columns columns) {
-        if (!hasSpecular(rows)) {
-            return null;
-        }
-        float[] column = columns.floats(rows.count);
-        for (int r = 0; r < rows.runs; r++) {
-            int from = rows.runStart(r);
-            int to = rows.runEnd[r];
-            if (!materials.isSpecular(rows.runMaterial[r])) {
-                Arrays.fill(column, from, to, 0);
-                continue;
-            }
-            boolean hasOld = before != null && before.specular != null;
-            int first = to;
-            int last = from;
-            for (int i = from; i < to; i++) {
-                boolean lit = isLit(state, i);
-                boolean known = hasOld && before.state(i) == LightRows.LIT;
-                column[i] = lit && known ? before.specular[i] : 0;
-                if (lit && !known) {
-                    first = Math.min(first, i);
-                    last = i + 1;
-                }
-            }
-            if (first < last) {
-                lanes.speculars(rows, first, last, materials.shininess(rows.runMaterial[r]), specular);
-                for (int i = first; i < last; i++) {
-                    column[i] = isLit(state, i) ? specular[i] : 0;
-                }
-            }
-        }
-        return column;
-    }
-
-    private boolean hasSpecular(HitRows rows) {
-        for (int r = 0; r < rows.runs; r++) {
-            if (materials.isSpecular(rows.runMaterial[r])) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /** The falloff of all rows, or null where it is 1 everywhere. Expects aimed lanes. */
-    private float[] falloffs(HitRows rows, Lamp lamp, Columns columns) {
-        if (!lamp.fallsOff()) {
-            return null;
-        }
-        float[] column = columns.floats(rows.count);
-        lanes.falloffs(rows, lamp, column);
-        return column;
+        return layer(rows, lamp, state, before, columns);
     }
 }

@@ -8,17 +8,19 @@ import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.scene.Attenuation;
 import lightning.trace.HitRows;
+import lightning.trace.RayPacket;
 
 /**
  * {@link LightingEquation} in lanes, over all rows of a tile: the same operations in the same order.
  * Holds scratch columns: one for each thread.
  */
 final class LightLanes {
-    private static final VectorSpecies<Double> D = DoubleVector.SPECIES_PREFERRED;
+    static final VectorSpecies<Double> D = DoubleVector.SPECIES_PREFERRED;
     /** As many floats as there are double lanes. */
     private static final VectorSpecies<Float> F =
             VectorSpecies.of(float.class, VectorShape.forBitSize(D.vectorBitSize() / 2));
-    private static final int LANES = D.length();
+    static final int LANES = D.length();
+    private static final VectorSpecies<Float> PACKET = FloatVector.SPECIES_PREFERRED;
     static final int ROWS = 1024;
 
     /** The unit vector from each row to the light. */
@@ -83,6 +85,21 @@ final class LightLanes {
         }
     }
 
+    /** Which rows of packet {@code b} have a cosine above 0, one bit each. */
+    int facing(float[] cosine, int b) {
+        return (int) FloatVector.fromArray(PACKET, cosine, b * RayPacket.WIDTH).compare(VectorOperators.GT, 0).toLong();
+    }
+
+    /** Which rows of packet {@code b} are in the cone, as {@link LightingEquation#insideCone}, one bit each. */
+    int inside(int b, double cosAngle) {
+        int bits = 0;
+        for (int i = 0; i < RayPacket.WIDTH; i += LANES) {
+            DoubleVector c = DoubleVector.fromArray(D, axisCosine, b * RayPacket.WIDTH + i);
+            bits |= (int) c.compare(VectorOperators.GE, cosAngle).toLong() << i;
+        }
+        return bits;
+    }
+
     /** As {@link LightingEquation#falloff}, for all rows of a point or spot light. */
     void falloffs(HitRows rows, Lamp lamp, float[] to) {
         if (lamp.type().hasCone()) {
@@ -123,15 +140,18 @@ final class LightLanes {
         PowerLanes.of(power, 0, rows.count, dropoff);
     }
 
-    /** As {@link LightingEquation#specular}, for rows {@code from … to}; runs over both ends to whole lanes. */
+    /**
+     * As {@link LightingEquation#specular}, for rows {@code from … to}: {@code from} is a multiple of the
+     * lanes, {@code to} is overrun to whole lanes.
+     */
     void speculars(HitRows rows, int from, int to, double shininess, float[] column) {
-        int start = from - from % LANES;
-        for (int i = start; i < to; i += LANES) {
+        int end = Math.min(to, HitRows.padded(rows.count));
+        for (int i = from; i < end; i += LANES) {
             mirrorCosine(rows, i);
         }
-        PowerLanes.of(power, start, to, shininess);
-        for (int i = from; i < to; i++) {
-            column[i] = (float) power[i];
+        PowerLanes.of(power, from, end, shininess);
+        for (int i = from; i < end; i += LANES) {
+            store(DoubleVector.fromArray(D, power, i), column, i);
         }
     }
 
@@ -157,7 +177,7 @@ final class LightLanes {
         positive.blend(1, positive.compare(VectorOperators.GT, 1)).intoArray(power, i);
     }
 
-    private static DoubleVector load(float[] column, int i) {
+    static DoubleVector load(float[] column, int i) {
         return (DoubleVector) FloatVector.fromArray(F, column, i).castShape(D, 0);
     }
 

@@ -1,5 +1,6 @@
 package lightning.shading;
 
+import jdk.incubator.vector.DoubleVector;
 import lightning.trace.Beam;
 import lightning.trace.Candidates;
 import lightning.trace.Geometry;
@@ -14,18 +15,11 @@ final class ShadowCaster {
     private final Beam beam = new Beam();
     private final Candidates blockers = new Candidates();
     private final RayPacket packet = new RayPacket();
-    private final int[] chosen = new int[LightLanes.ROWS];
-    private int count;
     private long rays;
 
     ShadowCaster(Geometry geometry, PacketTracer tracer) {
         this.geometry = geometry;
         this.tracer = tracer;
-    }
-
-    /** Chooses a row for the next cast. */
-    void choose(int row) {
-        chosen[count++] = row;
     }
 
     /** Rays cast since the start. */
@@ -34,30 +28,24 @@ final class ShadowCaster {
     }
 
     /**
-     * Casts a ray for each chosen row, writes its state and way, and forgets the choice.
+     * Casts a ray from each chosen row.
      *
-     * @return how many of the rows are lit
+     * @param chosen  rows to ask, as {@link RowBits}
+     * @param blocked gets those of them from which the light is not seen
      */
-    int cast(HitRows rows, Lamp lamp, byte[] state) {
-        if (count == 0) {
-            return 0;
+    void cast(HitRows rows, Lamp lamp, int[] chosen, int[] blocked) {
+        int count = RowBits.count(chosen, rows.count);
+        rays += count;
+        if (count > 0) {
+            aim(rows, lamp);
         }
-        aim(rows, lamp);
-        int lit = 0;
-        for (int at = 0; at < count; at += RayPacket.WIDTH) {
-            int live = Math.min(RayPacket.WIDTH, count - at);
-            load(rows, lamp, at, live);
-            int blocked = tracer.blocked(packet, live, blockers);
-            for (int i = 0; i < live; i++) {
-                boolean dark = (blocked >>> i & 1) != 0;
-                state[chosen[at + i]] =
-                        (byte) (dark ? LightRows.SHADOWED | LightRows.BLOCKED : LightRows.LIT | LightRows.CLEAR);
-                lit += dark ? 0 : 1;
+        for (int b = 0; b < RowBits.words(rows.count); b++) {
+            blocked[b] = 0;
+            if (chosen[b] != 0 && !blockers.isEmpty()) {
+                load(rows, lamp, b * RayPacket.WIDTH, chosen[b]);
+                blocked[b] = tracer.blocked(packet, RayPacket.WIDTH, blockers) & chosen[b];
             }
         }
-        rays += count;
-        count = 0;
-        return lit;
     }
 
     /** Finds the shapes that can stand between any row of the tile and the light. */
@@ -72,21 +60,27 @@ final class ShadowCaster {
         blockers.collect(geometry, beam);
     }
 
-    /** The ray to a position ends there, at distance 1; the ray to a directional light never ends. */
-    private void load(HitRows rows, Lamp lamp, int at, int live) {
+    /**
+     * The ray to a position ends there, at distance 1; the ray to a directional light never ends. Rows
+     * that were not chosen get a ray that ends before it begins.
+     */
+    private void load(HitRows rows, Lamp lamp, int row, int chosen) {
         boolean positional = lamp.type().hasPosition();
-        double x = lamp.source().x();
-        double y = lamp.source().y();
-        double z = lamp.source().z();
-        for (int i = 0; i < live; i++) {
-            int row = chosen[at + i];
-            packet.ox[i] = rows.px[row];
-            packet.oy[i] = rows.py[row];
-            packet.oz[i] = rows.pz[row];
-            packet.dx[i] = positional ? x - rows.px[row] : x;
-            packet.dy[i] = positional ? y - rows.py[row] : y;
-            packet.dz[i] = positional ? z - rows.pz[row] : z;
-            packet.limit[i] = positional ? 1 : Double.POSITIVE_INFINITY;
+        axis(rows.px, row, lamp.source().x(), positional, packet.ox, packet.dx);
+        axis(rows.py, row, lamp.source().y(), positional, packet.oy, packet.dy);
+        axis(rows.pz, row, lamp.source().z(), positional, packet.oz, packet.dz);
+        double limit = positional ? 1 : Double.POSITIVE_INFINITY;
+        for (int i = 0; i < RayPacket.WIDTH; i++) {
+            packet.limit[i] = (chosen >>> i & 1) != 0 ? limit : -1;
+        }
+    }
+
+    private static void axis(float[] points, int row, double source, boolean positional, double[] origin, double[] direction) {
+        for (int i = 0; i < RayPacket.WIDTH; i += LightLanes.LANES) {
+            DoubleVector o = LightLanes.load(points, row + i);
+            DoubleVector s = DoubleVector.broadcast(LightLanes.D, source);
+            o.intoArray(origin, i);
+            (positional ? s.sub(o) : s).intoArray(direction, i);
         }
     }
 }

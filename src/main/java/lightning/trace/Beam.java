@@ -1,6 +1,10 @@
 package lightning.trace;
 
 import java.util.Arrays;
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
 import lightning.math.Vec3;
 
 /**
@@ -21,6 +25,8 @@ import lightning.math.Vec3;
  * }</pre>
  */
 public final class Beam {
+    private static final VectorSpecies<Float> LANES = FloatVector.SPECIES_PREFERRED;
+    private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_PREFERRED;
     /** Rays reach their light only up to rounding. */
     private static final double PAST_END = 1 + 0x1p-20;
 
@@ -48,7 +54,7 @@ public final class Beam {
         include(low, high, x, y, z);
     }
 
-    /** Adds the origins {@code 0 … count − 1}, render space. */
+    /** Adds the origins {@code 0 … count − 1}, at least one, render space. */
     public void origins(float[] x, float[] y, float[] z, int count) {
         column(0, x, count);
         column(1, y, count);
@@ -56,19 +62,53 @@ public final class Beam {
     }
 
     private void column(int axis, float[] v, int count) {
-        float least = Float.POSITIVE_INFINITY;
-        float most = Float.NEGATIVE_INFINITY;
-        for (int i = 0; i < count; i++) {
-            least = Math.min(least, v[i]);
-            most = Math.max(most, v[i]);
+        FloatVector least = FloatVector.broadcast(LANES, v[0]);
+        FloatVector most = least;
+        int i = 0;
+        for (; i + LANES.length() <= count; i += LANES.length()) {
+            FloatVector x = FloatVector.fromArray(LANES, v, i);
+            least = least.min(x);
+            most = most.max(x);
         }
-        low[axis] = Math.min(low[axis], least);
-        high[axis] = Math.max(high[axis], most);
+        float lowest = least.reduceLanes(VectorOperators.MIN);
+        float highest = most.reduceLanes(VectorOperators.MAX);
+        for (; i < count; i++) {
+            lowest = Math.min(lowest, v[i]);
+            highest = Math.max(highest, v[i]);
+        }
+        low[axis] = Math.min(low[axis], lowest);
+        high[axis] = Math.max(high[axis], highest);
     }
 
     /** Adds a direction in which rays leave, of any length, without a limit. */
     public void direction(double x, double y, double z) {
         include(lowSpeed, highSpeed, x, y, z);
+    }
+
+    /** Adds the directions {@code 0 … count − 1}, at least one. */
+    void directions(double[] x, double[] y, double[] z, int count) {
+        directions(0, x, count);
+        directions(1, y, count);
+        directions(2, z, count);
+    }
+
+    private void directions(int axis, double[] v, int count) {
+        DoubleVector least = DoubleVector.broadcast(DOUBLES, v[0]);
+        DoubleVector most = least;
+        int i = 0;
+        for (; i + DOUBLES.length() <= count; i += DOUBLES.length()) {
+            DoubleVector x = DoubleVector.fromArray(DOUBLES, v, i);
+            least = least.min(x);
+            most = most.max(x);
+        }
+        double lowest = least.reduceLanes(VectorOperators.MIN);
+        double highest = most.reduceLanes(VectorOperators.MAX);
+        for (; i < count; i++) {
+            lowest = Math.min(lowest, v[i]);
+            highest = Math.max(highest, v[i]);
+        }
+        lowSpeed[axis] = Math.min(lowSpeed[axis], lowest);
+        highSpeed[axis] = Math.max(highSpeed[axis], highest);
     }
 
     /** All rays go in one direction, of any length, without a limit: to a directional light. */

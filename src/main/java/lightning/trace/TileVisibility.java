@@ -83,19 +83,27 @@ public final class TileVisibility {
      */
     public HitRows mirrored(HitRows from, int[] known, Allocator allocator) {
         int rays = from.reflective;
+        for (int i = 0; i < rays; i++) {
+            mirror(from, i);
+            slot[i] = (short) i;
+        }
+        if (known == null && rays > 0) {
+            beam.clear();
+            beam.origins(from.px, from.py, from.pz, rays);
+            beam.directions(dx, dy, dz, rays);
+            candidates.collect(geometry, beam);
+        }
         for (int i = 0; i < rays; i += RayPacket.WIDTH) {
             int live = Math.min(RayPacket.WIDTH, rays - i);
-            mirror(from, i, live);
+            load(from, i, live);
             if (known == null) {
-                tracer.nearest(packet, live);
+                tracer.nearest(packet, live, candidates);
             } else {
                 System.arraycopy(known, i, packet.shape, 0, live);
                 tracer.distances(packet, live);
             }
-            keep(i, live);
-            for (int j = i; j < i + live; j++) {
-                slot[j] = (short) j;
-            }
+            System.arraycopy(packet.t, 0, t, i, live);
+            System.arraycopy(packet.shape, 0, shape, i, live);
         }
         return rows(from, rays, allocator);
     }
@@ -105,25 +113,31 @@ public final class TileVisibility {
         return Arrays.copyOf(shape, rays);
     }
 
-    /** The mirrored ray of each row, as {@link SurfacePoint#mirrored}. */
-    private void mirror(HitRows from, int row, int live) {
+    /** The direction of a row's mirrored ray, as {@link SurfacePoint#mirrored}. */
+    private void mirror(HitRows from, int r) {
+        double nx = from.nx[r];
+        double ny = from.ny[r];
+        double nz = from.nz[r];
+        double twice = 2 * Math.abs(nx * from.vx[r] + ny * from.vy[r] + nz * from.vz[r]);
+        double rx = from.vx[r] + twice * nx;
+        double ry = from.vy[r] + twice * ny;
+        double rz = from.vz[r] + twice * nz;
+        double length = Math.sqrt(rx * rx + ry * ry + rz * rz);
+        dx[r] = rx / length;
+        dy[r] = ry / length;
+        dz[r] = rz / length;
+    }
+
+    /** Puts the mirrored rays of rows {@code row …} into the packet. */
+    private void load(HitRows from, int row, int live) {
         for (int i = 0; i < live; i++) {
-            int r = row + i;
-            double nx = from.nx[r];
-            double ny = from.ny[r];
-            double nz = from.nz[r];
-            double twice = 2 * Math.abs(nx * from.vx[r] + ny * from.vy[r] + nz * from.vz[r]);
-            double rx = from.vx[r] + twice * nx;
-            double ry = from.vy[r] + twice * ny;
-            double rz = from.vz[r] + twice * nz;
-            double length = Math.sqrt(rx * rx + ry * ry + rz * rz);
-            packet.ox[i] = from.px[r];
-            packet.oy[i] = from.py[r];
-            packet.oz[i] = from.pz[r];
-            packet.dx[i] = rx / length;
-            packet.dy[i] = ry / length;
-            packet.dz[i] = rz / length;
+            packet.ox[i] = from.px[row + i];
+            packet.oy[i] = from.py[row + i];
+            packet.oz[i] = from.pz[row + i];
         }
+        System.arraycopy(dx, row, packet.dx, 0, live);
+        System.arraycopy(dy, row, packet.dy, 0, live);
+        System.arraycopy(dz, row, packet.dz, 0, live);
     }
 
     private void keep(int at, int live) {
@@ -168,7 +182,7 @@ public final class TileVisibility {
         return rows;
     }
 
-    private void load(HitRows from, int row, int live) {
+    private void loadSorted(HitRows from, int row, int live) {
         for (int i = 0; i < live; i++) {
             int ray = order[row + i];
             packet.ox[i] = from == null ? 0 : from.px[ray];
@@ -183,7 +197,7 @@ public final class TileVisibility {
     }
 
     private void surfaces(HitRows from, HitRows rows, int row, int live, boolean textured) {
-        load(from, row, live);
+        loadSorted(from, row, live);
         tracer.surfaces(packet, live, surface);
         System.arraycopy(surface.px, 0, rows.px, row, live);
         System.arraycopy(surface.py, 0, rows.py, row, live);

@@ -58,7 +58,7 @@ class LanesTest {
         if (type.hasCone()) {
             lanes.axisCosines(rows, lamp);
         }
-        int from = random.nextInt(count);
+        int from = random.nextInt(count) / LightLanes.LANES * LightLanes.LANES;
         lanes.speculars(rows, from, count, shininess, specular);
         if (type.hasPosition()) {
             lanes.falloffs(rows, lamp, falloff);

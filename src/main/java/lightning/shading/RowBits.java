@@ -1,0 +1,60 @@
+package lightning.shading;
+
+import lightning.trace.RayPacket;
+
+/**
+ * Sets of rows of a tile: one bit for each row, as many bits in an {@code int} as a packet has rays, the
+ * lowest for the first row.
+ */
+final class RowBits {
+    /** Rows in a word. */
+    static final int WIDTH = RayPacket.WIDTH;
+    private static final int ALL = WIDTH == 32 ? -1 : (1 << WIDTH) - 1;
+
+    private RowBits() {}
+
+    /** Room for the rows of any tile. */
+    static int[] room() {
+        return new int[words(LightLanes.ROWS)];
+    }
+
+    /** How many words hold {@code rows} rows. */
+    static int words(int rows) {
+        return (rows + WIDTH - 1) / WIDTH;
+    }
+
+    /** The bits of word {@code b} that stand for one of {@code rows} rows. */
+    static int valid(int b, int rows) {
+        int rest = rows - b * WIDTH;
+        return rest >= WIDTH ? ALL : (1 << rest) - 1;
+    }
+
+    /** How many of {@code rows} rows are in the set. */
+    static int count(int[] bits, int rows) {
+        int count = 0;
+        for (int b = 0; b < words(rows); b++) {
+            count += Integer.bitCount(bits[b]);
+        }
+        return count;
+    }
+
+    static boolean contains(int[] bits, int row) {
+        return (bits[row / WIDTH] >>> row % WIDTH & 1) != 0;
+    }
+
+    static void add(int[] bits, int row) {
+        bits[row / WIDTH] |= 1 << row % WIDTH;
+    }
+
+    /** Puts the rows in a state, see {@link LightRows}, into the set. */
+    static void inState(byte[] states, int rows, int state, int[] bits) {
+        for (int b = 0; b < words(rows); b++) {
+            int word = 0;
+            int end = Math.min(WIDTH, rows - b * WIDTH);
+            for (int i = 0; i < end; i++) {
+                word |= ((states[b * WIDTH + i] & LightRows.STATE) == state ? 1 : 0) << i;
+            }
+            bits[b] = word;
+        }
+    }
+}
