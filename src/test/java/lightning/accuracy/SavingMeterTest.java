@@ -3,12 +3,14 @@ package lightning.accuracy;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import lightning.RandomScenes;
 import lightning.relight.Accuracy;
 import lightning.relight.Options;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
+import lightning.sample.StudioScene;
 import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Picture;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
 import lightning.shading.TraceCounts;
@@ -17,7 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class SavingMeterTest {
-    private final Scene before = new RandomScenes(4).scene(64, 48, 6, 3);
+    private final Scene before = StudioScene.of(LightType.SPOT).withPicture(new Picture(64, 48, 3));
     private final Light light = before.lights().getFirst();
     private final Scene after = before.withLight(light.withOn(true).withPosition(light.position().times(0.5)).withIntensity(2));
 

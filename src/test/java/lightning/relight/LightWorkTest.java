@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.sample.StudioScene;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -71,7 +72,7 @@ class LightWorkTest {
     @EnumSource(LightType.class)
     void ambienceOnAndOffSoloAndZero_onlyCompose(LightType type) {
         try (Studio studio = Studio.of(type)) {
-            studio.lights(l -> List.of(l.getFirst(), Studio.key(LightType.POINT).withName("other")));
+            studio.lights(l -> List.of(l.getFirst(), StudioScene.key(LightType.POINT).withName("other")));
             for (Update update : List.of(
                     studio.render(studio.scene().withWorld(studio.scene().world().withAmbience(0.2))),
                     studio.edit(l -> l.withOn(false)), studio.edit(l -> l.withOn(true)),
@@ -89,7 +90,7 @@ class LightWorkTest {
         try (Studio studio = Studio.of(type)) {
             Update update = studio.lights(_ -> List.of());
             assertPlan(update);
-            assertThat(((UpdatePlan.Relight) update.plan()).top().dropped()).containsExactly(Studio.KEY);
+            assertThat(((UpdatePlan.Relight) update.plan()).top().dropped()).containsExactly(StudioScene.KEY);
             assertWork(update, 0, rows(studio), 0, 0);
         }
     }
@@ -98,7 +99,7 @@ class LightWorkTest {
     @EnumSource(LightType.class)
     void adding_castsOneRayForEachRowThatTheLightReaches(LightType type) {
         try (Studio studio = Studio.of(LightType.POINT)) {
-            Light light = Studio.key(type).withName("more").withPosition(ELSEWHERE);
+            Light light = StudioScene.key(type).withName("more").withPosition(ELSEWHERE);
             Update update = studio.lights(l -> List.of(l.getFirst(), light));
             assertPlan(update, KEEP, ADD);
             assertWork(update, rows(studio), rows(studio), 0, studio.seen().count(0, studio.seen().reached(light)));
@@ -291,10 +292,10 @@ class LightWorkTest {
     @Test
     void editsOfTwoLightsAtOnce_costWhatEachOfThemCosts() {
         try (Studio studio = Studio.of(LightType.SPOT)) {
-            studio.lights(l -> List.of(l.getFirst(), Studio.key(LightType.POINT).withName("other")));
+            studio.lights(l -> List.of(l.getFirst(), StudioScene.key(LightType.POINT).withName("other")));
             SeenRows seen = studio.seen();
             long inside = seen.count(0, seen.reached(studio.key()));
-            Light moved = Studio.key(LightType.POINT).withName("other").withPosition(ELSEWHERE);
+            Light moved = StudioScene.key(LightType.POINT).withName("other").withPosition(ELSEWHERE);
             Update update = studio.lights(l -> List.of(l.getFirst().withAngle(8).withIntensity(2), moved));
             assertPlan(update, new LightUpdate.Partial(ConeChange.ANGLE_REMOVE, false, true), FULL);
             assertWork(update, inside + rows(studio), rows(studio), 0, seen.count(0, seen.reached(moved)));

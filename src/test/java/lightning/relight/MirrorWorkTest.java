@@ -7,6 +7,7 @@ import java.util.List;
 import lightning.image.FilmAssert;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.sample.StudioScene;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Picture;
@@ -23,7 +24,7 @@ class MirrorWorkTest {
     private static final Vec3 ELSEWHERE = new Vec3(-1, 5, 3);
 
     private static Studio current(MirrorStorage storage) {
-        return new Studio(Reflections.CURRENT, storage, Studio.scene(LightType.SPOT));
+        return new Studio(Reflections.CURRENT, storage, StudioScene.of(LightType.SPOT));
     }
 
     /** Rows of a level and all below that a light reaches. */
@@ -75,7 +76,7 @@ class MirrorWorkTest {
 
     @Test
     void recursionBeyondTheLastMirror_doesNothing() {
-        Scene scene = Studio.scene(LightType.SPOT);
+        Scene scene = StudioScene.of(LightType.SPOT);
         Scene oneMirror = new Scene(scene.picture().withDepth(1), scene.camera(), scene.world(), scene.materials(),
                 scene.nodes().subList(0, 2), scene.lights());
         try (Studio studio = new Studio(Reflections.STALE, MirrorStorage.FULL_ROWS, oneMirror)) {
@@ -149,8 +150,8 @@ class MirrorWorkTest {
 
     @Test
     void recoloring_composesOnlyTilesThatTheLightLights() {
-        Scene scene = Studio.scene(LightType.SPOT);
-        Light left = Studio.key(LightType.SPOT).withPosition(new Vec3(-3.4, 0, 0)).withDirection(new Vec3(0, -1, 0));
+        Scene scene = StudioScene.of(LightType.SPOT);
+        Light left = StudioScene.key(LightType.SPOT).withPosition(new Vec3(-3.4, 0, 0)).withDirection(new Vec3(0, -1, 0));
         Scene wide = scene.withPicture(new Picture(64, 24, 0)).withLights(List.of(left));
         try (Studio studio = new Studio(Reflections.STALE, MirrorStorage.FULL_ROWS, wide)) {
             SeenRows seen = studio.seen();

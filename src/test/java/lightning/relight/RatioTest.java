@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import lightning.image.Film;
 import lightning.sample.Session;
+import lightning.sample.StudioScene;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -54,7 +55,7 @@ class RatioTest {
 
     @Test
     void rowsThatEnterTheConeOfAMattTile_haveDiffuseContributionsOnly() {
-        Light spot = Studio.key(LightType.SPOT);
+        Light spot = StudioScene.key(LightType.SPOT);
         Scene scene = new Scene(new Picture(16, 16, 0), Camera.DEFAULT, World.DEFAULT, List.of(),
                 List.of(new Shape.Sphere("ball", "default", Placement.IDENTITY)), List.of(spot));
         Scene wider = scene.withLight(spot.withAngle(25));

@@ -3,28 +3,17 @@ package lightning.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
-import lightning.math.Rgb;
-import lightning.math.Vec3;
-import lightning.scene.Attenuation;
-import lightning.scene.Camera;
+import lightning.sample.StudioScene;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.Material;
-import lightning.scene.Node;
-import lightning.scene.Picture;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
-import lightning.scene.World;
 import lightning.shading.Progress;
 import lightning.shading.SeenRows;
 
-/** A ball and a mirror over a mirroring floor, one light, and a renderer whose work is counted. */
+/** The studio's scene and a renderer whose work is counted. */
 final class Studio implements AutoCloseable {
-    static final String KEY = "key";
     private final Renderer renderer;
     private Scene scene;
 
@@ -36,32 +25,7 @@ final class Studio implements AutoCloseable {
 
     /** One tile, reflections stale, a light of the given type. */
     static Studio of(LightType type) {
-        return new Studio(Reflections.STALE, MirrorStorage.FULL_ROWS, scene(type));
-    }
-
-    static Scene scene(LightType type) {
-        return new Scene(new Picture(30, 24, 2), new Camera(new Vec3(0, 2, 7), Vec3.ZERO, Vec3.Y, 40), World.DEFAULT,
-                List.of(material("matt", Rgb.BLACK), material("glass", Rgb.grey(0.5))), nodes(), List.of(key(type)));
-    }
-
-    /** A light with rows of every state: lit and shadowed ones, and a spot's outside its cone. */
-    static Light key(LightType type) {
-        return Light.of(KEY, type).withPosition(new Vec3(2, 4, 2)).withDirection(new Vec3(-2, -4.5, -2.2))
-                .withAttenuation(new Attenuation(0.1, 0.2, 0.01)).withAngle(20).withDropoff(2);
-    }
-
-    private static Material material(String name, Rgb reflective) {
-        return new Material(name, Rgb.grey(0.1), Rgb.grey(0.7), Rgb.grey(0.2), 8, reflective, Optional.empty());
-    }
-
-    private static List<Node> nodes() {
-        return List.of(new Shape.Plane("floor", "glass", placement(new Vec3(0, -1, 0), new Vec3(9, 1, 9))),
-                new Shape.Sphere("ball", "matt", placement(Vec3.ZERO, Vec3.ONE)),
-                new Shape.Sphere("mirror", "glass", placement(new Vec3(-2, 0, -1), Vec3.ONE)));
-    }
-
-    private static Placement placement(Vec3 at, Vec3 scale) {
-        return new Placement(at, Vec3.ZERO, scale);
+        return new Studio(Reflections.STALE, MirrorStorage.FULL_ROWS, StudioScene.of(type));
     }
 
     Scene scene() {
@@ -69,7 +33,7 @@ final class Studio implements AutoCloseable {
     }
 
     Light key() {
-        return scene.light(KEY).orElseThrow();
+        return scene.light(StudioScene.KEY).orElseThrow();
     }
 
     Renderer renderer() {

@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.EnumSet;
 import java.util.Set;
-import lightning.RandomScenes;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.sample.SceneArbitraries;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -15,28 +15,40 @@ import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.World;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.statistics.StatisticsReport;
 import org.junit.jupiter.api.Test;
 
 class PixelExplainerTest {
-    @Test
-    void color_isTheReferencesInEveryBit() {
+    @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
+    @StatisticsReport(onFailureOnly = true)
+    void color_isTheReferencesInEveryBit(@ForAll("scenes") Scene scene) {
+        SceneCoverage.collect(scene);
+        var reference = new ReferenceTracer(scene);
+        var explainer = new PixelExplainer(scene);
         Set<LightReport.State> seen = EnumSet.noneOf(LightReport.State.class);
         boolean mirrored = false;
-        for (int seed = 0; seed < 25; seed++) {
-            Scene scene = new RandomScenes(seed).scene(16, 12, 6, seed % 6);
-            var reference = new ReferenceTracer(scene);
-            var explainer = new PixelExplainer(scene);
-            for (int y = 0; y < 12; y++) {
-                for (int x = 0; x < 16; x++) {
-                    PointReport report = explainer.pixel(x, y);
-                    assertThat(report.color()).as("seed %d, pixel %d,%d", seed, x, y).containsExactly(reference.pixel(x, y));
-                    report.lights().forEach(light -> seen.add(light.state()));
-                    mirrored |= report.reflected() != null;
-                }
+        for (int y = 0; y < scene.picture().height(); y += 3) {
+            for (int x = 0; x < scene.picture().width(); x += 3) {
+                PointReport report = explainer.pixel(x, y);
+                assertThat(report.color()).as("pixel %d,%d", x, y).containsExactly(reference.pixel(x, y));
+                report.lights().forEach(light -> seen.add(light.state()));
+                mirrored |= report.reflected() != null;
             }
         }
-        assertThat(seen).containsExactlyInAnyOrder(LightReport.State.values());
-        assertThat(mirrored).isTrue();
+        for (LightReport.State state : LightReport.State.values()) {
+            SceneCoverage.collect(state.toString(), seen.contains(state), 10);
+        }
+        SceneCoverage.collect("reported mirrored", mirrored, 20);
+    }
+
+    @Provide
+    Arbitrary<Scene> scenes() {
+        return SceneArbitraries.scenes();
     }
 
     /** A ball over a floor, a light above it: the floor below is in the ball's shadow. */
