@@ -1,6 +1,7 @@
 package lightning.relight;
 
 import java.util.Arrays;
+import java.util.concurrent.CancellationException;
 import lightning.cache.CachedTile;
 import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
@@ -47,7 +48,7 @@ public final class Renderer implements AutoCloseable {
     /**
      * Makes the film show the wanted scene.
      *
-     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop; everything
+     * @throws CancellationException if {@code progress} asked to stop; everything
      *         is then as before the call
      */
     public Update render(Scene wanted, Progress progress) {
@@ -58,7 +59,7 @@ public final class Renderer implements AutoCloseable {
      * Makes the mirror images show the scene rendered last (paper §4.8).
      *
      * @throws IllegalStateException if nothing was rendered yet
-     * @throws java.util.concurrent.CancellationException as {@link #render}
+     * @throws CancellationException as {@link #render}
      */
     public Update updateReflections(Progress progress) {
         return run(Dispatcher.plan(cache(), cache().scene(), true, options.accuracy()), cache().scene(), progress);
@@ -93,6 +94,7 @@ public final class Renderer implements AutoCloseable {
 
     private Update run(UpdatePlan plan, Scene wanted, Progress progress) {
         long start = System.nanoTime();
+        PixelCache before = cache;
         Work work = switch (plan) {
             case UpdatePlan.Nothing _ -> Work.NONE;
             case UpdatePlan.FirstPass _ -> firstPass(wanted, progress);
@@ -101,11 +103,21 @@ public final class Renderer implements AutoCloseable {
         ErrorBound bound = ErrorBound.of(cache);
         boolean refreshed = bound.shows(exposure);
         if (refreshed) {
-            work = work.plus(relight(Dispatcher.refresh(cache), wanted, progress));
+            work = work.plus(refresh(before, progress));
             bound = ErrorBound.of(cache);
         }
         return new Update(plan, work.rowsTouched(), work.rowsComposed(), work.rays(), System.nanoTime() - start,
                 bound.largest(), refreshed);
+    }
+
+    /** Contributions anew; where this is cancelled, the update that made it necessary is undone too. */
+    private Work refresh(PixelCache before, Progress progress) {
+        try {
+            return relight(Dispatcher.refresh(cache), cache.scene(), progress);
+        } catch (CancellationException e) {
+            cache = before;
+            throw e;
+        }
     }
 
     private Work firstPass(Scene wanted, Progress progress) {
