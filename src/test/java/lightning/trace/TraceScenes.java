@@ -136,8 +136,10 @@ final class TraceScenes {
             TraceScenes one = new TraceScenes();
             one.add(random.nextInt(4), vector(random, 1), vector(random, 180), new Vec3(1, 1, 1));
             Node node = one.nodes.getFirst();
-            double stretch = Math.pow(10, random.nextInt(5));
-            for (int level = random.nextInt(4); level > 0; level--) {
+            int levels = random.nextInt(4);
+            // Nested scales multiply; together they stay within what a scene may have, 10⁻⁹ to 10⁹.
+            double stretch = Math.scalb(1.0, random.nextInt(1 + 28 / Math.max(1, levels)));
+            for (int level = levels; level > 0; level--) {
                 Placement turned = new Placement(vector(random, 1), vector(random, 180), new Vec3(stretch, 1, 1 / stretch));
                 node = new Group("g" + i + "_" + level, turned, List.of(node));
             }
