@@ -3,37 +3,43 @@ package lightning.cli.pov;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import lightning.RandomScenes;
+import lightning.jen.JenReader;
 import lightning.math.Transform;
 import lightning.math.Vec3;
+import lightning.sample.SceneArbitraries;
 import lightning.scene.Attenuation;
 import lightning.scene.Scene;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.DoubleRange;
 import org.junit.jupiter.api.Test;
 
 class PovSceneTest {
-    /** The whole text of a scene, without braces in strings, as POV-Ray would nest it. */
-    @Test
-    void text_closesEveryBrace() {
-        for (int seed = 0; seed < 20; seed++) {
-            Scene scene = new RandomScenes(seed).scene(30, 20, 6, seed % 5);
-            String text = PovScene.of(scene, "x").text();
-            assertThat(text.chars().filter(c -> c == '{').count()).isEqualTo(text.chars().filter(c -> c == '}').count());
-            assertThat(text).doesNotContain("NaN", "Infinity");
-            assertThat(text.lines().filter(line -> line.startsWith("light_source"))).hasSize(
-                    (int) scene.lights().stream().filter(scene::shines).count());
-            assertThat(text.lines().filter(line -> line.startsWith("  matrix"))).hasSize(scene.placedShapes().size());
-        }
+    @Provide
+    Arbitrary<Scene> scenes() {
+        return SceneArbitraries.scenes();
+    }
+
+    @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
+    void text_hasEveryShapeAndEveryLightThatIsOn(@ForAll("scenes") Scene scene) {
+        String text = PovScene.of(scene, "x").text();
+        assertThat(text.chars().filter(c -> c == '{').count()).isEqualTo(text.chars().filter(c -> c == '}').count());
+        assertThat(text).doesNotContain("NaN", "Infinity");
+        assertThat(text.lines().filter(line -> line.startsWith("light_source"))).hasSize(
+                (int) scene.lights().stream().filter(scene::shines).count());
+        assertThat(text.lines().filter(line -> line.startsWith("  matrix"))).hasSize(scene.placedShapes().size());
     }
 
     @Test
-    void losses_standInTheHeadOfTheFile() {
-        PovScene pov = PovScene.of(new RandomScenes(3).scene(30, 20, 6, 4), "x");
+    void losses_standInTheHeadOfTheFile() throws Exception {
+        PovScene pov = PovScene.of(JenReader.read(Path.of("scenes/bird.jen")).scene(), "x");
         assertThat(pov.losses()).isNotEmpty();
         pov.losses().forEach(loss -> assertThat(pov.text()).contains("// Not as in the scene: " + loss + "\n"));
     }
@@ -73,6 +79,11 @@ class PovSceneTest {
         PovFade fade = PovFade.of(attenuation, 3, 9);
         double ours = 1 / (constant + linear * distance + quadratic * distance * distance);
         assertThat(fade.factor(distance) / Math.min(ours, 1)).isBetween(0.9, 1.1);
+    }
+
+    @Test
+    void fadingThatTheLimitHides_isNoFading() {
+        assertThat(PovFade.of(new Attenuation(0.1, 0.1, 0.1), 0.5, 2).distance()).isZero();
     }
 
     @Test
