@@ -76,6 +76,9 @@ public final class PaperCases {
             add("rename", "", Double.NaN, replaced(l, l.withName(freshName())));
             add("undo", "", Double.NaN, scene.withLight(dimmed(l)), scene);
         });
+        int depth = scene.picture().depth();
+        add("depth-less", "", Double.NaN, scene.withPicture(scene.picture().withDepth(Math.max(depth - 1, 0))));
+        add("depth-more", "", Double.NaN, scene.withPicture(scene.picture().withDepth(Math.min(depth + 1, Limits.MAX_DEPTH))));
         edit("spot-turned", "", Double.NaN, LightType.SPOT, l -> aimed(l, shot.point(0.4, 0, 0.3)));
         edit("point-to-spot", "", Double.NaN, LightType.POINT, l -> aimed(l, shot.focus()).withType(LightType.SPOT));
     }

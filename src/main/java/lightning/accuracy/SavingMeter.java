@@ -1,6 +1,8 @@
 package lightning.accuracy;
 
 import java.util.Arrays;
+import java.util.concurrent.Callable;
+import java.util.function.Supplier;
 import lightning.image.Difference;
 import lightning.relight.Accuracy;
 import lightning.relight.Options;
@@ -22,6 +24,8 @@ import lightning.trace.Geometry;
  */
 public final class SavingMeter implements AutoCloseable {
     private static final int WARM_UPS = 2;
+    /** The first pass comes first, in cold code. */
+    private static final int FIRST_WARM_UPS = 6;
     /** Bytes of a term of a light's layer, and of a pixel of the film. */
     private static final int TERM = Float.BYTES;
     private static final int PIXEL = 3 * Float.BYTES;
@@ -64,7 +68,7 @@ public final class SavingMeter implements AutoCloseable {
         double[] first = new double[repetitions];
         double[] full = new double[repetitions];
         TraditionalTracer tracer = new TraditionalTracer(scene);
-        for (int i = -WARM_UPS; i < repetitions; i++) {
+        for (int i = -FIRST_WARM_UPS; i < repetitions; i++) {
             try (Renderer fresh = new Renderer(renderer.options())) {
                 first[Math.max(i, 0)] = fresh.render(scene, progress).milliseconds();
             }
@@ -81,20 +85,53 @@ public final class SavingMeter implements AutoCloseable {
      * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
      */
     public Saving update(Scene before, Scene after, Progress progress) {
-        settle(before, progress);
-        Update update = renderer.render(after, progress);
+        return measure(() -> settle(before, progress), () -> renderer.render(after, progress), after, progress);
+    }
+
+    /**
+     * Measures the update of the reflections after an edit (paper §4.8), and verifies its picture.
+     *
+     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     */
+    public Saving reflections(Scene before, Scene after, Progress progress) {
+        return measure(() -> {
+            settle(before, progress);
+            renderer.render(after, progress);
+        }, () -> renderer.updateReflections(progress), after, progress);
+    }
+
+    private Saving measure(Runnable before, Supplier<Update> work, Scene after, Progress progress) {
+        before.run();
+        Update update = work.get();
         boolean kept = isKept(update, progress);
         var tracer = new TraditionalTracer(after, renderer.cache().geometry());
         TraceCounts fullRays = tracer.trace(workers, progress).rays();
         double[] updates = new double[repetitions];
         double[] fulls = new double[repetitions];
         for (int i = -WARM_UPS; i < repetitions; i++) {
-            settle(before, progress);
-            updates[Math.max(i, 0)] = renderer.render(after, progress).milliseconds();
+            before.run();
+            updates[Math.max(i, 0)] = work.get().milliseconds();
             fulls[Math.max(i, 0)] = milliseconds(() -> tracer.trace(workers, progress));
         }
         double full = median(fulls);
         return new Saving(update, median(updates), full, fullRays, cap(update, full, fullRays), kept);
+    }
+
+    /**
+     * Measures a full trace beside another program's.
+     *
+     * @param rival lets the other program trace the same picture once; returns milliseconds
+     * @throws Exception whatever {@code rival} throws, or a CancellationException if {@code progress} asked to stop
+     */
+    public TurnTimes against(Scene scene, Callable<Double> rival, Progress progress) throws Exception {
+        var tracer = new TraditionalTracer(scene);
+        double[] full = new double[repetitions];
+        double[] other = new double[repetitions];
+        for (int i = -WARM_UPS; i < repetitions; i++) {
+            full[Math.max(i, 0)] = milliseconds(() -> tracer.trace(workers, progress));
+            other[Math.max(i, 0)] = rival.call();
+        }
+        return new TurnTimes(median(full), median(other));
     }
 
     /** Shows a scene, mirrors included. */

@@ -65,6 +65,7 @@ final class CompareCommand implements Callable<Integer> {
         console.line("largest difference  %.6g linear at pixel %d,%d; %d ulp at most anywhere", d.maxAbsolute(), d.x(), d.y(), d.maxUlp());
         console.line("mean difference     %.6g linear", d.meanAbsolute());
         console.line("rmse                %.6g linear, PSNR %.2f dB", d.rmse(), d.linearPsnr());
-        console.line("as displayed        PSNR %.2f dB, SSIM %.6f", d.displayPsnr(), d.ssim());
+        console.line(Double.isInfinite(d.displayPsnr()) ? "as displayed        equal"
+                : "as displayed        PSNR %.2f dB, SSIM %.6f", d.displayPsnr(), d.ssim());
     }
 }

@@ -17,6 +17,7 @@ final class Complaint {
     static int report(Console console, Throwable problem) {
         return switch (problem) {
             case CancellationException _ -> cancelled(console);
+            case InterruptedException _ -> cancelled(console);
             case IOException _ when Thread.currentThread().isInterrupted() -> cancelled(console);
             case JenException e -> {
                 e.problems().forEach(p -> console.err().println(p));

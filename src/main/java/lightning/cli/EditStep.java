@@ -1,5 +1,8 @@
 package lightning.cli;
 
+import java.util.List;
+import lightning.accuracy.PaperCase;
+import lightning.accuracy.PaperCases;
 import lightning.jen.PropertyEdit;
 import lightning.scene.Scene;
 import picocli.CommandLine.Option;
@@ -17,6 +20,10 @@ final class EditStep {
     @Option(names = "--delete", required = true, paramLabel = "LIGHT", description = "Deletes a light.")
     private String delete;
 
+    @Option(names = "--case", required = true, paramLabel = "NAME",
+            description = "Makes one of the paper's edits by its name in the tour, as color or angle-larger.")
+    private String named;
+
     @Option(names = "--then", required = true, description = "Renders; what follows is the next edit.")
     private boolean then;
 
@@ -26,19 +33,33 @@ final class EditStep {
     }
 
     /**
-     * The scene after this step.
+     * The scenes that this step leads to, one after the other; all but the last are rendered by themselves.
      *
      * @throws BadInput if the scene has no such thing, or not such a value
      */
-    Scene apply(Scene scene) throws BadInput {
+    List<Scene> apply(Scene scene) throws BadInput {
+        if (named != null) {
+            return paperCase(scene);
+        }
         try {
-            return set != null ? PropertyEdit.apply(scene, set)
+            return List.of(set != null ? PropertyEdit.apply(scene, set)
                     : add != null ? PropertyEdit.add(scene, add)
                     : delete != null ? PropertyEdit.delete(scene, delete)
-                    : scene;
+                    : scene);
         } catch (IllegalArgumentException e) {
             String step = set != null ? "--set " + set : add != null ? "--add " + add : "--delete " + delete;
             throw new BadInput(step + ": " + e.getMessage());
         }
+    }
+
+    private List<Scene> paperCase(Scene scene) throws BadInput {
+        List<PaperCase> cases = PaperCases.of(scene);
+        for (PaperCase edit : cases) {
+            if (edit.name().equals(named)) {
+                return edit.scenes().subList(1, edit.scenes().size());
+            }
+        }
+        throw new BadInput("--case " + named + ": expected one of "
+                + String.join(", ", cases.stream().map(PaperCase::name).toList()) + ", which this scene allows");
     }
 }

@@ -35,10 +35,12 @@ import picocli.CommandLine.Option;
             "Examples:",
             "  lightning relight scenes/bird.jen -o red.png --set \"sun.color=1 0 0\" --set sun.intensity=0.3 --verify",
             "  lightning relight scenes/bird.jen -o two.png --set stage.angle=12 --then --delete sun --reflections current",
+            "  lightning relight scenes/bird.jen -o feet.png --case position-feet --update-reflections --verify",
             "  lightning relight scenes/bird.jen -o new.png --add \"fill point intensity=0.5 at=0 3 2\" --save new.jen"})
 final class RelightCommand implements Callable<Integer> {
     /** Nanoseconds. */
     private static final long WARM_UP = 500_000_000;
+    private static final int MOST_WARM_UPS = 20;
 
     private final Console console;
 
@@ -58,6 +60,8 @@ final class RelightCommand implements Callable<Integer> {
     @Option(names = "--reflections", paramLabel = "WHEN", defaultValue = "stale",
             description = "stale (mirrors keep showing the scene of the first trace) or current (edits reach mirrors at once).")
     private Reflections reflections;
+    @Option(names = "--update-reflections", description = "After the last edit, make the mirrors show it too.")
+    private boolean updateReflections;
     private MirrorStorage storage = MirrorStorage.FULL_ROWS;
     @Option(names = "--verify", description = "Check each picture against full traces.")
     private boolean verify;
@@ -99,12 +103,10 @@ final class RelightCommand implements Callable<Integer> {
             warmUp(renderer, workers, bar);
             for (int group = 0; group < edited.size(); group++) {
                 Update update = renderer.render(picture.apply(edited.get(group)), bar);
-                console.line("%s", line(group + 1, update, fullTrace(renderer, workers, bar)));
-                if (verify) {
-                    Verification verification = Verification.of(renderer, update, workers, bar);
-                    console.line("   %s", verification.text());
-                    kept &= verification.kept();
-                }
+                kept &= report(group + 1 + ".", update, renderer, workers, bar);
+            }
+            if (updateReflections) {
+                kept &= report("mirrors:", renderer.updateReflections(bar), renderer, workers, bar);
             }
             output.write(renderer.film());
         }
@@ -112,6 +114,17 @@ final class RelightCommand implements Callable<Integer> {
             document.with(edited.getLast()).save(save);
         }
         return kept ? ExitCode.DONE : ExitCode.CHECK_FAILED;
+    }
+
+    /** Prints what an update did, and whether its promise was kept where that is asked; returns false if it was not. */
+    private boolean report(String title, Update update, Renderer renderer, Workers workers, ProgressBar bar) {
+        console.line("%s %s", title, line(update, fullTrace(renderer, workers, bar)));
+        if (!verify) {
+            return true;
+        }
+        Verification verification = Verification.of(renderer, update, workers, bar);
+        console.line("   %s", verification.text());
+        return verification.kept();
     }
 
     /** The scene after each group of edits. */
@@ -122,7 +135,9 @@ final class RelightCommand implements Callable<Integer> {
             if (step.endsGroup()) {
                 scenes.add(current);
             }
-            current = step.apply(current);
+            List<Scene> next = step.apply(current);
+            scenes.addAll(next.subList(0, next.size() - 1));
+            current = next.getLast();
         }
         scenes.add(current);
         return scenes;
@@ -131,9 +146,11 @@ final class RelightCommand implements Callable<Integer> {
     /** Lets the compiler get ready: a full trace in cold code would make each saving too large. */
     private static void warmUp(Renderer renderer, Workers workers, ProgressBar bar) {
         long start = System.nanoTime();
+        int traces = 0;
         do {
             fullTrace(renderer, workers, bar);
-        } while (System.nanoTime() - start < WARM_UP);
+            traces++;
+        } while (System.nanoTime() - start < WARM_UP && traces < MOST_WARM_UPS);
     }
 
     /** Milliseconds of a full trace of the renderer's scene, the tree of boxes left out. */
@@ -144,10 +161,10 @@ final class RelightCommand implements Callable<Integer> {
         return (System.nanoTime() - start) / 1e6;
     }
 
-    private String line(int group, Update update, double fullTrace) {
+    private String line(Update update, double fullTrace) {
         String exactness = accuracy == Accuracy.EXACT ? "exact"
                 : Console.text("off by at most %.3g%s", update.errorBound(), update.refreshed() ? " (refreshed)" : "");
-        return Console.text("%d. %s: %d rows, %d shadow rays, %.1f ms of a full trace's %.1f (saves %.1f %%), %s", group,
+        return Console.text("%s: %d rows, %d shadow rays, %.1f ms of a full trace's %.1f (saves %.1f %%), %s",
                 update.plan().text(), update.rowsTouched(), update.rays().shadow(), update.milliseconds(), fullTrace,
                 100 * (1 - update.milliseconds() / fullTrace), exactness);
     }

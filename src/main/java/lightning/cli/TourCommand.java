@@ -5,12 +5,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import lightning.accuracy.FirstPassCost;
 import lightning.accuracy.PaperCase;
 import lightning.accuracy.PaperCases;
 import lightning.accuracy.Saving;
 import lightning.accuracy.SavingMeter;
+import lightning.cli.pov.PovRay;
+import lightning.cli.pov.PovScene;
 import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
@@ -36,11 +39,13 @@ import picocli.CommandLine.Spec;
             "The cap is what the edit could save at most if it cast its rays as fast as the full trace casts its own, and moved",
             "its bytes as fast as memory does: a fast full trace and few lights leave less to save.",
             "",
+            "The line '- its mirrors' brings the edit of the position to the mirrors, as the button Update Reflections does.",
             "The exit code is 1 if a picture is not equal."},
         footer = {
             "Examples:",
             "  lightning tour",
-            "  lightning tour scenes/balls.jen -o balls-tour --size 640x480 --repetitions 3"})
+            "  lightning tour scenes/balls.jen -o balls-tour --size 640x480 --repetitions 3",
+            "  lightning tour scenes/house.jen --povray"})
 final class TourCommand implements Callable<Integer> {
     private static final Path BIRD = Path.of("scenes", "bird.jen");
     private static final int MOST_REPETITIONS = 1000;
@@ -57,6 +62,8 @@ final class TourCommand implements Callable<Integer> {
     @Option(names = "--size", paramLabel = "WxH", converter = Size.Converter.class, defaultValue = "1920x1080",
             description = "Pixels; 1920x1080 without it.")
     private Size size;
+    @Option(names = "--povray", description = "Also measure the full trace beside the installed POV-Ray's of the same scene.")
+    private boolean povray;
     @Mixin
     private ThreadsOption threads;
     private int repetitions = 5;
@@ -78,13 +85,17 @@ final class TourCommand implements Callable<Integer> {
         Path file = scene == null ? bird() : scene;
         Scene read = SceneFile.read(file).scene();
         Scene sized = read.withPicture(read.picture().withSize(size.width(), size.height()));
+        Optional<PovRay> pov = povray ? PovRay.find() : Optional.empty();
+        if (povray && pov.isEmpty()) {
+            throw new BadInput("--povray: there is no program povray on the PATH; install POV-Ray 3.7 (Debian package povray)");
+        }
         Files.createDirectories(folder);
         console.line("%s at %d x %d pixels, depth %d, %d threads; pictures go to %s", file, size.width(), size.height(),
                 read.picture().depth(), threads.count(), folder);
         List<PaperCase> cases = PaperCases.of(sized);
         try (SavingMeter meter = new SavingMeter(Options.DEFAULT.withThreads(threads.count()), repetitions);
                 ProgressBar bar = new ProgressBar(console, "tour")) {
-            return tour(sized, cases, meter, bar) ? ExitCode.DONE : ExitCode.CHECK_FAILED;
+            return tour(sized, cases, pov, meter, bar) ? ExitCode.DONE : ExitCode.CHECK_FAILED;
         }
     }
 
@@ -94,16 +105,22 @@ final class TourCommand implements Callable<Integer> {
         return Files.exists(BIRD) || home == null ? BIRD : Path.of(home).resolve(BIRD);
     }
 
-    private boolean tour(Scene sized, List<PaperCase> cases, SavingMeter meter, ProgressBar bar) throws IOException {
-        int steps = cases.size() + 1;
+    private boolean tour(Scene sized, List<PaperCase> cases, Optional<PovRay> pov, SavingMeter meter, ProgressBar bar)
+            throws Exception {
+        int steps = cases.size() + 2;
         bar.tiles(0, steps);
         FirstPassCost first = meter.firstPass(sized, bar.silent());
         write("first-pass", meter.renderer().film());
         var table = new TourTable(console);
-        boolean kept = true;
         bar.erase();
         table.first(first, meter.bytesPerMs());
+        if (pov.isPresent()) {
+            PovScene exported = PovScene.of(sized, "scene");
+            table.povRay(meter.against(sized, () -> pov.get().traceMs(exported, size.width(), size.height(), threads.count()),
+                    bar.silent()));
+        }
         table.head();
+        boolean kept = true;
         for (int i = 0; i < cases.size(); i++) {
             bar.tiles(i + 1, steps);
             PaperCase edit = cases.get(i);
@@ -111,11 +128,26 @@ final class TourCommand implements Callable<Integer> {
             Saving saving = meter.update(scenes.get(scenes.size() - 2), scenes.getLast(), bar.silent());
             write(edit.name(), meter.renderer().film());
             bar.erase();
-            table.row(edit, saving);
+            table.row(edit.name(), edit.paperSaving(), saving);
             kept &= saving.kept();
         }
+        bar.tiles(steps - 1, steps);
+        kept &= reflections(cases, table, meter, bar);
         table.foot();
         return kept;
+    }
+
+    /** Brings the first edit that moves a light to the mirrors: the button Update Reflections. */
+    private boolean reflections(List<PaperCase> cases, TourTable table, SavingMeter meter, ProgressBar bar) throws IOException {
+        Optional<PaperCase> edit = cases.stream().filter(c -> c.name().equals("position")).findFirst();
+        if (edit.isEmpty()) {
+            return true;
+        }
+        Saving saving = meter.reflections(edit.get().before(), edit.get().after(), bar.silent());
+        write("position-mirrored", meter.renderer().film());
+        bar.erase();
+        table.row("- its mirrors", Double.NaN, saving);
+        return saving.kept();
     }
 
     private void write(String name, Film film) throws IOException {

@@ -1,12 +1,12 @@
 package lightning.cli;
 
 import lightning.accuracy.FirstPassCost;
-import lightning.accuracy.PaperCase;
 import lightning.accuracy.Saving;
+import lightning.accuracy.TurnTimes;
 
 /** The tour's table, one line at a time. */
 final class TourTable {
-    private static final String COLUMNS = "%-15s %-32s %9s %11s %8s %8s %7s %6s %6s  %s";
+    private static final String COLUMNS = "%-15s %-40s %9s %11s %8s %8s %7s %6s %6s  %s";
 
     private final Console console;
 
@@ -21,14 +21,21 @@ final class TourTable {
         console.line("");
     }
 
+    void povRay(TurnTimes times) {
+        console.line("POV-Ray traces the exported scene in %.0f ms, the full trace takes %.1f ms: %.2f times as fast", times.rivalMs(),
+                times.fullMs(), times.ratio());
+        console.line("");
+    }
+
     void head() {
         console.line(COLUMNS, "edit", "plan", "rows", "shadow rays", "ms", "full ms", "saves %", "paper", "cap", "equal");
     }
 
-    void row(PaperCase edit, Saving saving) {
-        console.line(COLUMNS, edit.name(), saving.update().plan().text(), saving.update().rowsTouched(),
+    /** @param paper percent that the paper saved, NaN where it says nothing */
+    void row(String name, double paper, Saving saving) {
+        console.line(COLUMNS, name, saving.update().plan().text(), saving.update().rowsTouched(),
                 saving.update().rays().shadow(), number(saving.updateMs(), 2), number(saving.fullMs(), 1), number(saving.percent(), 1),
-                number(edit.paperSaving(), 0), number(saving.cap(), 1), saving.kept() ? "yes" : "NO");
+                number(paper, 0), number(saving.cap(), 1), saving.kept() ? "yes" : "NO");
     }
 
     void foot() {

@@ -40,7 +40,7 @@ class PaperCasesTest {
         assertThat(PaperCases.of(SceneFiles.read("bird"))).extracting(PaperCase::name).containsExactly("color",
                 "intensity", "attenuation", "angle-smaller", "angle-larger", "dropoff", "position", "direction", "type",
                 "delete", "add", "ambience", "position-feet", "composite-1", "composite-2", "off", "on", "solo", "rename",
-                "undo", "spot-turned", "point-to-spot");
+                "undo", "depth-less", "depth-more", "spot-turned", "point-to-spot");
     }
 
     @Test
@@ -161,9 +161,10 @@ class PaperCasesTest {
         Scene pointOnly = bird.withLights(bird.lights().stream().filter(l -> l.type() == LightType.POINT).toList());
 
         assertThat(PaperCases.of(pointOnly)).extracting(PaperCase::name).containsExactlyInAnyOrder("attenuation", "position",
-                "add", "ambience", "position-feet", "composite-1", "off", "on", "solo", "rename", "undo", "point-to-spot");
+                "add", "ambience", "position-feet", "composite-1", "off", "on", "solo", "rename", "undo", "depth-less", "depth-more",
+                "point-to-spot");
         assertThat(PaperCases.of(bird.withLights(List.of()))).extracting(PaperCase::name)
-                .containsExactlyInAnyOrder("add", "ambience");
+                .containsExactlyInAnyOrder("add", "ambience", "depth-less", "depth-more");
     }
 
     @Test

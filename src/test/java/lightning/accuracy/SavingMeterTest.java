@@ -7,10 +7,7 @@ import lightning.relight.Accuracy;
 import lightning.relight.Options;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
-import lightning.sample.StudioScene;
 import lightning.scene.Light;
-import lightning.scene.LightType;
-import lightning.scene.Picture;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
 import lightning.shading.TraceCounts;
@@ -19,9 +16,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class SavingMeterTest {
-    private final Scene before = StudioScene.of(LightType.SPOT).withPicture(new Picture(64, 48, 3));
-    private final Light light = before.lights().getFirst();
-    private final Scene after = before.withLight(light.withOn(true).withPosition(light.position().times(0.5)).withIntensity(2));
+    private final Scene before = SceneFiles.read("bird", 48);
+    private final Light light = before.light("lamp").orElseThrow();
+    private final Scene after = before.withLight(light.withPosition(light.position().times(0.5)).withIntensity(2));
 
     @ParameterizedTest
     @EnumSource(Accuracy.class)
@@ -34,7 +31,7 @@ class SavingMeterTest {
             assertThat(saving.update().plan()).isEqualTo(update.plan());
             assertThat(saving.update().rays()).isEqualTo(update.rays());
             assertThat(saving.update().rowsTouched()).isEqualTo(update.rowsTouched());
-            assertThat(saving.fullRays().eye()).isEqualTo(64 * 48);
+            assertThat(saving.fullRays().eye()).isEqualTo(48 * 48);
             assertThat(saving.kept()).isTrue();
             assertThat(meter.renderer().scene()).isEqualTo(after);
         }
@@ -57,6 +54,27 @@ class SavingMeterTest {
             assertThat(cost.bytes()).isEqualTo(renderer.cache().bytes());
             assertThat(cost.firstMs()).isPositive();
             assertThat(cost.fullMs()).isPositive();
+        }
+    }
+
+    @Test
+    void reflections_areUpdatedAndKept() {
+        try (SavingMeter meter = new SavingMeter(Options.DEFAULT.withThreads(2), 1)) {
+            Saving saving = meter.reflections(before, after, Progress.NONE);
+            assertThat(saving.update().plan().text()).isEqualTo("reflections");
+            assertThat(saving.kept()).isTrue();
+            assertThat(meter.renderer().reflectionsAreCurrent()).isTrue();
+        }
+    }
+
+    @Test
+    void rival_isAskedInTurns() throws Exception {
+        try (SavingMeter meter = new SavingMeter(Options.DEFAULT.withThreads(2), 3)) {
+            double[] next = {0};
+            TurnTimes times = meter.against(before, () -> next[0]++, Progress.NONE);
+            // Two warm-ups tell 0 and 1, then come 2, 3 and 4.
+            assertThat(times.rivalMs()).isEqualTo(3);
+            assertThat(times.ratio()).isEqualTo(3 / times.fullMs());
         }
     }
 

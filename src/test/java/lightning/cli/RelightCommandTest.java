@@ -4,6 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import lightning.accuracy.PaperCases;
 import lightning.image.Difference;
 import lightning.image.Film;
 import lightning.image.PictureFile;
@@ -15,7 +19,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class RelightCommandTest {
@@ -68,6 +74,38 @@ class RelightCommandTest {
     }
 
     @Test
+    void updateReflections_bringsTheLastEditToTheMirrors() throws Exception {
+        String out = Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--update-reflections", "--verify")
+                .isDone().out();
+        Film reference = new ReferenceTracer(PropertyEdit.apply(scene, "lamp.intensity=3")).trace();
+        assertThat(PictureFile.read(picture).sameBits(reference)).isTrue();
+        assertThat(out.lines().filter(line -> line.startsWith("mirrors: reflections: "))).hasSize(1);
+    }
+
+    @Test
+    void caseWithSeveralScenes_rendersEach() {
+        String out = Cli.run("relight", path, "-o", picture, "--case", "undo", "--verify").isDone().out();
+        assertThat(out.lines().filter(line -> line.matches("\\d\\. lamp: weight: .*"))).hasSize(2);
+    }
+
+    static Stream<Arguments> casesOfAllScenes() throws Exception {
+        List<Arguments> cases = new ArrayList<>();
+        try (Stream<Path> files = Files.list(Path.of("scenes"))) {
+            for (Path file : files.filter(f -> f.toString().endsWith(".jen")).sorted().toList()) {
+                PaperCases.of(JenReader.read(file).scene()).forEach(edit -> cases.add(Arguments.of(file, edit.name())));
+            }
+        }
+        return cases.stream();
+    }
+
+    @ParameterizedTest
+    @MethodSource("casesOfAllScenes")
+    void everyCaseOfEveryScene_isVerified(Path file, String name) {
+        Cli relit = Cli.run("relight", file, "-o", picture, "--case", name, "--size", "36x24", "--update-reflections", "--verify");
+        assertThat(relit.isDone().out()).contains("verified: 0 pixels, 0 values").doesNotContain("NOT KEPT");
+    }
+
+    @Test
     void ratio_tellsItsBoundAndKeepsIt() {
         String out = Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=0.3", "--then", "--set",
                 "lamp.intensity=0.7", "--accuracy", "ratio", "--verify").isDone().out();
@@ -89,6 +127,7 @@ class RelightCommandTest {
         "--set | sun.intensty=1 | unknown property 'intensty'",
         "--delete | moon | there is no light 'moon'",
         "--add | fill | expected a light's name and type",
+        "--case | polish | --case polish: expected one of color, intensity",
         "--accuracy | fine | --accuracy",
         "--storage | none | --storage"})
     void badEdit_isRefusedBeforeTheTrace(String option, String value, String sentence) {

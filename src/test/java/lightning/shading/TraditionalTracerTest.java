@@ -4,6 +4,7 @@ import lightning.image.FilmAssert;
 import lightning.jen.JenWriter;
 import lightning.sample.SceneArbitraries;
 import lightning.scene.Scene;
+import lightning.trace.Geometry;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
@@ -28,6 +29,18 @@ class TraditionalTracerTest {
                     new ReferenceTracer(scene).trace(), "traditional-trace");
         } catch (AssertionError e) {
             throw new AssertionError(e.getMessage() + "\nthe scene was\n" + JenWriter.write(scene), e);
+        }
+    }
+
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    void mirrorsOfAnotherScene_equalTheReferenceTrace(@ForAll("scenes") Scene mirrored, @ForAll("scenes") Scene other) {
+        Scene scene = mirrored.withLights(other.lights()).withWorld(other.world());
+        try (Workers workers = new Workers(2)) {
+            FilmAssert.assertSameBits(new TraditionalTracer(scene, mirrored, new Geometry(scene)).trace(workers, Progress.NONE).film(),
+                    new ReferenceTracer(scene, mirrored).trace(), "traditional-trace-stale");
+        } catch (AssertionError e) {
+            throw new AssertionError(e.getMessage() + "\nthe scene was\n" + JenWriter.write(scene) + "\nits mirrors show\n"
+                    + JenWriter.write(mirrored), e);
         }
     }
 }

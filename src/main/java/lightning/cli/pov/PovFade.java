@@ -39,8 +39,8 @@ record PovFade(double gain, double distance, double power, boolean exact) {
     private static PovFade of(double constant, double factor, double power, double far, boolean exact) {
         double c = Math.max(constant, LEAST_CONSTANT * factor * Math.pow(far, power));
         double distance = Math.pow(c / factor, 1 / power);
-        // So slow a fading is none at any distance that matters.
-        return Double.isFinite(distance) ? new PovFade(1 / (2 * c), distance, power, exact) : new PovFade(1 / c, 0, 0, exact);
+        // Where the limit acts everywhere, and where a term is lost beside the other, nothing fades.
+        return Double.isInfinite(distance) ? new PovFade(1 / c, 0, 0, exact) : new PovFade(1 / (2 * c), distance, power, exact);
     }
 
     /** The power between 1 and 2 for which the two agree nearly at all distances, and exactly at both ends. */
