@@ -8,8 +8,8 @@ package lightning.image;
  * {@code y / 32 == tileY}; inside it, pixel (x, y) is at index {@code (y & 31) * 32 + (x & 31)}. Tiles at the right and
  * bottom border are full-size arrays too; their pixels outside the picture are unused and may hold anything.
  *
- * <p>A film does not copy its arrays. One handed out by a renderer is valid until that renderer's <em>second</em> next
- * update, because renderers alternate between two sets of arrays; {@link #copy()} keeps it for longer.
+ * <p>A film does not copy its arrays. One that a renderer hands out is never written again: an update makes a new film,
+ * which shares the tiles that did not change.
  */
 public final class Film {
 

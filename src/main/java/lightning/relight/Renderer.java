@@ -42,7 +42,8 @@ public final class Renderer implements AutoCloseable {
 
     /** What {@link #render} would do. */
     public UpdatePlan plan(Scene wanted) {
-        return Dispatcher.plan(cache, wanted, options.reflections() == Reflections.CURRENT, options.accuracy());
+        return Dispatcher.plan(cache, options.view().of(wanted), options.reflections() == Reflections.CURRENT,
+                options.accuracy());
     }
 
     /**
@@ -52,7 +53,7 @@ public final class Renderer implements AutoCloseable {
      *         is then as before the call
      */
     public Update render(Scene wanted, Progress progress) {
-        return run(plan(wanted), wanted, progress);
+        return run(plan(wanted), options.view().of(wanted), progress);
     }
 
     /**
@@ -70,12 +71,12 @@ public final class Renderer implements AutoCloseable {
         return cache().mirroredScene().equals(cache().scene());
     }
 
-    /** The picture, valid until the second next update. */
+    /** The picture as it is now: later updates make new ones. */
     public Film film() {
         return cache().film();
     }
 
-    /** The scene rendered last. */
+    /** The scene rendered last, as the view shows it. */
     public Scene scene() {
         return cache().scene();
     }

@@ -29,13 +29,13 @@ final class TileWorker {
         this.job = job;
         PacketTracer tracer = new PacketTracer(job.geometry());
         visibility = new TileVisibility(job.geometry(), job.scene(), tracer);
-        lights = new LightKernel(job.geometry(), tracer);
+        lights = new LightKernel(job.geometry(), tracer, job.options().view());
         ratios = new RatioKernel(lights);
         updater = switch (job.options().accuracy()) {
             case EXACT -> new ExactUpdater(lights);
             case RATIO -> new RatioUpdater(ratios);
         };
-        composer = new TileComposer(job.geometry().materials());
+        composer = new TileComposer(job.geometry().materials(), job.options().view());
     }
 
     TraceCounts rays() {

@@ -22,13 +22,15 @@ public final class Composer {
     private static final float[][] NO_MIRRORS = new float[3][];
 
     private final MaterialTable materials;
+    private final boolean litTextures;
     private final SumRows[] sums = new SumRows[12];
     private final float[] red = new float[ROWS];
     private final float[] green = new float[ROWS];
     private final float[] blue = new float[ROWS];
 
-    public Composer(MaterialTable materials) {
+    public Composer(MaterialTable materials, ViewEffects view) {
         this.materials = materials;
+        litTextures = view.litTextures();
         for (int i = 0; i < sums.length; i++) {
             sums[i] = new SumRows();
         }
@@ -96,6 +98,10 @@ public final class Composer {
 
     private void closeRun(HitRows rows, int r, SumRows sum, float ambience, float[][] mirrored) {
         boolean textured = materials.isTextured(rows.runMaterial[r]);
+        if (textured && !litTextures) {
+            emit(rows, r, ambience);
+            return;
+        }
         boolean specular = sum != null && sum.hasSpecular;
         close(rows, r, 0, ambience, textured ? rows.diffuseRed : null, sum == null ? ZEROS : sum.diffuseRed,
                 specular ? sum.specularRed : null, mirrored[0], red);
@@ -103,6 +109,16 @@ public final class Composer {
                 specular ? sum.specularGreen : null, mirrored[1], green);
         close(rows, r, 2, ambience, textured ? rows.diffuseBlue : null, sum == null ? ZEROS : sum.diffuseBlue,
                 specular ? sum.specularBlue : null, mirrored[2], blue);
+    }
+
+    /** A texture that shows its own colour, whatever the lights. */
+    private void emit(HitRows rows, int r, float ambience) {
+        int m = rows.runMaterial[r];
+        for (int i = rows.runStart(r); i < rows.runEnd[r]; i++) {
+            red[i] = materials.ambient(m, 0) * ambience + rows.diffuseRed[i];
+            green[i] = materials.ambient(m, 1) * ambience + rows.diffuseGreen[i];
+            blue[i] = materials.ambient(m, 2) * ambience + rows.diffuseBlue[i];
+        }
     }
 
     /**

@@ -23,8 +23,8 @@ public final class LightKernel {
     private final int[] litBefore = RowBits.room();
     private long rowsTouched;
 
-    public LightKernel(Geometry geometry, PacketTracer tracer) {
-        shadows = new ShadowCaster(geometry, tracer);
+    public LightKernel(Geometry geometry, PacketTracer tracer, ViewEffects view) {
+        shadows = new ShadowCaster(geometry, tracer, view.shadows());
         terms = new TermColumns(geometry.materials(), lanes);
     }
 

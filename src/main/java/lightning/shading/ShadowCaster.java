@@ -1,5 +1,6 @@
 package lightning.shading;
 
+import java.util.Arrays;
 import jdk.incubator.vector.DoubleVector;
 import lightning.trace.Beam;
 import lightning.trace.Candidates;
@@ -15,9 +16,12 @@ final class ShadowCaster {
     private final Beam beam = new Beam();
     private final Candidates blockers = new Candidates();
     private final RayPacket packet = new RayPacket();
+    private final boolean casts;
     private long rays;
 
-    ShadowCaster(Geometry geometry, PacketTracer tracer) {
+    /** @param casts whether any shape blocks a light; else all ways are free */
+    ShadowCaster(Geometry geometry, PacketTracer tracer, boolean casts) {
+        this.casts = casts;
         this.geometry = geometry;
         this.tracer = tracer;
     }
@@ -34,6 +38,10 @@ final class ShadowCaster {
      * @param blocked gets those of them from which the light is not seen
      */
     void cast(HitRows rows, Lamp lamp, int[] chosen, int[] blocked) {
+        if (!casts) {
+            Arrays.fill(blocked, 0);
+            return;
+        }
         int count = RowBits.count(chosen, rows.count);
         rays += count;
         if (count > 0) {

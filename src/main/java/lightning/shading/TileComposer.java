@@ -14,8 +14,8 @@ public final class TileComposer {
     private final Composer composer;
     private final float[][] mirrored = new float[3][LightLanes.ROWS];
 
-    public TileComposer(MaterialTable materials) {
-        composer = new Composer(materials);
+    public TileComposer(MaterialTable materials, ViewEffects view) {
+        composer = new Composer(materials, view);
     }
 
     /**

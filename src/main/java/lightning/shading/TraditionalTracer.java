@@ -78,8 +78,8 @@ public final class TraditionalTracer {
     private final class PerThread {
         private final PacketTracer tracer = new PacketTracer(geometry);
         private final TileVisibility visibility = new TileVisibility(geometry, scene, tracer);
-        private final LightKernel lights = new LightKernel(geometry, tracer);
-        private final TileComposer composer = new TileComposer(geometry.materials());
+        private final LightKernel lights = new LightKernel(geometry, tracer, ViewEffects.ALL);
+        private final TileComposer composer = new TileComposer(geometry.materials(), ViewEffects.ALL);
         private final ScratchColumns columns = new ScratchColumns();
         private final HitRows[] levels = new HitRows[scene.picture().depth() + 1];
         private final LightLayer[] layers = new LightLayer[Math.max(lamps.length, mirroredLamps.length)];

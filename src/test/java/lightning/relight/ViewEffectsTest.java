@@ -1,0 +1,75 @@
+package lightning.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import lightning.image.Film;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.scene.Camera;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Material;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
+import lightning.scene.World;
+import lightning.shading.Progress;
+import lightning.shading.ViewEffects;
+import org.junit.jupiter.api.Test;
+
+class ViewEffectsTest {
+    private static final Rgb RED = new Rgb(1, 0, 0);
+
+    /** A floor seen from above, lit from above through a ball. */
+    private static Scene floor(Rgb reflective, Optional<TextureMap> texture) {
+        Material material = new Material("m", Rgb.BLACK, Rgb.WHITE, Rgb.BLACK, 1, reflective, texture);
+        return new Scene(new Picture(9, 9, 3), new Camera(new Vec3(0, 4, 0), Vec3.ZERO, new Vec3(0, 0, 1), 20),
+                new World(1, RED), List.of(material),
+                List.of(new Shape.Plane("floor", "m", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(9, 1, 9))),
+                        new Shape.Sphere("ball", "m", new Placement(new Vec3(0, 8, 0), Vec3.ZERO, Vec3.ONE))),
+                List.of(Light.of("sun", LightType.DIRECTIONAL).withColor(new Rgb(0, 0.5, 0))));
+    }
+
+    private static Update render(Scene scene, ViewEffects view, Film[] film) {
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(1).withView(view))) {
+            Update update = renderer.render(scene, Progress.NONE);
+            film[0] = renderer.film();
+            return update;
+        }
+    }
+
+    @Test
+    void withoutShadows_blockedRowsAreLitAndNoRayIsCast() {
+        Film[] film = new Film[1];
+        Scene scene = floor(Rgb.BLACK, Optional.empty());
+        render(scene, ViewEffects.ALL, film);
+        assertThat(film[0].green(4, 4)).isZero();
+        Update update = render(scene, new ViewEffects(false, true, true), film);
+        assertThat(film[0].green(4, 4)).isEqualTo(0.5f);
+        assertThat(update.rays().shadow()).isZero();
+    }
+
+    @Test
+    void withoutReflections_reflectivityCountsAsZero() {
+        Film[] film = new Film[1];
+        Scene scene = floor(Rgb.grey(0.5), Optional.empty());
+        Update update = render(scene, new ViewEffects(false, false, true), film);
+        assertThat(film[0].green(0, 0)).isEqualTo(0.5f);
+        assertThat(film[0].red(0, 0)).isZero();
+        assertThat(update.rays().mirrored()).isZero();
+    }
+
+    @Test
+    void unlitTextures_showTheirOwnColour() {
+        Texture blue = new Texture(1, 1, new float[] {0, 0, 0.25f});
+        Film[] film = new Film[1];
+        render(floor(Rgb.BLACK, Optional.of(new TextureMap("t.png", 1, 1, blue))), ViewEffects.PREVIEW, film);
+        assertThat(film[0].blue(4, 4)).isEqualTo(0.25f);
+        assertThat(film[0].green(4, 4)).isZero();
+    }
+}
