@@ -2,6 +2,7 @@ package lightning.edit;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import lightning.math.Rgb;
@@ -112,7 +113,7 @@ public final class LightEdits {
             var view = PreviewCamera.of(scene);
             double distance = view.distance();
             Vec3 position = view.camera().from().plus(view.right().times(distance / 2)).plus(view.up().times(distance / 2));
-            Light light = Light.of(type.name().toLowerCase(java.util.Locale.ROOT), type)
+            Light light = Light.of(type.name().toLowerCase(Locale.ROOT), type)
                     .withPosition(position).withDirection(view.camera().to().minus(position));
             return add(scene, light).or(scene);
         });
