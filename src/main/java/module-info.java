@@ -4,6 +4,11 @@ module lightning {
     requires jdk.incubator.vector;
     requires info.picocli;
     requires org.apache.commons.imaging;
+    requires javafx.controls;
+    requires atlantafx.base;
+    requires org.kordamp.ikonli.javafx;
+    requires org.kordamp.ikonli.materialdesign2;
 
+    exports lightning.app to javafx.graphics;
     opens lightning.cli to info.picocli;
 }

@@ -1,7 +1,12 @@
 package lightning;
 
+import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import lightning.app.Display;
+import lightning.app.LightningApp;
 import lightning.cli.Lightning;
 
 /** Starts the program. */
@@ -11,8 +16,29 @@ public final class Main {
 
     private Main() {}
 
-    /** Runs the command named by the arguments and exits with its code. */
+    /**
+     * Opens the editor where there are no arguments but a scene file, else runs the command that they
+     * name; exits with its code. Where no window can be opened, the tour of the same scene takes the
+     * editor's place.
+     */
     public static void main(String[] args) {
+        if (!namesTheEditor(args)) {
+            command(args);
+        }
+        Optional<String> obstacle = Display.obstacle();
+        if (obstacle.isEmpty()) {
+            LightningApp.open(List.of(args));
+            System.exit(0);
+        }
+        System.err.println("lightning: " + obstacle.get() + "; here is the tour of the scene instead.");
+        command(Stream.concat(Stream.of("tour"), Stream.of(args)).toArray(String[]::new));
+    }
+
+    static boolean namesTheEditor(String... args) {
+        return args.length == 0 || args.length == 1 && args[0].endsWith(".jen") && !args[0].startsWith("-");
+    }
+
+    private static void command(String... args) {
         Thread command = Thread.currentThread();
         CountDownLatch finished = new CountDownLatch(1);
         Runtime.getRuntime().addShutdownHook(new Thread(() -> cancel(command, finished), "lightning-interrupt"));

@@ -10,12 +10,12 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
 
-/** The program without a command: one day the editor, until then the tour. */
+/** The program without a command: the editor, or where no window can be opened the tour. */
 @Command(name = "lightning", versionProvider = RootCommand.Version.class,
         header = "Light ray-traced scenes: trace once, then relight exactly in a fraction of a full trace.",
         description = {
-            "Without a command, shows the scene (scenes/bird.jen where none is named). There is no editor yet, so that is",
-            "the tour: every kind of edit, with pictures and times."},
+            "Without a command, opens the scene (scenes/bird.jen where none is named) in the editor. Where no window can be",
+            "opened, takes the tour of it instead: every kind of edit, with pictures and times."},
         commandListHeading = "%nCommands (each has a --help with examples):%n",
         footer = {
             "Exit codes: 0 done, 1 the check failed (relight --verify, compare), 2 bad usage or bad input, 130 cancelled.",
@@ -42,7 +42,7 @@ final class RootCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        console.remark("There is no editor yet; here is the tour of the scene instead.");
+        console.remark("The editor was not asked for a window; here is the tour of the scene instead.");
         return command.commandLine().execute(scene == null ? new String[] {"tour"} : new String[] {"tour", scene.toString()});
     }
 

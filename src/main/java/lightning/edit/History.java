@@ -1,0 +1,146 @@
+package lightning.edit;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Optional;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+
+/**
+ * Unlimited undo and redo: one history for the document and one for each light alone (paper §3.4).
+ *
+ * <p>Undoing one light leaves the later edits of all others; it is itself a step of the document, which the document's
+ * undo takes back. A step of the document's history brings back each light's own history too.
+ */
+public final class History {
+    private final Deque<Step> undone = new ArrayDeque<>();
+    private final Deque<Step> done = new ArrayDeque<>();
+    private DocumentState state;
+    private long lastId;
+
+    private record Step(DocumentState before, DocumentState after, Object gesture, String label) {}
+
+    /** A history that begins with a scene. */
+    public History(Scene scene) {
+        state = DocumentState.first(scene, this::freshId);
+    }
+
+    public Scene scene() {
+        return state.scene();
+    }
+
+    /** Makes a scene the current one, as a step of its own. An equal scene is no step. */
+    public void edit(Scene edited) {
+        edit(edited, null);
+    }
+
+    /**
+     * Makes a scene the current one, in one step with all edits of the same gesture right before it. A gesture that ends
+     * where it began leaves no step.
+     *
+     * @param gesture any object that stands for one drag, told by identity; null for a step of its own
+     */
+    public void edit(Scene edited, Object gesture) {
+        Step last = done.peek();
+        boolean goesOn = gesture != null && last != null && last.gesture() == gesture && undone.isEmpty();
+        if (edited.equals(state.scene()) && !goesOn) {
+            return;
+        }
+        DocumentState base = goesOn ? last.before() : state;
+        if (goesOn) {
+            done.pop();
+        }
+        undone.clear();
+        state = base;
+        if (!edited.equals(base.scene())) {
+            push(base.after(edited, this::freshId), gesture, EditText.of(base.scene(), edited));
+        }
+    }
+
+    private void push(DocumentState after, Object gesture, String label) {
+        done.push(new Step(state, after, gesture, label));
+        state = after;
+    }
+
+    /** What {@link #undo} would take back; empty if there is nothing. */
+    public Optional<String> undoLabel() {
+        return Optional.ofNullable(done.peek()).map(Step::label);
+    }
+
+    /** What {@link #redo} would do again; empty if there is nothing. */
+    public Optional<String> redoLabel() {
+        return Optional.ofNullable(undone.peek()).map(Step::label);
+    }
+
+    /** Takes the last step back; without one does nothing. */
+    public void undo() {
+        if (!done.isEmpty()) {
+            Step step = done.pop();
+            undone.push(step);
+            state = step.before();
+        }
+    }
+
+    /** Does the step undone last again; without one does nothing. */
+    public void redo() {
+        if (!undone.isEmpty()) {
+            Step step = undone.pop();
+            done.push(step);
+            state = step.after();
+        }
+    }
+
+    /** What {@link #undoLight} would take back; empty if there is nothing or no such light. */
+    public Optional<String> undoLabel(long id) {
+        return light(id).filter(_ -> state.track(id).past() != null)
+                .map(now -> EditText.of(state.track(id).past().light(), now));
+    }
+
+    /** What {@link #redoLight} would do again; empty if there is nothing or no such light. */
+    public Optional<String> redoLabel(long id) {
+        return light(id).filter(_ -> state.track(id).future() != null)
+                .map(now -> EditText.of(now, state.track(id).future().light()));
+    }
+
+    /** Takes back the last edit of one light alone; refused if there is none, or if its name of that time is taken. */
+    public Change undoLight(long id) {
+        return moveLight(id, true, undoLabel(id));
+    }
+
+    /** Does again what was undone last of one light alone; refused as {@link #undoLight}. */
+    public Change redoLight(long id) {
+        return moveLight(id, false, redoLabel(id));
+    }
+
+    private Change moveLight(long id, boolean back, Optional<String> label) {
+        if (label.isEmpty()) {
+            return new Change.Refused("there is nothing to " + (back ? "undo" : "redo") + " of this light");
+        }
+        return Change.of(() -> {
+            DocumentState moved = state.moved(id, back);
+            undone.clear();
+            push(moved, null, (back ? "undo " : "redo ") + label.get());
+            return moved.scene();
+        });
+    }
+
+    /** The number of the light of that name, which it keeps through renames and undo; −1 if there is none. */
+    public long id(String name) {
+        for (int i = 0; i < state.ids().size(); i++) {
+            if (state.scene().lights().get(i).name().equals(name)) {
+                return state.ids().get(i);
+            }
+        }
+        return -1;
+    }
+
+    /** The light of that number; empty if it is gone. */
+    public Optional<Light> light(long id) {
+        int place = state.ids().indexOf(id);
+        return place < 0 ? Optional.empty() : Optional.of(state.scene().lights().get(place));
+    }
+
+    private long freshId() {
+        return lastId++;
+    }
+}

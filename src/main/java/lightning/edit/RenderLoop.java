@@ -1,0 +1,194 @@
+package lightning.edit;
+
+import java.util.concurrent.CancellationException;
+import lightning.image.Film;
+import lightning.relight.Options;
+import lightning.relight.Renderer;
+import lightning.relight.Update;
+import lightning.relight.UpdatePlan;
+import lightning.scene.Picture;
+import lightning.scene.Scene;
+import lightning.shading.TraditionalTracer;
+import lightning.shading.Workers;
+
+/**
+ * Renders on a thread of its own, the newest wanted scene each time: Go, Live, Update Reflections and Verify of the
+ * editor. All methods return at once and may be called from any thread.
+ *
+ * <pre>{@code
+ * RenderLoop loop = new RenderLoop(Options.DEFAULT, listener);
+ * loop.render(document.scene());      // Go
+ * loop.updateReflections();
+ * }</pre>
+ */
+public final class RenderLoop implements AutoCloseable {
+    /** A picture of fewer pixels is there before a coarse one could be looked at. */
+    private static final int COARSE_FROM = 512 * 512;
+    private static final int COARSE_SHARE = 8;
+    private static final long PATIENCE_MS = 10_000;
+
+    private final RenderListener listener;
+    private final RenderQueue queue = new RenderQueue();
+    private final Verifier verifier;
+    private final Thread thread;
+    private Renderer renderer;
+    private volatile double exposure;
+    private double firstPassMs;
+    private Scene rendered;
+
+    /** Starts the thread; nothing is rendered until a scene is wanted. */
+    public RenderLoop(Options options, RenderListener listener) {
+        this.listener = listener;
+        renderer = new Renderer(options);
+        verifier = new Verifier(options.threads(), listener);
+        thread = new Thread(this::run, "lightning-render");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    /**
+     * Brings the picture to a scene. Replaces a scene that still waits. A trace of another picture (size, camera, shapes,
+     * materials) is cancelled; an update that runs is finished first, so that a picture comes even while edits never pause.
+     */
+    public void render(Scene scene) {
+        queue.render(scene);
+    }
+
+    /** Makes the mirrors show the scene rendered last, after a scene that waits. Nothing happens before a first picture. */
+    public void updateReflections() {
+        queue.reflections();
+    }
+
+    /** Traces the scene rendered last in full, beside all other work, and compares. Nothing happens before a first picture. */
+    public void verify() {
+        queue.verify();
+    }
+
+    /** Another way of working; the picture is traced anew. */
+    public void reopen(Options options) {
+        queue.reopen(options);
+    }
+
+    /** See {@link Renderer#setExposure}; counts from the next update. */
+    public void setExposure(double stops) {
+        exposure = stops;
+    }
+
+    /** Stops what runs, a verification too, and forgets what waits. The last picture stays. */
+    public void cancel() {
+        queue.cancel();
+        verifier.cancel();
+    }
+
+    /** Whether the picture is being worked at. A verification runs beside and does not count. */
+    public boolean isBusy() {
+        return queue.isBusy();
+    }
+
+    private void run() {
+        try {
+            while (true) {
+                var stop = new RenderQueue.Stop(listener::progress);
+                RenderQueue.Work work = queue.take(stop);
+                if (work == null) {
+                    return;
+                }
+                attempt(work, stop);
+                if (queue.done(rendered)) {
+                    listener.idle();
+                }
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } finally {
+            renderer.close();
+        }
+    }
+
+    private void attempt(RenderQueue.Work work, RenderQueue.Stop stop) {
+        try {
+            switch (work) {
+                case RenderQueue.Work.Render r -> renderScene(r.scene(), stop);
+                case RenderQueue.Work.Reopen r -> reopen(r, stop);
+                case RenderQueue.Work.Reflections _ -> mirror(stop);
+                case RenderQueue.Work.Verify _ -> handToVerifier();
+            }
+        } catch (CancellationException e) {
+            listener.cancelled();
+        } catch (Throwable e) {
+            // Whatever it is, the window lives on and says so.
+            listener.failed(e);
+        }
+    }
+
+    private void reopen(RenderQueue.Work.Reopen work, RenderQueue.Stop stop) {
+        renderer.close();
+        renderer = new Renderer(work.options());
+        rendered = null;
+        if (work.scene() != null) {
+            renderScene(work.scene(), stop);
+        }
+    }
+
+    private void renderScene(Scene scene, RenderQueue.Stop stop) {
+        UpdatePlan plan = renderer.plan(scene);
+        listener.started(plan);
+        boolean first = plan instanceof UpdatePlan.FirstPass;
+        if (first) {
+            coarse(scene, stop);
+        }
+        renderer.setExposure(exposure);
+        Update update = renderer.render(scene, stop);
+        if (first) {
+            firstPassMs = update.milliseconds();
+            verifier.forgetTime();
+        }
+        show(update);
+    }
+
+    private void mirror(RenderQueue.Stop stop) {
+        if (rendered != null) {
+            renderer.setExposure(exposure);
+            show(renderer.updateReflections(stop));
+        }
+    }
+
+    private void show(Update update) {
+        rendered = renderer.scene();
+        listener.rendered(new Frame(renderer.film(), rendered, renderer.cache().mirroredScene(), update,
+                verifier.fullTraceMs().orElse(firstPassMs)));
+    }
+
+    /** One pixel of 64: a look at the picture in a fraction of its time. */
+    private void coarse(Scene scene, RenderQueue.Stop stop) {
+        Picture picture = scene.picture();
+        if ((long) picture.width() * picture.height() < COARSE_FROM) {
+            return;
+        }
+        Scene small = scene.withPicture(picture.withSize(Math.max(1, picture.width() / COARSE_SHARE),
+                Math.max(1, picture.height() / COARSE_SHARE)));
+        try (var workers = new Workers(renderer.options().threads())) {
+            Film film = new TraditionalTracer(small).trace(workers, stop).film();
+            listener.coarse(film, scene);
+        }
+    }
+
+    private void handToVerifier() {
+        if (rendered != null) {
+            verifier.verify(new Verification.Request(renderer.film().copy(), rendered, renderer.cache().mirroredScene(),
+                    renderer.cache().geometry()));
+        }
+    }
+
+    /** Stops everything and waits for the threads to end. */
+    @Override
+    public void close() {
+        queue.close();
+        verifier.close();
+        try {
+            thread.join(PATIENCE_MS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

@@ -1,0 +1,52 @@
+package lightning.edit;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.scene.Attenuation;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+
+/**
+ * What of a scene the picture shows. Two scenes with equal visible parts give the same picture in every bit: moving a
+ * directional light, renaming a light, or turning the cone of a point light is an edit of the document and none of the
+ * picture.
+ */
+public final class VisiblePart {
+    private VisiblePart() {}
+
+    /** The scene with everything that does not act set to one fixed value. */
+    public static Scene of(Scene scene) {
+        List<Light> lights = new ArrayList<>();
+        for (Light light : scene.lights()) {
+            lights.add(light(scene, light, "light" + lights.size()));
+        }
+        // Only lights take part in this, so the names that shapes have are out of the way.
+        return new Scene(scene.picture(), scene.camera(), scene.world(), scene.materials(), List.of(), lights);
+    }
+
+    /** Whether two scenes give the same picture for sure. */
+    public static boolean same(Scene a, Scene b) {
+        return a.nodes().equals(b.nodes()) && of(a).equals(of(b));
+    }
+
+    private static Light light(Scene scene, Light light, String name) {
+        Light plain = Light.of(name, LightType.POINT);
+        Rgb weight = light.color().times(light.intensity());
+        if (!scene.shines(light) || weight.isBlack()) {
+            return plain.withOn(false);
+        }
+        LightType type = light.type();
+        Vec3 place = type.hasPosition() ? light.position() : Vec3.ZERO;
+        Light acting = plain.withType(type).withColor(light.color()).withIntensity(light.intensity()).withPosition(place);
+        if (type.hasDirection()) {
+            acting = acting.withDirection(light.direction());
+        }
+        if (type.hasPosition()) {
+            acting = acting.withAttenuation(light.attenuation().isNone() ? Attenuation.NONE : light.attenuation());
+        }
+        return type.hasCone() ? acting.withAngle(light.angle()).withDropoff(light.dropoff()) : acting;
+    }
+}
