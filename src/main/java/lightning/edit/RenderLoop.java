@@ -85,6 +85,11 @@ public final class RenderLoop implements AutoCloseable {
         return queue.isBusy();
     }
 
+    /** Whether its thread still runs: until it is closed. */
+    boolean isAlive() {
+        return thread.isAlive();
+    }
+
     private void run() {
         try {
             while (true) {
