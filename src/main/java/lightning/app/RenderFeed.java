@@ -1,0 +1,93 @@
+package lightning.app;
+
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import lightning.edit.Frame;
+import lightning.edit.RenderListener;
+import lightning.edit.Verification;
+import lightning.image.Film;
+import lightning.relight.UpdatePlan;
+import lightning.scene.Scene;
+
+/**
+ * Carries what the render loop tells from its threads to the window's: the one place that hops. However much is told
+ * between two frames of the window, it hears once, of the newest state.
+ */
+final class RenderFeed implements RenderListener {
+    private final AtomicReference<RenderState> state = new AtomicReference<>(RenderState.NONE);
+    private final AtomicBoolean hopping = new AtomicBoolean();
+    private final Executor window;
+    private final TracedRaster raster;
+    private final Consumer<RenderState> listener;
+
+    /**
+     * @param window   runs tasks in turn on the window's thread
+     * @param raster   is filled here, where it holds up nobody
+     * @param listener hears on the window's thread
+     */
+    RenderFeed(Executor window, TracedRaster raster, Consumer<RenderState> listener) {
+        this.window = window;
+        this.raster = raster;
+        this.listener = listener;
+    }
+
+    private void tell(UnaryOperator<RenderState> change) {
+        state.updateAndGet(change);
+        if (hopping.compareAndSet(false, true)) {
+            window.execute(() -> {
+                hopping.set(false);
+                listener.accept(state.get());
+            });
+        }
+    }
+
+    @Override
+    public void started(UpdatePlan plan) {
+        tell(s -> s.started(plan));
+    }
+
+    @Override
+    public void progress(int done, int total) {
+        tell(s -> s.at(done, total));
+    }
+
+    @Override
+    public void verifying(int done, int total) {
+        tell(s -> s.checking(done, total));
+    }
+
+    @Override
+    public void coarse(Film film, Scene scene) {
+        raster.coarse(film, scene.picture().width(), scene.picture().height());
+        tell(s -> s);
+    }
+
+    @Override
+    public void rendered(Frame frame) {
+        raster.show(frame.film());
+        tell(s -> s.rendered(frame));
+    }
+
+    @Override
+    public void verified(Verification verification) {
+        tell(s -> s.verified(verification));
+    }
+
+    @Override
+    public void cancelled() {
+        tell(s -> s.stopped(null));
+    }
+
+    @Override
+    public void failed(Throwable problem) {
+        tell(s -> s.stopped(problem));
+    }
+
+    @Override
+    public void idle() {
+        tell(s -> s);
+    }
+}

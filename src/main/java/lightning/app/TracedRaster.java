@@ -1,0 +1,107 @@
+package lightning.app;
+
+import lightning.image.Film;
+import lightning.image.ViewTransform;
+
+/**
+ * The traced picture as display pixels, packed tile by tile where the film changed. A new size makes new pixels. Safe for
+ * several threads; readers may see tiles of the next picture a moment early, never half a pixel.
+ */
+final class TracedRaster {
+    /** @param pixels {@code int[width * height]}, opaque 0xFFRRGGBB, the top row first */
+    record Pixels(int width, int height, int[] pixels) {}
+
+    /** The columns and rows that changed, [left, right) and [top, bottom). */
+    record Dirty(int left, int top, int right, int bottom) {
+        static final Dirty NONE = new Dirty(Integer.MAX_VALUE, Integer.MAX_VALUE, 0, 0);
+
+        boolean isEmpty() {
+            return left >= right;
+        }
+
+        Dirty plus(int l, int t, int r, int b) {
+            return new Dirty(Math.min(left, l), Math.min(top, t), Math.max(right, r), Math.max(bottom, b));
+        }
+    }
+
+    private Pixels pixels;
+    private Film shown;
+    private Film coarse;
+    private ViewTransform view = ViewTransform.DEFAULT;
+    private Dirty dirty = Dirty.NONE;
+
+    /** The pixels now; null before the first picture. */
+    synchronized Pixels pixels() {
+        return pixels;
+    }
+
+    /** What changed since the last call. */
+    synchronized Dirty takeDirty() {
+        Dirty taken = dirty;
+        dirty = Dirty.NONE;
+        return taken;
+    }
+
+    /** Shows another picture; tiles that it shares with the one before are not packed again. */
+    synchronized void show(Film film) {
+        boolean fresh = shown == null || coarse != null || !fits(film.width(), film.height());
+        size(film.width(), film.height());
+        for (int tile = 0; tile < film.tileCount(); tile++) {
+            if (fresh || film.red(tile) != shown.red(tile) || film.green(tile) != shown.green(tile)
+                    || film.blue(tile) != shown.blue(tile)) {
+                pack(film, tile);
+            }
+        }
+        shown = film;
+        coarse = null;
+    }
+
+    /** Shows a small picture, enlarged to the size of the one that is being traced. */
+    synchronized void coarse(Film film, int width, int height) {
+        size(width, height);
+        coarse = film;
+        int[] small = view.toPixels(film);
+        int[] large = pixels.pixels();
+        for (int y = 0; y < height; y++) {
+            int from = (int) ((long) y * film.height() / height) * film.width();
+            for (int x = 0; x < width; x++) {
+                large[y * width + x] = small[from + (int) ((long) x * film.width() / width)];
+            }
+        }
+        dirty = dirty.plus(0, 0, width, height);
+    }
+
+    /** Another exposure: everything is packed again. */
+    synchronized void setView(ViewTransform v) {
+        view = v;
+        if (coarse != null) {
+            coarse(coarse, pixels.width(), pixels.height());
+        } else if (shown != null) {
+            Film film = shown;
+            shown = null;
+            show(film);
+        }
+    }
+
+    synchronized ViewTransform view() {
+        return view;
+    }
+
+    private boolean fits(int width, int height) {
+        return pixels != null && pixels.width() == width && pixels.height() == height;
+    }
+
+    private void size(int width, int height) {
+        if (!fits(width, height)) {
+            pixels = new Pixels(width, height, new int[Math.multiplyExact(width, height)]);
+            dirty = Dirty.NONE.plus(0, 0, width, height);
+        }
+    }
+
+    private void pack(Film film, int tile) {
+        view.packTile(film, tile, pixels.pixels());
+        int left = tile % film.tilesX() * Film.TILE;
+        int top = tile / film.tilesX() * Film.TILE;
+        dirty = dirty.plus(left, top, Math.min(left + Film.TILE, film.width()), Math.min(top + Film.TILE, film.height()));
+    }
+}
