@@ -1,6 +1,5 @@
 package lightning.edit;
 
-import java.math.BigDecimal;
 import java.util.Optional;
 import lightning.math.Rgb;
 import lightning.scene.Attenuation;
@@ -44,9 +43,9 @@ public enum Dial {
         return title;
     }
 
-    /** What one click adds: 0.1, a degree, or a bounce. */
-    public double step() {
-        return step;
+    /** What one click adds: 0.1, a degree, or a bounce; and the limits. */
+    public Steps steps() {
+        return new Steps(step, 0, max);
     }
 
     /** The largest value allowed; the least is always 0. */
@@ -101,12 +100,7 @@ public enum Dial {
      * @param steps how many, down where negative
      */
     public Change stepped(Scene scene, String light, int steps) {
-        return Change.of(() -> set(scene, light, stepped(value(scene, light), steps)).or(scene));
-    }
-
-    private double stepped(double value, int steps) {
-        double sum = BigDecimal.valueOf(value).add(BigDecimal.valueOf(step).multiply(BigDecimal.valueOf(steps))).doubleValue();
-        return Math.clamp(sum, 0, max);
+        return Change.of(() -> set(scene, light, steps().from(value(scene, light), steps)).or(scene));
     }
 
     /** Why it cannot be turned: a clause; empty if it can. */

@@ -1,0 +1,52 @@
+package lightning.app.widget;
+
+import java.util.List;
+import java.util.Optional;
+import javafx.scene.control.Label;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+
+/**
+ * A number with a name and an arrow (paper §3.2): drag the arrow up or down, click its upper or lower half for a step,
+ * or type a value.
+ */
+public final class ArrowWidget extends VBox {
+    private final NumberField field;
+    private final Obstacle obstacle;
+
+    /**
+     * @param label what stands before the number
+     * @param title the name in full, for screen readers
+     */
+    public ArrowWidget(String label, String title, Gauge gauge) {
+        field = new NumberField(title, gauge);
+        Label name = new Label(label);
+        name.setLabelFor(field);
+        name.setMaxWidth(Double.MAX_VALUE);
+        HBox.setHgrow(name, Priority.ALWAYS);
+        HBox row = new HBox(name, field, new ArrowPad(gauge, field));
+        row.getStyleClass().add("number-row");
+        getStyleClass().add("arrow-widget");
+        getChildren().addAll(row, new Refusal(List.of(field)));
+        obstacle = new Obstacle(this, row);
+    }
+
+    /** Shows a value. */
+    public void show(double value) {
+        field.show(value);
+    }
+
+    /** Forgets what was typed. */
+    public void revert() {
+        field.revert();
+    }
+
+    /** Disables the widget and says why, a clause; or enables it. */
+    public void setObstacle(Optional<String> reason) {
+        if (reason.isPresent()) {
+            field.revert();
+        }
+        obstacle.set(reason);
+    }
+}

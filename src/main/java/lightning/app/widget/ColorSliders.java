@@ -1,0 +1,181 @@
+package lightning.app.widget;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.control.ToggleGroup;
+import javafx.scene.control.Tooltip;
+import javafx.scene.layout.FlowPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+import lightning.edit.Hsv;
+import lightning.edit.Kelvin;
+import lightning.edit.Steps;
+import lightning.math.Rgb;
+import lightning.scene.Limits;
+
+/** A light's colour as red, green and blue, as hue, saturation and value, or as a temperature; and a well that shows it. */
+public final class ColorSliders extends VBox {
+    private static final List<Preset> PRESETS = List.of(new Preset("Candle", 1900), new Preset("Tungsten", 3200),
+            new Preset("Daylight", 5600), new Preset("Shade", 8000));
+
+    private final Target target;
+    private final Button well = new Button();
+    private final ToggleGroup tabs = new ToggleGroup();
+    private final VBox content = new VBox();
+    private final List<ColorSlider> rgb;
+    private final List<ColorSlider> hsv;
+    private final ColorSlider kelvin;
+    private final ColorSquare square;
+    private final Obstacle obstacle;
+    private Rgb shown = Rgb.WHITE;
+    private Hsv shownHsv = Hsv.of(Rgb.WHITE);
+
+    /** Where the edits go. Each returns why it was refused; {@code gesture} as in {@link Gauge#set}. */
+    public interface Target {
+        Gauge red();
+
+        Gauge green();
+
+        Gauge blue();
+
+        Optional<String> hsv(Hsv color, Object gesture);
+
+        Optional<String> temperature(double kelvin, Object gesture);
+    }
+
+    private record Preset(String name, double kelvin) {}
+
+    public ColorSliders(Target target) {
+        this.target = target;
+        rgb = List.of(channel("R", "red", target.red()), channel("G", "green", target.green()),
+                channel("B", "blue", target.blue()));
+        square = new ColorSquare(this::setHsv);
+        hsv = List.of(
+                hsv("H", "hue", new Steps(1, 0, 360), 360, (h, v) -> new Hsv(v, h.saturation(), h.value())),
+                hsv("S", "saturation", new Steps(0.1, 0, 1), 1, (h, v) -> new Hsv(h.hue(), v, h.value())),
+                hsv("V", "value", new Steps(0.1, 0, Limits.MAX_LIGHT_COLOR), 1,
+                        (h, v) -> new Hsv(h.hue(), h.saturation(), v)));
+        kelvin = new ColorSlider("K", "temperature",
+                new ColorSlider.Scale(Kelvin.MIN, Kelvin.MAX, Math::log, Math::exp),
+                Gauge.of("temperature", new Steps(100, Kelvin.MIN, Kelvin.MAX), target::temperature));
+        well.getStyleClass().add("color-well");
+        well.setTooltip(new Tooltip("The light's colour. Click to pick another"));
+        content.getStyleClass().add("color-content");
+        HBox head = new HBox(well, tab("RGB", "red, green, blue", rgb), tab("HSV", "hue, saturation, value", hsvTab()),
+                tab("Kelvin", "colour temperature", List.of(kelvin, presets())));
+        head.getStyleClass().add("color-head");
+        well.setOnAction(_ -> {
+            tabs.selectToggle(tabs.getToggles().get(1));
+            square.requestFocus();
+        });
+        VBox all = new VBox(head, content);
+        all.getStyleClass().add("color-sliders");
+        getChildren().add(all);
+        obstacle = new Obstacle(this, all);
+        tabs.selectedToggleProperty().addListener((_, before, now) -> {
+            if (now == null) {
+                tabs.selectToggle(before);
+            }
+        });
+        tabs.selectToggle(tabs.getToggles().getFirst());
+        show(Rgb.WHITE);
+    }
+
+    /** Shows a colour, linear, ≥ 0. */
+    public void show(Rgb color) {
+        shown = color;
+        if (!shownHsv.rgb().equals(color)) {
+            Hsv now = Hsv.of(color);
+            // A grey has no hue: the last one stays, so that saturation can come back.
+            shownHsv = now.saturation() == 0 ? new Hsv(shownHsv.hue(), now.value() == 0 ? shownHsv.saturation() : 0, now.value())
+                    : now;
+        }
+        well.setStyle("-well-color: " + Paints.css(color) + ";");
+        well.setAccessibleText(String.format("colour: red %.3f, green %.3f, blue %.3f", color.r(), color.g(), color.b()));
+        rgb.get(0).show(color.r(), v -> new Rgb(v, color.g(), color.b()));
+        rgb.get(1).show(color.g(), v -> new Rgb(color.r(), v, color.b()));
+        rgb.get(2).show(color.b(), v -> new Rgb(color.r(), color.g(), v));
+        Hsv h = shownHsv;
+        square.show(h);
+        hsv.get(0).show(h.hue(), v -> new Hsv(v, 1, 1).rgb());
+        hsv.get(1).show(h.saturation(), v -> new Hsv(h.hue(), v, Math.clamp(h.value(), 0, 1)).rgb());
+        hsv.get(2).show(h.value(), v -> new Hsv(h.hue(), h.saturation(), v).rgb());
+        kelvin.show(Math.rint(Kelvin.of(color)), Kelvin::rgb);
+    }
+
+    /** Forgets what was typed. */
+    public void revert() {
+        rgb.forEach(ColorSlider::revert);
+        hsv.forEach(ColorSlider::revert);
+        kelvin.revert();
+    }
+
+    /** Disables the widget and says why, a clause; or enables it. */
+    public void setObstacle(Optional<String> reason) {
+        obstacle.set(reason);
+    }
+
+    private static ColorSlider channel(String label, String title, Gauge gauge) {
+        return new ColorSlider(label, title, ColorSlider.Scale.even(0, 1), gauge);
+    }
+
+    private ColorSlider hsv(String label, String title, Steps steps, double max, BiFunction<Hsv, Double, Hsv> edit) {
+        return new ColorSlider(label, title, ColorSlider.Scale.even(0, max), Gauge.of(title, steps, (v, gesture) -> {
+            Hsv edited;
+            try {
+                edited = edit.apply(shownHsv, v);
+            } catch (IllegalArgumentException e) {
+                return Optional.of(e.getMessage());
+            }
+            return setHsv(edited, gesture);
+        }));
+    }
+
+    /** Keeps the hue of a colour that has none, as black. */
+    private Optional<String> setHsv(Hsv color, Object gesture) {
+        Hsv before = shownHsv;
+        shownHsv = color;
+        Optional<String> refusal = target.hsv(color, gesture);
+        if (refusal.isPresent()) {
+            shownHsv = before;
+        }
+        show(shown);
+        return refusal;
+    }
+
+    private List<Node> hsvTab() {
+        return List.of(square, hsv.get(0), hsv.get(1), hsv.get(2));
+    }
+
+    private Node presets() {
+        FlowPane presets = new FlowPane();
+        presets.getStyleClass().add("presets");
+        for (Preset preset : PRESETS) {
+            Button button = new Button(preset.name());
+            button.getStyleClass().add("small");
+            button.setTooltip(new Tooltip(Limits.text(preset.kelvin()) + " K"));
+            button.setOnAction(_ -> target.temperature(preset.kelvin(), null));
+            presets.getChildren().add(button);
+        }
+        return presets;
+    }
+
+    private ToggleButton tab(String name, String title, List<? extends Node> nodes) {
+        ToggleButton tab = new ToggleButton(name);
+        tab.setTooltip(new Tooltip("Colour as " + title));
+        tab.setMaxWidth(Double.MAX_VALUE);
+        HBox.setHgrow(tab, Priority.ALWAYS);
+        tab.setToggleGroup(tabs);
+        tab.selectedProperty().addListener((_, _, selected) -> {
+            if (selected) {
+                content.getChildren().setAll(nodes);
+            }
+        });
+        return tab;
+    }
+}

@@ -1,0 +1,122 @@
+package lightning.app.widget;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import javafx.beans.property.ReadOnlyStringProperty;
+import javafx.beans.property.ReadOnlyStringWrapper;
+import javafx.css.PseudoClass;
+import javafx.geometry.Pos;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import lightning.scene.Limits;
+
+/**
+ * A number as text. Enter or leaving the field sets it, Escape brings back what was there, the up and down keys step it:
+ * a tenth of a step with Shift, ten with Page Up and Page Down. A text that is refused stays, marked.
+ */
+public final class NumberField extends TextField {
+    private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
+    private static final MathContext SHORT = new MathContext(5);
+    private static final int COLUMNS = 5;
+
+    private final ReadOnlyStringWrapper refusal = new ReadOnlyStringWrapper("");
+    private final Gauge gauge;
+    private double value;
+
+    /** @param title for people, and for screen readers */
+    public NumberField(String title, Gauge gauge) {
+        this.gauge = gauge;
+        setAccessibleText(title);
+        setPrefColumnCount(COLUMNS);
+        setAlignment(Pos.CENTER_RIGHT);
+        getStyleClass().add("number-field");
+        setText(shown());
+        setOnAction(_ -> {
+            commit();
+            selectAll();
+        });
+        focusedProperty().addListener((_, wasFocused, _) -> {
+            if (wasFocused) {
+                commit();
+            } else if (refusal.get().isEmpty()) {
+                revert();
+            }
+        });
+        addEventFilter(KeyEvent.KEY_PRESSED, this::press);
+        refusal.addListener((_, _, now) -> {
+            pseudoClassStateChanged(REFUSED, !now.isEmpty());
+            setAccessibleHelp(now);
+        });
+    }
+
+    /** Why the text is not the value, a clause; empty if it is. */
+    public ReadOnlyStringProperty refusalProperty() {
+        return refusal.getReadOnlyProperty();
+    }
+
+    /** The value that was shown last, to all its digits. */
+    public double value() {
+        return value;
+    }
+
+    /** Shows a value. A text that is being typed stays as long as the value does. */
+    public void show(double v) {
+        if (Double.compare(v, value) != 0) {
+            value = v;
+            revert();
+        }
+    }
+
+    /** Forgets what was typed. */
+    public void revert() {
+        refusal.set("");
+        setText(shown());
+    }
+
+    /** Marks the field with the reason why an edit was refused. */
+    void refuse(String reason) {
+        refusal.set(reason);
+    }
+
+    /** Steps the value, after what was typed is set. */
+    void step(double steps) {
+        commit();
+        gauge.set(gauge.steps().from(value, steps), null).ifPresentOrElse(this::refuse, this::revert);
+    }
+
+    private void commit() {
+        if (getText().strip().equals(shown()) || isExact()) {
+            revert();
+        } else {
+            gauge.typed(getText()).ifPresentOrElse(this::refuse, this::revert);
+        }
+    }
+
+    private boolean isExact() {
+        return getText().strip().equals(Limits.text(value));
+    }
+
+    /** All digits where they can be edited, and few enough to read where not. */
+    private String shown() {
+        return isFocused() ? Limits.text(value)
+                : Limits.text(BigDecimal.valueOf(value).round(SHORT).doubleValue());
+    }
+
+    private void press(KeyEvent event) {
+        double steps = switch (event.getCode()) {
+            case UP -> event.isShiftDown() ? ArrowPad.FINE : 1;
+            case DOWN -> event.isShiftDown() ? -ArrowPad.FINE : -1;
+            case PAGE_UP -> ArrowPad.COARSE;
+            case PAGE_DOWN -> -ArrowPad.COARSE;
+            default -> 0;
+        };
+        if (steps != 0) {
+            step(steps);
+            event.consume();
+        } else if (event.getCode() == KeyCode.ESCAPE && !getText().equals(shown())) {
+            revert();
+            event.consume();
+        }
+    }
+}

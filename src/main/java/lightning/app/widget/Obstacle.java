@@ -1,0 +1,47 @@
+package lightning.app.widget;
+
+import java.util.Optional;
+import javafx.scene.Node;
+import javafx.scene.control.Tooltip;
+
+/**
+ * Disables a control and says why. A disabled control hears no mouse, so its tooltip is that of what stands around it.
+ */
+public final class Obstacle {
+    private final Node around;
+    private final Node control;
+    private final String hint;
+    private final Tooltip tooltip = new Tooltip();
+    private boolean installed;
+
+    /** Of a control that needs no hint while it is enabled. */
+    public Obstacle(Node around, Node control) {
+        this(around, control, "");
+    }
+
+    /** @param hint what the tooltip says while the control is enabled; may be empty */
+    public Obstacle(Node around, Node control, String hint) {
+        this.around = around;
+        this.control = control;
+        this.hint = hint;
+        set(Optional.empty());
+    }
+
+    /** Disables the control with a reason, a clause; or enables it. */
+    public void set(Optional<String> reason) {
+        control.setDisable(reason.isPresent());
+        String text = reason.map(r -> hint.isEmpty() ? sentence(r) : hint + "\n" + sentence(r)).orElse(hint);
+        tooltip.setText(text);
+        control.setAccessibleHelp(text);
+        if (installed && text.isEmpty()) {
+            Tooltip.uninstall(around, tooltip);
+        } else if (!installed && !text.isEmpty()) {
+            Tooltip.install(around, tooltip);
+        }
+        installed = !text.isEmpty();
+    }
+
+    private static String sentence(String clause) {
+        return Character.toUpperCase(clause.charAt(0)) + clause.substring(1);
+    }
+}
