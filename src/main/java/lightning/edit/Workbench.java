@@ -23,6 +23,7 @@ public final class Workbench implements AutoCloseable {
     private final Executor window;
     private final Runnable changed;
     private final RenderLoop loop;
+    private final Recovery recovery;
     private final Autosave autosave;
     private OpenDocument document;
     private Optional<Frame> frame = Optional.empty();
@@ -44,6 +45,7 @@ public final class Workbench implements AutoCloseable {
         this.document = document;
         this.window = window;
         this.changed = changed;
+        this.recovery = recovery;
         autosave = new Autosave(recovery, Autosave.DEFAULT_DELAY, trouble);
         loop = new RenderLoop(options, new Ear(canvas));
     }
@@ -75,7 +77,15 @@ public final class Workbench implements AutoCloseable {
         document = other;
         frame = Optional.empty();
         animating = false;
+        autosave.changed(document);
         go();
+    }
+
+    /** Opens what a crash left unsaved: see {@link OpenDocument#recover}. Until it is saved it can be recovered again. */
+    public void recover(Recovery.Found found) throws IOException, JenException {
+        OpenDocument recovered = OpenDocument.recover(found);
+        open(recovered);
+        recovery.adopt(found);
     }
 
     /** Makes an edit unless it was refused; returns the reason if it was. Live, the edit is rendered at once. */

@@ -2,11 +2,13 @@ package lightning.edit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import lightning.math.Vec3;
 import lightning.relight.Options;
 import lightning.relight.Reflections;
@@ -187,6 +189,26 @@ class WorkbenchTest {
         assertThat(bench.document().name()).isEqualTo("other.jen");
         settle();
         assertThat(shown().light("moon")).isPresent();
+    }
+
+    @Test
+    void recoveredDocument_isKeptUntilItIsSaved() throws Exception {
+        var crashed = new Recovery(folder.resolve("kept"), "999999999999-1");
+        Path file = Files.writeString(folder.resolve("lost.jen"), Desk.TEXT);
+        crashed.keep(file, Desk.TEXT.replace("intensity 0.3", "intensity 0.9"));
+        Recovery own = new Recovery(folder.resolve("kept"));
+        bench.recover(own.found().getFirst());
+        assertThat(Desk.light(bench.scene(), "sun").intensity()).isEqualTo(0.9);
+        assertThat(own.found()).isEmpty();
+        assertThat(filesKept()).isEqualTo(1);
+        bench.save();
+        Wait.until(() -> filesKept() == 0);
+    }
+
+    private long filesKept() throws IOException {
+        try (Stream<Path> files = Files.list(folder.resolve("kept"))) {
+            return files.count();
+        }
     }
 
     @Test
