@@ -100,6 +100,7 @@ final class LightHeader extends VBox {
         button.setText(text);
         button.setId(id);
         button.getStyleClass().add("small");
+        button.setMinWidth(Region.USE_PREF_SIZE);
         button.setOnAction(_ -> {
             model.run(command);
             show(model.situationProperty().get());

@@ -36,6 +36,7 @@ public final class LightListPane extends VBox {
     public LightListPane(EditorModel model) {
         this.model = model;
         setId("lights");
+        getStyleClass().add("lights");
         getStylesheets().add(Style.SHEET);
         list.setId("light-list");
         list.getStyleClass().addAll("light-list", "edge-to-edge");
