@@ -14,7 +14,7 @@ import lightning.edit.Command;
 import lightning.edit.PreviewCamera;
 
 /** The interactive preview: every light in real time, and the place where lights are taken by hand. */
-public final class PreviewPane extends BorderPane {
+public final class PreviewPane extends BorderPane implements AutoCloseable {
     private final EditorModel model;
     private final PreviewCanvas canvas;
 
@@ -65,5 +65,10 @@ public final class PreviewPane extends BorderPane {
         button.getStyleClass().add("view-button");
         button.setOnAction(_ -> model.previewCameraProperty().set(camera.get()));
         return button;
+    }
+
+    @Override
+    public void close() {
+        canvas.close();
     }
 }

@@ -18,7 +18,7 @@ import lightning.scene.Scene;
  * The mouse over the traced picture: says what a pixel is made of, selects the light that matters most there, aims the
  * selected light, frames a region, moves the picture.
  */
-final class TracedMouse {
+final class TracedMouse implements AutoCloseable {
     private final EditorModel model;
     private final PictureView picture;
     private final Label line;
@@ -144,5 +144,11 @@ final class TracedMouse {
             return;
         }
         model.edit(scene -> LightEdits.aim(scene, light.name(), report.point())).ifPresent(model::say);
+    }
+
+    @Override
+    public void close() {
+        inspector.close();
+        regions.close();
     }
 }

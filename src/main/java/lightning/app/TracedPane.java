@@ -19,7 +19,7 @@ import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 
 /** The ray-traced canvas: the picture, what it does not show yet, how far it is, and what a pixel of it is made of. */
-public final class TracedPane extends BorderPane {
+public final class TracedPane extends BorderPane implements AutoCloseable {
     private static final double MOST_STOPS = 8;
 
     private final EditorModel model;
@@ -28,6 +28,7 @@ public final class TracedPane extends BorderPane {
     private final Label pixelLine = new Label();
     private final Label size = new Label();
     private final ToggleButton difference = new ToggleButton("Difference");
+    private final TracedMouse mouse;
     private TracedRaster.Pixels shown;
 
     public TracedPane(EditorModel model) {
@@ -35,7 +36,7 @@ public final class TracedPane extends BorderPane {
         setId("traced");
         getStyleClass().add("canvas-pane");
         picture.setId("traced-picture");
-        var mouse = new TracedMouse(model, picture, pixelLine);
+        mouse = new TracedMouse(model, picture, pixelLine);
         badge.setId("pending");
         badge.getStyleClass().add("badge");
         StackPane.setAlignment(badge, Pos.TOP_LEFT);
@@ -43,7 +44,7 @@ public final class TracedPane extends BorderPane {
         StackPane.setAlignment(progress, Pos.BOTTOM_CENTER);
         var stage = new StackPane(picture, mouse.overlay(), badge, progress);
         stage.getStyleClass().add("canvas");
-        setTop(header(mouse));
+        setTop(header());
         setCenter(stage);
         pixelLine.setId("pixel");
         pixelLine.getStyleClass().add("pane-footer");
@@ -56,7 +57,7 @@ public final class TracedPane extends BorderPane {
         model.renderingProperty().subscribe(_ -> mark());
     }
 
-    private Node header(TracedMouse mouse) {
+    private Node header() {
         var title = new Label("Ray traced");
         title.getStyleClass().add("pane-title");
         size.getStyleClass().add("pane-note");
@@ -120,6 +121,11 @@ public final class TracedPane extends BorderPane {
             picture.changed(dirty.left(), dirty.top(), dirty.right(), dirty.bottom());
         }
         mark();
+    }
+
+    @Override
+    public void close() {
+        mouse.close();
     }
 
     /** The slider of the brightness of the view, which is no part of the scene. */

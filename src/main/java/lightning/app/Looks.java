@@ -1,0 +1,20 @@
+package lightning.app;
+
+import atlantafx.base.theme.PrimerDark;
+import javafx.application.Application;
+import javafx.scene.Scene;
+
+/** The theme: calm and dark, so that the pictures stand out. */
+final class Looks {
+    private Looks() {}
+
+    /** For all windows. */
+    static void install() {
+        Application.setUserAgentStylesheet(new PrimerDark().getUserAgentStylesheet());
+    }
+
+    /** What the theme lacks. */
+    static void dress(Scene scene) {
+        scene.getStylesheets().add(Looks.class.getResource("window.css").toExternalForm());
+    }
+}
