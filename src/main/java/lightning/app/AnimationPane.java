@@ -55,7 +55,6 @@ final class AnimationPane extends VBox {
         this.sceneName = sceneName;
         this.ask = ask;
         getStyleClass().add("animation");
-        getStylesheets().add(Style.SHEET);
         status.setId("animation-status");
         status.getStyleClass().add("status");
         status.setWrapText(true);

@@ -27,6 +27,7 @@ public final class AnimationWindow extends Stage {
                 close();
             }
         });
+        Looks.dress(content);
         setScene(content);
         setResizable(false);
         AnimationTimer timer = new AnimationTimer() {

@@ -1,28 +1,48 @@
 package lightning.app;
 
+import javafx.scene.AccessibleRole;
 import javafx.scene.control.Button;
+import javafx.scene.control.Tooltip;
 import javafx.scene.layout.StackPane;
-import lightning.app.widget.Obstacle;
+import javafx.util.Duration;
 import lightning.edit.Command;
-import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
 
-/** A button that does a command, and is disabled with the command's reason. */
+/**
+ * A button of a command, enabled exactly when there is something to do, with a tooltip that says why not. The tooltip
+ * hangs on the frame around the button, for JavaFX shows none of a disabled control.
+ */
 final class CommandButton extends StackPane {
+    private static final Duration DELAY = Duration.millis(400);
 
-    /**
-     * A button without text.
-     *
-     * @param title what it does, for the tooltip and for screen readers
-     */
-    CommandButton(EditorModel model, Command command, Ikon icon, String title) {
-        Button button = new Button(null, FontIcon.of(icon));
-        button.getStyleClass().addAll("button-icon", "flat");
-        button.setAccessibleText(title);
-        button.setId(command.name().toLowerCase().replace('_', '-'));
+    /** @param titled whether the title stands beside the icon */
+    CommandButton(EditorModel model, Command command, boolean titled) {
+        CommandFace face = CommandFace.of(command);
+        var button = new Button(titled ? face.title() : "", new FontIcon(face.icon()));
+        button.setId(id(command));
+        button.setAccessibleRole(AccessibleRole.BUTTON);
+        button.setAccessibleText(face.title());
         button.setOnAction(_ -> model.run(command));
+        button.getStyleClass().add(titled ? "titled-command" : "button-icon");
         getChildren().add(button);
-        var obstacle = new Obstacle(this, button, title);
-        model.situationProperty().subscribe(_ -> obstacle.set(model.reason(command)));
+        var tooltip = new Tooltip();
+        tooltip.setShowDelay(DELAY);
+        tooltip.setShowDuration(Duration.INDEFINITE);
+        Tooltip.install(this, tooltip);
+        model.situationProperty().subscribe(_ -> {
+            String obstacle = model.reason(command).orElse("");
+            button.setDisable(!obstacle.isEmpty());
+            tooltip.setText(face.tooltip(obstacle));
+            button.setAccessibleHelp(tooltip.getText());
+        });
+    }
+
+    Button button() {
+        return (Button) getChildren().getFirst();
+    }
+
+    /** {@code go} for {@code GO}, {@code save-scene} for {@code SAVE_SCENE}. */
+    static String id(Command command) {
+        return command.name().toLowerCase(java.util.Locale.ROOT).replace('_', '-');
     }
 }

@@ -48,6 +48,7 @@ public final class EditorModel implements AutoCloseable {
     private final StringProperty message = new SimpleStringProperty("");
     private final Map<Command, Runnable> actions = new EnumMap<>(Command.class);
     private final TracedRaster raster = new TracedRaster();
+    private final Executor window;
     private final RenderLoop loop;
     private final Autosave autosave;
     private Scene wanted;
@@ -61,6 +62,7 @@ public final class EditorModel implements AutoCloseable {
      * @param autosave hears of every edit; closed with this
      */
     public EditorModel(OpenDocument first, Executor window, Autosave autosave) {
+        this.window = window;
         this.autosave = autosave;
         loop = new RenderLoop(precision.get().options(), new RenderFeed(window, raster, this::heard));
         LightActions.addTo(this);
@@ -131,7 +133,8 @@ public final class EditorModel implements AutoCloseable {
         return repaints;
     }
 
-    private void repaint() {
+    /** The raster was changed. */
+    void repaint() {
         repaints.set(repaints.get() + 1);
     }
 
@@ -152,6 +155,11 @@ public final class EditorModel implements AutoCloseable {
     /** What the artist should read next: why an edit was refused, what was saved; empty where there is nothing. */
     public StringProperty messageProperty() {
         return message;
+    }
+
+    /** Runs tasks in turn on the window's thread. */
+    Executor window() {
+        return window;
     }
 
     TracedRaster raster() {

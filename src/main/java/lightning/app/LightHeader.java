@@ -20,10 +20,6 @@ import lightning.edit.Situation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import org.kordamp.ikonli.javafx.FontIcon;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignE;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignU;
 
 /** The selected light's name, type and switches, and the commands that concern it alone. */
 final class LightHeader extends VBox {
@@ -51,13 +47,11 @@ final class LightHeader extends VBox {
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
         HBox commands = row(onBox, soloBox, gap,
-                new CommandButton(model, Command.UNDO_LIGHT, MaterialDesignU.UNDO_VARIANT, "Undo this light's last edit"),
-                new CommandButton(model, Command.REDO_LIGHT, MaterialDesignR.REDO_VARIANT, "Redo this light's edit"),
-                new CommandButton(model, Command.COPY_SETTINGS, MaterialDesignC.CONTENT_COPY, "Copy the light's settings"),
-                new CommandButton(model, Command.PASTE_SETTINGS, MaterialDesignC.CONTENT_PASTE,
-                        "Paste the copied settings: type, colour, intensity, attenuation, angle and dropoff"),
-                new CommandButton(model, Command.LOOK_THROUGH_LIGHT, MaterialDesignE.EYE_OUTLINE,
-                        "Look through the light in the preview"));
+                new CommandButton(model, Command.UNDO_LIGHT, false),
+                new CommandButton(model, Command.REDO_LIGHT, false),
+                new CommandButton(model, Command.COPY_SETTINGS, false),
+                new CommandButton(model, Command.PASTE_SETTINGS, false),
+                new CommandButton(model, Command.LOOK_THROUGH_LIGHT, false));
         getChildren().addAll(identity, refusal, commands);
         model.setAction(Command.CHANGE_TYPE, type::show);
         model.situationProperty().subscribe(this::show);

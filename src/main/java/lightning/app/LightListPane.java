@@ -20,8 +20,6 @@ import lightning.edit.Situation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import org.kordamp.ikonli.javafx.FontIcon;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignD;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
 
 /**
@@ -37,7 +35,6 @@ public final class LightListPane extends VBox {
         this.model = model;
         setId("lights");
         getStyleClass().add("lights");
-        getStylesheets().add(Style.SHEET);
         list.setId("light-list");
         list.getStyleClass().addAll("light-list", "edge-to-edge");
         list.setAccessibleText("lights");
@@ -67,8 +64,8 @@ public final class LightListPane extends VBox {
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
         HBox tools = new HBox(around, gap,
-                new CommandButton(model, Command.DUPLICATE_LIGHT, MaterialDesignC.CONTENT_DUPLICATE, "Duplicate (Ctrl+D)"),
-                new CommandButton(model, Command.DELETE_LIGHT, MaterialDesignD.DELETE_OUTLINE, "Delete Light (Del)"));
+                new CommandButton(model, Command.DUPLICATE_LIGHT, false),
+                new CommandButton(model, Command.DELETE_LIGHT, false));
         tools.getStyleClass().add("lights-tools");
         return tools;
     }

@@ -5,16 +5,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import javafx.scene.Node;
-import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.TitledPane;
 import javafx.scene.layout.Priority;
-import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.app.widget.ArrowWidget;
 import lightning.app.widget.ColorSliders;
-import lightning.app.widget.Obstacle;
 import lightning.app.widget.VectorField;
 import lightning.edit.Attribute;
 import lightning.edit.Command;
@@ -24,8 +21,6 @@ import lightning.edit.Selection;
 import lightning.edit.Situation;
 import lightning.math.Vec3;
 import lightning.scene.Light;
-import org.kordamp.ikonli.javafx.FontIcon;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
 
 /** The property editor of the selected light and the scene (paper §3.2, Figure 5). */
 public final class PropertyPane extends VBox {
@@ -43,7 +38,6 @@ public final class PropertyPane extends VBox {
         this.model = model;
         setId("properties");
         getStyleClass().add("properties");
-        getStylesheets().add(Style.SHEET);
         header = new LightHeader(model);
         color = new ColorSliders(new LightColor(model));
         color.setId("color");
@@ -79,14 +73,9 @@ public final class PropertyPane extends VBox {
     }
 
     private Node aim() {
-        Button button = new Button("Aim at a point", new FontIcon(MaterialDesignT.TARGET));
-        button.setId("aim");
-        button.setMaxWidth(Double.MAX_VALUE);
-        button.setOnAction(_ -> model.run(Command.AIM));
-        StackPane around = new StackPane(button);
-        var obstacle = new Obstacle(around, button, "Then click in the traced picture where the light should shine");
-        model.situationProperty().subscribe(_ -> obstacle.set(model.reason(Command.AIM)));
-        return around;
+        CommandButton aim = new CommandButton(model, Command.AIM, true);
+        aim.button().setMaxWidth(Double.MAX_VALUE);
+        return aim;
     }
 
     private static Label caption(String text) {

@@ -63,6 +63,9 @@ public record MotionExport(Scene scene, String light, MotionPath path, int pictu
     public void write(Path folder, String name, Listener listener) throws IOException {
         Progress stop = new Progress() {
             @Override
+            public void tiles(int done, int total) {}
+
+            @Override
             public boolean isCancelled() {
                 return listener.isCancelled();
             }
