@@ -1,6 +1,7 @@
 package lightning.app;
 
 import atlantafx.base.theme.PrimerDark;
+import java.util.List;
 import javafx.application.Application;
 import javafx.scene.Scene;
 
@@ -15,6 +16,8 @@ final class Looks {
 
     /** What the theme lacks. */
     static void dress(Scene scene) {
-        scene.getStylesheets().add(Looks.class.getResource("window.css").toExternalForm());
+        for (String sheet : List.of("dark.css", "window.css", "lightning.css")) {
+            scene.getStylesheets().add(Looks.class.getResource(sheet).toExternalForm());
+        }
     }
 }
