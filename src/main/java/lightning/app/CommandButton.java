@@ -1,5 +1,6 @@
 package lightning.app;
 
+import java.util.Locale;
 import javafx.scene.AccessibleRole;
 import javafx.scene.control.Button;
 import javafx.scene.control.Tooltip;
@@ -37,12 +38,19 @@ final class CommandButton extends StackPane {
         });
     }
 
+    /** A button for the header of a pane. */
+    static CommandButton small(EditorModel model, Command command) {
+        var small = new CommandButton(model, command, false);
+        small.button().getStyleClass().add("view-button");
+        return small;
+    }
+
     Button button() {
         return (Button) getChildren().getFirst();
     }
 
     /** {@code go} for {@code GO}, {@code save-scene} for {@code SAVE_SCENE}. */
     static String id(Command command) {
-        return command.name().toLowerCase(java.util.Locale.ROOT).replace('_', '-');
+        return command.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 }

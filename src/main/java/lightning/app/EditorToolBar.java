@@ -18,6 +18,8 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
 
 /** The buttons of the canvas window (paper §3.3 to §3.7), grouped by what they are for. */
 final class EditorToolBar extends ToolBar {
+    private static final double PRECISION_WIDTH = 190;
+
     private final EditorModel model;
 
     EditorToolBar(EditorModel model) {
@@ -64,6 +66,7 @@ final class EditorToolBar extends ToolBar {
         choice.setId("precision");
         choice.getItems().setAll(Precision.values());
         choice.valueProperty().bindBidirectional(model.precisionProperty());
+        choice.setPrefWidth(PRECISION_WIDTH);
         choice.setAccessibleText("Accuracy");
         var tooltip = new Tooltip();
         choice.setTooltip(tooltip);
