@@ -1,12 +1,46 @@
 package lightning.app;
 
+import javafx.animation.AnimationTimer;
+import javafx.scene.Scene;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
 import javafx.stage.Stage;
 import javafx.stage.Window;
 
-/** Records and plays the way of a light (paper §3.7). */
+/** Records and plays the way of the light that is selected when it opens (paper §3.7). */
 public final class AnimationWindow extends Stage {
+
+    /** Begins the animation; closing the window ends it. A light must be selected. */
     public AnimationWindow(EditorModel model, Window owner) {
+        this(model, owner, PathAsk.inWindows(owner));
+    }
+
+    AnimationWindow(EditorModel model, Window owner, PathAsk ask) {
         initOwner(owner);
-        setTitle("Animation");
+        Motion motion = new Motion(model);
+        setTitle("Animation of " + motion.light());
+        String name = model.document().name().replaceFirst("\\.[^.]*$", "") + "-" + motion.light();
+        AnimationPane pane = new AnimationPane(motion, name, ask, this::close);
+        Scene content = new Scene(pane);
+        content.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
+            if (event.getCode() == KeyCode.ESCAPE) {
+                close();
+            }
+        });
+        Looks.dress(content);
+        setScene(content);
+        setResizable(false);
+        AnimationTimer timer = new AnimationTimer() {
+            @Override
+            public void handle(long now) {
+                motion.pulse();
+            }
+        };
+        setOnShown(_ -> timer.start());
+        setOnHidden(_ -> {
+            timer.stop();
+            pane.stopExport();
+            motion.close();
+        });
     }
 }

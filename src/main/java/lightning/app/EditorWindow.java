@@ -1,22 +1,76 @@
 package lightning.app;
 
+import java.io.File;
 import javafx.geometry.Orientation;
 import javafx.scene.control.SplitPane;
+import javafx.scene.input.DragEvent;
+import javafx.scene.input.TransferMode;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.VBox;
+import javafx.stage.Window;
+import lightning.edit.Command;
 
 /** Everything inside the editor's frame: traced picture, preview, and beside them the lights and their properties. */
-public final class EditorWindow extends BorderPane {
+public final class EditorWindow extends BorderPane implements AutoCloseable {
     private static final double CANVASES = 0.74;
     private static final double LIST = 0.28;
 
-    public EditorWindow(EditorModel model) {
-        var canvases = new SplitPane(new TracedPane(model), new PreviewPane(model));
+    private final PreviewPane preview;
+    private final TracedPane traced;
+    private final FileActions files;
+
+    EditorWindow(EditorModel model, FileActions files, Notices notices) {
+        this.files = files;
+        setId("editor");
+        getStyleClass().add("editor");
+        preview = new PreviewPane(model);
+        traced = new TracedPane(model);
+        var canvases = new SplitPane(traced, preview);
         var side = new SplitPane(new LightListPane(model), new PropertyPane(model));
         side.setOrientation(Orientation.VERTICAL);
         side.setDividerPositions(LIST);
         var all = new SplitPane(canvases, side);
         all.setDividerPositions(CANVASES);
         SplitPane.setResizableWithParent(side, false);
+        setTop(new VBox(new EditorMenu(model, files, () -> About.show(notices), () -> About.showKeys(notices)),
+                new EditorToolBar(model)));
         setCenter(all);
+        setBottom(new StatusLine(model));
+        model.setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, window()).show());
+        setOnDragOver(this::dragOver);
+        setOnDragDropped(this::dropped);
+    }
+
+    /** The keyboard takes lights at once. */
+    void focus() {
+        preview.canvas().requestFocus();
+    }
+
+    private Window window() {
+        return getScene().getWindow();
+    }
+
+    private static boolean isScene(File file) {
+        return file.getName().endsWith(".jen");
+    }
+
+    private void dragOver(DragEvent e) {
+        if (e.getDragboard().getFiles().stream().anyMatch(EditorWindow::isScene)) {
+            e.acceptTransferModes(TransferMode.COPY);
+        }
+        e.consume();
+    }
+
+    private void dropped(DragEvent e) {
+        e.getDragboard().getFiles().stream().filter(EditorWindow::isScene).findFirst().ifPresent(f -> files.load(f.toPath()));
+        e.setDropCompleted(true);
+        e.consume();
+    }
+
+    @Override
+    public void close() {
+        files.close();
+        preview.close();
+        traced.close();
     }
 }

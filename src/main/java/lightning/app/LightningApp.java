@@ -1,24 +1,21 @@
 package lightning.app;
 
-import atlantafx.base.theme.PrimerDark;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import javafx.application.Application;
 import javafx.application.Platform;
-import javafx.scene.Scene;
+import javafx.geometry.Rectangle2D;
+import javafx.scene.control.Alert;
+import javafx.scene.control.ButtonType;
+import javafx.stage.Screen;
 import javafx.stage.Stage;
-import lightning.edit.Autosave;
 import lightning.edit.OpenDocument;
-import lightning.edit.Recovery;
 import lightning.jen.JenException;
 
 /** The editor's program. */
 public final class LightningApp extends Application {
-    private static final double WIDTH = 1000;
-    private static final double HEIGHT = 700;
-
-    private EditorModel model;
+    private Editor editor;
 
     /**
      * Opens the editor and returns when its window is closed. At most once in a process.
@@ -30,20 +27,39 @@ public final class LightningApp extends Application {
     }
 
     @Override
-    public void start(Stage stage) throws IOException, JenException {
-        setUserAgentStylesheet(new PrimerDark().getUserAgentStylesheet());
+    public void start(Stage stage) {
+        Looks.install();
         List<String> arguments = getParameters() == null ? List.of() : getParameters().getUnnamed();
-        Path file = arguments.isEmpty() ? Folders.firstScene() : Path.of(arguments.getFirst());
-        Autosave autosave = new Autosave(new Recovery(Folders.data().resolve("recovery")), Autosave.DEFAULT_DELAY,
-                e -> Platform.runLater(() -> model.say("The last edits could not be kept for the case of a crash.")));
-        model = new EditorModel(OpenDocument.open(file), Platform::runLater, autosave);
-        stage.setTitle("Lightning");
-        stage.setScene(new Scene(new EditorWindow(model), WIDTH, HEIGHT));
-        stage.show();
+        Path first = Folders.firstScene();
+        Path file = arguments.isEmpty() ? first : Path.of(arguments.getFirst());
+        try {
+            show(stage, OpenDocument.open(file));
+        } catch (IOException | JenException e) {
+            instead(stage, file, first, e);
+        }
+    }
+
+    /** A window on the first scene takes the place of one on a scene that cannot be opened. */
+    private void instead(Stage stage, Path file, Path first, Exception why) {
+        try {
+            show(stage, OpenDocument.open(first));
+            editor.failed(file, why);
+        } catch (IOException | JenException e) {
+            new Alert(Alert.AlertType.ERROR, Sentence.of(why), ButtonType.CLOSE).showAndWait();
+            Platform.exit();
+        }
+    }
+
+    private void show(Stage stage, OpenDocument document) {
+        Rectangle2D screen = Screen.getPrimary().getVisualBounds();
+        editor = new Editor(stage, document, Platform::runLater, FilePrompt.of(stage), screen.getWidth(), screen.getHeight());
+        Platform.runLater(editor::offerRecovery);
     }
 
     @Override
     public void stop() {
-        model.close();
+        if (editor != null) {
+            editor.close();
+        }
     }
 }

@@ -1,10 +1,158 @@
 package lightning.app;
 
+import java.util.Locale;
+import javafx.geometry.Pos;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.Slider;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.control.Tooltip;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
+import lightning.image.DifferencePicture;
+import lightning.image.Film;
+import lightning.image.ViewTransform;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 
-/** The ray-traced canvas. */
-public final class TracedPane extends BorderPane {
+/** The ray-traced canvas: the picture, what it does not show yet, how far it is, and what a pixel of it is made of. */
+public final class TracedPane extends BorderPane implements AutoCloseable {
+    private static final double MOST_STOPS = 8;
+
+    private final EditorModel model;
+    private final PictureView picture = new PictureView();
+    private final Label badge = new Label();
+    private final Label pixelLine = new Label();
+    private final Label size = new Label();
+    private final ToggleButton difference = new ToggleButton("Difference");
+    private final TracedMouse mouse;
+    private TracedRaster.Pixels shown;
+
     public TracedPane(EditorModel model) {
+        this.model = model;
         setId("traced");
+        getStyleClass().add("canvas-pane");
+        picture.setId("traced-picture");
+        mouse = new TracedMouse(model, picture, pixelLine);
+        badge.setId("pending");
+        badge.getStyleClass().add("badge");
+        StackPane.setAlignment(badge, Pos.TOP_LEFT);
+        Node progress = new ProgressOverlay(model);
+        StackPane.setAlignment(progress, Pos.BOTTOM_CENTER);
+        var stage = new StackPane(picture, mouse.overlay(), badge, progress);
+        stage.getStyleClass().add("canvas");
+        setTop(header());
+        setCenter(stage);
+        pixelLine.setId("pixel");
+        pixelLine.getStyleClass().add("pane-footer");
+        pixelLine.setMaxWidth(Double.MAX_VALUE);
+        setBottom(pixelLine);
+        difference.setId("difference");
+        difference.selectedProperty().subscribe(_ -> repaint());
+        model.repaintsProperty().subscribe(_ -> repaint());
+        model.situationProperty().subscribe(_ -> mark());
+        model.renderingProperty().subscribe(_ -> mark());
+    }
+
+    private Node header() {
+        var title = new Label("Ray traced");
+        title.getStyleClass().add("pane-title");
+        size.getStyleClass().add("pane-note");
+        size.setId("traced-size");
+        var space = new Region();
+        HBox.setHgrow(space, Priority.ALWAYS);
+        var region = new ToggleButton("", new FontIcon(MaterialDesignS.SELECTION_DRAG));
+        region.setId("region");
+        region.setTooltip(new Tooltip("Trace a region alone: drag a frame in the picture.\nIt shows the edits that are not rendered yet."));
+        region.setAccessibleText("Trace a region");
+        region.selectedProperty().bindBidirectional(mouse.regionProperty());
+        region.getStyleClass().add("button-icon");
+        var box = new HBox(title, size, space, difference, new ExposureSlider(model, MOST_STOPS), region,
+                ZoomButtons.of(picture, "traced"));
+        box.getStyleClass().add("pane-header");
+        return box;
+    }
+
+    private void mark() {
+        String remark = model.situationProperty().get().pendingRemark().isPresent() ? "Edits not yet rendered" : "";
+        if (model.raster().isPatched()) {
+            remark = "A region shows edits that the rest does not";
+        }
+        badge.setText(remark);
+        badge.setVisible(!remark.isEmpty());
+        boolean verified = verified() != null;
+        difference.setVisible(verified);
+        difference.setManaged(verified);
+        if (!verified) {
+            difference.setSelected(false);
+        }
+        var wanted = model.scene().picture();
+        size.setText(wanted.width() + " × " + wanted.height());
+    }
+
+    /** The difference picture's films, where the last verification is of the picture shown; else null. */
+    private lightning.edit.Verification verified() {
+        var state = model.renderingProperty().get();
+        boolean fits = state.verification() != null && state.frame() != null
+                && state.verification().scene().equals(state.frame().scene());
+        return fits ? state.verification() : null;
+    }
+
+    private void repaint() {
+        var verification = difference.isSelected() ? verified() : null;
+        if (verification != null) {
+            Film film = DifferencePicture.of(verification.picture(), verification.full());
+            picture.setPixels(film.width(), film.height(), ViewTransform.DEFAULT.toPixels(film));
+            shown = null;
+            return;
+        }
+        TracedRaster.Pixels pixels = model.raster().pixels();
+        TracedRaster.Dirty dirty = model.raster().takeDirty();
+        if (pixels == null) {
+            return;
+        }
+        if (pixels != shown) {
+            picture.setPixels(pixels.width(), pixels.height(), pixels.pixels());
+            shown = pixels;
+        } else if (!dirty.isEmpty()) {
+            picture.changed(dirty.left(), dirty.top(), dirty.right(), dirty.bottom());
+        }
+        mark();
+    }
+
+    @Override
+    public void close() {
+        mouse.close();
+    }
+
+    /** The slider of the brightness of the view, which is no part of the scene. */
+    private static final class ExposureSlider extends HBox {
+        ExposureSlider(EditorModel model, double most) {
+            var slider = new Slider(-most, most, 0);
+            slider.setId("exposure");
+            slider.setAccessibleText("Exposure");
+            slider.setBlockIncrement(0.5);
+            slider.setPrefWidth(84);
+            var value = new Label("0.0");
+            value.setMinWidth(32);
+            value.getStyleClass().add("pane-note");
+            Tooltip.install(this, new Tooltip("Exposure of the view in stops; double-click for 0.\nNo part of the scene."));
+            setAlignment(Pos.CENTER);
+            setSpacing(4);
+            getChildren().addAll(new FontIcon(org.kordamp.ikonli.materialdesign2.MaterialDesignB.BRIGHTNESS_6), slider, value);
+            slider.setOnMouseClicked(e -> {
+                if (e.getClickCount() == 2) {
+                    slider.setValue(0);
+                }
+            });
+            slider.valueProperty().subscribe(v -> {
+                double stops = Math.rint(v.doubleValue() * 10) / 10;
+                value.setText(String.format(Locale.ROOT, "%+.1f", stops));
+                model.viewProperty().set(new ViewTransform(stops));
+            });
+        }
     }
 }

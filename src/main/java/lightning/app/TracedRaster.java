@@ -29,6 +29,7 @@ final class TracedRaster {
     private Film coarse;
     private ViewTransform view = ViewTransform.DEFAULT;
     private Dirty dirty = Dirty.NONE;
+    private Dirty patch = Dirty.NONE;
 
     /** The pixels now; null before the first picture. */
     synchronized Pixels pixels() {
@@ -44,7 +45,7 @@ final class TracedRaster {
 
     /** Shows another picture; tiles that it shares with the one before are not packed again. */
     synchronized void show(Film film) {
-        boolean fresh = shown == null || coarse != null || !fits(film.width(), film.height());
+        boolean fresh = shown == null || coarse != null || !patch.isEmpty() || !fits(film.width(), film.height());
         size(film.width(), film.height());
         for (int tile = 0; tile < film.tileCount(); tile++) {
             if (fresh || film.red(tile) != shown.red(tile) || film.green(tile) != shown.green(tile)
@@ -54,6 +55,28 @@ final class TracedRaster {
         }
         shown = film;
         coarse = null;
+        patch = Dirty.NONE;
+    }
+
+    /** Shows a part of another picture of the same size, until the next picture comes. */
+    synchronized void patch(Film film, Dirty part) {
+        if (!fits(film.width(), film.height())) {
+            return;
+        }
+        int[] all = pixels.pixels();
+        for (int y = part.top(); y < part.bottom(); y++) {
+            for (int x = part.left(); x < part.right(); x++) {
+                all[y * film.width() + x] = 0xFF000000 | view.encode(film.red(x, y)) << 16
+                        | view.encode(film.green(x, y)) << 8 | view.encode(film.blue(x, y));
+            }
+        }
+        patch = patch.plus(part.left(), part.top(), part.right(), part.bottom());
+        dirty = dirty.plus(part.left(), part.top(), part.right(), part.bottom());
+    }
+
+    /** Whether a part shows another picture than the rest. */
+    synchronized boolean isPatched() {
+        return !patch.isEmpty();
     }
 
     /** Shows a small picture, enlarged to the size of the one that is being traced. */
@@ -93,6 +116,7 @@ final class TracedRaster {
 
     private void size(int width, int height) {
         if (!fits(width, height)) {
+            patch = Dirty.NONE;
             pixels = new Pixels(width, height, new int[Math.multiplyExact(width, height)]);
             dirty = Dirty.NONE.plus(0, 0, width, height);
         }

@@ -1,6 +1,7 @@
 package lightning.shading;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import lightning.image.Film;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
@@ -63,10 +64,26 @@ public final class TraditionalTracer {
      * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
      */
     public Result trace(Workers workers, Progress progress) {
+        return trace(workers, allTiles(), progress);
+    }
+
+    private int[] allTiles() {
+        int across = (scene.picture().width() - 1) / Film.TILE + 1;
+        int down = (scene.picture().height() - 1) / Film.TILE + 1;
+        return IntStream.range(0, across * down).toArray();
+    }
+
+    /**
+     * Traces some tiles; the others stay black.
+     *
+     * @param tiles the numbers of the film's tiles that are wanted
+     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     */
+    public Result trace(Workers workers, int[] tiles, Progress progress) {
         Film film = Film.black(scene.picture().width(), scene.picture().height());
         PerThread[] threads = new PerThread[workers.count()];
         Arrays.setAll(threads, _ -> new PerThread());
-        workers.run(film.tileCount(), (worker, tile) -> threads[worker].tile(film, tile, progress), progress);
+        workers.run(tiles.length, (worker, i) -> threads[worker].tile(film, tiles[i], progress), progress);
         TraceCounts rays = TraceCounts.NONE;
         for (PerThread thread : threads) {
             rays = rays.plus(new TraceCounts(thread.eye, thread.reflected, thread.lights.shadowRays()));

@@ -1,0 +1,121 @@
+package lightning.app;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Executor;
+import javafx.scene.Scene;
+import javafx.scene.control.ButtonType;
+import javafx.stage.Stage;
+import javafx.stage.WindowEvent;
+import lightning.edit.OpenDocument;
+import lightning.edit.Recovery;
+import lightning.jen.JenException;
+
+/** The editor of one document in one window, from opening to closing. */
+final class Editor implements AutoCloseable {
+    private static final double WIDTH = 1600;
+    private static final double HEIGHT = 950;
+
+    private final Stage stage;
+    private final Preferences preferences = new Preferences(Folders.data());
+    private final Recovery recovery = new Recovery(Folders.data().resolve("recovery"));
+    private final Notices notices;
+    private final FileActions files;
+    private final EditorModel model;
+    private final EditorWindow window;
+
+    /**
+     * Opens the window.
+     *
+     * @param hops      runs tasks in turn on the window's thread
+     * @param mostWidth the largest size of the window, pixels: the screen's; likewise {@code mostHeight}
+     */
+    Editor(Stage stage, OpenDocument document, Executor hops, FilePrompt prompt, double mostWidth, double mostHeight) {
+        this.stage = stage;
+        notices = new Notices(stage);
+        model = new EditorModel(document, recovery, hops);
+        model.precisionProperty().set(precision());
+        files = new FileActions(model, prompt, notices, preferences, this::closeWindow);
+        window = new EditorWindow(model, files, notices);
+        var scene = new Scene(window, Math.min(mostWidth, preferences.number("width", WIDTH)),
+                Math.min(mostHeight, preferences.number("height", HEIGHT)));
+        Looks.dress(scene);
+        stage.setScene(scene);
+        model.situationProperty().subscribe(now ->
+                stage.setTitle((now.dirty() ? "• " : "") + model.document().name() + " – Lightning"));
+        stage.focusedProperty().subscribe(_ -> model.refresh());
+        stage.setOnCloseRequest(e -> {
+            if (files.mayLeave()) {
+                remember();
+            } else {
+                e.consume();
+            }
+        });
+        preferences.opened(document.file());
+        stage.show();
+        window.focus();
+    }
+
+    EditorModel model() {
+        return model;
+    }
+
+    FileActions files() {
+        return files;
+    }
+
+    /** Asks about edits that a crash left unsaved. */
+    void offerRecovery() {
+        List<Recovery.Found> all;
+        try {
+            all = recovery.found();
+        } catch (IOException e) {
+            return;
+        }
+        for (Recovery.Found found : all) {
+            ButtonType answer = notices.recover(found).orElse(null);
+            try {
+                if (answer == Notices.RECOVER) {
+                    model.recover(found);
+                    return;
+                }
+                if (answer == Notices.FORGET) {
+                    found.delete();
+                }
+            } catch (IOException | JenException e) {
+                notices.failed("The edits could not be recovered", e);
+            }
+        }
+    }
+
+    /** Says that a scene could not be opened. */
+    void failed(Path file, Exception why) {
+        notices.failed(file + " could not be opened", why);
+    }
+
+    private Precision precision() {
+        try {
+            return Precision.valueOf(preferences.text("precision", Precision.EXACT.name()));
+        } catch (IllegalArgumentException e) {
+            return Precision.EXACT;
+        }
+    }
+
+    private void closeWindow() {
+        stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST));
+    }
+
+    private void remember() {
+        preferences.set("width", stage.getScene().getWidth());
+        preferences.set("height", stage.getScene().getHeight());
+        preferences.set("precision", model.precisionProperty().get().name());
+        preferences.save();
+    }
+
+    @Override
+    public void close() {
+        window.close();
+        model.close();
+    }
+}

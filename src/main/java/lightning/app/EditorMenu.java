@@ -1,0 +1,99 @@
+package lightning.app;
+
+import java.util.List;
+import javafx.scene.control.CheckMenuItem;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuBar;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.RadioMenuItem;
+import javafx.scene.control.SeparatorMenuItem;
+import javafx.scene.control.ToggleGroup;
+import javafx.scene.input.KeyCombination;
+import lightning.edit.Command;
+import org.kordamp.ikonli.javafx.FontIcon;
+
+/** Every command in a menu, with its shortcut. */
+final class EditorMenu extends MenuBar {
+    private final EditorModel model;
+
+    EditorMenu(EditorModel model, FileActions files, Runnable about, Runnable keys) {
+        this.model = model;
+        var recent = new Menu("Load Recent");
+        recent.setId("recent");
+        recent.setOnShowing(_ -> recent.getItems().setAll(files.recentItems()));
+        recent.getItems().setAll(files.recentItems());
+        var file = menu("File", item(Command.LOAD_FILE), recent, item(Command.RELOAD), new SeparatorMenuItem(),
+                item(Command.SAVE_SCENE), item(Command.SAVE_SCENE_AS), item(Command.SAVE_IMAGE), new SeparatorMenuItem(),
+                item("Quit", "Shortcut+Q", files::quit));
+        var edit = menu("Edit", item(Command.UNDO), item(Command.REDO), new SeparatorMenuItem(), item(Command.UNDO_LIGHT),
+                item(Command.REDO_LIGHT), new SeparatorMenuItem(), item(Command.COPY_SETTINGS), item(Command.PASTE_SETTINGS));
+        var light = menu("Light", item(Command.ADD_LIGHT), item(Command.DUPLICATE_LIGHT), item(Command.DELETE_LIGHT),
+                new SeparatorMenuItem(), item(Command.RENAME_LIGHT), item(Command.SWITCH_ON), item(Command.SOLO),
+                item(Command.AIM), item(Command.LOOK_THROUGH_LIGHT), new SeparatorMenuItem(), item(Command.MAKE_ANIMATION));
+        var live = new CheckMenuItem("Live");
+        live.setAccelerator(KeyCombination.valueOf("F8"));
+        live.selectedProperty().bindBidirectional(model.liveProperty());
+        var render = menu("Render", item(Command.GO), live, item(Command.UPDATE_REFLECTIONS), item(Command.VERIFY),
+                item(Command.CANCEL), new SeparatorMenuItem(), precision(), sizes());
+        var help = menu("Help", item("Mouse and Keyboard", "F1", keys), item("About Lightning", "", about));
+        getMenus().setAll(file, edit, light, render, help);
+    }
+
+    private static Menu menu(String title, MenuItem... items) {
+        return new Menu(title, null, items);
+    }
+
+    private static MenuItem item(String title, String keys, Runnable action) {
+        var item = new MenuItem(title);
+        if (!keys.isEmpty()) {
+            item.setAccelerator(KeyCombination.valueOf(keys));
+        }
+        item.setOnAction(_ -> action.run());
+        return item;
+    }
+
+    private MenuItem item(Command command) {
+        CommandFace face = CommandFace.of(command);
+        var item = new MenuItem(face.title(), new FontIcon(face.icon()));
+        item.setId("menu-" + CommandButton.id(command));
+        item.setAccelerator(face.keys());
+        item.setOnAction(_ -> model.run(command));
+        model.situationProperty().subscribe(now -> {
+            item.setDisable(!model.enabled(command));
+            item.setText(title(command, face));
+        });
+        return item;
+    }
+
+    /** Undo and redo say what of. */
+    private String title(Command command, CommandFace face) {
+        var now = model.situationProperty().get();
+        var label = switch (command) {
+            case UNDO -> now.undo();
+            case REDO -> now.redo();
+            case UNDO_LIGHT -> now.undoLight();
+            case REDO_LIGHT -> now.redoLight();
+            default -> java.util.Optional.<String>empty();
+        };
+        return face.title() + label.map(l -> " (" + l + ")").orElse("");
+    }
+
+    private Menu precision() {
+        var menu = new Menu("Accuracy");
+        var group = new ToggleGroup();
+        for (Precision precision : Precision.values()) {
+            var item = new RadioMenuItem(precision.toString());
+            item.setToggleGroup(group);
+            item.setOnAction(_ -> model.precisionProperty().set(precision));
+            model.precisionProperty().subscribe(p -> item.setSelected(p == precision));
+            menu.getItems().add(item);
+        }
+        return menu;
+    }
+
+    private Menu sizes() {
+        var menu = new Menu("Size of the Picture");
+        menu.getItems().setAll(List.copyOf(SizeMenu.ofPicture(model)));
+        return menu;
+    }
+}

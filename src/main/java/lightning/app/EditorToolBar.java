@@ -1,0 +1,100 @@
+package lightning.app;
+
+import javafx.geometry.Orientation;
+import javafx.scene.Node;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Label;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.Separator;
+import javafx.scene.control.Spinner;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.control.ToolBar;
+import javafx.scene.control.Tooltip;
+import lightning.edit.Command;
+import lightning.edit.Dial;
+import lightning.scene.Limits;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
+
+/** The buttons of the canvas window (paper §3.3 to §3.7), grouped by what they are for. */
+final class EditorToolBar extends ToolBar {
+    private static final double PRECISION_WIDTH = 190;
+
+    private final EditorModel model;
+
+    EditorToolBar(EditorModel model) {
+        this.model = model;
+        setId("toolbar");
+        add(Command.LOAD_FILE, Command.RELOAD, Command.SAVE_SCENE, Command.SAVE_IMAGE);
+        getItems().add(gap());
+        add(Command.UNDO, Command.REDO);
+        getItems().add(gap());
+        var go = new CommandButton(model, Command.GO, true);
+        go.button().getStyleClass().add("accent");
+        getItems().addAll(go, live());
+        add(Command.UPDATE_REFLECTIONS, Command.CANCEL, Command.VERIFY);
+        getItems().addAll(gap(), precision(), size(), note("Depth"), depth(), gap());
+        add(Command.MAKE_ANIMATION);
+    }
+
+    private void add(Command... commands) {
+        for (Command command : commands) {
+            getItems().add(new CommandButton(model, command, false));
+        }
+    }
+
+    private static Node gap() {
+        return new Separator(Orientation.VERTICAL);
+    }
+
+    private static Label note(String text) {
+        var label = new Label(text);
+        label.getStyleClass().add("pane-note");
+        return label;
+    }
+
+    private ToggleButton live() {
+        var live = new ToggleButton("Live", new FontIcon(MaterialDesignF.FLASH));
+        live.setId("live");
+        live.setTooltip(new Tooltip("Live\nRender edits while they are made, without Go."));
+        live.selectedProperty().bindBidirectional(model.liveProperty());
+        return live;
+    }
+
+    private ChoiceBox<Precision> precision() {
+        var choice = new ChoiceBox<Precision>();
+        choice.setId("precision");
+        choice.getItems().setAll(Precision.values());
+        choice.valueProperty().bindBidirectional(model.precisionProperty());
+        choice.setPrefWidth(PRECISION_WIDTH);
+        choice.setAccessibleText("Accuracy");
+        var tooltip = new Tooltip();
+        choice.setTooltip(tooltip);
+        choice.valueProperty().subscribe(p -> tooltip.setText("Accuracy: " + p + "\n" + p.explanation() + "."));
+        return choice;
+    }
+
+    private MenuButton size() {
+        var sizes = new MenuButton("", new FontIcon(org.kordamp.ikonli.materialdesign2.MaterialDesignR.RESIZE));
+        sizes.setId("traced-sizes");
+        sizes.setAccessibleText("Size of the traced picture");
+        sizes.setTooltip(new Tooltip("Size of the traced picture\nAnother size traces it anew."));
+        sizes.getItems().setAll(SizeMenu.ofPicture(model));
+        model.sceneProperty().subscribe(s -> sizes.setText(s.picture().width() + " × " + s.picture().height()));
+        return sizes;
+    }
+
+    private Spinner<Integer> depth() {
+        var depth = new Spinner<Integer>(0, Limits.MAX_DEPTH, 0);
+        depth.setId("depth");
+        depth.setAccessibleText("Recursion depth of mirrors");
+        depth.setTooltip(new Tooltip("Recursion depth\nHow many mirror bounces are followed, 0 to " + Limits.MAX_DEPTH + "."));
+        model.sceneProperty().subscribe(s -> depth.getValueFactory().setValue(s.picture().depth()));
+        depth.valueProperty().subscribe(v -> {
+            if (v != model.scene().picture().depth()) {
+                model.edit(scene -> Dial.DEPTH.set(scene, "", v)).ifPresent(model::say);
+            }
+        });
+        return depth;
+    }
+}

@@ -1,0 +1,168 @@
+package lightning.app;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import javafx.scene.control.ButtonType;
+import javafx.scene.control.MenuItem;
+import lightning.edit.Command;
+import lightning.edit.Frame;
+import lightning.edit.OpenDocument;
+import lightning.image.PictureFile;
+import lightning.image.ViewTransform;
+import lightning.jen.JenException;
+
+/** The commands about files. Files are read and pictures written on a thread of their own. */
+final class FileActions implements AutoCloseable {
+    private final EditorModel model;
+    private final FilePrompt prompt;
+    private final Notices notices;
+    private final Preferences preferences;
+    private final Runnable quit;
+    private final ExecutorService thread = Executors.newSingleThreadExecutor(task -> {
+        Thread t = new Thread(task, "lightning-files");
+        t.setDaemon(true);
+        return t;
+    });
+
+    /** @param quit closes the window, which then asks about unsaved edits */
+    FileActions(EditorModel model, FilePrompt prompt, Notices notices, Preferences preferences, Runnable quit) {
+        this.model = model;
+        this.prompt = prompt;
+        this.notices = notices;
+        this.preferences = preferences;
+        this.quit = quit;
+        model.setAction(Command.LOAD_FILE, () -> prompt.scene(model.document().file().toAbsolutePath().getParent()).ifPresent(this::load));
+        model.setAction(Command.RELOAD, this::reload);
+        model.setAction(Command.SAVE_SCENE, this::save);
+        model.setAction(Command.SAVE_SCENE_AS, this::saveAs);
+        model.setAction(Command.SAVE_IMAGE, this::saveImage);
+    }
+
+    /** Opens a scene; the open one stays where it cannot be read. Asks about unsaved edits first. */
+    void load(Path file) {
+        if (!mayLeave()) {
+            return;
+        }
+        thread.execute(() -> {
+            try {
+                OpenDocument opened = OpenDocument.open(file);
+                model.window().execute(() -> {
+                    model.open(opened);
+                    preferences.opened(file);
+                });
+            } catch (IOException | JenException | RuntimeException e) {
+                model.window().execute(() -> notices.failed(file.getFileName() + " could not be opened", e));
+            }
+        });
+    }
+
+    /** Whether the open document may be left: it is saved, or the artist does not want it. */
+    boolean mayLeave() {
+        if (!model.document().isDirty()) {
+            return true;
+        }
+        ButtonType answer = notices.unsaved(model.document().name()).orElse(ButtonType.CANCEL);
+        return answer == Notices.DISCARD || answer == Notices.SAVE && save();
+    }
+
+    private void reload() {
+        try {
+            model.workbench().reload();
+            model.say("Reloaded; Undo brings the edits back");
+        } catch (IOException | JenException e) {
+            notices.failed(model.document().name() + " could not be reloaded", e);
+        }
+    }
+
+    /** Whether it was written. */
+    private boolean save() {
+        try {
+            model.workbench().save();
+            saved();
+            return true;
+        } catch (IOException e) {
+            notices.failed("The scene could not be saved", e);
+            return false;
+        }
+    }
+
+    private void saveAs() {
+        prompt.sceneToWrite(model.document().file()).map(f -> withEnding(f, ".jen")).ifPresent(file -> {
+            try {
+                model.workbench().saveAs(file);
+                saved();
+            } catch (IOException e) {
+                notices.failed("The scene could not be saved", e);
+            }
+        });
+    }
+
+    private void saved() {
+        preferences.opened(model.document().file());
+        model.say("Saved " + model.document().name());
+    }
+
+    private void saveImage() {
+        var remark = model.situationProperty().get().pendingRemark();
+        if (remark.isPresent()) {
+            ButtonType answer = notices.pending(remark.get()).orElse(ButtonType.CANCEL);
+            if (answer == Notices.GO_FIRST) {
+                model.run(Command.GO);
+            }
+            if (answer != Notices.SAVE_AS_IT_IS) {
+                return;
+            }
+        }
+        Path scene = model.document().file();
+        String name = model.document().name().replaceFirst("\\.jen$", "") + ".png";
+        Frame frame = model.frame();
+        prompt.pictureToWrite(scene.resolveSibling(name)).map(f -> f.getFileName().toString().contains(".") ? f : withEnding(f, ".png"))
+                .ifPresent(file -> write(file, frame));
+    }
+
+    private void write(Path file, Frame frame) {
+        ViewTransform view = model.viewProperty().get();
+        thread.execute(() -> {
+            try {
+                PictureFile.write(file, frame.film(), view);
+                model.window().execute(() -> model.say("Saved " + file.getFileName()));
+            } catch (IOException | RuntimeException e) {
+                model.window().execute(() -> notices.failed("The picture could not be saved", e));
+            }
+        });
+    }
+
+    private static Path withEnding(Path file, String ending) {
+        String name = file.getFileName().toString();
+        return name.endsWith(ending) ? file : file.resolveSibling(name + ending);
+    }
+
+    /** One for each scene opened before that is still there. */
+    List<MenuItem> recentItems() {
+        List<MenuItem> items = preferences.recent().stream().filter(Files::isRegularFile).map(file -> {
+            var item = new MenuItem(file.toString());
+            item.setMnemonicParsing(false);
+            item.setOnAction(_ -> load(file));
+            return item;
+        }).toList();
+        if (items.isEmpty()) {
+            var none = new MenuItem("None yet");
+            none.setDisable(true);
+            return List.of(none);
+        }
+        return items;
+    }
+
+    void quit() {
+        quit.run();
+    }
+
+    @Override
+    public void close() {
+        thread.shutdown();
+    }
+}

@@ -1,0 +1,57 @@
+package lightning.app;
+
+import javafx.animation.PauseTransition;
+import javafx.geometry.Pos;
+import javafx.scene.control.Label;
+import javafx.scene.control.ProgressBar;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Region;
+import javafx.util.Duration;
+import lightning.edit.Command;
+import lightning.edit.Situation;
+
+/** How far the picture or its verification is, with Cancel; not there for work too short to read it. */
+final class ProgressOverlay extends HBox {
+    private static final Duration PATIENCE = Duration.millis(250);
+    private final EditorModel model;
+    private final Label what = new Label();
+    private final ProgressBar bar = new ProgressBar(0);
+    private final PauseTransition wait = new PauseTransition(PATIENCE);
+
+    ProgressOverlay(EditorModel model) {
+        this.model = model;
+        setId("progress");
+        getStyleClass().add("progress-overlay");
+        setAlignment(Pos.CENTER);
+        setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
+        bar.setId("progress-bar");
+        bar.setAccessibleText("Progress of the picture");
+        var cancel = new CommandButton(model, Command.CANCEL, false);
+        cancel.button().setId("cancel-progress");
+        getChildren().addAll(what, bar, cancel);
+        setVisible(false);
+        wait.setOnFinished(_ -> setVisible(isBusy()));
+        model.situationProperty().subscribe(_ -> update());
+        model.renderingProperty().subscribe(_ -> update());
+    }
+
+    private boolean isBusy() {
+        Situation now = model.situationProperty().get();
+        return now.inWork().isPresent() || now.verifying();
+    }
+
+    private void update() {
+        RenderState state = model.renderingProperty().get();
+        if (!isBusy()) {
+            wait.stop();
+            setVisible(false);
+            return;
+        }
+        if (!isVisible() && wait.getStatus() != javafx.animation.Animation.Status.RUNNING) {
+            wait.playFromStart();
+        }
+        boolean rendering = model.situationProperty().get().inWork().isPresent();
+        what.setText(rendering ? "Tracing" : "Verifying");
+        bar.setProgress(rendering ? state.progress() : (double) state.checked() / state.toCheck());
+    }
+}

@@ -1,0 +1,80 @@
+package lightning.app;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import javafx.beans.property.ObjectProperty;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.RadioMenuItem;
+import javafx.scene.control.SeparatorMenuItem;
+import javafx.scene.control.TextInputDialog;
+import javafx.scene.control.ToggleGroup;
+import lightning.edit.Change;
+import lightning.scene.Limits;
+
+/** The sizes of the two canvases (paper §3.6). */
+final class SizeMenu {
+    private static final Pattern SIZE = Pattern.compile("\\s*(\\d{1,6})\\s*[x×*, ]\\s*(\\d{1,6})\\s*");
+
+    private SizeMenu() {}
+
+    /** Sizes of the traced picture; another size traces it anew. */
+    static List<MenuItem> ofPicture(EditorModel model) {
+        List<MenuItem> items = new ArrayList<>();
+        var group = new ToggleGroup();
+        for (CanvasSize size : CanvasSize.FIXED) {
+            var item = new RadioMenuItem(size.title());
+            item.setId("size-" + size.width() + "x" + size.height());
+            item.setToggleGroup(group);
+            item.setOnAction(_ -> trace(model, size));
+            model.sceneProperty().subscribe(s ->
+                    item.setSelected(s.picture().width() == size.width() && s.picture().height() == size.height()));
+            items.add(item);
+        }
+        var other = new MenuItem("Other…");
+        other.setOnAction(_ -> ask(model.scene().picture().width() + " × " + model.scene().picture().height())
+                .ifPresent(size -> trace(model, size)));
+        items.add(new SeparatorMenuItem());
+        items.add(other);
+        return items;
+    }
+
+    /** Sizes of the preview. */
+    static List<MenuItem> ofPreview(ObjectProperty<CanvasSize> chosen) {
+        List<MenuItem> items = new ArrayList<>();
+        var group = new ToggleGroup();
+        List<CanvasSize> all = new ArrayList<>(List.of(CanvasSize.LIKE_PICTURE, CanvasSize.FREE));
+        all.addAll(CanvasSize.FIXED);
+        for (CanvasSize size : all) {
+            var item = new RadioMenuItem(size.title());
+            item.setToggleGroup(group);
+            item.setOnAction(_ -> chosen.set(size));
+            chosen.subscribe(now -> item.setSelected(now == size));
+            items.add(item);
+        }
+        return items;
+    }
+
+    private static void trace(EditorModel model, CanvasSize size) {
+        model.edit(scene -> Change.of(() -> scene.withPicture(scene.picture().withSize(size.width(), size.height()))))
+                .ifPresentOrElse(model::say, model::go);
+    }
+
+    private static Optional<CanvasSize> ask(String now) {
+        var dialog = new TextInputDialog(now);
+        dialog.setTitle("Size of the picture");
+        dialog.setHeaderText("Width × height in pixels, each 1 to " + Limits.MAX_SIZE);
+        dialog.setGraphic(null);
+        dialog.setContentText("Size");
+        return dialog.showAndWait().flatMap(SizeMenu::parse);
+    }
+
+    /** {@code 640 x 480}; empty where it is no size. */
+    static Optional<CanvasSize> parse(String text) {
+        Matcher matcher = SIZE.matcher(text);
+        return matcher.matches() ? Optional.of(CanvasSize.of(Integer.parseInt(matcher.group(1)), Integer.parseInt(matcher.group(2))))
+                : Optional.empty();
+    }
+}
