@@ -8,7 +8,6 @@ import javafx.scene.Scene;
 import javafx.scene.control.ButtonType;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
-import lightning.edit.Autosave;
 import lightning.edit.OpenDocument;
 import lightning.edit.Recovery;
 import lightning.jen.JenException;
@@ -35,8 +34,7 @@ final class Editor implements AutoCloseable {
     Editor(Stage stage, OpenDocument document, Executor hops, FilePrompt prompt, double mostWidth, double mostHeight) {
         this.stage = stage;
         notices = new Notices(stage);
-        var autosave = new Autosave(recovery, Autosave.DEFAULT_DELAY, e -> hops.execute(this::cannotKeep));
-        model = new EditorModel(document, hops, autosave);
+        model = new EditorModel(document, recovery, hops);
         model.precisionProperty().set(precision());
         files = new FileActions(model, prompt, notices, preferences, this::closeWindow);
         window = new EditorWindow(model, files, notices);
@@ -78,8 +76,7 @@ final class Editor implements AutoCloseable {
             ButtonType answer = notices.recover(found).orElse(null);
             try {
                 if (answer == Notices.RECOVER) {
-                    model.open(OpenDocument.recover(found));
-                    found.delete();
+                    model.recover(found);
                     return;
                 }
                 if (answer == Notices.FORGET) {
@@ -102,10 +99,6 @@ final class Editor implements AutoCloseable {
         } catch (IllegalArgumentException e) {
             return Precision.EXACT;
         }
-    }
-
-    private void cannotKeep() {
-        model.say("The last edits could not be kept for the case of a crash");
     }
 
     private void closeWindow() {

@@ -1,5 +1,6 @@
 package lightning.app;
 
+import java.io.IOException;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -16,16 +17,17 @@ import javafx.beans.property.SimpleLongProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.beans.property.SimpleStringProperty;
 import javafx.beans.property.StringProperty;
-import lightning.edit.Autosave;
 import lightning.edit.Change;
 import lightning.edit.Command;
 import lightning.edit.Frame;
 import lightning.edit.OpenDocument;
 import lightning.edit.PreviewCamera;
-import lightning.edit.RenderLoop;
+import lightning.edit.Recovery;
 import lightning.edit.Selection;
 import lightning.edit.Situation;
+import lightning.edit.Workbench;
 import lightning.image.ViewTransform;
+import lightning.jen.JenException;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
@@ -49,50 +51,62 @@ public final class EditorModel implements AutoCloseable {
     private final Map<Command, Runnable> actions = new EnumMap<>(Command.class);
     private final TracedRaster raster = new TracedRaster();
     private final Executor window;
-    private final RenderLoop loop;
-    private final Autosave autosave;
-    private Scene wanted;
+    private final RenderFeed feed;
+    private final Workbench workbench;
+    /** What an open animation shows in place of the document; null where none is open. */
     private Scene staged;
-    private Light copied;
 
     /**
-     * Opens a document and starts to trace it.
+     * Takes a document and starts to trace it.
      *
+     * @param recovery keeps unsaved edits for the case of a crash
      * @param window   runs tasks in turn on the window's thread
-     * @param autosave hears of every edit; closed with this
      */
-    public EditorModel(OpenDocument first, Executor window, Autosave autosave) {
+    public EditorModel(OpenDocument first, Recovery recovery, Executor window) {
         this.window = window;
-        this.autosave = autosave;
-        loop = new RenderLoop(precision.get().options(), new RenderFeed(window, raster, this::heard));
+        feed = new RenderFeed(window, raster, this::heard);
+        workbench = new Workbench(first, precision.get().options(), recovery, window, this::refresh, feed,
+                _ -> window.execute(() -> say("The last edits could not be kept for the case of a crash")));
         LightActions.addTo(this);
-        precision.addListener((_, _, now) -> {
-            loop.reopen(now.options());
-            wanted = wanted == null ? null : rendering.get().frame() == null ? wanted : rendering.get().frame().scene();
-            refresh();
-        });
+        precision.addListener((_, _, now) -> workbench.reopen(now.options()));
         view.addListener((_, _, now) -> {
-            loop.setExposure(now.exposure());
+            workbench.setExposure(now.exposure());
             raster.setView(now);
             repaint();
         });
-        live.addListener((_, _, on) -> goIfLive());
-        open(first);
+        live.addListener((_, _, on) -> {
+            workbench.setLive(on);
+            stage(staged);
+        });
+        opened();
+        workbench.go();
     }
 
-    /** Takes another document in place of the open one, and traces it. */
-    public final void open(OpenDocument other) {
-        autosave.forget();
-        document.set(other);
+    /** Takes another document in place of the open one, and traces it. Unsaved edits are lost: ask before. */
+    public void open(OpenDocument other) {
         staged = null;
-        copied = null;
-        previewCamera.set(PreviewCamera.of(other.scene()));
-        if (!other.scene().lights().isEmpty()) {
-            other.selectLight(other.scene().lights().getFirst().name());
-        }
-        autosave.changed(other);
+        feed.reset();
+        workbench.open(other);
+        opened();
+    }
+
+    /**
+     * Takes what a crash left unsaved in place of the open document, and traces it.
+     *
+     * @throws IOException if it could not be kept any longer
+     * @throws JenException if it does not parse
+     */
+    public void recover(Recovery.Found found) throws IOException, JenException {
+        staged = null;
+        feed.reset();
+        workbench.recover(found);
+        opened();
+    }
+
+    private void opened() {
+        previewCamera.set(PreviewCamera.of(document().scene()));
+        document().scene().lights().stream().findFirst().ifPresent(l -> document().selectLight(l.name()));
         refresh();
-        go();
     }
 
     public ReadOnlyObjectProperty<OpenDocument> documentProperty() {
@@ -167,22 +181,33 @@ public final class EditorModel implements AutoCloseable {
     }
 
     public OpenDocument document() {
-        return document.get();
+        return workbench.document();
     }
 
     public Scene scene() {
-        return scene.get();
+        return staged == null ? workbench.scene() : staged;
     }
 
     public Light selectedLight() {
         return selectedLight.get();
     }
 
-    /** The last traced picture; null before the first. */
-    public Frame frame() {
-        return rendering.get().frame();
+    /** The lights of the scene, in its order. */
+    public List<Light> lights() {
+        return scene().lights();
     }
 
+    /** The last traced picture; null before the first. */
+    public Frame frame() {
+        return workbench.frame().orElse(null);
+    }
+
+    /** What the commands act on. */
+    Workbench workbench() {
+        return workbench;
+    }
+
+    /** Tells the artist something in the status line, until the next edit. */
     public void say(String sentence) {
         message.set(sentence);
     }
@@ -202,64 +227,31 @@ public final class EditorModel implements AutoCloseable {
      * @param gesture any object that stands for one drag, told by identity; null for a step of its own
      */
     public Optional<String> edit(Function<Scene, Change> edit, Object gesture) {
+        say("");
         Change change = edit.apply(scene());
-        if (staged != null) {
-            staged = change.or(staged);
-        } else {
-            document().apply(change, gesture);
+        if (staged == null) {
+            return workbench.edit(change, gesture);
         }
-        documentChanged();
+        stage(change.or(staged));
         return change.refusal();
-    }
-
-    /** Tells that the document was changed: undone, reloaded, saved or edited. */
-    public void documentChanged() {
-        autosave.changed(document());
-        message.set("");
-        refresh();
-        goIfLive();
     }
 
     /** Selects the light of that name; nothing where there is none, or for null. */
     public void selectLight(String name) {
         if (name == null) {
-            document().select(Selection.NONE);
+            workbench.select(Selection.NONE);
         } else {
-            document().selectLight(name);
+            workbench.selectLight(name);
         }
-        refresh();
     }
 
-    /** Renders the scene as edited, if the picture does not show it yet. */
+    /** Renders the scene as edited. */
     public void go() {
-        render(scene());
-    }
-
-    private void goIfLive() {
-        if (live.get() && situation.get().isPending()) {
-            go();
+        if (staged == null) {
+            workbench.go();
+        } else {
+            workbench.show(staged);
         }
-    }
-
-    private void render(Scene next) {
-        wanted = next;
-        loop.render(next);
-        refresh();
-    }
-
-    /** Makes the mirrors show the lights that the picture shows. */
-    public void updateReflections() {
-        loop.updateReflections();
-    }
-
-    public void verify() {
-        loop.verify();
-    }
-
-    /** Stops what is being rendered or verified. */
-    public void cancel() {
-        loop.cancel();
-        refresh();
     }
 
     /** Whether an animation is open: edits then are no edits of the document, and are gone when it is closed. */
@@ -269,33 +261,30 @@ public final class EditorModel implements AutoCloseable {
 
     public void beginAnimation() {
         staged = document().scene();
-        refresh();
+        workbench.setAnimating(true);
     }
 
     /** Shows and renders a scene of the animation. */
     public void animate(Scene frame) {
         staged = frame;
+        workbench.show(frame);
+    }
+
+    private void stage(Scene frame) {
+        staged = frame;
         refresh();
-        go();
+        if (staged != null && live.get() && situation.get().isPending()) {
+            workbench.show(staged);
+        }
     }
 
     /** Restores the document's scene, in the picture too. */
     public void endAnimation() {
         staged = null;
-        refresh();
+        workbench.setAnimating(false);
         if (situation.get().isPending()) {
             go();
         }
-    }
-
-    /** The light whose settings were copied; null if none was. */
-    public Light copied() {
-        return copied;
-    }
-
-    public void copy(Light settings) {
-        copied = settings;
-        refresh();
     }
 
     /** Says what a command does; a pane that asks the artist something first says so for its commands. */
@@ -320,37 +309,26 @@ public final class EditorModel implements AutoCloseable {
         return command.obstacle(situation.get());
     }
 
-    /** The window's focus is back: the file may have changed. */
+    /** Looks at everything anew, as when the window has the focus again: the file may have changed. */
     public void refresh() {
-        OpenDocument open = document();
-        if (!loop.isBusy()) {
-            wanted = null;
-        }
-        scene.set(staged == null ? open.scene() : staged);
-        Light light = open.selectedLight().flatMap(l -> scene().light(l.name())).orElse(null);
+        document.set(document());
+        scene.set(scene());
+        Light light = document().selectedLight().flatMap(l -> scene().light(l.name())).orElse(null);
         selectedLight.set(light);
-        Situation now = Situation.of(open, Optional.ofNullable(frame()));
-        situation.set(new Situation(scene(), now.rendered(), now.mirrored(), Optional.ofNullable(wanted),
-                rendering.get().isVerifying(), Optional.ofNullable(light), now.undo(), now.redo(), now.undoLight(),
-                now.redoLight(), now.dirty(), now.changedOnDisk(), Optional.ofNullable(copied), staged != null));
+        Situation s = workbench.situation();
+        situation.set(staged == null ? s : new Situation(staged, s.rendered(), s.mirrored(), s.inWork(), s.verifying(),
+                Optional.ofNullable(light), s.undo(), s.redo(), s.undoLight(), s.redoLight(), s.dirty(), s.changedOnDisk(),
+                s.copied(), s.animating()));
     }
 
     private void heard(RenderState state) {
         rendering.set(state);
-        refresh();
         repaint();
-    }
-
-    /** The lights of the scene, in its order. */
-    public List<Light> lights() {
-        return scene().lights();
     }
 
     /** Stops the threads; nothing is saved. */
     @Override
     public void close() {
-        autosave.forget();
-        loop.close();
-        autosave.close();
+        workbench.close();
     }
 }

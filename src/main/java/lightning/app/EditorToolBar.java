@@ -27,7 +27,7 @@ final class EditorToolBar extends ToolBar {
         getItems().add(gap());
         add(Command.UNDO, Command.REDO);
         getItems().add(gap());
-        var go = new CommandButton(model, Command.GO, true);
+        var go = new ToolButton(model, Command.GO, true);
         go.button().getStyleClass().add("accent");
         getItems().addAll(go, live());
         add(Command.UPDATE_REFLECTIONS, Command.CANCEL, Command.VERIFY);
@@ -37,7 +37,7 @@ final class EditorToolBar extends ToolBar {
 
     private void add(Command... commands) {
         for (Command command : commands) {
-            getItems().add(new CommandButton(model, command, false));
+            getItems().add(new ToolButton(model, command, false));
         }
     }
 

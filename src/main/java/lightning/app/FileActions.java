@@ -71,8 +71,7 @@ final class FileActions implements AutoCloseable {
 
     private void reload() {
         try {
-            model.document().reload();
-            model.documentChanged();
+            model.workbench().reload();
             model.say("Reloaded; Undo brings the edits back");
         } catch (IOException | JenException e) {
             notices.failed(model.document().name() + " could not be reloaded", e);
@@ -82,7 +81,7 @@ final class FileActions implements AutoCloseable {
     /** Whether it was written. */
     private boolean save() {
         try {
-            model.document().save();
+            model.workbench().save();
             saved();
             return true;
         } catch (IOException e) {
@@ -94,7 +93,7 @@ final class FileActions implements AutoCloseable {
     private void saveAs() {
         prompt.sceneToWrite(model.document().file()).map(f -> withEnding(f, ".jen")).ifPresent(file -> {
             try {
-                model.document().saveAs(file);
+                model.workbench().saveAs(file);
                 saved();
             } catch (IOException e) {
                 notices.failed("The scene could not be saved", e);
@@ -103,7 +102,6 @@ final class FileActions implements AutoCloseable {
     }
 
     private void saved() {
-        model.documentChanged();
         preferences.opened(model.document().file());
         model.say("Saved " + model.document().name());
     }

@@ -52,7 +52,7 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
                 view("view-x", "X", "Along the x axis (X)", () -> PreviewCamera.alongX(model.scene())),
                 view("view-y", "−Y", "From above, along the negative y axis (Y)", () -> PreviewCamera.alongMinusY(model.scene())),
                 view("view-z", "−Z", "Reset: the scene's own camera (Z)", () -> PreviewCamera.of(model.scene())),
-                new CommandButton(model, Command.LOOK_THROUGH_LIGHT, false));
+                new ToolButton(model, Command.LOOK_THROUGH_LIGHT, false));
         box.getStyleClass().add("pane-header");
         return box;
     }

@@ -44,6 +44,11 @@ final class RenderFeed implements RenderListener {
         }
     }
 
+    /** Another document: nothing of it is rendered yet. */
+    void reset() {
+        tell(_ -> RenderState.NONE);
+    }
+
     @Override
     public void started(UpdatePlan plan) {
         tell(s -> s.started(plan));

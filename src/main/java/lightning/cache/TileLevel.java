@@ -1,5 +1,6 @@
 package lightning.cache;
 
+import lightning.shading.BranchSums;
 import lightning.shading.LightLayer;
 import lightning.trace.HitRows;
 
@@ -9,11 +10,23 @@ import lightning.trace.HitRows;
  * @param rows   what the rays hit
  * @param layers one for each light of the scene that the level was lit for, in its order; null where
  *               the light never shone
+ * @param branches passing sums that make composing cheaper while one light is edited, or null; void
+ *               unless their key is that of the update
  */
-public record TileLevel(HitRows rows, LightLayer[] layers) {
+public record TileLevel(HitRows rows, LightLayer[] layers, BranchSums branches) {
     // An array in a record: written once by its maker, never after.
 
-    /** The bytes of all columns, array headers left out. */
+    /** A level without sums. */
+    public TileLevel(HitRows rows, LightLayer[] layers) {
+        this(rows, layers, null);
+    }
+
+    /** This level with other sums. */
+    public TileLevel with(BranchSums sums) {
+        return new TileLevel(rows, layers, sums);
+    }
+
+    /** The bytes of all columns, array headers and passing sums left out. */
     public long bytes() {
         long bytes = rows.bytes();
         for (LightLayer layer : layers) {

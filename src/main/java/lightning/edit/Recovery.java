@@ -66,6 +66,12 @@ public final class Recovery {
         Files.deleteIfExists(kept(file));
     }
 
+    /** Takes over what a crash left as this process's own: it is there at every moment, and found by nobody else. */
+    public void adopt(Found found) throws IOException {
+        keep(found.file(), found.text());
+        found.delete();
+    }
+
     /** What crashed processes left, the latest first. A file that cannot be read is passed over. */
     public List<Found> found() throws IOException {
         List<Found> all = new ArrayList<>();

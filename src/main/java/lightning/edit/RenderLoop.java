@@ -85,6 +85,16 @@ public final class RenderLoop implements AutoCloseable {
         return queue.isBusy();
     }
 
+    /** Whether a verification runs or waits. */
+    public boolean isVerifying() {
+        return queue.isVerifying() || verifier.isBusy();
+    }
+
+    /** Whether its thread still runs: until it is closed. */
+    boolean isAlive() {
+        return thread.isAlive();
+    }
+
     private void run() {
         try {
             while (true) {

@@ -120,6 +120,11 @@ final class RenderQueue {
         return running != null || isWaiting();
     }
 
+    /** Whether a verification waits or is about to be handed on. */
+    synchronized boolean isVerifying() {
+        return verify || running instanceof Work.Verify;
+    }
+
     private boolean isWaiting() {
         return scene != null || options != null || reflections || verify;
     }

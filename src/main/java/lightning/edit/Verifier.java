@@ -21,6 +21,7 @@ final class Verifier implements AutoCloseable {
     private RenderQueue.Stop stop;
     private double fullTraceMs = Double.NaN;
     private int pictures;
+    private int running;
 
     Verifier(int threads, RenderListener listener) {
         this.listener = listener;
@@ -32,24 +33,39 @@ final class Verifier implements AutoCloseable {
         var own = new RenderQueue.Stop(listener::verifying);
         int picture = pictures;
         stop = own;
+        running++;
         thread.execute(() -> run(request, own, picture));
     }
 
     private void run(Verification.Request request, RenderQueue.Stop own, int picture) {
+        Runnable outcome;
         try {
             Verification verification = request.run(workers, own);
-            synchronized (this) {
-                if (picture == pictures) {
-                    fullTraceMs = verification.fullTraceMs();
-                }
-            }
-            listener.verified(verification);
+            outcome = () -> listener.verified(verification);
+            measured(picture, verification.fullTraceMs());
         } catch (CancellationException e) {
-            listener.cancelled();
+            outcome = listener::cancelled;
         } catch (Throwable e) {
             // Whatever it is, the window lives on and says so.
-            listener.failed(e);
+            outcome = () -> listener.failed(e);
         }
+        ended();
+        outcome.run();
+    }
+
+    private synchronized void measured(int picture, double milliseconds) {
+        if (picture == pictures) {
+            fullTraceMs = milliseconds;
+        }
+    }
+
+    private synchronized void ended() {
+        running--;
+    }
+
+    /** Whether a verification runs or waits. */
+    synchronized boolean isBusy() {
+        return running > 0;
     }
 
     synchronized void cancel() {

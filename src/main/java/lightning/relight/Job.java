@@ -4,6 +4,7 @@ import lightning.cache.LayerStamp;
 import lightning.cache.TileLevel;
 import lightning.image.Film;
 import lightning.scene.Scene;
+import lightning.shading.BranchSums;
 import lightning.shading.Lamp;
 import lightning.shading.LightLayer;
 import lightning.shading.Progress;
@@ -38,11 +39,12 @@ record Job(Geometry geometry, Scene scene, Lamp[] lamps, Options options, Level 
 
     /**
      * A level's plan, with the lights that its layers were computed for, and whether each light's
-     * effective weight changes: colour, intensity, on or solo.
+     * effective weight changes: colour, intensity, on or solo; and the key of sums that may be kept
+     * because one light alone is edited again and again, or null.
      */
-    record Level(LevelPlan plan, Lamp[] lamps, Lamp[] lampsBefore, boolean[] reweighted) {
+    record Level(LevelPlan plan, Lamp[] lamps, Lamp[] lampsBefore, boolean[] reweighted, BranchSums.Key key) {
 
-        static Level of(LevelPlan plan, Scene known, Lamp[] lamps) {
+        static Level of(LevelPlan plan, Scene known, Lamp[] lamps, Drag drag) {
             boolean[] reweighted = new boolean[lamps.length];
             Lamp[] lampsBefore = new Lamp[lamps.length];
             for (int l = 0; l < lamps.length; l++) {
@@ -53,7 +55,21 @@ record Job(Geometry geometry, Scene scene, Lamp[] lamps, Options options, Level 
                 reweighted[l] = before == null || before.red() != lamps[l].red()
                         || before.green() != lamps[l].green() || before.blue() != lamps[l].blue();
             }
-            return new Level(plan, lamps, lampsBefore, reweighted);
+            return new Level(plan, lamps, lampsBefore, reweighted, drag.next(onlyChange(plan, reweighted), lamps.length));
+        }
+
+        /** The only light whose contribution changes, or −1. */
+        private static int onlyChange(LevelPlan plan, boolean[] reweighted) {
+            int only = -1;
+            for (int l = 0; l < reweighted.length; l++) {
+                if (reweighted[l] || !(plan.layers().get(l).update() instanceof LightUpdate.Keep)) {
+                    if (only >= 0) {
+                        return -1;
+                    }
+                    only = l;
+                }
+            }
+            return plan.compose() ? -1 : only;
         }
 
         /** The layers over one tile's rows after the update; those not touched are the old ones. */

@@ -15,14 +15,14 @@ final class PlanText {
         for (LayerPlan layer : plan.top().layers()) {
             describe(layer, steps);
         }
-        if (steps.isEmpty() && plan.top().compose()) {
-            steps.add("compose");
-        }
         if (plan.depthTo() != plan.depthFrom()) {
             steps.add("depth " + plan.depthFrom() + " → " + plan.depthTo());
         }
         if (plan.mirrors() != null) {
             steps.add("reflections");
+        }
+        if (steps.isEmpty()) {
+            steps.add("compose");
         }
         return steps;
     }

@@ -19,6 +19,8 @@ import lightning.trace.Geometry;
 public final class Renderer implements AutoCloseable {
     private final Options options;
     private final Workers workers;
+    private final Drag drag = new Drag();
+    private final Drag mirroredDrag = new Drag();
     private PixelCache cache;
     private double exposure;
 
@@ -141,8 +143,8 @@ public final class Renderer implements AutoCloseable {
         PixelCache old = cache;
         Lamp[] lamps = Job.lamps(wanted);
         boolean mirrors = plan.mirrors() != null;
-        Job job = new Job(old.geometry(), wanted, lamps, options, Job.Level.of(plan.top(), old.scene(), lamps),
-                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), lamps) : null, progress);
+        Job job = new Job(old.geometry(), wanted, lamps, options, Job.Level.of(plan.top(), old.scene(), lamps, drag),
+                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), lamps, mirroredDrag) : null, progress);
         CachedTile[] tiles = new CachedTile[old.tileCount()];
         TileWorker[] threads = threads(job);
         workers.run(tiles.length, (worker, tile) -> tiles[tile] = threads[worker].relight(old.tile(tile)), progress);

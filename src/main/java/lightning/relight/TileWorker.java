@@ -4,6 +4,7 @@ import java.util.Arrays;
 import lightning.cache.CachedTile;
 import lightning.cache.TileLevel;
 import lightning.image.Film;
+import lightning.shading.BranchSums;
 import lightning.shading.LightKernel;
 import lightning.shading.LightLayer;
 import lightning.shading.RatioKernel;
@@ -68,7 +69,7 @@ final class TileWorker {
     /** Updates a tile as planned; null where the work was cancelled. */
     CachedTile relight(CachedTile old) {
         LightLayer[] layers = job.top().layers(old.levels[0], updater, job.progress());
-        TileLevel top = Arrays.equals(layers, old.levels[0].layers()) ? old.levels[0] : new TileLevel(old.rows(), layers);
+        TileLevel top = with(old.levels[0], layers, job.top());
         Mirrors mirrors = job.mirrors() == null
                 ? new Mirrors(old.levels, old.hitShapes, old.mirrored)
                 : updateMirrors(old);
@@ -80,15 +81,12 @@ final class TileWorker {
     }
 
     private CachedTile finish(TileLevel top, Mirrors mirrors, float[][] film) {
-        TileLevel[] levels = mirrors.levels;
-        if (levels[0] != top) {
-            levels = levels.clone();
-            levels[0] = top;
-        }
+        TileLevel[] levels = mirrors.levels.clone();
+        levels[0] = top;
         float[][] pixels = film;
         if (pixels == null) {
             pixels = new float[3][Film.TILE_PIXELS];
-            compose(top, mirrors.cr);
+            levels[0] = compose(top, job.top(), mirrors.cr);
             composer.toFilm(top.rows(), job.scene().world(), pixels[0], pixels[1], pixels[2]);
         }
         return new CachedTile(levels, mirrors.hitShapes, mirrors.cr, pixels);
@@ -104,9 +102,21 @@ final class TileWorker {
         return new TileLevel(rows, layers);
     }
 
-    private void compose(TileLevel level, float[][] cr) {
+    /** A level with its layers after an update, and its sums unless they are void. */
+    private static TileLevel with(TileLevel level, LightLayer[] layers, Job.Level plan) {
+        BranchSums sums = level.branches() != null && level.branches().key() == plan.key() ? level.branches() : null;
+        return sums == level.branches() && Arrays.equals(layers, level.layers()) ? level
+                : new TileLevel(level.rows(), layers, sums);
+    }
+
+    /** Composes a level; gives it back with the sums that are kept for the next time, if any are. */
+    private TileLevel compose(TileLevel level, Job.Level plan, float[][] cr) {
         rowsComposed += level.rows().count;
-        composer.level(level.rows(), job.lamps(), level.layers(), job.scene().world(), cr);
+        BranchSums sums = plan == null || plan.key() == null ? null
+                : level.branches() != null ? level.branches()
+                        : composer.branches(level.rows(), job.lamps(), level.layers(), plan.key());
+        composer.level(level.rows(), job.lamps(), level.layers(), sums, job.scene().world(), cr);
+        return sums == level.branches() ? level : level.with(sums);
     }
 
     /**
@@ -131,7 +141,7 @@ final class TileWorker {
                 return new Mirrors(old.levels, old.hitShapes, old.mirrored);
             }
             changed |= job.mirrors().recolors(old.levels[k], layers);
-            levels[k] = new TileLevel(old.levels[k].rows(), layers);
+            levels[k] = with(old.levels[k], layers, job.mirrors());
         }
         changed |= job.mirrors().plan().compose();
         if (!changed) {
@@ -176,7 +186,7 @@ final class TileWorker {
     private float[][] cr(TileLevel[] levels, int deepest) {
         float[][] cr = composer.unfollowed(levels[deepest].rows());
         for (int k = deepest; k > 0; k--) {
-            compose(levels[k], cr);
+            levels[k] = compose(levels[k], job.keepsRows() ? job.mirrors() : null, cr);
             cr = composer.followed(levels[k - 1].rows(), levels[k].rows(), job.scene().world());
         }
         return cr;

@@ -10,12 +10,8 @@ import lightning.trace.MaterialTable;
 /**
  * The third stage for one tile and level: sums the lights' contributions and closes the equation
  * over all rows. Holds scratch columns: one for each thread.
- *
- * <p>The sum over the lights is the tree of {@link LightingEquation#sum}. A light that lights no row
- * of the tile, or has no weight, adds +0 to sums that are never negative, so that leaving it out
- * changes no bit.
  */
-public final class Composer {
+final class Composer {
     private static final int ROWS = LightLanes.ROWS;
     private static final VectorSpecies<Float> F = FloatVector.SPECIES_PREFERRED;
     private static final float[] ZEROS = new float[ROWS];
@@ -23,29 +19,30 @@ public final class Composer {
 
     private final MaterialTable materials;
     private final boolean litTextures;
-    private final SumRows[] sums = new SumRows[12];
+    private final LightSum lights = new LightSum();
     private final float[] red = new float[ROWS];
     private final float[] green = new float[ROWS];
     private final float[] blue = new float[ROWS];
 
-    public Composer(MaterialTable materials, ViewEffects view) {
+    Composer(MaterialTable materials, ViewEffects view) {
         this.materials = materials;
         litTextures = view.litTextures();
-        for (int i = 0; i < sums.length; i++) {
-            sums[i] = new SumRows();
-        }
+    }
+
+    LightSum lights() {
+        return lights;
     }
 
     /** The colours of the rows composed last, linear, {@code float[1024]}. */
-    public float[] red() {
+    float[] red() {
         return red;
     }
 
-    public float[] green() {
+    float[] green() {
         return green;
     }
 
-    public float[] blue() {
+    float[] blue() {
         return blue;
     }
 
@@ -54,46 +51,15 @@ public final class Composer {
      *
      * @param lamps    the lights in scene order
      * @param layers   the layer of each light; unread where the light is dark
+     * @param branches sums that are known already, or null
      * @param mirrored Cr of the reflective rows: red, green and blue columns; null where there are none
      */
-    public void compose(HitRows rows, Lamp[] lamps, LightLayer[] layers, World world, float[][] mirrored) {
-        SumRows sum = sum(rows.count, lamps, layers, 0, lamps.length, 0);
+    void compose(HitRows rows, Lamp[] lamps, LightLayer[] layers, BranchSums branches, World world, float[][] mirrored) {
+        SumRows sum = branches == null ? lights.of(rows.count, lamps, layers) : lights.of(rows.count, lamps, layers, branches);
         float[][] cr = mirrored == null ? NO_MIRRORS : mirrored;
         for (int r = 0; r < rows.runs; r++) {
             closeRun(rows, r, sum, (float) world.ambience(), cr);
         }
-    }
-
-    private static boolean isActive(Lamp lamp, LightLayer layer) {
-        return !lamp.isDark() && layer.lit() > 0;
-    }
-
-    /** The sum of lights {@code from … to}, or null where none of them adds anything. */
-    private SumRows sum(int rows, Lamp[] lamps, LightLayer[] layers, int from, int to, int level) {
-        if (to - from < 2) {
-            if (from == to || !isActive(lamps[from], layers[from])) {
-                return null;
-            }
-            SumRows own = sums[level];
-            own.set(rows, lamps[from], layers[from]);
-            return own;
-        }
-        int middle = (from + to) >>> 1;
-        SumRows left = sum(rows, lamps, layers, from, middle, level);
-        if (left == null) {
-            return sum(rows, lamps, layers, middle, to, level);
-        }
-        if (to - middle == 1) {
-            if (isActive(lamps[middle], layers[middle])) {
-                left.add(rows, lamps[middle], layers[middle]);
-            }
-            return left;
-        }
-        SumRows right = sum(rows, lamps, layers, middle, to, level + 1);
-        if (right != null) {
-            left.add(rows, right);
-        }
-        return left;
     }
 
     private void closeRun(HitRows rows, int r, SumRows sum, float ambience, float[][] mirrored) {

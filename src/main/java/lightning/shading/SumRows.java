@@ -2,6 +2,7 @@ package lightning.shading;
 
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorSpecies;
+import lightning.trace.HitRows;
 
 /**
  * A sum of lights' contributions over the rows of a tile: diffuse and specular, three channels each.
@@ -17,14 +18,52 @@ final class SumRows {
         java.util.Arrays.fill(ONES, 1);
     }
 
-    final float[] diffuseRed = new float[LightLanes.ROWS];
-    final float[] diffuseGreen = new float[LightLanes.ROWS];
-    final float[] diffuseBlue = new float[LightLanes.ROWS];
-    final float[] specularRed = new float[LightLanes.ROWS];
-    final float[] specularGreen = new float[LightLanes.ROWS];
-    final float[] specularBlue = new float[LightLanes.ROWS];
+    final float[] diffuseRed;
+    final float[] diffuseGreen;
+    final float[] diffuseBlue;
+    /** Null where no specular term will ever be stored. */
+    final float[] specularRed;
+    final float[] specularGreen;
+    final float[] specularBlue;
     /** Whether any light summed here has specular terms; else those columns are undefined. */
     boolean hasSpecular;
+
+    /** @param length of the columns: whole lanes */
+    SumRows(int length) {
+        this(length, true);
+    }
+
+    private SumRows(int length, boolean specular) {
+        diffuseRed = new float[length];
+        diffuseGreen = new float[length];
+        diffuseBlue = new float[length];
+        specularRed = specular ? new float[length] : null;
+        specularGreen = specular ? new float[length] : null;
+        specularBlue = specular ? new float[length] : null;
+    }
+
+    /** A copy that is just long enough. */
+    SumRows compact(int rows) {
+        SumRows copy = new SumRows(HitRows.padded(rows), hasSpecular);
+        copy.copy(rows, this);
+        return copy;
+    }
+
+    /** Sets this to another sum. */
+    void copy(int rows, SumRows other) {
+        System.arraycopy(other.diffuseRed, 0, diffuseRed, 0, rows);
+        System.arraycopy(other.diffuseGreen, 0, diffuseGreen, 0, rows);
+        System.arraycopy(other.diffuseBlue, 0, diffuseBlue, 0, rows);
+        hasSpecular = false;
+        if (other.hasSpecular) {
+            addSpecular(rows, other.specularRed, other.specularGreen, other.specularBlue);
+        }
+    }
+
+    /** The bytes of the columns, array headers left out. */
+    long bytes() {
+        return (specularRed == null ? 12L : 24L) * diffuseRed.length;
+    }
 
     /** Sets this to one light's contribution. */
     void set(int rows, Lamp lamp, LightLayer layer) {
@@ -75,7 +114,7 @@ final class SumRows {
     void add(int rows, SumRows other) {
         addDiffuse(rows, other.diffuseRed, other.diffuseGreen, other.diffuseBlue);
         if (other.hasSpecular) {
-            addSpecular(rows, new float[][] {other.specularRed, other.specularGreen, other.specularBlue});
+            addSpecular(rows, other.specularRed, other.specularGreen, other.specularBlue);
         }
     }
 
@@ -86,17 +125,20 @@ final class SumRows {
     }
 
     private void addSpecular(int rows, float[][] specular) {
-        if (specular == null) {
-            return;
+        if (specular != null) {
+            addSpecular(rows, specular[0], specular[1], specular[2]);
         }
+    }
+
+    private void addSpecular(int rows, float[] red, float[] green, float[] blue) {
         if (hasSpecular) {
-            add(rows, specular[0], specularRed);
-            add(rows, specular[1], specularGreen);
-            add(rows, specular[2], specularBlue);
+            add(rows, red, specularRed);
+            add(rows, green, specularGreen);
+            add(rows, blue, specularBlue);
         } else {
-            System.arraycopy(specular[0], 0, specularRed, 0, rows);
-            System.arraycopy(specular[1], 0, specularGreen, 0, rows);
-            System.arraycopy(specular[2], 0, specularBlue, 0, rows);
+            System.arraycopy(red, 0, specularRed, 0, rows);
+            System.arraycopy(green, 0, specularGreen, 0, rows);
+            System.arraycopy(blue, 0, specularBlue, 0, rows);
         }
         hasSpecular = true;
     }

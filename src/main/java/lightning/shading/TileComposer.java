@@ -42,9 +42,21 @@ public final class TileComposer {
         return mirrored;
     }
 
-    /** Composes the rows of one level; see {@link Composer#compose}. */
-    public void level(HitRows rows, Lamp[] lamps, LightLayer[] layers, World world, float[][] cr) {
-        composer.compose(rows, lamps, layers, world, cr);
+    /**
+     * Composes the rows of one level.
+     *
+     * @param lamps    the lights in scene order
+     * @param layers   the layer of each light; unread where the light is dark
+     * @param branches sums that are known already, or null
+     * @param cr       Cr of the reflective rows: red, green and blue columns; null where there are none
+     */
+    public void level(HitRows rows, Lamp[] lamps, LightLayer[] layers, BranchSums branches, World world, float[][] cr) {
+        composer.compose(rows, lamps, layers, branches, world, cr);
+    }
+
+    /** The sums beside one light, to be given to {@link #level} while that light alone is edited. */
+    public BranchSums branches(HitRows rows, Lamp[] lamps, LightLayer[] layers, BranchSums.Key key) {
+        return composer.lights().branches(rows.count, lamps, layers, key);
     }
 
     /** Writes the colours composed last to a tile of the film: the background where no row is. */

@@ -123,7 +123,7 @@ public final class TraditionalTracer {
                 }
                 float[][] cr = k == deepest ? composer.unfollowed(levels[k])
                         : composer.followed(levels[k], levels[k + 1], mirrored.world());
-                composer.level(levels[k], shining, layers, k == 0 ? scene.world() : mirrored.world(), cr);
+                composer.level(levels[k], shining, layers, null, k == 0 ? scene.world() : mirrored.world(), cr);
             }
             composer.toFilm(levels[0], scene.world(), film.red(tile), film.green(tile), film.blue(tile));
         }

@@ -12,11 +12,11 @@ import org.kordamp.ikonli.javafx.FontIcon;
  * A button of a command, enabled exactly when there is something to do, with a tooltip that says why not. The tooltip
  * hangs on the frame around the button, for JavaFX shows none of a disabled control.
  */
-final class CommandButton extends StackPane {
+final class ToolButton extends StackPane {
     private static final Duration DELAY = Duration.millis(400);
 
     /** @param titled whether the title stands beside the icon */
-    CommandButton(EditorModel model, Command command, boolean titled) {
+    ToolButton(EditorModel model, Command command, boolean titled) {
         CommandFace face = CommandFace.of(command);
         var button = new Button(titled ? face.title() : "", new FontIcon(face.icon()));
         button.setId(id(command));

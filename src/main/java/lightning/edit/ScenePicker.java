@@ -1,0 +1,55 @@
+package lightning.edit;
+
+import java.util.Optional;
+import lightning.math.Vec3;
+import lightning.scene.Scene;
+import lightning.trace.Geometry;
+import lightning.trace.Ray;
+import lightning.trace.SurfacePoint;
+
+/** Finds what lies under a place of a canvas. Made once for all scenes that differ in their lights only. */
+public final class ScenePicker {
+    private final Scene scene;
+    private final Geometry geometry;
+
+    public ScenePicker(Scene scene) {
+        this.scene = scene;
+        geometry = new Geometry(scene);
+    }
+
+    /**
+     * What was found.
+     *
+     * @param shape  its name
+     * @param point  on its surface, in the scene
+     * @param normal of length 1, on the side of the eye
+     * @param eye    from where it was seen
+     */
+    public record Found(String shape, Vec3 point, Vec3 normal, Vec3 eye) {}
+
+    /** Whether it finds what is in {@code other} too. */
+    public boolean serves(Scene other) {
+        return geometry.serves(other);
+    }
+
+    /** The surface nearest to the eye of a view under a place; empty where there is none. */
+    public Optional<Found> at(PreviewCamera view, Viewport canvas, Viewport.Pixel place) {
+        Vec3 eye = view.camera().from();
+        Ray ray = new Ray(geometry.toRenderSpace(eye), canvas.direction(view, place.x(), place.y()));
+        // The eye may lie outside the scene's box, where the tree of boxes promises nothing.
+        int shape = geometry.nearestOfAll(ray);
+        if (shape < 0) {
+            return Optional.empty();
+        }
+        SurfacePoint at = geometry.surface(shape, ray);
+        Vec3 point = geometry.toScene(new Vec3(at.px(), at.py(), at.pz()));
+        return Optional.of(new Found(geometry.shape(shape).shape().name(), point,
+                new Vec3(at.nx(), at.ny(), at.nz()).normalized(), eye));
+    }
+
+    /** The surface in the middle of the traced picture's pixel (x, y); empty where there is none. */
+    public Optional<Found> atPixel(int x, int y) {
+        var canvas = new Viewport(scene.picture().width(), scene.picture().height());
+        return at(PreviewCamera.of(scene), canvas, new Viewport.Pixel(x + 0.5, y + 0.5));
+    }
+}

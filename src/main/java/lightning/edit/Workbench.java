@@ -1,0 +1,336 @@
+package lightning.edit;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.LongFunction;
+import lightning.image.Film;
+import lightning.jen.JenException;
+import lightning.relight.Options;
+import lightning.relight.UpdatePlan;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+
+/**
+ * Everything that an editor's window works on: the open document, its picture, and what renders and keeps it. All panes
+ * share one, change the document through it, and hear of every change.
+ *
+ * <p>Belongs to one thread, that of {@code window}; what the render loop tells is brought there.
+ */
+public final class Workbench implements AutoCloseable {
+    private final Executor window;
+    private final Runnable changed;
+    private final RenderLoop loop;
+    private final Recovery recovery;
+    private final Autosave autosave;
+    private OpenDocument document;
+    private Optional<Frame> frame = Optional.empty();
+    private Optional<Scene> inWork = Optional.empty();
+    private Optional<Light> copied = Optional.empty();
+    private boolean verifying;
+    private boolean live;
+    private boolean animating;
+
+    /**
+     * @param document what is open first; it is rendered by {@link #go()}
+     * @param window   runs tasks, in their order, on the thread that the workbench belongs to
+     * @param changed  called there after every change of what the workbench tells
+     * @param canvas   hears the render loop on its own threads, before the workbench does
+     * @param trouble  hears, on the autosave thread, why edits could not be kept
+     */
+    public Workbench(OpenDocument document, Options options, Recovery recovery, Executor window, Runnable changed,
+            RenderListener canvas, Consumer<IOException> trouble) {
+        this.document = document;
+        this.window = window;
+        this.changed = changed;
+        this.recovery = recovery;
+        autosave = new Autosave(recovery, Autosave.DEFAULT_DELAY, trouble);
+        loop = new RenderLoop(options, new Ear(canvas));
+    }
+
+    public OpenDocument document() {
+        return document;
+    }
+
+    /** The document's scene as it is now. */
+    public Scene scene() {
+        return document.scene();
+    }
+
+    /** The picture rendered last; its film may be written over by now. */
+    public Optional<Frame> frame() {
+        return frame;
+    }
+
+    /** What decides which commands are enabled. */
+    public Situation situation() {
+        return Situation.of(document, frame).withInWork(inWork).withVerifying(verifying).withCopied(copied)
+                .withAnimating(animating);
+    }
+
+    /** Puts another document in place of the open one and renders it. The open one's unsaved edits are lost. */
+    public void open(OpenDocument other) {
+        loop.cancel();
+        autosave.forget();
+        document = other;
+        frame = Optional.empty();
+        animating = false;
+        autosave.changed(document);
+        go();
+    }
+
+    /** Opens what a crash left unsaved: see {@link OpenDocument#recover}. Until it is saved it can be recovered again. */
+    public void recover(Recovery.Found found) throws IOException, JenException {
+        OpenDocument recovered = OpenDocument.recover(found);
+        open(recovered);
+        recovery.adopt(found);
+    }
+
+    /** Makes an edit unless it was refused; returns the reason if it was. Live, the edit is rendered at once. */
+    public Optional<String> edit(Change change) {
+        return edit(change, null);
+    }
+
+    /** The same as part of a gesture: see {@link History#edit(Scene, Object)}. */
+    public Optional<String> edit(Change change, Object gesture) {
+        Optional<String> refusal = document.apply(change, gesture);
+        if (refusal.isEmpty()) {
+            edited();
+        }
+        return refusal;
+    }
+
+    public void undo() {
+        document.history().undo();
+        edited();
+    }
+
+    public void redo() {
+        document.history().redo();
+        edited();
+    }
+
+    /** Takes back the last edit of the selected light alone; returns the reason if it could not. */
+    public Optional<String> undoLight() {
+        return ofSelected(document.history()::undoLight);
+    }
+
+    /** Does again what was undone last of the selected light; returns the reason if it could not. */
+    public Optional<String> redoLight() {
+        return ofSelected(document.history()::redoLight);
+    }
+
+    private Optional<String> ofSelected(LongFunction<Change> step) {
+        long id = document.selectedLight().map(l -> document.history().id(l.name())).orElse(-1L);
+        Optional<String> refusal = step.apply(id).refusal();
+        edited();
+        return refusal;
+    }
+
+    public void select(Selection selection) {
+        document.select(selection);
+        changed.run();
+    }
+
+    /** Selects the light of that name; nothing if there is none. */
+    public void selectLight(String name) {
+        select(Selection.light(document.history(), name));
+    }
+
+    /** Keeps the selected light's settings for {@link #pasteSettings}. */
+    public void copySettings() {
+        copied = document.selectedLight();
+        changed.run();
+    }
+
+    /** Gives the selected light the settings copied last; returns the reason if it could not. */
+    public Optional<String> pasteSettings() {
+        Optional<Light> selected = document.selectedLight();
+        return selected.isEmpty() || copied.isEmpty() ? Command.PASTE_SETTINGS.obstacle(situation())
+                : edit(LightEdits.paste(scene(), selected.get().name(), copied.get()));
+    }
+
+    /** Saves to the document's file. */
+    public void save() throws IOException {
+        document.save();
+        kept();
+    }
+
+    /** Saves to another file: see {@link OpenDocument#saveAs}. */
+    public void saveAs(Path file) throws IOException {
+        document.saveAs(file);
+        kept();
+    }
+
+    /** Starts over with the file as it is on disk and renders it. */
+    public void reload() throws IOException, JenException {
+        document.reload();
+        kept();
+        go();
+    }
+
+    private void kept() {
+        autosave.changed(document);
+        changed.run();
+    }
+
+    /** Renders the document's scene. */
+    public void go() {
+        inWork = Optional.of(scene());
+        loop.render(scene());
+        changed.run();
+    }
+
+    /** Renders a scene that is not the document's, as an animation's frame. */
+    public void show(Scene scene) {
+        inWork = Optional.of(scene);
+        loop.render(scene);
+        changed.run();
+    }
+
+    public void updateReflections() {
+        inWork = Optional.of(inWork.orElseGet(() -> frame.map(Frame::scene).orElse(scene())));
+        loop.updateReflections();
+        changed.run();
+    }
+
+    public void verify() {
+        verifying = frame.isPresent();
+        loop.verify();
+        changed.run();
+    }
+
+    /** Stops what runs and forgets what waits. */
+    public void cancel() {
+        loop.cancel();
+        refresh();
+        changed.run();
+    }
+
+    /** The loop tells of the end of what ran; what only waited may be gone without a word. */
+    private void refresh() {
+        inWork = loop.isBusy() ? inWork : Optional.empty();
+        verifying = loop.isVerifying();
+    }
+
+    /** Another accuracy or number of threads: the picture is traced anew. */
+    public void reopen(Options options) {
+        inWork = Optional.of(scene());
+        loop.reopen(options);
+        loop.render(scene());
+        changed.run();
+    }
+
+    /** See {@link RenderLoop#setExposure}. */
+    public void setExposure(double stops) {
+        loop.setExposure(stops);
+    }
+
+    /** Whether every edit is rendered at once; off at first (paper §3.3). */
+    public boolean isLive() {
+        return live;
+    }
+
+    /** Switched on, renders what is pending. */
+    public void setLive(boolean v) {
+        live = v;
+        renderIfLive();
+        changed.run();
+    }
+
+    /** Whether an animation is open, which holds back the commands that change the document. */
+    public void setAnimating(boolean v) {
+        animating = v;
+        changed.run();
+    }
+
+    private void edited() {
+        autosave.changed(document);
+        renderIfLive();
+        changed.run();
+    }
+
+    private void renderIfLive() {
+        if (live && Command.GO.isEnabled(situation())) {
+            inWork = Optional.of(scene());
+            loop.render(scene());
+        }
+    }
+
+    /** Ends all threads. Edits that are not saved are lost: ask before. */
+    @Override
+    public void close() {
+        loop.close();
+        autosave.forget();
+        autosave.close();
+    }
+
+    /** Tells the canvas, then the workbench on its own thread. */
+    private final class Ear implements RenderListener {
+        private final RenderListener canvas;
+
+        Ear(RenderListener canvas) {
+            this.canvas = canvas;
+        }
+
+        private void tell(Runnable what) {
+            window.execute(() -> {
+                what.run();
+                changed.run();
+            });
+        }
+
+        @Override
+        public void started(UpdatePlan plan) {
+            canvas.started(plan);
+        }
+
+        @Override
+        public void progress(int done, int total) {
+            canvas.progress(done, total);
+        }
+
+        @Override
+        public void verifying(int done, int total) {
+            canvas.verifying(done, total);
+        }
+
+        @Override
+        public void coarse(Film film, Scene scene) {
+            canvas.coarse(film, scene);
+        }
+
+        @Override
+        public void rendered(Frame finished) {
+            canvas.rendered(finished);
+            tell(() -> frame = Optional.of(finished));
+        }
+
+        @Override
+        public void verified(Verification verification) {
+            canvas.verified(verification);
+            tell(Workbench.this::refresh);
+        }
+
+        @Override
+        public void cancelled() {
+            canvas.cancelled();
+            tell(Workbench.this::refresh);
+        }
+
+        @Override
+        public void failed(Throwable problem) {
+            canvas.failed(problem);
+            tell(Workbench.this::refresh);
+        }
+
+        @Override
+        public void idle() {
+            canvas.idle();
+            // More work may have come since.
+            tell(Workbench.this::refresh);
+        }
+    }
+}

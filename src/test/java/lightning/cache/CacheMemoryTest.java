@@ -1,0 +1,96 @@
+package lightning.cache;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.data.Percentage.withPercentage;
+
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.relight.Accuracy;
+import lightning.relight.Options;
+import lightning.relight.Renderer;
+import lightning.scene.Attenuation;
+import lightning.scene.Camera;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Material;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
+import lightning.scene.World;
+import lightning.shading.Progress;
+import org.junit.jupiter.api.Test;
+
+/** The formula of docs/architecture.md against the arrays, and the arrays against the heap. */
+class CacheMemoryTest {
+    private static final int SIZE = 512;
+    private static final int PIXELS = SIZE * SIZE;
+
+    /** A mirroring, shining, textured floor that fills the picture, lit everywhere by {@code lights} spots. */
+    private static Scene everything(int lights) {
+        Texture texture = new Texture(1, 1, new float[] {1, 0.5f, 0.25f});
+        Material material = new Material("floor", Rgb.grey(0.1), Rgb.WHITE, Rgb.grey(0.5), 8, Rgb.grey(0.5),
+                Optional.of(new TextureMap("t.png", 1, 1, texture)));
+        return scene(material, lights, LightType.SPOT);
+    }
+
+    private static Scene scene(Material material, int lights, LightType type) {
+        List<Light> all = new ArrayList<>();
+        for (int i = 0; i < lights; i++) {
+            all.add(Light.of("l" + i, type).withPosition(new Vec3(i, 3, 0)).withAngle(89)
+                    .withAttenuation(type.hasPosition() ? new Attenuation(0.1, 1, 0.1) : Attenuation.NONE));
+        }
+        return new Scene(new Picture(SIZE, SIZE, 3), new Camera(new Vec3(0, 4, 0), Vec3.ZERO, new Vec3(0, 0, 1), 40),
+                World.DEFAULT, List.of(material),
+                List.of(new Shape.Plane("floor", "floor", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(50, 1, 50)))), all);
+    }
+
+    private static PixelCache cache(Scene scene, Accuracy accuracy) {
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(1).withAccuracy(accuracy))) {
+            renderer.render(scene, Progress.NONE);
+            return renderer.cache();
+        }
+    }
+
+    @Test
+    void exact_takes114BytesARowWhereFourLightsNeedEveryColumn() {
+        PixelCache cache = cache(everything(4), Accuracy.EXACT);
+        assertThat(cache.rowCount()).isEqualTo(PIXELS);
+        assertThat(cache.bytes()).isEqualTo(114L * PIXELS).isLessThanOrEqualTo(125L * PIXELS);
+    }
+
+    @Test
+    void columnsThatNoRowNeeds_takeNothing() {
+        Material matt = new Material("floor", Rgb.BLACK, Rgb.WHITE, Rgb.BLACK, 1, Rgb.BLACK, Optional.empty());
+        PixelCache cache = cache(scene(matt, 4, LightType.DIRECTIONAL), Accuracy.EXACT);
+        // No texture, no mirror; of each layer the state and the cosine.
+        assertThat(cache.bytes()).isEqualTo((38 + 4 * 5L) * PIXELS);
+    }
+
+    @Test
+    void ratio_storesContributionsOf24BytesALight() {
+        PixelCache cache = cache(everything(4), Accuracy.RATIO);
+        assertThat(cache.bytes()).isEqualTo((38 + 12 + 12 + 4 * 25L) * PIXELS);
+    }
+
+    @Test
+    void theHeapGrowsByTheBytesOfCacheAndFilm() {
+        Scene scene = everything(4);
+        cache(scene, Accuracy.EXACT);
+        long before = usedHeap();
+        PixelCache cache = cache(scene, Accuracy.EXACT);
+        long grown = usedHeap() - before;
+        assertThat(grown).isCloseTo(cache.bytes() + 12L * PIXELS, withPercentage(3));
+    }
+
+    private static long usedHeap() {
+        System.gc();
+        return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed();
+    }
+}

@@ -1,0 +1,281 @@
+package lightning.edit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.EnumSet;
+import lightning.math.Vec3;
+import lightning.relight.Options;
+import lightning.relight.Renderer;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Limits;
+import lightning.scene.Scene;
+import lightning.shading.Progress;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Every command is enabled exactly when it has something to do, in a session with real pictures. */
+class CommandTest {
+    @TempDir
+    private Path folder;
+
+    private final Renderer renderer = new Renderer(Options.DEFAULT.withThreads(1));
+    private OpenDocument document;
+    private Optional<Frame> frame = Optional.empty();
+
+    @BeforeEach
+    void open() throws Exception {
+        document = OpenDocument.open(Files.writeString(folder.resolve("desk.jen"), Desk.TEXT));
+    }
+
+    @AfterEach
+    void close() {
+        renderer.close();
+    }
+
+    private void go() {
+        var update = renderer.render(document.scene(), Progress.NONE);
+        frame = Optional.of(new Frame(renderer.film(), renderer.scene(), renderer.cache().mirroredScene(), update, 1));
+    }
+
+    private void updateReflections() {
+        var update = renderer.updateReflections(Progress.NONE);
+        frame = Optional.of(new Frame(renderer.film(), renderer.scene(), renderer.cache().mirroredScene(), update, 1));
+    }
+
+    private Situation now() {
+        return Situation.of(document, frame);
+    }
+
+    private void dial(double intensity) {
+        document.apply(Dial.INTENSITY.set(document.scene(), "key", intensity));
+    }
+
+    private void assertDisabled(Command command, String reason) {
+        assertThat(command.obstacle(now())).contains(reason);
+        assertThat(command.isEnabled(now())).isFalse();
+    }
+
+    private void assertEnabled(Command command) {
+        assertThat(command.obstacle(now())).isEmpty();
+        assertThat(command.isEnabled(now())).isTrue();
+    }
+
+    @Test
+    void go_isEnabledUntilThePictureShowsTheScene() {
+        assertEnabled(Command.GO);
+        go();
+        assertDisabled(Command.GO, "nothing was edited since the last Go");
+        dial(2);
+        assertEnabled(Command.GO);
+    }
+
+    @Test
+    void undoAfterGo_leavesGoEnabled() {
+        go();
+        dial(2);
+        go();
+        document.history().undo();
+        assertEnabled(Command.GO);
+    }
+
+    @Test
+    void undoBeforeGo_leavesNothingToRender() {
+        go();
+        dial(2);
+        document.history().undo();
+        assertDisabled(Command.GO, "nothing was edited since the last Go");
+    }
+
+    @Test
+    void editsThatNoPictureShows_leaveNothingToRender() {
+        go();
+        document.apply(LightEdits.position(document.scene(), "sun", new Vec3(9, 9, 9)));
+        document.apply(LightEdits.rename(document.scene(), "key", "rim"));
+        assertDisabled(Command.GO, "nothing was edited since the last Go");
+        assertThat(document.isDirty()).isTrue();
+    }
+
+    @Test
+    void go_isDisabledWhileItsSceneIsRendered() {
+        go();
+        dial(2);
+        assertThat(Command.GO.obstacle(now().withInWork(Optional.of(document.scene())))).contains("the scene is being rendered");
+        Scene older = document.scene();
+        dial(3);
+        assertThat(Command.GO.obstacle(now().withInWork(Optional.of(older)))).isEmpty();
+    }
+
+    @Test
+    void updateReflections_isEnabledWhileMirrorsAreStale() {
+        assertDisabled(Command.UPDATE_REFLECTIONS, "there is no picture yet");
+        go();
+        assertDisabled(Command.UPDATE_REFLECTIONS, "the mirrors show the picture's lights already");
+        dial(2);
+        assertDisabled(Command.UPDATE_REFLECTIONS, "the mirrors show the picture's lights already");
+        go();
+        assertEnabled(Command.UPDATE_REFLECTIONS);
+        updateReflections();
+        assertDisabled(Command.UPDATE_REFLECTIONS, "the mirrors show the picture's lights already");
+    }
+
+    @Test
+    void updateReflectionsOfASceneWithoutMirrors_isDisabled() {
+        document.apply(Dial.DEPTH.set(document.scene(), "", 0));
+        go();
+        dial(2);
+        go();
+        assertDisabled(Command.UPDATE_REFLECTIONS, "nothing in the picture mirrors");
+    }
+
+    @Test
+    void undoAndRedo_areEnabledWhereThereAreSteps() {
+        assertDisabled(Command.UNDO, "there is nothing to undo");
+        assertDisabled(Command.REDO, "there is nothing to redo");
+        dial(2);
+        assertEnabled(Command.UNDO);
+        go();
+        assertEnabled(Command.UNDO);
+        document.history().undo();
+        assertDisabled(Command.UNDO, "there is nothing to undo");
+        assertEnabled(Command.REDO);
+    }
+
+    @Test
+    void undoAndRedoOfTheLight_areThoseOfTheSelectedOne() {
+        dial(2);
+        assertDisabled(Command.UNDO_LIGHT, "no light is selected");
+        document.selectLight("fill");
+        assertDisabled(Command.UNDO_LIGHT, "there is nothing to undo of this light");
+        document.selectLight("key");
+        assertEnabled(Command.UNDO_LIGHT);
+        assertDisabled(Command.REDO_LIGHT, "there is nothing to redo of this light");
+        document.history().undoLight(document.history().id("key"));
+        assertEnabled(Command.REDO_LIGHT);
+        assertDisabled(Command.UNDO_LIGHT, "there is nothing to undo of this light");
+    }
+
+    @Test
+    void reloadAndSave_areEnabledWithUnsavedEdits() throws Exception {
+        assertDisabled(Command.RELOAD, "the scene is as it is on disk");
+        assertDisabled(Command.SAVE_SCENE, "there is nothing to save");
+        dial(2);
+        assertEnabled(Command.RELOAD);
+        assertEnabled(Command.SAVE_SCENE);
+        document.save();
+        assertDisabled(Command.RELOAD, "the scene is as it is on disk");
+        assertDisabled(Command.SAVE_SCENE, "there is nothing to save");
+    }
+
+    @Test
+    void fileChangedByOthers_canBeReloaded() throws Exception {
+        Files.setLastModifiedTime(document.file(), FileTime.fromMillis(1_000_000));
+        assertEnabled(Command.RELOAD);
+    }
+
+    @Test
+    void loadAndSaveAs_areAlwaysEnabled() {
+        assertEnabled(Command.LOAD_FILE);
+        assertEnabled(Command.SAVE_SCENE_AS);
+    }
+
+    @Test
+    void saveImage_needsAPictureAndSaysWhatItLacks() {
+        assertDisabled(Command.SAVE_IMAGE, "there is no picture yet");
+        go();
+        assertEnabled(Command.SAVE_IMAGE);
+        assertThat(now().pendingRemark()).isEmpty();
+        dial(2);
+        assertEnabled(Command.SAVE_IMAGE);
+        assertThat(now().pendingRemark()).contains("the picture does not show the edits since the last Go");
+    }
+
+    @Test
+    void verify_needsAPicture() {
+        assertDisabled(Command.VERIFY, "there is no picture yet");
+        go();
+        assertEnabled(Command.VERIFY);
+    }
+
+    @Test
+    void cancel_needsSomethingThatRuns() {
+        assertDisabled(Command.CANCEL, "nothing is running");
+        assertThat(Command.CANCEL.isEnabled(now().withVerifying(true))).isTrue();
+        assertThat(Command.CANCEL.isEnabled(now().withInWork(Optional.of(document.scene())))).isTrue();
+    }
+
+    @Test
+    void commandsOfALight_needASelectedOne() {
+        for (Command command : List.of(Command.DELETE_LIGHT, Command.DUPLICATE_LIGHT, Command.RENAME_LIGHT, Command.CHANGE_TYPE,
+                Command.SWITCH_ON, Command.SOLO, Command.COPY_SETTINGS, Command.LOOK_THROUGH_LIGHT, Command.AIM)) {
+            document.select(Selection.NONE);
+            assertDisabled(command, "no light is selected");
+            document.selectLight("key");
+            assertEnabled(command);
+        }
+    }
+
+    @Test
+    void addLight_isEnabledWithPendingEditsUntilTheSceneIsFull() {
+        go();
+        dial(2);
+        assertEnabled(Command.ADD_LIGHT);
+        List<Light> many = new ArrayList<>();
+        for (int i = 0; i < Limits.MAX_LIGHTS; i++) {
+            many.add(Light.of("l" + i, LightType.POINT));
+        }
+        document.apply(new Change.To(document.scene().withLights(many)));
+        document.selectLight("l0");
+        assertDisabled(Command.ADD_LIGHT, "a scene has at most 1000 lights");
+        assertDisabled(Command.DUPLICATE_LIGHT, "a scene has at most 1000 lights");
+    }
+
+    @Test
+    void pasteSettings_needsCopiedOnes() {
+        document.selectLight("key");
+        assertDisabled(Command.PASTE_SETTINGS, "no settings were copied");
+        assertThat(Command.PASTE_SETTINGS.isEnabled(now().withCopied(document.selectedLight()))).isTrue();
+    }
+
+    @Test
+    void aim_needsALightWithADirection() {
+        document.selectLight("fill");
+        assertDisabled(Command.AIM, "a point light has no direction");
+    }
+
+    @Test
+    void makeAnimation_needsASelectedLightAndNothingPending() {
+        assertDisabled(Command.MAKE_ANIMATION, "no light is selected");
+        document.selectLight("key");
+        assertDisabled(Command.MAKE_ANIMATION, "there is no picture yet");
+        go();
+        assertEnabled(Command.MAKE_ANIMATION);
+        dial(2);
+        assertDisabled(Command.MAKE_ANIMATION, "the picture does not show the last edits; press Go first");
+    }
+
+    @Test
+    void openAnimation_holdsBackWhatChangesTheDocument() {
+        document.selectLight("key");
+        go();
+        dial(2);
+        Situation animating = now().withAnimating(true).withCopied(document.selectedLight());
+        EnumSet<Command> enabled = EnumSet.noneOf(Command.class);
+        for (Command command : Command.values()) {
+            if (command.isEnabled(animating)) {
+                enabled.add(command);
+            }
+        }
+        assertThat(enabled).containsExactlyInAnyOrder(Command.GO, Command.VERIFY, Command.SAVE_IMAGE, Command.COPY_SETTINGS,
+                Command.LOOK_THROUGH_LIGHT);
+        assertThat(Command.UNDO.obstacle(animating)).contains("an animation is open; close it first");
+    }
+}

@@ -1,0 +1,56 @@
+package lightning.edit;
+
+import java.util.List;
+import lightning.jen.JenException;
+import lightning.jen.JenReader;
+import lightning.math.Vec3;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+import java.nio.file.Path;
+
+/** A small scene to edit: a mirror under a ball, and a light of each type. */
+final class Desk {
+    static final String TEXT = """
+            jen 1
+            # a comment that edits must not lose
+            picture { size 40 30  depth 2 }
+            camera { from 0 2 9  to 0 1 0  fov 40 }
+            material mirror { diffuse 0.5 0.5 0.5  specular 0.2 0.2 0.2  reflective 0.4 0.4 0.4 }
+            plane ground { material mirror  scale 20 1 20 }
+            sphere ball { at 0 1 0 }
+            light key spot { intensity 1  at 3 5 2  direction -3 -4 -2  angle 25  dropoff 4 }
+            light fill point { intensity 0.5  at -3 2 4  attenuation 0.1 1 0.1 }
+            light sun directional { intensity 0.3  direction -1 -1 -1  at 1 2 3 }
+            """;
+
+    private Desk() {}
+
+    static Scene scene() {
+        try {
+            return JenReader.read(TEXT, "desk.jen", Path.of("")).scene();
+        } catch (JenException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    static Light light(Scene scene, String name) {
+        return scene.light(name).orElseThrow();
+    }
+
+    /** The scene after an edit that is allowed. */
+    static Scene done(Change change) {
+        return switch (change) {
+            case Change.To to -> to.scene();
+            case Change.Refused refused -> throw new AssertionError(refused.reason());
+        };
+    }
+
+    static Light spot(Vec3 position, Vec3 direction) {
+        return Light.of("spot", LightType.SPOT).withPosition(position).withDirection(direction);
+    }
+
+    static List<String> names(Scene scene) {
+        return scene.lights().stream().map(Light::name).toList();
+    }
+}

@@ -1,0 +1,188 @@
+package lightning.edit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIOException;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.FileTime;
+import lightning.jen.JenException;
+import lightning.jen.JenReader;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class OpenDocumentTest {
+    @TempDir
+    private Path folder;
+
+    private Path file;
+    private OpenDocument document;
+
+    @BeforeEach
+    void open() throws Exception {
+        file = Files.writeString(folder.resolve("desk.jen"), Desk.TEXT);
+        document = OpenDocument.open(file);
+    }
+
+    private void dial(String light, double intensity) {
+        assertThat(document.apply(Dial.INTENSITY.set(document.scene(), light, intensity))).isEmpty();
+    }
+
+    private Scene onDisk(Path place) throws IOException, JenException {
+        return JenReader.read(place).scene();
+    }
+
+    @Test
+    void openedDocument_isCleanAndNamedByItsFile() {
+        assertThat(document.isDirty()).isFalse();
+        assertThat(document.name()).isEqualTo("desk.jen");
+        assertThat(document.selectedLight()).isEmpty();
+    }
+
+    @Test
+    void edit_makesItDirtyAndUndoCleanAgain() {
+        dial("key", 2);
+        assertThat(document.isDirty()).isTrue();
+        document.history().undo();
+        assertThat(document.isDirty()).isFalse();
+    }
+
+    @Test
+    void refusedEdit_givesTheReasonAndChangesNothing() {
+        assertThat(document.apply(Dial.ANGLE.set(document.scene(), "key", 200))).isPresent();
+        assertThat(document.isDirty()).isFalse();
+        assertThat(document.history().undoLabel()).isEmpty();
+    }
+
+    @Test
+    void gesture_isOneStep() {
+        Object drag = new Object();
+        document.apply(Dial.INTENSITY.set(document.scene(), "key", 2), drag);
+        document.apply(Dial.INTENSITY.set(document.scene(), "key", 3), drag);
+        document.history().undo();
+        assertThat(document.isDirty()).isFalse();
+    }
+
+    @Test
+    void save_keepsCommentsAndChangesOnlyWhatWasEdited() throws Exception {
+        dial("key", 2);
+        document.save();
+        assertThat(document.isDirty()).isFalse();
+        assertThat(Files.readString(file)).isEqualTo(Desk.TEXT.replace("spot { intensity 1 ", "spot { intensity 2 "));
+    }
+
+    @Test
+    void undoAfterSaving_isDirtyAndSavesTheOldTextAgain() throws Exception {
+        dial("key", 2);
+        document.save();
+        document.history().undo();
+        assertThat(document.isDirty()).isTrue();
+        document.save();
+        assertThat(Files.readString(file)).isEqualTo(Desk.TEXT);
+    }
+
+    @Test
+    void saveAs_movesTheDocumentAndLeavesTheOldFile() throws Exception {
+        dial("key", 2);
+        Path other = folder.resolve("other.jen");
+        document.saveAs(other);
+        assertThat(document.file()).isEqualTo(other);
+        assertThat(document.isDirty()).isFalse();
+        assertThat(onDisk(other)).isEqualTo(document.scene());
+        assertThat(Files.readString(file)).isEqualTo(Desk.TEXT);
+    }
+
+    @Test
+    void saveAsAwayFromTheTextures_isRefusedAndChangesNothing() throws Exception {
+        Path beside = Files.createDirectories(folder.resolve("a/b/c/d/textured"));
+        Files.createDirectory(beside.resolve("textures"));
+        Files.copy(Path.of("textures/wood.png"), beside.resolve("textures/wood.png"), StandardCopyOption.REPLACE_EXISTING);
+        Path textured = Files.writeString(beside.resolve("t.jen"), Desk.TEXT.replace("material mirror {", "material mirror { texture \"wood.png\" "));
+        OpenDocument open = OpenDocument.open(textured);
+        Path away = folder.resolve("away.jen");
+        assertThatIOException().isThrownBy(() -> open.saveAs(away))
+                .withMessageStartingWith("the scene cannot be read from there: ").withMessageContaining("wood.png");
+        assertThat(open.file()).isEqualTo(textured);
+        assertThat(away).doesNotExist();
+    }
+
+    @Test
+    void failedSave_leavesItDirty() {
+        dial("key", 2);
+        assertThatIOException().isThrownBy(() -> document.saveAs(folder.resolve("nowhere/desk.jen")));
+        assertThat(document.isDirty()).isTrue();
+        assertThat(document.file()).isEqualTo(file);
+    }
+
+    @Test
+    void reload_startsOverAndCanBeUndone() throws Exception {
+        dial("key", 2);
+        Scene edited = document.scene();
+        document.reload();
+        assertThat(document.scene()).isEqualTo(Desk.scene());
+        assertThat(document.isDirty()).isFalse();
+        document.history().undo();
+        assertThat(document.scene()).isEqualTo(edited);
+    }
+
+    @Test
+    void reloadOfAWrongFile_keepsTheOpenScene() throws Exception {
+        dial("key", 2);
+        Scene edited = document.scene();
+        Files.writeString(file, "jen 1\nligth");
+        assertThatExceptionOfType(JenException.class).isThrownBy(document::reload);
+        assertThat(document.scene()).isEqualTo(edited);
+        assertThat(document.isDirty()).isTrue();
+    }
+
+    @Test
+    void fileWrittenByOthers_isNoticed() throws Exception {
+        assertThat(document.isChangedOnDisk()).isFalse();
+        Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000));
+        assertThat(document.isChangedOnDisk()).isTrue();
+        document.reload();
+        assertThat(document.isChangedOnDisk()).isFalse();
+        dial("key", 2);
+        document.save();
+        assertThat(document.isChangedOnDisk()).isFalse();
+    }
+
+    @Test
+    void selection_isTheLightWhateverItsNameIs() {
+        document.selectLight("key");
+        document.apply(LightEdits.rename(document.scene(), "key", "rim"));
+        assertThat(document.selectedLight()).map(Light::name).contains("rim");
+        document.history().undo();
+        assertThat(document.selectedLight()).map(Light::name).contains("key");
+        document.select(Selection.NONE);
+        assertThat(document.selectedLight()).isEmpty();
+    }
+
+    @Test
+    void recovered_theEditsAreOneStepOverTheFile() throws Exception {
+        dial("key", 2);
+        String kept = document.document().text();
+        OpenDocument back = OpenDocument.recover(new Recovery.Found(folder.resolve("x"), file, kept));
+        assertThat(back.scene()).isEqualTo(document.scene());
+        assertThat(back.isDirty()).isTrue();
+        back.history().undo();
+        assertThat(back.scene()).isEqualTo(Desk.scene());
+    }
+
+    @Test
+    void recoveredWithoutItsFile_isStillUnsaved() throws Exception {
+        Files.delete(file);
+        OpenDocument back = OpenDocument.recover(new Recovery.Found(folder.resolve("x"), file, Desk.TEXT));
+        assertThat(back.scene()).isEqualTo(Desk.scene());
+        assertThat(back.isDirty()).isTrue();
+        back.save();
+        assertThat(back.isDirty()).isFalse();
+        assertThat(onDisk(file)).isEqualTo(Desk.scene());
+    }
+}

@@ -1,0 +1,135 @@
+package lightning.edit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class RecoveryTest {
+    /** No process has this number: it is beyond what any system hands out. */
+    private static final String CRASHED = "999999999999-1";
+
+    @TempDir
+    private Path folder;
+
+    private Path kept() {
+        return folder.resolve("kept");
+    }
+
+    private OpenDocument edited() throws Exception {
+        OpenDocument document = OpenDocument.open(Files.writeString(folder.resolve("desk.jen"), Desk.TEXT));
+        document.apply(Dial.INTENSITY.set(document.scene(), "key", 2));
+        return document;
+    }
+
+    private long filesKept() throws IOException {
+        try (Stream<Path> files = Files.list(kept())) {
+            return files.count();
+        }
+    }
+
+    @Test
+    void whatACrashedProcessKept_isFoundAsItWas() throws IOException {
+        Path file = folder.resolve("a b.jen").toAbsolutePath();
+        new Recovery(kept(), CRASHED).keep(file, Desk.TEXT);
+        assertThat(new Recovery(kept()).found()).singleElement().satisfies(found -> {
+            assertThat(found.file()).isEqualTo(file);
+            assertThat(found.text()).isEqualTo(Desk.TEXT);
+        });
+    }
+
+    @Test
+    void whatALivingProcessKeeps_isItsOwn() throws IOException {
+        new Recovery(kept()).keep(folder.resolve("a.jen"), Desk.TEXT);
+        assertThat(new Recovery(kept()).found()).isEmpty();
+        assertThat(filesKept()).isEqualTo(1);
+    }
+
+    @Test
+    void sameNumberOfAnOlderProcess_isACrash() throws IOException {
+        new Recovery(kept(), ProcessHandle.current().pid() + "-1").keep(folder.resolve("a.jen"), Desk.TEXT);
+        assertThat(new Recovery(kept()).found()).hasSize(1);
+    }
+
+    @Test
+    void keptAgain_replacesTheOlderText() throws IOException {
+        var crashed = new Recovery(kept(), CRASHED);
+        crashed.keep(folder.resolve("a.jen"), "older");
+        crashed.keep(folder.resolve("a.jen"), "newer");
+        assertThat(new Recovery(kept()).found()).extracting(Recovery.Found::text).containsExactly("newer");
+    }
+
+    @Test
+    void forgottenOrDeleted_isNotFoundAgain() throws IOException {
+        var crashed = new Recovery(kept(), CRASHED);
+        crashed.keep(folder.resolve("a.jen"), "a");
+        crashed.keep(folder.resolve("b.jen"), "b");
+        crashed.forget(folder.resolve("a.jen"));
+        new Recovery(kept()).found().getFirst().delete();
+        assertThat(filesKept()).isZero();
+    }
+
+    @Test
+    void strayFilesAndNoFolder_areNoTrouble() throws IOException {
+        assertThat(new Recovery(kept()).found()).isEmpty();
+        Files.createDirectories(kept());
+        Files.writeString(kept().resolve("x.kept.jen"), "something else");
+        Files.write(kept().resolve("y.kept.jen"), new byte[] {(byte) 0xFF});
+        assertThat(new Recovery(kept()).found()).isEmpty();
+    }
+
+    @Test
+    void autosave_keepsTheLatestEditSoonAfterTheFirst() throws Exception {
+        OpenDocument document = edited();
+        var recovery = new Recovery(kept(), CRASHED);
+        try (var autosave = new Autosave(recovery, Duration.ofMillis(20), e -> { })) {
+            autosave.changed(document);
+            document.apply(Dial.INTENSITY.set(document.scene(), "key", 3));
+            autosave.changed(document);
+            String latest = document.document().text();
+            Wait.until(() -> recovery.found().stream().anyMatch(f -> f.text().equals(latest)));
+        }
+    }
+
+    @Test
+    void autosavesDelay_leavesRoomBelowFiveSeconds() {
+        assertThat(Autosave.DEFAULT_DELAY).isLessThan(Duration.ofSeconds(4));
+    }
+
+    @Test
+    void savedDocument_isForgottenUnderItsOldNameToo() throws Exception {
+        OpenDocument document = edited();
+        var recovery = new Recovery(kept(), CRASHED);
+        try (var autosave = new Autosave(recovery, Duration.ZERO, e -> { })) {
+            autosave.changed(document);
+            Wait.until(() -> !recovery.found().isEmpty());
+            document.saveAs(folder.resolve("other.jen"));
+            autosave.changed(document);
+            Wait.until(() -> recovery.found().isEmpty());
+        }
+    }
+
+    @Test
+    void folderThatCannotBeMade_isToldOnce() throws Exception {
+        OpenDocument document = edited();
+        Path blocked = Files.writeString(folder.resolve("blocked"), "a file");
+        var troubles = new LinkedBlockingQueue<IOException>();
+        var told = new CountDownLatch(1);
+        try (var autosave = new Autosave(new Recovery(blocked), Duration.ZERO, e -> {
+            troubles.add(e);
+            told.countDown();
+        })) {
+            autosave.changed(document);
+            assertThat(told.await(20, TimeUnit.SECONDS)).isTrue();
+        }
+        assertThat(troubles).hasSize(1);
+    }
+}

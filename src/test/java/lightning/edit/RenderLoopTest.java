@@ -1,0 +1,262 @@
+package lightning.edit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import lightning.image.Film;
+import lightning.relight.Accuracy;
+import lightning.relight.Options;
+import lightning.relight.Reflections;
+import lightning.relight.UpdatePlan;
+import lightning.scene.Scene;
+import lightning.shading.ReferenceTracer;
+import lightning.shading.TraditionalTracer;
+import lightning.shading.Progress;
+import lightning.shading.Workers;
+import lightning.trace.Geometry;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class RenderLoopTest {
+    private static final Options OPTIONS = Options.DEFAULT.withThreads(1);
+
+    private final LoopEar ear = new LoopEar();
+    private final RenderLoop loop = new RenderLoop(OPTIONS, ear);
+    private final Scene scene = Desk.scene();
+
+    @AfterEach
+    void close() {
+        loop.close();
+    }
+
+    private Scene key(double intensity) {
+        return Desk.done(Dial.INTENSITY.set(scene, "key", intensity));
+    }
+
+    private static Film reference(Scene scene) {
+        return new ReferenceTracer(scene).trace();
+    }
+
+    private static Film stale(Scene scene, Scene mirrored) {
+        try (var workers = new Workers(1)) {
+            return new TraditionalTracer(scene, mirrored, new Geometry(scene)).trace(workers, Progress.NONE).film();
+        }
+    }
+
+    private LoopEar.Shown go(Scene wanted) throws InterruptedException {
+        loop.render(wanted);
+        return ear.next(LoopEar.Shown.class);
+    }
+
+    @Test
+    void firstPicture_equalsTheReference() throws Exception {
+        LoopEar.Shown shown = go(scene);
+        assertThat(shown.film().sameBits(reference(scene))).isTrue();
+        assertThat(shown.frame().scene()).isEqualTo(scene);
+        assertThat(shown.frame().update().plan()).isInstanceOf(UpdatePlan.FirstPass.class);
+        assertThat(shown.frame().mirrorsAreCurrent()).isTrue();
+    }
+
+    @Test
+    void edit_isAnUpdateWithStaleMirrors() throws Exception {
+        go(scene);
+        LoopEar.Shown shown = go(key(2));
+        assertThat(shown.frame().update().plan()).isInstanceOf(UpdatePlan.Relight.class);
+        assertThat(shown.film().sameBits(stale(key(2), scene))).isTrue();
+        assertThat(shown.frame().mirrorsAreCurrent()).isFalse();
+    }
+
+    @Test
+    void updateReflections_givesTheReference() throws Exception {
+        go(scene);
+        go(key(2));
+        loop.updateReflections();
+        LoopEar.Shown shown = ear.next(LoopEar.Shown.class);
+        assertThat(shown.film().sameBits(reference(key(2)))).isTrue();
+        assertThat(shown.frame().mirrorsAreCurrent()).isTrue();
+    }
+
+    @Test
+    void work_isFollowedByIdle() throws Exception {
+        go(scene);
+        ear.nextIs(LoopEar.Event.IDLE);
+        assertThat(loop.isBusy()).isFalse();
+    }
+
+    @Test
+    void editsWhileRendering_onlyTheNewestIsRendered() throws Exception {
+        go(scene);
+        LoopEar.Hold hold = ear.holdNextTile();
+        loop.render(key(2));
+        hold.awaitReached();
+        assertThat(loop.isBusy()).isTrue();
+        loop.render(key(3));
+        loop.render(key(4));
+        hold.release();
+        assertThat(ear.next(LoopEar.Shown.class).frame().scene()).isEqualTo(key(2));
+        assertThat(ear.next(LoopEar.Shown.class).frame().scene()).isEqualTo(key(4));
+    }
+
+    @Test
+    void anotherSizeWhileTracing_cancelsTheTrace() throws Exception {
+        LoopEar.Hold hold = ear.holdNextTile();
+        loop.render(scene.withPicture(scene.picture().withSize(200, 200)));
+        hold.awaitReached();
+        loop.render(scene);
+        hold.release();
+        ear.nextIs(LoopEar.Event.CANCELLED);
+        assertThat(ear.next(LoopEar.Shown.class).frame().scene()).isEqualTo(scene);
+    }
+
+    @Test
+    void editWhileMirrorsUpdate_isRenderedFirstAndThenTheMirrors() throws Exception {
+        go(scene);
+        go(key(2));
+        LoopEar.Hold hold = ear.holdNextTile();
+        loop.updateReflections();
+        hold.awaitReached();
+        loop.render(key(3));
+        hold.release();
+        ear.nextIs(LoopEar.Event.CANCELLED);
+        assertThat(ear.next(LoopEar.Shown.class).frame().mirrored()).isEqualTo(scene);
+        assertThat(ear.next(LoopEar.Shown.class).film().sameBits(reference(key(3)))).isTrue();
+    }
+
+    @Test
+    void cancel_keepsTheLastPictureAndForgetsWhatWaits() throws Exception {
+        go(scene);
+        ear.nextIs(LoopEar.Event.IDLE);
+        LoopEar.Hold hold = ear.holdNextTile();
+        loop.render(key(2));
+        hold.awaitReached();
+        loop.render(key(3));
+        loop.updateReflections();
+        loop.cancel();
+        hold.release();
+        ear.nextIs(LoopEar.Event.CANCELLED);
+        ear.nextIs(LoopEar.Event.IDLE);
+        assertThat(loop.isBusy()).isFalse();
+        LoopEar.Shown shown = go(key(4));
+        assertThat(shown.film().sameBits(stale(key(4), scene))).isTrue();
+    }
+
+    @Test
+    void undoneEdit_isRenderedForNothing() throws Exception {
+        go(scene);
+        assertThat(go(scene).frame().update().plan()).isInstanceOf(UpdatePlan.Nothing.class);
+    }
+
+    @Test
+    void verification_ofCurrentMirrorsFindsNoDifference() throws Exception {
+        go(scene);
+        loop.verify();
+        Verification verification = ear.next(Verification.class);
+        assertThat(verification.difference().isNone()).isTrue();
+        assertThat(verification.full().sameBits(reference(scene))).isTrue();
+        assertThat(verification.fullTraceMs()).isPositive();
+    }
+
+    @Test
+    void verification_ofStaleMirrorsShowsThemAndThatThePromiseIsKept() throws Exception {
+        go(scene);
+        go(key(5));
+        loop.verify();
+        Verification verification = ear.next(Verification.class);
+        assertThat(verification.difference().isNone()).isFalse();
+        assertThat(verification.promised().isNone()).isTrue();
+        assertThat(verification.scene()).isEqualTo(key(5));
+    }
+
+    @Test
+    void verifiedTime_isTheFullTracesFromThenOn() throws Exception {
+        LoopEar.Shown first = go(scene);
+        assertThat(first.frame().fullTraceMs()).isEqualTo(first.frame().update().milliseconds());
+        loop.verify();
+        double measured = ear.next(Verification.class).fullTraceMs();
+        LoopEar.Shown shown = go(key(2));
+        assertThat(shown.frame().fullTraceMs()).isEqualTo(measured);
+        assertThat(shown.frame().saving()).isEqualTo(1 - shown.frame().update().milliseconds() / measured);
+    }
+
+    @Test
+    void withoutAPicture_mirrorsAndVerificationDoNothing() throws Exception {
+        loop.updateReflections();
+        loop.verify();
+        ear.nextIs(LoopEar.Event.IDLE);
+        go(scene);
+        assertThat(ear.events).noneMatch(e -> e instanceof Verification || e instanceof Throwable);
+    }
+
+    @Test
+    void anotherAccuracy_tracesTheSameSceneAnew() throws Exception {
+        go(scene);
+        go(key(2));
+        loop.reopen(OPTIONS.withReflections(Reflections.CURRENT));
+        LoopEar.Shown shown = ear.next(LoopEar.Shown.class);
+        assertThat(shown.frame().scene()).isEqualTo(key(2));
+        assertThat(go(key(3)).film().sameBits(reference(key(3)))).isTrue();
+    }
+
+    @Test
+    void accuracyAndSceneTogether_areOneTrace() throws Exception {
+        go(scene);
+        LoopEar.Hold hold = ear.holdNextTile();
+        loop.render(key(2));
+        hold.awaitReached();
+        loop.reopen(OPTIONS.withAccuracy(Accuracy.RATIO));
+        loop.render(key(3));
+        hold.release();
+        ear.next(LoopEar.Shown.class);
+        LoopEar.Shown shown = ear.next(LoopEar.Shown.class);
+        assertThat(shown.frame().scene()).isEqualTo(key(3));
+        assertThat(shown.frame().update().plan()).isInstanceOf(UpdatePlan.FirstPass.class);
+    }
+
+    @Test
+    void largePicture_hasACoarseOneFirst() throws Exception {
+        loop.render(scene.withPicture(scene.picture().withSize(640, 480).withDepth(0)));
+        Film coarse = ear.next(LoopEar.Coarse.class).film();
+        assertThat(coarse.width()).isEqualTo(80);
+        assertThat(coarse.height()).isEqualTo(60);
+        assertThat(ear.next(LoopEar.Shown.class).film().width()).isEqualTo(640);
+    }
+
+    @Test
+    void listenerThatFails_isToldAndTheLoopLivesOn() throws Exception {
+        var failing = new RuntimeException("a window's own error");
+        var events = new LoopEar();
+        var broken = new RenderListener() {
+            @Override
+            public void rendered(Frame frame) {
+                throw failing;
+            }
+
+            @Override
+            public void failed(Throwable problem) {
+                events.failed(problem);
+            }
+
+            @Override
+            public void idle() {
+                events.idle();
+            }
+        };
+        try (var own = new RenderLoop(OPTIONS, broken)) {
+            own.render(scene);
+            assertThat(events.next(Throwable.class)).isSameAs(failing);
+            events.nextIs(LoopEar.Event.IDLE);
+            own.render(key(2));
+            assertThat(events.next(Throwable.class)).isSameAs(failing);
+        }
+    }
+
+    @Test
+    void closedWhileRendering_endsSoon() throws Exception {
+        LoopEar.Hold hold = ear.holdNextTile();
+        loop.render(scene.withPicture(scene.picture().withSize(400, 400)));
+        hold.awaitReached();
+        assertThat(loop.isAlive()).isTrue();
+        hold.release();
+        loop.close();
+        assertThat(loop.isAlive()).isFalse();
+    }
+}
