@@ -15,6 +15,7 @@ final class About {
               Shift + drag from near the edge: turn          Shift + Ctrl + arrows
               along x, from above, reset          X, Y, Z
               through the selected light          L
+              back until all lights are in view          A
 
             Traced picture
               wheel: zoom      middle drag: move

@@ -28,8 +28,8 @@ final class Editor implements AutoCloseable {
     /**
      * Opens the window.
      *
-     * @param hops runs tasks in turn on the window's thread
-     * @param most the largest size of the window, pixels: the screen's
+     * @param hops      runs tasks in turn on the window's thread
+     * @param mostWidth the largest size of the window, pixels: the screen's; likewise {@code mostHeight}
      */
     Editor(Stage stage, OpenDocument document, Executor hops, FilePrompt prompt, double mostWidth, double mostHeight) {
         this.stage = stage;
@@ -54,6 +54,7 @@ final class Editor implements AutoCloseable {
         });
         preferences.opened(document.file());
         stage.show();
+        window.focus();
     }
 
     EditorModel model() {

@@ -55,7 +55,7 @@ final class EditorMenu extends MenuBar {
     private MenuItem item(Command command) {
         CommandFace face = CommandFace.of(command);
         var item = new MenuItem(face.title(), new FontIcon(face.icon()));
-        item.setId("menu-" + ToolButton.id(command));
+        item.setId("menu-" + CommandButton.id(command));
         item.setAccelerator(face.keys());
         item.setOnAction(_ -> model.run(command));
         model.situationProperty().subscribe(now -> {

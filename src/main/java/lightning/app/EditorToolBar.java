@@ -18,6 +18,8 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
 
 /** The buttons of the canvas window (paper §3.3 to §3.7), grouped by what they are for. */
 final class EditorToolBar extends ToolBar {
+    private static final double PRECISION_WIDTH = 190;
+
     private final EditorModel model;
 
     EditorToolBar(EditorModel model) {
@@ -27,7 +29,7 @@ final class EditorToolBar extends ToolBar {
         getItems().add(gap());
         add(Command.UNDO, Command.REDO);
         getItems().add(gap());
-        var go = new ToolButton(model, Command.GO, true);
+        var go = new CommandButton(model, Command.GO, true);
         go.button().getStyleClass().add("accent");
         getItems().addAll(go, live());
         add(Command.UPDATE_REFLECTIONS, Command.CANCEL, Command.VERIFY);
@@ -37,7 +39,7 @@ final class EditorToolBar extends ToolBar {
 
     private void add(Command... commands) {
         for (Command command : commands) {
-            getItems().add(new ToolButton(model, command, false));
+            getItems().add(new CommandButton(model, command, false));
         }
     }
 
@@ -64,6 +66,7 @@ final class EditorToolBar extends ToolBar {
         choice.setId("precision");
         choice.getItems().setAll(Precision.values());
         choice.valueProperty().bindBidirectional(model.precisionProperty());
+        choice.setPrefWidth(PRECISION_WIDTH);
         choice.setAccessibleText("Accuracy");
         var tooltip = new Tooltip();
         choice.setTooltip(tooltip);

@@ -41,6 +41,11 @@ public final class EditorWindow extends BorderPane implements AutoCloseable {
         setOnDragDropped(this::dropped);
     }
 
+    /** The keyboard takes lights at once. */
+    void focus() {
+        preview.canvas().requestFocus();
+    }
+
     private Window window() {
         return getScene().getWindow();
     }

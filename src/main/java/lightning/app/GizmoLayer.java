@@ -19,6 +19,9 @@ final class GizmoLayer extends Canvas {
     private static final double LINE = 1.25;
     private static final double EDGE_LINE = 3;
     private static final double DOT = 4;
+    /** The sides of the arrow at the border, pixels, and half the angle of its tip, radians. */
+    private static final double ARROW = 15;
+    private static final double SPREAD = Math.toRadians(26);
 
     GizmoLayer() {
         setMouseTransparent(true);
@@ -36,6 +39,26 @@ final class GizmoLayer extends Canvas {
         if (selected != null) {
             draw(g, selected, SELECTED, camera, canvas);
         }
+        for (LightMarker marker : LightMarker.of(scene.lights(), camera, canvas)) {
+            Light light = marker.light();
+            arrow(g, marker, light.equals(selected) ? SELECTED : scene.shines(light) ? PLAIN : DARK);
+        }
+    }
+
+    private static void arrow(GraphicsContext g, LightMarker marker, Color color) {
+        double[] x = new double[3];
+        double[] y = new double[3];
+        for (int i = 0; i < 3; i++) {
+            double length = i == 0 ? 0 : ARROW;
+            double angle = marker.angle() + (i == 1 ? SPREAD : -SPREAD);
+            x[i] = marker.at().x() - length * Math.cos(angle);
+            y[i] = marker.at().y() - length * Math.sin(angle);
+        }
+        g.setStroke(EDGE);
+        g.setLineWidth(EDGE_LINE);
+        g.strokePolygon(x, y, 3);
+        g.setFill(color);
+        g.fillPolygon(x, y, 3);
     }
 
     private static void draw(GraphicsContext g, Light light, Color color, PreviewCamera camera, Viewport canvas) {

@@ -47,11 +47,11 @@ final class LightHeader extends VBox {
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
         HBox commands = row(onBox, soloBox, gap,
-                new ToolButton(model, Command.UNDO_LIGHT, false),
-                new ToolButton(model, Command.REDO_LIGHT, false),
-                new ToolButton(model, Command.COPY_SETTINGS, false),
-                new ToolButton(model, Command.PASTE_SETTINGS, false),
-                new ToolButton(model, Command.LOOK_THROUGH_LIGHT, false));
+                new CommandButton(model, Command.UNDO_LIGHT, false),
+                new CommandButton(model, Command.REDO_LIGHT, false),
+                new CommandButton(model, Command.COPY_SETTINGS, false),
+                new CommandButton(model, Command.PASTE_SETTINGS, false),
+                new CommandButton(model, Command.LOOK_THROUGH_LIGHT, false));
         getChildren().addAll(identity, refusal, commands);
         model.setAction(Command.CHANGE_TYPE, type::show);
         model.situationProperty().subscribe(this::show);

@@ -64,8 +64,8 @@ public final class LightListPane extends VBox {
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
         HBox tools = new HBox(around, gap,
-                new ToolButton(model, Command.DUPLICATE_LIGHT, false),
-                new ToolButton(model, Command.DELETE_LIGHT, false));
+                new CommandButton(model, Command.DUPLICATE_LIGHT, false),
+                new CommandButton(model, Command.DELETE_LIGHT, false));
         tools.getStyleClass().add("lights-tools");
         return tools;
     }

@@ -14,6 +14,7 @@ import javafx.scene.shape.Rectangle;
 final class PictureView extends Region {
     private static final double LEAST_ZOOM = 1 / 32.0;
     private static final double MOST_ZOOM = 64;
+
     /** A place of the picture. */
     record Pixel(int x, int y) {}
 
@@ -138,8 +139,8 @@ final class PictureView extends Region {
         double height = buffer.getHeight() * scale;
         image.setFitWidth(width);
         image.setFitHeight(height);
-        // Enlarged pixels stay squares, so that single ones can be judged.
-        image.setSmooth(scale * screenScale() < 2);
+        // Magnified on purpose, pixels stay squares, so that single ones can be judged.
+        image.setSmooth(fit || scale * screenScale() < 2);
         image.relocate(Math.rint((getWidth() - width) / 2 + shiftX), Math.rint((getHeight() - height) / 2 + shiftY));
     }
 }

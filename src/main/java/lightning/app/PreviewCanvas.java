@@ -89,6 +89,11 @@ final class PreviewCanvas extends Region implements AutoCloseable {
         return image.getLayoutY();
     }
 
+    /** Goes back with the camera until all lights are in view. */
+    void frameLights() {
+        model.previewCameraProperty().set(LightMarker.framing(model.lights(), model.previewCameraProperty().get(), mouse.canvas()));
+    }
+
     /** The canvas in this region, pixels of the window. */
     Viewport viewport() {
         return mouse.canvas();

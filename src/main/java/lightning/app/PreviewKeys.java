@@ -12,7 +12,8 @@ import lightning.scene.Light;
 /**
  * The keyboard in the preview: arrows rotate the selected light, with Control they move it in the viewing plane, Page
  * Up and Down move it along the view; arrows with Shift zoom and pan the camera, with Shift and Control they turn it;
- * the square brackets select the light before and after, X, Y and Z are the three views.
+ * the square brackets select the light before and after, X, Y and Z are the three views,
+ * A goes back until all lights are in view.
  */
 final class PreviewKeys {
     /** One press of a key is a drag of so many pixels. */
@@ -54,6 +55,7 @@ final class PreviewKeys {
             case Y -> plain && view(PreviewCamera.alongMinusY(model.scene()));
             case Z -> plain && view(PreviewCamera.of(model.scene()));
             case L -> plain && through();
+            case HOME, A -> plain && view(LightMarker.framing(model.lights(), model.previewCameraProperty().get(), mouse.canvas()));
             case OPEN_BRACKET -> select(-1);
             case CLOSE_BRACKET -> select(1);
             default -> false;

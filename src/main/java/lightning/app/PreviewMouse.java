@@ -49,9 +49,12 @@ final class PreviewMouse {
         return cameraBegin != null;
     }
 
-    /** The light whose gizmo is under a place of the canvas. */
+    /** The light whose gizmo, or whose marker at the border, is under a place of the canvas. */
     Optional<Light> lightAt(double x, double y) {
-        return LightGizmo.pick(model.lights(), model.previewCameraProperty().get(), canvas, new Viewport.Pixel(x, y), TOLERANCE);
+        PreviewCamera view = model.previewCameraProperty().get();
+        var place = new Viewport.Pixel(x, y);
+        return LightGizmo.pick(model.lights(), view, canvas, place, TOLERANCE)
+                .or(() -> LightMarker.pick(model.lights(), view, canvas, place));
     }
 
     /** @param alt makes a middle button of any other */

@@ -48,11 +48,17 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         sizes.setTooltip(new Tooltip("Size of the preview's canvas"));
         sizes.getItems().setAll(SizeMenu.ofPreview(canvas.sizeProperty()));
         canvas.sizeProperty().subscribe(v -> sizes.setText(v.title()));
-        var box = new HBox(title, sizes, space,
+        var all = new Button("All");
+        all.setId("view-all");
+        all.setAccessibleText("Show all lights");
+        all.setTooltip(new Tooltip("Go back until all lights are in view (A)"));
+        all.getStyleClass().add("view-button");
+        all.setOnAction(_ -> canvas.frameLights());
+        var box = new HBox(title, sizes, space, all,
                 view("view-x", "X", "Along the x axis (X)", () -> PreviewCamera.alongX(model.scene())),
                 view("view-y", "−Y", "From above, along the negative y axis (Y)", () -> PreviewCamera.alongMinusY(model.scene())),
                 view("view-z", "−Z", "Reset: the scene's own camera (Z)", () -> PreviewCamera.of(model.scene())),
-                new ToolButton(model, Command.LOOK_THROUGH_LIGHT, false));
+                CommandButton.small(model, Command.LOOK_THROUGH_LIGHT));
         box.getStyleClass().add("pane-header");
         return box;
     }

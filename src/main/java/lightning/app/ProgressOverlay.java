@@ -26,7 +26,7 @@ final class ProgressOverlay extends HBox {
         setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
         bar.setId("progress-bar");
         bar.setAccessibleText("Progress of the picture");
-        var cancel = new ToolButton(model, Command.CANCEL, false);
+        var cancel = new CommandButton(model, Command.CANCEL, false);
         cancel.button().setId("cancel-progress");
         getChildren().addAll(what, bar, cancel);
         setVisible(false);

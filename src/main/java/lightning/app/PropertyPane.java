@@ -73,7 +73,7 @@ public final class PropertyPane extends VBox {
     }
 
     private Node aim() {
-        ToolButton aim = new ToolButton(model, Command.AIM, true);
+        CommandButton aim = new CommandButton(model, Command.AIM, true);
         aim.button().setMaxWidth(Double.MAX_VALUE);
         return aim;
     }

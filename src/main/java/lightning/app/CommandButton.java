@@ -1,5 +1,6 @@
 package lightning.app;
 
+import java.util.Locale;
 import javafx.scene.AccessibleRole;
 import javafx.scene.control.Button;
 import javafx.scene.control.Tooltip;
@@ -12,11 +13,11 @@ import org.kordamp.ikonli.javafx.FontIcon;
  * A button of a command, enabled exactly when there is something to do, with a tooltip that says why not. The tooltip
  * hangs on the frame around the button, for JavaFX shows none of a disabled control.
  */
-final class ToolButton extends StackPane {
+final class CommandButton extends StackPane {
     private static final Duration DELAY = Duration.millis(400);
 
     /** @param titled whether the title stands beside the icon */
-    ToolButton(EditorModel model, Command command, boolean titled) {
+    CommandButton(EditorModel model, Command command, boolean titled) {
         CommandFace face = CommandFace.of(command);
         var button = new Button(titled ? face.title() : "", new FontIcon(face.icon()));
         button.setId(id(command));
@@ -37,12 +38,19 @@ final class ToolButton extends StackPane {
         });
     }
 
+    /** A button for the header of a pane. */
+    static CommandButton small(EditorModel model, Command command) {
+        var small = new CommandButton(model, command, false);
+        small.button().getStyleClass().add("view-button");
+        return small;
+    }
+
     Button button() {
         return (Button) getChildren().getFirst();
     }
 
     /** {@code go} for {@code GO}, {@code save-scene} for {@code SAVE_SCENE}. */
     static String id(Command command) {
-        return command.name().toLowerCase(java.util.Locale.ROOT).replace('_', '-');
+        return command.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 }
