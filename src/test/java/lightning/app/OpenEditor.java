@@ -1,0 +1,61 @@
+package lightning.app;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.BooleanSupplier;
+import javafx.application.Platform;
+import javafx.scene.Parent;
+import javafx.scene.Scene;
+import javafx.stage.Stage;
+import lightning.edit.OpenDocument;
+import lightning.edit.Recovery;
+import lightning.jen.JenException;
+import lightning.scene.Light;
+import org.testfx.util.WaitForAsyncUtils;
+
+/** A model with a small scene of a light of each type, to show panes of. */
+final class OpenEditor {
+    static final String SPOT = "key";
+    static final String POINT = "fill";
+    static final String SUN = "sun";
+    private static final long MOST_SECONDS = 20;
+    private static final String TEXT = """
+            jen 1
+            picture { size 40 30  depth 2 }
+            camera { from 0 2 9  to 0 1 0  fov 40 }
+            material mirror { diffuse 0.5 0.5 0.5  specular 0.2 0.2 0.2  reflective 0.4 0.4 0.4 }
+            plane ground { material mirror  scale 20 1 20 }
+            sphere ball { at 0 1 0 }
+            light key spot { intensity 1  at 3 5 2  direction -3 -4 -2  angle 25  dropoff 4 }
+            light fill point { intensity 0.5  at -3 2 4  attenuation 0.1 1 0.1 }
+            light sun directional { intensity 0.3  direction -1 -1 -1  at 1 2 3 }
+            """;
+
+    private OpenEditor() {}
+
+    /** On the window's thread; the first light is selected. */
+    static EditorModel model(Path folder) throws IOException, JenException {
+        Path file = Files.writeString(folder.resolve("desk.jen"), TEXT);
+        return new EditorModel(OpenDocument.open(file), new Recovery(folder.resolve("recovery")), Platform::runLater);
+    }
+
+    /** Shows one pane alone. */
+    static void show(Stage stage, Parent pane) {
+        Scene scene = new Scene(pane, 320, 960);
+        Looks.dress(scene);
+        stage.setScene(scene);
+        stage.show();
+    }
+
+    static Light light(EditorModel model, String name) {
+        return model.scene().light(name).orElseThrow();
+    }
+
+    /** Returns as soon as the condition holds. */
+    static void await(BooleanSupplier condition) throws TimeoutException {
+        WaitForAsyncUtils.waitFor(MOST_SECONDS, TimeUnit.SECONDS, condition::getAsBoolean);
+    }
+}

@@ -1,0 +1,72 @@
+package lightning.app.widget;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javafx.scene.Scene;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.stage.Stage;
+import lightning.app.JavaFxNeeds;
+import lightning.math.Vec3;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.testfx.api.FxRobot;
+import org.testfx.framework.junit5.ApplicationExtension;
+import org.testfx.framework.junit5.Start;
+
+@ExtendWith({JavaFxNeeds.class, ApplicationExtension.class})
+class VectorFieldTest {
+    private final List<Vec3> edits = new ArrayList<>();
+    private VectorField vector;
+
+    @Start
+    private void start(Stage stage) {
+        vector = new VectorField("direction", v -> {
+            if (v.equals(Vec3.ZERO)) {
+                return Optional.of("direction must not be zero");
+            }
+            edits.add(v);
+            vector.show(v);
+            return Optional.empty();
+        });
+        vector.show(new Vec3(0, -1, 0));
+        stage.setScene(new Scene(vector, 320, 120));
+        stage.show();
+    }
+
+    @Test
+    void typedComponent_changesItAlone(FxRobot robot) {
+        type(robot, 2, "0.5");
+        assertThat(edits).containsExactly(new Vec3(0, -1, 0.5));
+    }
+
+    @Test
+    void componentThatIsNotAllowed_isMarkedWithTheReasonAndChangesNothing(FxRobot robot) {
+        type(robot, 1, "0");
+        assertThat(edits).isEmpty();
+        assertThat(Refusals.shown(robot)).containsExactly("direction must not be zero");
+    }
+
+    @Test
+    void upKey_addsATenth(FxRobot robot) {
+        robot.clickOn(fields(robot).get(1)).push(KeyCode.UP);
+        assertThat(edits).containsExactly(new Vec3(0, -0.9, 0));
+    }
+
+    @Test
+    void fields_areNamedForScreenReaders(FxRobot robot) {
+        assertThat(fields(robot)).extracting(TextField::getAccessibleText)
+                .containsExactly("direction x", "direction y", "direction z");
+    }
+
+    private static void type(FxRobot robot, int field, String text) {
+        robot.clickOn(fields(robot).get(field)).push(KeyCode.SHORTCUT, KeyCode.A).write(text).push(KeyCode.ENTER);
+    }
+
+    private static List<TextField> fields(FxRobot robot) {
+        return robot.lookup(".number-field").queryAllAs(TextField.class).stream().toList();
+    }
+}
