@@ -57,6 +57,16 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         model.renderingProperty().subscribe(_ -> mark());
     }
 
+    /** Where the picture is magnified and moved. */
+    PictureView picture() {
+        return picture;
+    }
+
+    /** The next drag frames a region that is traced alone. */
+    void frameRegion() {
+        mouse.regionProperty().set(true);
+    }
+
     private Node header() {
         var title = new Label("Ray traced");
         title.getStyleClass().add("pane-title");
