@@ -25,7 +25,8 @@ class TracedPaneTest extends EditorDesk {
     void hover_tellsTheShapeAndEachLightsShare() {
         robot.moveTo(pixel(32, 24));
         waitFor("it tells", () -> text("pixel").contains("ball"));
-        assertThat(text("pixel")).startsWith("32, 24").contains("normal").contains("lamp").contains("sun").contains("stage");
+        assertThat(text("pixel")).startsWith("32, 24").contains("normal");
+        assertThat(text("pixel-lights")).contains("lamp  ").contains("sun  ").contains("stage  ").contains(" %");
     }
 
     @Test
