@@ -19,6 +19,7 @@ final class PictureView extends Region {
     record Pixel(int x, int y) {}
 
     private final ImageView image = new ImageView();
+    private final Wipe wipe = new Wipe();
     private PixelBuffer<IntBuffer> buffer;
     private boolean fit = true;
     private double zoom = 1;
@@ -31,7 +32,7 @@ final class PictureView extends Region {
         clip.widthProperty().bind(widthProperty());
         clip.heightProperty().bind(heightProperty());
         setClip(clip);
-        getChildren().add(image);
+        getChildren().addAll(image, wipe);
         setOnScroll(e -> {
             if (e.getDeltaY() != 0) {
                 zoomBy(Math.exp(e.getDeltaY() / 200), e.getX(), e.getY());
@@ -122,6 +123,17 @@ final class PictureView extends Region {
         return new Pixel((int) Math.clamp(px, 0, buffer.getWidth() - 1), (int) Math.clamp(py, 0, buffer.getHeight() - 1));
     }
 
+    /** The stored picture that this one is compared with. */
+    Wipe wipe() {
+        return wipe;
+    }
+
+    /** Moves the border of the comparison to a place of the view. */
+    void wipeTo(double x) {
+        wipe.setShare((x - image.getLayoutX()) / Math.max(1, image.getFitWidth()));
+        requestLayout();
+    }
+
     private double screenScale() {
         return getScene() == null || getScene().getWindow() == null ? 1 : getScene().getWindow().getOutputScaleX();
     }
@@ -147,5 +159,8 @@ final class PictureView extends Region {
         // Magnified on purpose, pixels stay squares, so that single ones can be judged.
         image.setSmooth(fit || scale * screenScale() < 2);
         image.relocate(Math.rint((getWidth() - width) / 2 + shiftX), Math.rint((getHeight() - height) / 2 + shiftY));
+        if (wipe.isStored()) {
+            wipe.place(image.getLayoutX(), image.getLayoutY(), width, height, image.isSmooth());
+        }
     }
 }

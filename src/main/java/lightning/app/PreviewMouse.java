@@ -1,5 +1,7 @@
 package lightning.app;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import lightning.edit.CameraDrag;
 import lightning.edit.LightEdits;
@@ -26,6 +28,8 @@ final class PreviewMouse {
     private Viewport canvas = new Viewport(1, 1);
     private Object gesture;
     private Light begin;
+    /** What a click selects that does not become a drag; null where that is what the press selected. */
+    private Light next;
     private Button button;
     private PreviewCamera cameraBegin;
     private CameraDrag cameraDrag;
@@ -44,17 +48,22 @@ final class PreviewMouse {
         return canvas;
     }
 
-    /** Whether the camera is being dragged. */
-    boolean movesCamera() {
-        return cameraBegin != null;
-    }
-
-    /** The light whose gizmo, or whose marker at the border, is under a place of the canvas. */
-    Optional<Light> lightAt(double x, double y) {
+    /** The lights whose gizmos, or whose markers at the border, are under a place of the canvas; the nearest first. */
+    List<Light> lightsAt(double x, double y) {
         PreviewCamera view = model.previewCameraProperty().get();
         var place = new Viewport.Pixel(x, y);
-        return LightGizmo.pick(model.lights(), view, canvas, place, TOLERANCE)
-                .or(() -> LightMarker.pick(model.lights(), view, canvas, place));
+        List<Light> left = new ArrayList<>(model.lights());
+        List<Light> hits = new ArrayList<>();
+        Optional<Light> hit = LightGizmo.pick(left, view, canvas, place, TOLERANCE);
+        while (hit.isPresent()) {
+            hits.add(hit.get());
+            left.remove(hit.get());
+            hit = LightGizmo.pick(left, view, canvas, place, TOLERANCE);
+        }
+        if (hits.isEmpty()) {
+            LightMarker.pick(left, view, canvas, place).ifPresent(hits::add);
+        }
+        return hits;
     }
 
     /** @param alt makes a middle button of any other */
@@ -66,18 +75,24 @@ final class PreviewMouse {
             cameraDrag = null;
             return;
         }
-        Optional<Light> hit = lightAt(x, y);
-        if (hit.isPresent()) {
-            model.selectLight(hit.get().name());
-            begin = hit.get();
-            button = alt ? Button.MIDDLE : pressed;
-            gesture = new Object();
+        List<Light> hits = lightsAt(x, y);
+        if (hits.isEmpty()) {
+            return;
         }
+        Light selected = model.selectedLight();
+        // The selected light is taken again where others lie over it; a click without a drag goes on to them.
+        boolean again = hits.contains(selected);
+        next = again ? hits.get((hits.indexOf(selected) + 1) % hits.size()) : null;
+        begin = again ? selected : hits.getFirst();
+        button = alt ? Button.MIDDLE : pressed;
+        gesture = new Object();
+        model.selectLight(begin.name());
     }
 
     void drag(double x, double y) {
         double right = x - pressX;
         double down = y - pressY;
+        next = null;
         if (cameraBegin != null) {
             dragCamera(right, down);
         } else if (begin != null) {
@@ -101,6 +116,10 @@ final class PreviewMouse {
     }
 
     void release() {
+        if (next != null) {
+            model.selectLight(next.name());
+        }
+        next = null;
         begin = null;
         gesture = null;
         cameraBegin = null;

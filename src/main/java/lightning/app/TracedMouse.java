@@ -103,6 +103,8 @@ final class TracedMouse implements AutoCloseable {
             frame.setWidth(Math.abs(e.getX() - pressX));
             frame.setHeight(Math.abs(e.getY() - pressY));
             frame.setVisible(true);
+        } else if (picture.wipe().isVisible()) {
+            picture.wipeTo(e.getX());
         }
         lastX = e.getX();
         lastY = e.getY();

@@ -3,6 +3,7 @@ package lightning.app;
 import java.util.Locale;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
+import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
 import javafx.scene.control.ToggleButton;
@@ -12,10 +13,13 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
+import lightning.edit.Verification;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
 import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignB;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 
 /** The ray-traced canvas: the picture, what it does not show yet, how far it is, and what a pixel of it is made of. */
@@ -29,6 +33,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private final Label card = new Label();
     private final Label size = new Label();
     private final ToggleButton difference = new ToggleButton("Difference");
+    private final ToggleButton compare = new ToggleButton("", new FontIcon(MaterialDesignC.COMPARE));
     private final TracedMouse mouse;
     private final LightPlacer placer;
     private TracedRaster.Pixels shown;
@@ -95,10 +100,39 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         region.setAccessibleText("Trace a region");
         region.selectedProperty().bindBidirectional(mouse.regionProperty());
         region.getStyleClass().add("button-icon");
-        var box = new HBox(title, size, space, difference, new ExposureSlider(model, MOST_STOPS), region,
+        var box = new HBox(title, size, space, difference, snapshot(), compare, new ExposureSlider(model, MOST_STOPS), region,
                 ZoomButtons.of(picture, "traced"));
         box.getStyleClass().add("pane-header");
         return box;
+    }
+
+    private Button snapshot() {
+        var button = new Button("", new FontIcon(MaterialDesignC.CAMERA_OUTLINE));
+        button.setId("snapshot");
+        button.setAccessibleText("Snapshot");
+        button.getStyleClass().add("button-icon");
+        button.setTooltip(new Tooltip("Snapshot\nKeep this picture to compare later ones with."));
+        button.setOnAction(_ -> store());
+        compare.setId("compare");
+        compare.setAccessibleText("Compare");
+        compare.getStyleClass().add("button-icon");
+        compare.setDisable(true);
+        compare.setTooltip(new Tooltip("Compare\nThe snapshot on the left, the picture on the right; drag to wipe."));
+        compare.selectedProperty().subscribe(on -> {
+            picture.wipe().setVisible(on);
+            picture.requestLayout();
+        });
+        return button;
+    }
+
+    private void store() {
+        TracedRaster.Pixels pixels = model.raster().pixels();
+        if (pixels != null) {
+            picture.wipe().store(pixels.width(), pixels.height(), pixels.pixels());
+            compare.setDisable(false);
+            picture.requestLayout();
+            model.say("Snapshot kept");
+        }
     }
 
     private void mark() {
@@ -119,7 +153,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     }
 
     /** The difference picture's films, where the last verification is of the picture shown; else null. */
-    private lightning.edit.Verification verified() {
+    private Verification verified() {
         var state = model.renderingProperty().get();
         boolean fits = state.verification() != null && state.frame() != null
                 && state.verification().scene().equals(state.frame().scene());
@@ -160,14 +194,14 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             slider.setId("exposure");
             slider.setAccessibleText("Exposure");
             slider.setBlockIncrement(0.5);
-            slider.setPrefWidth(84);
+            slider.setPrefWidth(72);
             var value = new Label("0.0");
             value.setMinWidth(32);
             value.getStyleClass().add("pane-note");
             Tooltip.install(this, new Tooltip("Exposure of the view in stops; double-click for 0.\nNo part of the scene."));
             setAlignment(Pos.CENTER);
             setSpacing(4);
-            getChildren().addAll(new FontIcon(org.kordamp.ikonli.materialdesign2.MaterialDesignB.BRIGHTNESS_6), slider, value);
+            getChildren().addAll(new FontIcon(MaterialDesignB.BRIGHTNESS_6), slider, value);
             slider.setOnMouseClicked(e -> {
                 if (e.getClickCount() == 2) {
                     slider.setValue(0);

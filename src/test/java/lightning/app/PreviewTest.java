@@ -2,6 +2,7 @@ package lightning.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import javafx.event.Event;
 import javafx.event.EventType;
 import javafx.geometry.Point2D;
@@ -9,6 +10,7 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import lightning.edit.Command;
+import lightning.edit.LightEdits;
 import lightning.edit.LightManipulation;
 import lightning.edit.PreviewCamera;
 import lightning.math.Vec3;
@@ -49,6 +51,30 @@ class PreviewTest extends EditorDesk {
         assertThat(model().selectedLight().name()).isEqualTo("stage");
         robot.clickOn(inPreview(light("lamp").position()));
         assertThat(model().selectedLight().name()).isEqualTo("lamp");
+    }
+
+    @Test
+    void clicksOnGizmosAtOnePlace_selectOneAfterTheOther() {
+        robot.interact(() -> model().edit(scene -> LightEdits.duplicate(scene, "stage")));
+        Point2D place = inPreview(light("stage").position());
+        robot.clickOn(place);
+        String first = model().selectedLight().name();
+        robot.clickOn(place);
+        assertThat(List.of(first, model().selectedLight().name())).containsExactlyInAnyOrder("stage", "stage2");
+        robot.clickOn(place);
+        assertThat(model().selectedLight().name()).isEqualTo(first);
+    }
+
+    @Test
+    void dragOfTheSelectedLight_keepsItWhereOthersLieOverIt() {
+        robot.interact(() -> {
+            model().edit(scene -> LightEdits.duplicate(scene, "stage"));
+            model().selectLight("stage2");
+        });
+        Light other = light("stage");
+        drag(light("stage2"), MouseButton.SECONDARY, 20, 10);
+        assertThat(light("stage2").position()).isNotEqualTo(other.position());
+        assertThat(light("stage")).isEqualTo(other);
     }
 
     @Test

@@ -1,6 +1,7 @@
 package lightning.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
@@ -86,6 +87,20 @@ class TracedPaneTest extends EditorDesk {
         waitFor("it is placed", () -> model().enabled(Command.UNDO));
         var placed = new PixelExplainer(model().scene()).pixel(46, 36).lights().getFirst();
         assertThat(placed.state()).isEqualTo(LightReport.State.SHADOWED);
+    }
+
+    @Test
+    void snapshot_isComparedByAWipe() {
+        click("snapshot");
+        robot.interact(() -> model().edit(scene -> Dial.AMBIENCE.set(scene, "", 5)));
+        click("go");
+        waitForPicture();
+        click("compare");
+        robot.drag(pixel(32, 24), MouseButton.PRIMARY);
+        robot.dropTo(pixel(47.5, 24));
+        PictureView picture = robot.lookup("#traced-picture").query();
+        assertThat(picture.wipe().share()).isCloseTo(0.75, within(0.01));
+        assertThat(picture.wipe().isVisible()).isTrue();
     }
 
     @Test
