@@ -1,6 +1,7 @@
 package lightning.accuracy;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import lightning.image.Difference;
@@ -8,7 +9,6 @@ import lightning.relight.Accuracy;
 import lightning.relight.Options;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
-import lightning.relight.UpdatePlan;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
 import lightning.shading.TraceCounts;
@@ -19,16 +19,14 @@ import lightning.trace.Geometry;
 /**
  * Measures updates beside full traces, in turns, so that whatever slows the machine for a while slows both.
  *
- * <p>Each measurement warms up, then repeats (update, undo, full trace) and takes medians. The full trace gets its tree
+ * <p>Each measurement warms up, then repeats (first pass, update, full trace) and takes medians. The full trace gets its tree
  * of boxes for free.
  */
 public final class SavingMeter implements AutoCloseable {
     private static final int WARM_UPS = 2;
     /** The first pass comes first, in cold code. */
     private static final int FIRST_WARM_UPS = 6;
-    /** Bytes of a term of a light's layer, and of a pixel of the film. */
-    private static final int TERM = Float.BYTES;
-    private static final int PIXEL = 3 * Float.BYTES;
+    private static final long WARM_UP_NANOSECONDS = 4_000_000_000L;
 
     private final Renderer renderer;
     private final Workers workers;
@@ -134,10 +132,10 @@ public final class SavingMeter implements AutoCloseable {
         return new TurnTimes(median(full), median(other));
     }
 
-    /** Shows a scene, mirrors included. */
+    /** Shows a scene, mirrors included, as if nothing had been asked before: no way to a light is known from a later edit. */
     private void settle(Scene scene, Progress progress) {
+        renderer.forget();
         renderer.render(scene, progress);
-        renderer.updateReflections(progress);
     }
 
     private boolean isKept(Update update, Progress progress) {
@@ -149,14 +147,26 @@ public final class SavingMeter implements AutoCloseable {
                 : Difference.of(renderer.film(), oracle).maxAbsolute() <= update.errorBound();
     }
 
-    /** Composing must at least write the film, and an update of a layer its column, or read it. */
     private double cap(Update update, double fullMs, TraceCounts fullRays) {
-        if (update.plan() instanceof UpdatePlan.Nothing) {
-            return 100;
-        }
         double rays = fullMs * update.rays().all() / fullRays.all();
-        double bytes = (double) PIXEL * update.rowsComposed() + (double) TERM * update.rowsTouched();
-        return 100 * (1 - Math.max(rays, bytes / bytesPerMs) / fullMs);
+        return 100 * (1 - Math.max(rays, update.bytesMoved() / bytesPerMs) / fullMs);
+    }
+
+    /**
+     * Runs updates and full traces until the compiler has seen them: at least once each, and for a few seconds.
+     *
+     * @param edits pairs of scenes, the one before and the one after
+     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     */
+    public void warmUp(List<Scene[]> edits, Progress progress) {
+        long start = System.nanoTime();
+        do {
+            for (Scene[] edit : edits) {
+                settle(edit[0], progress);
+                renderer.render(edit[1], progress);
+                new TraditionalTracer(edit[1], renderer.cache().geometry()).trace(workers, progress);
+            }
+        } while (!edits.isEmpty() && System.nanoTime() - start < WARM_UP_NANOSECONDS);
     }
 
     private static double milliseconds(Runnable work) {

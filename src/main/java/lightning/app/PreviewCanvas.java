@@ -5,6 +5,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import javafx.animation.PauseTransition;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import javafx.geometry.Point2D;
 import javafx.scene.AccessibleRole;
 import javafx.scene.image.ImageView;
 import javafx.scene.image.PixelBuffer;
@@ -92,6 +93,11 @@ final class PreviewCanvas extends Region implements AutoCloseable {
     /** Goes back with the camera until all lights are in view. */
     void frameLights() {
         model.previewCameraProperty().set(LightMarker.framing(model.lights(), model.previewCameraProperty().get(), mouse.canvas()));
+    }
+
+    /** Where a place of the canvas is on the screen. */
+    Point2D onScreen(Viewport.Pixel place) {
+        return gizmos.localToScreen(place.x(), place.y());
     }
 
     /** The canvas in this region, pixels of the window. */

@@ -109,6 +109,7 @@ final class TourCommand implements Callable<Integer> {
             throws Exception {
         int steps = cases.size() + 2;
         bar.tiles(0, steps);
+        meter.warmUp(cases.stream().map(edit -> new Scene[] {edit.before(), edit.after()}).toList(), bar.silent());
         FirstPassCost first = meter.firstPass(sized, bar.silent());
         write("first-pass", meter.renderer().film());
         var table = new TourTable(console);

@@ -37,6 +37,11 @@ public record Transform(
         return rz.times(ry).times(rx);
     }
 
+    /** This map without its translation and with rows and columns exchanged: the inverse of a rotation. */
+    public Transform transposed() {
+        return new Transform(m00, m10, m20, 0, m01, m11, m21, 0, m02, m12, m22, 0);
+    }
+
     /** The sine of an angle in degrees, exact at multiples of 90. */
     public static double sinDegrees(double degrees) {
         return cosDegrees(degrees - 90);
@@ -84,36 +89,5 @@ public record Transform(
                 m00 * v.x() + m01 * v.y() + m02 * v.z(),
                 m10 * v.x() + m11 * v.y() + m12 * v.z(),
                 m20 * v.x() + m21 * v.y() + m22 * v.z());
-    }
-
-    public double determinant() {
-        return m00 * (m11 * m22 - m12 * m21)
-                - m01 * (m10 * m22 - m12 * m20)
-                + m02 * (m10 * m21 - m11 * m20);
-    }
-
-    /**
-     * The inverse map.
-     *
-     * @throws ArithmeticException if the determinant is zero or not finite
-     */
-    public Transform inverse() {
-        double det = determinant();
-        if (det == 0 || !Double.isFinite(det)) {
-            throw new ArithmeticException("a transform with determinant " + det + " has no inverse");
-        }
-        double a00 = (m11 * m22 - m12 * m21) / det;
-        double a01 = (m02 * m21 - m01 * m22) / det;
-        double a02 = (m01 * m12 - m02 * m11) / det;
-        double a10 = (m12 * m20 - m10 * m22) / det;
-        double a11 = (m00 * m22 - m02 * m20) / det;
-        double a12 = (m02 * m10 - m00 * m12) / det;
-        double a20 = (m10 * m21 - m11 * m20) / det;
-        double a21 = (m01 * m20 - m00 * m21) / det;
-        double a22 = (m00 * m11 - m01 * m10) / det;
-        return new Transform(
-                a00, a01, a02, -(a00 * t0 + a01 * t1 + a02 * t2),
-                a10, a11, a12, -(a10 * t0 + a11 * t1 + a12 * t2),
-                a20, a21, a22, -(a20 * t0 + a21 * t1 + a22 * t2));
     }
 }

@@ -95,6 +95,11 @@ public final class Renderer implements AutoCloseable {
         return cache;
     }
 
+    /** Drops all that is known: the next picture is a first pass. */
+    public void forget() {
+        cache = null;
+    }
+
     private Update run(UpdatePlan plan, Scene wanted, Progress progress) {
         long start = System.nanoTime();
         PixelCache before = cache;
@@ -109,7 +114,7 @@ public final class Renderer implements AutoCloseable {
             work = work.plus(refresh(before, progress));
             bound = ErrorBound.of(cache);
         }
-        return new Update(plan, work.rowsTouched(), work.rowsComposed(), work.rays(), System.nanoTime() - start,
+        return new Update(plan, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(), System.nanoTime() - start,
                 bound.largest(), refreshed);
     }
 

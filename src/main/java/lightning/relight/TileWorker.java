@@ -25,6 +25,7 @@ final class TileWorker {
     private long eyeRays;
     private long mirroredRays;
     private long rowsComposed;
+    private long bytesMoved;
 
     TileWorker(Job job) {
         this.job = job;
@@ -51,6 +52,10 @@ final class TileWorker {
         return ratios.largestRatio();
     }
 
+    long bytesMoved() {
+        return bytesMoved;
+    }
+
     long rowsComposed() {
         return rowsComposed;
     }
@@ -68,7 +73,7 @@ final class TileWorker {
 
     /** Updates a tile as planned; null where the work was cancelled. */
     CachedTile relight(CachedTile old) {
-        LightLayer[] layers = job.top().layers(old.levels[0], updater, job.progress());
+        LightLayer[] layers = layers(old.levels[0], job.top());
         TileLevel top = with(old.levels[0], layers, job.top());
         Mirrors mirrors = job.mirrors() == null
                 ? new Mirrors(old.levels, old.hitShapes, old.mirrored)
@@ -80,6 +85,19 @@ final class TileWorker {
         return finish(top, mirrors, same ? old.film : null);
     }
 
+    /** Carries out a level's plan on its layers; counts what that reads of the rows and writes. */
+    private LightLayer[] layers(TileLevel old, Job.Level plan) {
+        LightLayer[] layers = plan.layers(old, updater, job.progress());
+        for (int l = 0; l < layers.length; l++) {
+            int from = plan.plan().layers().get(l).from();
+            LightLayer before = from < 0 ? null : old.layers()[from];
+            if (layers[l] != before && layers[l] != null) {
+                bytesMoved += layers[l].newBytes(before) + old.rows().count * layers[l].rowBytesRead(before);
+            }
+        }
+        return layers;
+    }
+
     private CachedTile finish(TileLevel top, Mirrors mirrors, float[][] film) {
         TileLevel[] levels = mirrors.levels.clone();
         levels[0] = top;
@@ -87,6 +105,7 @@ final class TileWorker {
         if (pixels == null) {
             pixels = new float[3][Film.TILE_PIXELS];
             levels[0] = compose(top, job.top(), mirrors.cr);
+            bytesMoved += 12L * Film.TILE_PIXELS;
             composer.toFilm(top.rows(), job.scene().world(), pixels[0], pixels[1], pixels[2]);
         }
         return new CachedTile(levels, mirrors.hitShapes, mirrors.cr, pixels);
@@ -116,7 +135,21 @@ final class TileWorker {
                 : level.branches() != null ? level.branches()
                         : composer.branches(level.rows(), job.lamps(), level.layers(), plan.key());
         composer.level(level.rows(), job.lamps(), level.layers(), sums, job.scene().world(), cr);
+        bytesMoved += bytesRead(level, plan == null ? null : plan.key(), sums);
         return sums == level.branches() ? level : level.with(sums);
+    }
+
+    /** What composing a level reads: textures, mirror images, and of the lights all that light a row, or their sums. */
+    private long bytesRead(TileLevel level, BranchSums.Key key, BranchSums sums) {
+        HitRows rows = level.rows();
+        long bytes = 12L * rows.reflective + (rows.diffuseRed == null ? 0 : 12L * rows.count) + 2L * rows.count;
+        for (int l = 0; l < job.lamps().length; l++) {
+            boolean read = sums == null || key.light() == l;
+            if (read && !job.lamps()[l].isDark() && level.layers()[l].lit() > 0) {
+                bytes += level.layers()[l].bytes() - rows.count;
+            }
+        }
+        return bytes + (sums == null ? 0 : sums.bytes());
     }
 
     /**
@@ -136,7 +169,7 @@ final class TileWorker {
                 || old.levels.length <= job.depth() && old.levels[keep - 1].rows().reflective > 0;
         TileLevel[] levels = Arrays.copyOf(old.levels, keep);
         for (int k = 1; k < keep; k++) {
-            LightLayer[] layers = job.mirrors().layers(old.levels[k], updater, job.progress());
+            LightLayer[] layers = layers(old.levels[k], job.mirrors());
             if (job.progress().isCancelled()) {
                 return new Mirrors(old.levels, old.hitShapes, old.mirrored);
             }

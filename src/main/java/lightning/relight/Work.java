@@ -3,18 +3,18 @@ package lightning.relight;
 import lightning.shading.TraceCounts;
 
 /** How much was done, over all threads; see {@link Update}. */
-record Work(long rowsTouched, long rowsComposed, TraceCounts rays) {
-    static final Work NONE = new Work(0, 0, TraceCounts.NONE);
+record Work(long rowsTouched, long rowsComposed, long bytesMoved, TraceCounts rays) {
+    static final Work NONE = new Work(0, 0, 0, TraceCounts.NONE);
 
     static Work of(TileWorker[] threads) {
         Work work = NONE;
         for (TileWorker thread : threads) {
-            work = work.plus(new Work(thread.rowsTouched(), thread.rowsComposed(), thread.rays()));
+            work = work.plus(new Work(thread.rowsTouched(), thread.rowsComposed(), thread.bytesMoved(), thread.rays()));
         }
         return work;
     }
 
     Work plus(Work o) {
-        return new Work(rowsTouched + o.rowsTouched, rowsComposed + o.rowsComposed, rays.plus(o.rays));
+        return new Work(rowsTouched + o.rowsTouched, rowsComposed + o.rowsComposed, bytesMoved + o.bytesMoved, rays.plus(o.rays));
     }
 }

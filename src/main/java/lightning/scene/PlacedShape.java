@@ -5,6 +5,7 @@ import lightning.math.Transform;
 /**
  * A shape of the tree with its material looked up and all the groups around it multiplied in.
  *
- * @param toWorld maps the shape's own coordinates to the scene's
+ * @param toWorld        maps the shape's own coordinates to the scene's
+ * @param directionsBack maps directions in the scene to the shape's own: the inverse without translation
  */
-public record PlacedShape(Shape shape, Material material, Transform toWorld) {}
+public record PlacedShape(Shape shape, Material material, Transform toWorld, Transform directionsBack) {}

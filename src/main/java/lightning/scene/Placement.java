@@ -39,6 +39,16 @@ public record Placement(Vec3 at, Vec3 rotate, Vec3 scale) {
         return Math.min(Math.min(Math.abs(v.x()), Math.abs(v.y())), Math.abs(v.z()));
     }
 
+    /**
+     * The inverse of {@link #transform}, without translation: turned back, then scaled back. Nothing is
+     * subtracted on the way, so that it exists and is accurate where the determinant of the map, or of a
+     * product of such maps, is lost in rounding.
+     */
+    public Transform directionsBack() {
+        Vec3 back = new Vec3(1 / scale.x(), 1 / scale.y(), 1 / scale.z());
+        return Transform.scaling(back).times(Transform.rotation(rotate).transposed());
+    }
+
     public Transform transform() {
         return Transform.translation(at).times(Transform.rotation(rotate)).times(Transform.scaling(scale));
     }

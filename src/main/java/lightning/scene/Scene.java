@@ -70,16 +70,18 @@ public record Scene(Picture picture, Camera camera, World world, List<Material> 
         byName.put(Material.DEFAULT.name(), Material.DEFAULT);
         materials.forEach(m -> byName.put(m.name(), m));
         List<PlacedShape> placed = new ArrayList<>();
-        place(nodes, Transform.IDENTITY, byName, placed);
+        place(nodes, Transform.IDENTITY, Transform.IDENTITY, byName, placed);
         return placed;
     }
 
-    private static void place(List<Node> nodes, Transform outer, Map<String, Material> byName, List<PlacedShape> placed) {
+    private static void place(List<Node> nodes, Transform outer, Transform back, Map<String, Material> byName,
+            List<PlacedShape> placed) {
         for (Node node : nodes) {
             Transform toWorld = outer.times(node.placement().transform());
+            Transform directionsBack = node.placement().directionsBack().times(back);
             switch (node) {
-                case Group g -> place(g.children(), toWorld, byName, placed);
-                case Shape s -> placed.add(new PlacedShape(s, byName.get(s.material()), toWorld));
+                case Group g -> place(g.children(), toWorld, directionsBack, byName, placed);
+                case Shape s -> placed.add(new PlacedShape(s, byName.get(s.material()), toWorld, directionsBack));
             }
         }
     }

@@ -10,4 +10,14 @@ public sealed interface LightLayer permits LightRows, RatioRows {
 
     /** The bytes that the columns hold, array headers left out. */
     long bytes();
+
+    /** The bytes of those columns that are not also {@code before}'s, which may be null. */
+    long newBytes(LightLayer before);
+
+    /** The bytes that must be read of each row to get here from {@code before}, which may be null. */
+    default long rowBytesRead(LightLayer before) {
+        boolean statesStay = before != null && before.states() == states();
+        // A new falloff needs the point alone, new terms point, normal and direction.
+        return statesStay ? 12 : 36;
+    }
 }

@@ -60,4 +60,13 @@ public final class LightRows implements LightLayer {
     private static int length(float[] column) {
         return column == null ? 0 : column.length;
     }
+
+    @Override
+    public long newBytes(LightLayer before) {
+        if (!(before instanceof LightRows b)) {
+            return bytes();
+        }
+        return (state == b.state ? 0 : state.length) + 4L * ((cosine == b.cosine ? 0 : length(cosine))
+                + (specular == b.specular ? 0 : length(specular)) + (falloff == b.falloff ? 0 : length(falloff)));
+    }
 }

@@ -34,4 +34,10 @@ public final class RatioRows implements LightLayer {
     public long bytes() {
         return states.length + 12L * ((diffuse == null ? 0 : diffuse[0].length) + (specular == null ? 0 : specular[0].length));
     }
+
+    /** Scaling reads every contribution and writes it anew. */
+    @Override
+    public long newBytes(LightLayer before) {
+        return before == null ? bytes() : bytes() + before.bytes();
+    }
 }

@@ -45,7 +45,7 @@ final class ShapeTable {
                     world.m10(), world.m11(), world.m12(), world.t1() - camera.y(),
                     world.m20(), world.m21(), world.m22(), world.t2() - camera.z());
             kind[s] = kindOf(shapes.get(s).shape());
-            Transform inverse = render.inverse();
+            Transform inverse = inverse(shapes.get(s).directionsBack(), render);
             store(s, inverse);
             ShapeBounds.of(kind[s], render, bounds, 6 * s);
             double reach = 0;
@@ -55,6 +55,13 @@ final class ShapeTable {
             error[s] = reach * 0x1p-46;
             slack[s] = ShapeBounds.slack(render, inverse, reach);
         }
+    }
+
+    /** Directions back, and the translation by which the place of the shape becomes the origin. */
+    private static Transform inverse(Transform back, Transform render) {
+        Vec3 origin = back.vector(new Vec3(render.t0(), render.t1(), render.t2()));
+        return new Transform(back.m00(), back.m01(), back.m02(), -origin.x(), back.m10(), back.m11(), back.m12(), -origin.y(),
+                back.m20(), back.m21(), back.m22(), -origin.z());
     }
 
     private static byte kindOf(Shape shape) {

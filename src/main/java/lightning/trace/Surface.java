@@ -65,7 +65,15 @@ public final class Surface {
         double bx = m[i] * ax + m[i + 4] * ay + m[i + 8] * az;
         double by = m[i + 1] * ax + m[i + 5] * ay + m[i + 9] * az;
         double bz = m[i + 2] * ax + m[i + 6] * ay + m[i + 10] * az;
-        double length = Math.sqrt(bx * bx + by * by + bz * bz);
+        double square = bx * bx + by * by + bz * bz;
+        if (!(square > 0)) {
+            // A shape smaller than the spacing of doubles where it stands: it faces whoever sees it.
+            bx = -dx;
+            by = -dy;
+            bz = -dz;
+            square = bx * bx + by * by + bz * bz;
+        }
+        double length = Math.sqrt(square);
         double facing = bx * dx + by * dy + bz * dz > 0 ? -length : length;
         double unit = 1 / facing;
         bx = bx * unit;

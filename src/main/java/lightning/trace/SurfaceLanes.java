@@ -139,7 +139,15 @@ final class SurfaceLanes {
         DoubleVector bx = vx.mul(m[i]).add(vy.mul(m[i + 4])).add(vz.mul(m[i + 8]));
         DoubleVector by = vx.mul(m[i + 1]).add(vy.mul(m[i + 5])).add(vz.mul(m[i + 9]));
         DoubleVector bz = vx.mul(m[i + 2]).add(vy.mul(m[i + 6])).add(vz.mul(m[i + 10]));
-        DoubleVector length = bx.mul(bx).add(by.mul(by)).add(bz.mul(bz)).sqrt();
+        DoubleVector square = bx.mul(bx).add(by.mul(by)).add(bz.mul(bz));
+        VectorMask<Double> lost = square.compare(GT, 0).not();
+        if (lost.anyTrue()) {
+            bx = bx.blend(fromArray(SPECIES, p.dx, h).neg(), lost);
+            by = by.blend(fromArray(SPECIES, p.dy, h).neg(), lost);
+            bz = bz.blend(fromArray(SPECIES, p.dz, h).neg(), lost);
+            square = bx.mul(bx).add(by.mul(by)).add(bz.mul(bz));
+        }
+        DoubleVector length = square.sqrt();
         VectorMask<Double> away = bx.mul(fromArray(SPECIES, p.dx, h))
                 .add(by.mul(fromArray(SPECIES, p.dy, h)))
                 .add(bz.mul(fromArray(SPECIES, p.dz, h)))

@@ -1,0 +1,155 @@
+package lightning.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import javafx.application.Platform;
+import javafx.geometry.Point2D;
+import javafx.scene.Node;
+import javafx.scene.control.Labeled;
+import javafx.stage.Stage;
+import lightning.edit.Command;
+import lightning.edit.OpenDocument;
+import lightning.edit.Viewport;
+import lightning.jen.JenException;
+import lightning.math.Vec3;
+import lightning.scene.Light;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+import org.testfx.api.FxRobot;
+import org.testfx.api.FxToolkit;
+import org.testfx.util.WaitForAsyncUtils;
+
+/** An editor on a small scene with one light of each type, all of them in view. */
+@ExtendWith(JavaFxNeeds.class)
+abstract class EditorDesk {
+    private static final int PATIENCE_SECONDS = 30;
+    private static final String SCENE = """
+            jen 1
+            picture  { size 64 48  depth 2 }
+            camera   { from 0 2 9  to 0 1 0  up 0 1 0  fov 40 }
+            world    { ambience 0.2  background 0.1 0.1 0.2 }
+            material matt   { ambient 0.1 0.1 0.1  diffuse 0.8 0.7 0.6  specular 0.3 0.3 0.3  shininess 20 }
+            material mirror { ambient 0 0 0  diffuse 0.2 0.2 0.2  reflective 0.6 0.6 0.6 }
+            plane floor   { material mirror  scale 12 1 12 }
+            sphere ball   { material matt  at 0 1 0 }
+            light lamp point { at -2 2.2 0.5  intensity 1 }
+            light sun directional { at 0 2.8 0  direction 0.3 -1 -0.4  intensity 0.4 }
+            light stage spot { at 2 2.2 0.5  direction -2 -1.5 -0.5  angle 30  intensity 1.5 }
+            """;
+
+    @TempDir
+    Path folder;
+
+    final FxRobot robot = new FxRobot();
+    Stage stage;
+    Editor editor;
+    /** What the artist answers when asked for a file; null is Cancel. */
+    volatile Path answer;
+
+    @BeforeEach
+    void open() throws Exception {
+        FxToolkit.registerPrimaryStage();
+        Path file = Files.writeString(folder.resolve("desk.jen"), SCENE);
+        FxToolkit.setupFixture(() -> {
+            Looks.install();
+            stage = new Stage();
+            try {
+                editor = new Editor(stage, OpenDocument.open(file), Platform::runLater, new Answers(), 1000, 700);
+            } catch (IOException | JenException e) {
+                throw new AssertionError(e);
+            }
+        });
+        waitForPicture();
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        FxToolkit.setupFixture(() -> {
+            editor.close();
+            stage.close();
+        });
+        robot.release(new javafx.scene.input.KeyCode[0]);
+        robot.release(new javafx.scene.input.MouseButton[0]);
+    }
+
+    private final class Answers implements FilePrompt {
+        @Override
+        public Optional<Path> scene(Path from) {
+            return Optional.ofNullable(answer);
+        }
+
+        @Override
+        public Optional<Path> sceneToWrite(Path proposal) {
+            return Optional.ofNullable(answer);
+        }
+
+        @Override
+        public Optional<Path> pictureToWrite(Path proposal) {
+            return Optional.ofNullable(answer);
+        }
+    }
+
+    EditorModel model() {
+        return editor.model();
+    }
+
+    Light light(String name) {
+        return model().scene().light(name).orElseThrow();
+    }
+
+    /** Waits until something holds, as seen from the window's thread. */
+    void waitFor(String what, Callable<Boolean> holds) {
+        try {
+            WaitForAsyncUtils.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS,
+                    () -> WaitForAsyncUtils.asyncFx(holds).get(PATIENCE_SECONDS, TimeUnit.SECONDS));
+        } catch (TimeoutException e) {
+            throw new AssertionError("waited " + PATIENCE_SECONDS + " s until " + what, e);
+        }
+    }
+
+    /** Waits until the picture shows everything. */
+    void waitForPicture() {
+        waitFor("the picture is there", () -> !model().situationProperty().get().isPending()
+                && model().situationProperty().get().inWork().isEmpty());
+    }
+
+    /** Clicks the control of that id. */
+    void click(String id) {
+        robot.clickOn("#" + id);
+    }
+
+    boolean isEnabled(Command command) {
+        return !robot.lookup("#" + CommandButton.id(command)).<Node>query().isDisabled();
+    }
+
+    String text(String id) {
+        return robot.lookup("#" + id).<Labeled>query().getText();
+    }
+
+    boolean isShown(String id) {
+        return robot.lookup("#" + id).tryQuery().map(Node::isVisible).orElse(false);
+    }
+
+    PreviewCanvas preview() {
+        return robot.lookup("#preview-canvas").query();
+    }
+
+    /** Where a point of the scene is seen in the preview. */
+    Point2D inPreview(Vec3 point) {
+        Viewport canvas = preview().viewport();
+        return preview().onScreen(canvas.pixel(model().previewCameraProperty().get(), point));
+    }
+
+    void assertFilmIs(lightning.image.Film expected) {
+        assertThat(model().frame().film().sameBits(expected)).as("every bit of the picture").isTrue();
+    }
+}

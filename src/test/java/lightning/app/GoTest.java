@@ -1,0 +1,152 @@
+package lightning.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.concurrent.TimeUnit;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.input.KeyCode;
+import lightning.edit.Command;
+import lightning.edit.Dial;
+import lightning.scene.Scene;
+import lightning.shading.ReferenceTracer;
+import org.junit.jupiter.api.Test;
+import org.testfx.util.WaitForAsyncUtils;
+
+class GoTest extends EditorDesk {
+
+    private void dim() {
+        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
+    }
+
+    private void size(int width, int height) {
+        MenuButton sizes = robot.lookup("#traced-sizes").query();
+        MenuItem item = sizes.getItems().stream().filter(i -> ("size-" + width + "x" + height).equals(i.getId()))
+                .findFirst().orElseThrow();
+        robot.interact(item::fire);
+    }
+
+    @Test
+    void openedScene_isTracedAndLeavesNothingToDo() {
+        assertThat(isEnabled(Command.GO)).isFalse();
+        assertThat(model().reason(Command.GO)).contains("nothing was edited since the last Go");
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertThat(text("status")).contains("first pass").contains("exact");
+    }
+
+    @Test
+    void edit_enablesGoAndMarksTheCanvas() {
+        dim();
+        assertThat(isEnabled(Command.GO)).isTrue();
+        assertThat(isShown("pending")).isTrue();
+        assertThat(text("pending")).isEqualTo("Edits not yet rendered");
+    }
+
+    @Test
+    void go_showsTheEditAndWhatItCost() {
+        dim();
+        click("go");
+        waitForPicture();
+        assertThat(isEnabled(Command.GO)).isFalse();
+        assertThat(isShown("pending")).isFalse();
+        assertThat(text("status")).contains("lamp: weight").contains("0 shadow rays").contains("saved");
+    }
+
+    @Test
+    void goAndUpdateReflections_giveThePictureOfAFullTrace() {
+        dim();
+        click("go");
+        waitForPicture();
+        assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isTrue();
+        click("update-reflections");
+        waitFor("the mirrors are current", () -> !model().enabled(Command.UPDATE_REFLECTIONS)
+                && model().situationProperty().get().inWork().isEmpty());
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+    }
+
+    @Test
+    void undoAfterGo_leavesGoEnabled() {
+        dim();
+        click("go");
+        waitForPicture();
+        click("undo");
+        assertThat(light("lamp").intensity()).isEqualTo(1);
+        assertThat(isEnabled(Command.GO)).isTrue();
+        click("redo");
+        assertThat(isEnabled(Command.GO)).isFalse();
+    }
+
+    @Test
+    void shortcut_doesWhatTheButtonDoes() {
+        dim();
+        robot.push(KeyCode.F5);
+        waitForPicture();
+        assertThat(model().frame().scene().light("lamp").orElseThrow().intensity()).isEqualTo(0.25);
+    }
+
+    @Test
+    void live_rendersWithoutGo() {
+        click("live");
+        dim();
+        waitForPicture();
+        assertThat(model().frame().scene().light("lamp").orElseThrow().intensity()).isEqualTo(0.25);
+    }
+
+    @Test
+    void depthSpinner_isAnEditLikeAnyOther() {
+        robot.clickOn(robot.lookup("#depth .increment-arrow-button").<javafx.scene.Node>query());
+        assertThat(model().scene().picture().depth()).isEqualTo(3);
+        assertThat(isEnabled(Command.GO)).isTrue();
+        click("undo");
+        assertThat(model().scene().picture().depth()).isEqualTo(2);
+    }
+
+    @Test
+    void anotherSize_isTracedAnew() {
+        size(200, 200);
+        waitForPicture();
+        assertThat(model().frame().film().width()).isEqualTo(200);
+        assertThat(model().raster().pixels().pixels()).isEqualTo(model().viewProperty().get().toPixels(model().frame().film()));
+    }
+
+    @Test
+    void largeSize_showsProgressThatCanBeCancelledWhileTheWindowAnswers() throws Exception {
+        Scene before = model().frame().scene();
+        size(3840, 2160);
+        waitFor("progress is shown", () -> isShown("progress"));
+        assertThat(WaitForAsyncUtils.asyncFx(() -> true).get(5, TimeUnit.SECONDS)).isTrue();
+        click("cancel-progress");
+        waitFor("it is over", () -> !isShown("progress"));
+        assertThat(model().frame().scene()).isEqualTo(before);
+        assertThat(isEnabled(Command.GO)).isTrue();
+    }
+
+    @Test
+    void verify_saysThatThePictureIsAFullTraces() {
+        click("verify");
+        waitFor("it is verified", () -> model().renderingProperty().get().verification() != null);
+        assertThat(text("status")).startsWith("Verified: equal to a full trace in every bit");
+        assertThat(isShown("difference")).isTrue();
+    }
+
+    @Test
+    void verifyOfStaleMirrors_saysThatTheyAre() {
+        dim();
+        click("go");
+        waitForPicture();
+        click("verify");
+        waitFor("it is verified", () -> model().renderingProperty().get().verification() != null);
+        assertThat(text("status")).contains("differ from a full trace").contains("mirrors, which show an older light");
+    }
+
+    @Test
+    void currentReflections_needNoUpdate() {
+        robot.interact(() -> model().precisionProperty().set(Precision.CURRENT));
+        waitForPicture();
+        dim();
+        click("go");
+        waitForPicture();
+        assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isFalse();
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+    }
+}

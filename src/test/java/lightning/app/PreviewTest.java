@@ -1,0 +1,163 @@
+package lightning.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import javafx.geometry.Point2D;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import lightning.edit.Command;
+import lightning.edit.LightManipulation;
+import lightning.edit.PreviewCamera;
+import lightning.math.Vec3;
+import lightning.scene.Light;
+import org.junit.jupiter.api.Test;
+
+class PreviewTest extends EditorDesk {
+
+    private void drag(Light light, MouseButton button, double right, double down, KeyCode... held) {
+        Point2D from = inPreview(light.position());
+        drag(from, button, right, down, held);
+    }
+
+    private void drag(Point2D from, MouseButton button, double right, double down, KeyCode... held) {
+        robot.press(held);
+        robot.moveTo(from);
+        robot.press(button);
+        robot.moveTo(from.add(right / 2, down / 2));
+        robot.moveTo(from.add(right, down));
+        robot.release(button);
+        robot.release(held);
+    }
+
+    @Test
+    void clickOnAGizmo_selectsItsLight() {
+        robot.clickOn(inPreview(light("stage").position()));
+        assertThat(model().selectedLight().name()).isEqualTo("stage");
+        robot.clickOn(inPreview(light("lamp").position()));
+        assertThat(model().selectedLight().name()).isEqualTo("lamp");
+    }
+
+    @Test
+    void leftDrag_turnsTheLightInOneStep() {
+        Light before = light("stage");
+        drag(before, MouseButton.PRIMARY, 40, 10);
+        Light expected = LightManipulation.rotate(before, model().previewCameraProperty().get(), preview().viewport(), 40, -10);
+        assertThat(light("stage")).isEqualTo(expected).isNotEqualTo(before);
+        click("undo");
+        assertThat(light("stage")).isEqualTo(before);
+    }
+
+    @Test
+    void leftDragOfAPointLight_changesNothing() {
+        Light before = light("lamp");
+        drag(before, MouseButton.PRIMARY, 40, 10);
+        assertThat(light("lamp")).isEqualTo(before);
+        assertThat(isEnabled(Command.UNDO)).isFalse();
+    }
+
+    @Test
+    void rightDrag_movesTheLightUnderTheMouse() {
+        Light before = light("lamp");
+        Point2D target = inPreview(before.position()).add(30, 20);
+        drag(before, MouseButton.SECONDARY, 30, 20);
+        assertThat(inPreview(light("lamp").position()).distance(target)).isLessThan(0.01);
+    }
+
+    @Test
+    void middleDragUp_movesTheLightAway() {
+        Light before = light("lamp");
+        drag(before, MouseButton.MIDDLE, 0, -40);
+        PreviewCamera view = model().previewCameraProperty().get();
+        assertThat(view.depth(light("lamp").position())).isGreaterThan(view.depth(before.position()));
+    }
+
+    @Test
+    void altAndLeftDrag_isAMiddleDrag() {
+        Light before = light("stage");
+        drag(before, MouseButton.PRIMARY, 0, -40, KeyCode.ALT);
+        Light expected = LightManipulation.dolly(before, model().previewCameraProperty().get(), preview().viewport(), 40);
+        assertThat(light("stage")).isEqualTo(expected).isNotEqualTo(before);
+    }
+
+    @Test
+    void movingADirectionalLight_leavesNothingToRender() {
+        Light before = light("sun");
+        drag(before, MouseButton.SECONDARY, 20, 10);
+        assertThat(light("sun").position()).isNotEqualTo(before.position());
+        assertThat(isEnabled(Command.GO)).isFalse();
+        assertThat(isEnabled(Command.SAVE_SCENE)).isTrue();
+    }
+
+    @Test
+    void shiftDragUp_zoomsAndResetRestores() {
+        PreviewCamera before = model().previewCameraProperty().get();
+        drag(inPreview(Vec3.ZERO), MouseButton.PRIMARY, 3, -60, KeyCode.SHIFT);
+        assertThat(model().previewCameraProperty().get().distance()).isLessThan(before.distance());
+        click("view-z");
+        assertThat(model().previewCameraProperty().get()).isEqualTo(before);
+    }
+
+    @Test
+    void shiftDragRight_pansTheScene() {
+        double before = inPreview(Vec3.ZERO).getX();
+        drag(inPreview(Vec3.ZERO), MouseButton.PRIMARY, 50, 2, KeyCode.SHIFT);
+        assertThat(inPreview(Vec3.ZERO).getX()).isGreaterThan(before + 40);
+    }
+
+    @Test
+    void viewButtons_lookAlongTheirAxis() {
+        click("view-x");
+        assertThat(model().previewCameraProperty().get().forward().x()).isGreaterThan(0.99);
+        click("view-y");
+        assertThat(model().previewCameraProperty().get().forward().y()).isLessThan(-0.99);
+    }
+
+    @Test
+    void cameraOfThePreview_neverTouchesThePicture() {
+        click("view-x");
+        assertThat(isEnabled(Command.GO)).isFalse();
+        assertThat(model().document().isDirty()).isFalse();
+    }
+
+    @Test
+    void heldArrowKey_turnsTheLightInOneStep() {
+        robot.clickOn(inPreview(light("stage").position()));
+        Light before = light("stage");
+        robot.press(KeyCode.RIGHT);
+        robot.press(KeyCode.RIGHT);
+        robot.release(KeyCode.RIGHT);
+        assertThat(light("stage").direction()).isNotEqualTo(before.direction());
+        click("undo");
+        assertThat(light("stage")).isEqualTo(before);
+    }
+
+    @Test
+    void pageUp_movesTheLightAway() {
+        robot.clickOn(inPreview(light("lamp").position()));
+        Light before = light("lamp");
+        robot.type(KeyCode.PAGE_UP);
+        assertThat(light("lamp").position().z()).isLessThan(before.position().z());
+    }
+
+    @Test
+    void bracketKeys_selectTheNextLight() {
+        robot.clickOn(inPreview(light("lamp").position()));
+        robot.type(KeyCode.CLOSE_BRACKET);
+        assertThat(model().selectedLight().name()).isEqualTo("sun");
+        robot.type(KeyCode.OPEN_BRACKET);
+        assertThat(model().selectedLight().name()).isEqualTo("lamp");
+    }
+
+    @Test
+    void lightOutOfView_isTakenAtItsMarker() {
+        robot.interact(() -> model().previewCameraProperty().set(
+                model().previewCameraProperty().get().panned(-400, 0, preview().viewport())));
+        assertThat(LightMarker.of(model().lights(), model().previewCameraProperty().get(), preview().viewport()))
+                .hasSize(3);
+        var marker = LightMarker.of(model().lights(), model().previewCameraProperty().get(), preview().viewport()).getLast();
+        robot.clickOn(preview().onScreen(marker.at()));
+        assertThat(model().selectedLight()).isIn(model().lights());
+        click("view-all");
+        assertThat(LightMarker.of(model().lights(), model().previewCameraProperty().get(), preview().viewport())).isEmpty();
+    }
+}

@@ -1,0 +1,144 @@
+package lightning.sample;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.scene.Attenuation;
+import lightning.scene.Camera;
+import lightning.scene.Group;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Limits;
+import lightning.scene.Material;
+import lightning.scene.Node;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.World;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+
+/**
+ * Scenes at the corners of what a file may hold: every number is mostly one of the least, the greatest and
+ * the plainest that {@link Limits} allows. The camera looks at the first shape, from as near or as far as may be.
+ */
+public final class CornerScenes {
+    private CornerScenes() {}
+
+    /** Any of them that {@link Scene} accepts. */
+    public static Arbitrary<Scene> scenes() {
+        Arbitrary<List<Node>> nodes = nodes().list().ofMinSize(1).ofMaxSize(4);
+        Arbitrary<List<Light>> lights = lights().list().ofMaxSize(4);
+        return Combinators.combine(lights, nodes, materials(), Arbitraries.of(new World(0, Rgb.BLACK),
+                new World(Limits.MAX_AMBIENCE, Rgb.grey(Limits.MAX_EMISSION))), views(), Arbitraries.of(0, 1, Limits.MAX_DEPTH))
+                .as(CornerScenes::assemble);
+    }
+
+    /** How the camera stands to the first shape's place: from where, in which units. */
+    private record View(Vec3 direction, double distance, double fov) {}
+
+    private static Scene assemble(List<Light> lights, List<Node> nodes, Material material, World world, View view, int depth) {
+        List<Node> named = new ArrayList<>();
+        for (Node node : nodes) {
+            named.add(named(node, "n" + named.size()));
+        }
+        List<Light> lit = new ArrayList<>();
+        for (Light light : lights) {
+            lit.add(light.withName("l" + lit.size()));
+        }
+        Picture picture = new Picture(9, 7, depth);
+        Scene scene = new Scene(picture, Camera.DEFAULT, world, List.of(material), named, lit);
+        Vec3 at = scene.placedShapes().getFirst().toWorld().point(Vec3.ZERO);
+        Vec3 to = clamped(at);
+        Vec3 from = clamped(to.plus(view.direction.times(view.distance)));
+        try {
+            return scene.withCamera(new Camera(from, to, new Vec3(0.1, 1, 0.2), view.fov));
+        } catch (IllegalArgumentException tooNear) {
+            return scene.withCamera(new Camera(new Vec3(0, 0, Limits.MAX_COORDINATE), Vec3.ZERO, Vec3.Y, view.fov));
+        }
+    }
+
+    private static Vec3 clamped(Vec3 p) {
+        double most = Limits.MAX_COORDINATE;
+        return new Vec3(Math.clamp(p.x(), -most, most), Math.clamp(p.y(), -most, most), Math.clamp(p.z(), -most, most));
+    }
+
+    private static Arbitrary<View> views() {
+        Arbitrary<Vec3> directions = Arbitraries.of(new Vec3(0, 0, 1), Vec3.Y, new Vec3(0, 0.5, 1), new Vec3(1, 1e-9, 0), new Vec3(1, 1, 1));
+        return Combinators.combine(directions, Arbitraries.of(3.0, 0.3, 1e-9, 1e-3, 1e3, 1e6, 1e9, 1e12),
+                Arbitraries.of(40.0, Limits.MIN_FOV, Limits.MAX_FOV)).as(View::new);
+    }
+
+    private static Arbitrary<Vec3> vectors(Double... values) {
+        Arbitrary<Double> one = Arbitraries.of(values);
+        return Combinators.combine(one, one, one).as(Vec3::new);
+    }
+
+    private static Arbitrary<Vec3> rotations() {
+        return Arbitraries.oneOf(Arbitraries.just(Vec3.ZERO), Numbers.vectors(-180, 180), vectors(0.0, 45.0, 90.0, 1e-9, Limits.MAX_ROTATION));
+    }
+
+    private static Arbitrary<Vec3> places() {
+        return Arbitraries.oneOf(Arbitraries.just(Vec3.ZERO), vectors(0.0, 1.0, -1e3, 1e8, Limits.MAX_COORDINATE, -Limits.MAX_COORDINATE));
+    }
+
+    private static Arbitrary<Node> nodes() {
+        Arbitrary<Vec3> scales = Arbitraries.oneOf(Arbitraries.just(Vec3.ONE), vectors(1.0, -1.0, 1e-3, 1e6, 1e-6, Limits.MIN_SCALE, Limits.MAX_SCALE));
+        Arbitrary<Node> shapes = Combinators.combine(Arbitraries.integers().between(0, 3), places(), rotations(), scales)
+                .as((kind, at, turn, scale) -> shape(kind, new Placement(at, turn, scale)));
+        return Arbitraries.oneOf(shapes, skewed());
+    }
+
+    /** A shape in groups that stretch it along axes turned against each other, as far as nesting may. */
+    private static Arbitrary<Node> skewed() {
+        Arbitrary<Vec3> half = vectors(1.0, 3e4, 1 / 3e4, 1e3, 1e-3);
+        Arbitrary<Vec3> whole = vectors(1.0, Limits.MIN_SCALE, Limits.MAX_SCALE);
+        return Combinators.combine(Arbitraries.integers().between(0, 3), places(), rotations(), Arbitraries.oneOf(
+                Combinators.combine(half, half).as(List::of), whole.map(w -> List.of(w, Vec3.ONE))), rotations())
+                .as((kind, at, turn, scales, outerTurn) -> new Group("outer", new Placement(at, outerTurn, scales.getFirst()),
+                        List.of(shape(kind, new Placement(Vec3.ZERO, turn, scales.getLast())))));
+    }
+
+    private static Node shape(int kind, Placement placement) {
+        return switch (kind) {
+            case 0 -> new Shape.Sphere("s", "m", placement);
+            case 1 -> new Shape.Cone("s", "m", placement);
+            case 2 -> new Shape.Cylinder("s", "m", placement);
+            default -> new Shape.Plane("s", "m", placement);
+        };
+    }
+
+    private static Node named(Node node, String name) {
+        return switch (node) {
+            case Group g -> new Group(name, g.placement(), List.of(named(g.children().getFirst(), name + "_0")));
+            case Shape.Sphere s -> new Shape.Sphere(name, "m", s.placement());
+            case Shape.Cone s -> new Shape.Cone(name, "m", s.placement());
+            case Shape.Cylinder s -> new Shape.Cylinder(name, "m", s.placement());
+            case Shape.Plane s -> new Shape.Plane(name, "m", s.placement());
+        };
+    }
+
+    private static Arbitrary<Material> materials() {
+        Arbitrary<Rgb> factors = Arbitraries.of(Rgb.BLACK, Rgb.WHITE, new Rgb(0, 1, 0.5));
+        return Combinators.combine(Arbitraries.of(0.0, Limits.MAX_EMISSION), factors, factors,
+                Arbitraries.of(0.0, 1e-300, 0.5, 16.0, Limits.MAX_SHININESS), factors)
+                .as((ambient, diffuse, specular, shininess, reflective) ->
+                        new Material("m", Rgb.grey(ambient), diffuse, specular, shininess, reflective, Optional.empty()));
+    }
+
+    private static Arbitrary<Light> lights() {
+        Arbitrary<Double> factors = Arbitraries.of(0.0, 1e-300, 1e-30, 1.0, Limits.MAX_ATTENUATION);
+        Arbitrary<Light> plain = Combinators.combine(Arbitraries.of(LightType.class),
+                Arbitraries.of(0.0, 1e-300, 1e-38, 1.0, Limits.MAX_INTENSITY),
+                Arbitraries.of(0.0, 1e-7, 90.0, Limits.MAX_ANGLE), Arbitraries.of(0.0, 0.1, 128.0, Limits.MAX_DROPOFF))
+                .as((type, intensity, angle, dropoff) -> Light.of("l", type).withIntensity(intensity).withAngle(angle).withDropoff(dropoff));
+        return Combinators.combine(plain, Arbitraries.of(Rgb.WHITE, Rgb.grey(Limits.MAX_LIGHT_COLOR), new Rgb(0, 1e-300, 1000)), places(),
+                vectors(1.0, -1.0, 1e-9, Limits.MAX_COORDINATE), Combinators.combine(factors, factors, factors).as(Attenuation::new))
+                .as((light, color, at, direction, attenuation) -> light.withColor(color).withPosition(at)
+                        .withDirection(direction).withAttenuation(attenuation));
+    }
+}
