@@ -78,10 +78,10 @@ class LightningTest {
     }
 
     @Test
-    void sceneWithoutACommand_isToldThatThereIsNoEditor() throws Exception {
+    void sceneWithoutACommand_takesTheTourAndSaysWhy() throws Exception {
         Cli tour = Cli.run(Files.writeString(folder.resolve("bad.jen"), "jen 2"));
         assertThat(tour.exit()).isEqualTo(2);
-        assertThat(tour.err()).startsWith("There is no editor yet").contains("bad.jen:1:5");
+        assertThat(tour.err()).startsWith("The editor was not asked for a window").contains("bad.jen:1:5");
     }
 
     @Test
