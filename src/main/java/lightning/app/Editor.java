@@ -89,9 +89,9 @@ final class Editor implements AutoCloseable {
         }
     }
 
-    /** Says that a scene could not be opened. */
+    /** Says that a scene could not be opened, and goes on when it was read. */
     void failed(Path file, Exception why) {
-        notices.failed(file + " could not be opened", why);
+        notices.failedAndRead(file + " could not be opened", why);
     }
 
     private Precision precision() {

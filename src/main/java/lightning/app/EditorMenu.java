@@ -1,6 +1,7 @@
 package lightning.app;
 
 import java.util.List;
+import java.util.Optional;
 import javafx.scene.control.CheckMenuItem;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuBar;
@@ -10,13 +11,16 @@ import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.control.ToggleGroup;
 import javafx.scene.input.KeyCombination;
 import lightning.edit.Command;
+import lightning.edit.PreviewCamera;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /** Every command in a menu, with its shortcut. */
 final class EditorMenu extends MenuBar {
+    private static final double ZOOM = 1.5;
+
     private final EditorModel model;
 
-    EditorMenu(EditorModel model, FileActions files, Runnable about, Runnable keys) {
+    EditorMenu(EditorModel model, FileActions files, TracedPane traced, PreviewPane preview, Notices notices) {
         this.model = model;
         var recent = new Menu("Load Recent");
         recent.setId("recent");
@@ -35,8 +39,25 @@ final class EditorMenu extends MenuBar {
         live.selectedProperty().bindBidirectional(model.liveProperty());
         var render = menu("Render", item(Command.GO), live, item(Command.UPDATE_REFLECTIONS), item(Command.VERIFY),
                 item(Command.CANCEL), new SeparatorMenuItem(), precision(), sizes());
-        var help = menu("Help", item("Mouse and Keyboard", "F1", keys), item("About Lightning", "", about));
-        getMenus().setAll(file, edit, light, render, help);
+        var help = menu("Help", item("Mouse and Keyboard", "F1", () -> About.showKeys(notices)),
+                item("About Lightning", "", () -> About.show(notices)));
+        getMenus().setAll(file, edit, light, render, view(traced, preview), help);
+    }
+
+    private Menu view(TracedPane traced, PreviewPane preview) {
+        PictureView picture = traced.picture();
+        return menu("View", item("Fit Picture", "Shortcut+0", picture::fit), item("Actual Pixels", "Shortcut+1", picture::oneToOne),
+                item("Zoom In", "Shortcut+EQUALS", () -> picture.zoomBy(ZOOM)),
+                item("Zoom Out", "Shortcut+MINUS", () -> picture.zoomBy(1 / ZOOM)),
+                item("Trace a Region", "Shortcut+B", traced::frameRegion), new SeparatorMenuItem(),
+                item("Preview Along X", "Shortcut+F2", () -> look(PreviewCamera.alongX(model.scene()))),
+                item("Preview from Above", "Shortcut+F3", () -> look(PreviewCamera.alongMinusY(model.scene()))),
+                item("Reset the Preview", "Shortcut+F4", () -> look(PreviewCamera.of(model.scene()))),
+                item("Show All Lights", "Shortcut+F5", preview.canvas()::frameLights));
+    }
+
+    private void look(PreviewCamera camera) {
+        model.previewCameraProperty().set(camera);
     }
 
     private static Menu menu(String title, MenuItem... items) {
@@ -73,7 +94,7 @@ final class EditorMenu extends MenuBar {
             case REDO -> now.redo();
             case UNDO_LIGHT -> now.undoLight();
             case REDO_LIGHT -> now.redoLight();
-            default -> java.util.Optional.<String>empty();
+            default -> Optional.<String>empty();
         };
         return face.title() + label.map(l -> " (" + l + ")").orElse("");
     }

@@ -18,7 +18,7 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
 
 /** The buttons of the canvas window (paper §3.3 to §3.7), grouped by what they are for. */
 final class EditorToolBar extends ToolBar {
-    private static final double PRECISION_WIDTH = 190;
+    private static final double PRECISION_WIDTH = 150;
 
     private final EditorModel model;
 

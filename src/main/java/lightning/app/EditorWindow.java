@@ -32,8 +32,7 @@ public final class EditorWindow extends BorderPane implements AutoCloseable {
         var all = new SplitPane(canvases, side);
         all.setDividerPositions(CANVASES);
         SplitPane.setResizableWithParent(side, false);
-        setTop(new VBox(new EditorMenu(model, files, () -> About.show(notices), () -> About.showKeys(notices)),
-                new EditorToolBar(model)));
+        setTop(new VBox(new EditorMenu(model, files, traced, preview, notices), new EditorToolBar(model)));
         setCenter(all);
         setBottom(new StatusLine(model));
         model.setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, window()).show());

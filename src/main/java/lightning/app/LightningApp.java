@@ -34,6 +34,7 @@ public final class LightningApp extends Application {
         Path file = arguments.isEmpty() ? first : Path.of(arguments.getFirst());
         try {
             show(stage, OpenDocument.open(file));
+            Platform.runLater(editor::offerRecovery);
         } catch (IOException | JenException e) {
             instead(stage, file, first, e);
         }
@@ -43,7 +44,10 @@ public final class LightningApp extends Application {
     private void instead(Stage stage, Path file, Path first, Exception why) {
         try {
             show(stage, OpenDocument.open(first));
-            editor.failed(file, why);
+            Platform.runLater(() -> {
+                editor.failed(file, why);
+                editor.offerRecovery();
+            });
         } catch (IOException | JenException e) {
             new Alert(Alert.AlertType.ERROR, Sentence.of(why), ButtonType.CLOSE).showAndWait();
             Platform.exit();
@@ -53,7 +57,6 @@ public final class LightningApp extends Application {
     private void show(Stage stage, OpenDocument document) {
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
         editor = new Editor(stage, document, Platform::runLater, FilePrompt.of(stage), screen.getWidth(), screen.getHeight());
-        Platform.runLater(editor::offerRecovery);
     }
 
     @Override

@@ -6,11 +6,18 @@ import javafx.scene.control.Alert;
 import javafx.scene.control.ButtonBar.ButtonData;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.Label;
+import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
+import javafx.scene.layout.Region;
 import javafx.stage.Window;
 import lightning.edit.Recovery;
 import lightning.jen.JenException;
 import lightning.jen.Problem;
+import org.kordamp.ikonli.Ikon;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignH;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
 
 /** What the editor tells and asks in windows of their own. */
 final class Notices {
@@ -20,7 +27,12 @@ final class Notices {
     static final ButtonType SAVE_AS_IT_IS = new ButtonType("Save As It Is", ButtonData.YES);
     static final ButtonType RECOVER = new ButtonType("Recover", ButtonData.YES);
     static final ButtonType FORGET = new ButtonType("Discard", ButtonData.NO);
+    private static final ButtonType LATER = new ButtonType("Ask Later", ButtonData.CANCEL_CLOSE);
     private static final double WIDTH = 560;
+    private static final double LIST_HEIGHT = 320;
+    private static final double ROW_HEIGHT = 36;
+
+    private static final int ICON = 28;
 
     private final Window owner;
 
@@ -30,22 +42,29 @@ final class Notices {
 
     /** Says that something failed; the window beside lives on. */
     void failed(String what, Throwable why) {
-        if (why instanceof JenException wrong) {
-            problems(what, wrong.problems());
-        } else {
-            alert(Alert.AlertType.ERROR, what, Sentence.of(why), ButtonType.CLOSE).show();
-        }
+        failure(what, why).show();
     }
 
-    private void problems(String what, List<Problem> problems) {
+    /** The same, and goes on when it was read. */
+    void failedAndRead(String what, Throwable why) {
+        failure(what, why).showAndWait();
+    }
+
+    private Alert failure(String what, Throwable why) {
+        return why instanceof JenException wrong ? problems(what, wrong.problems())
+                : alert(Alert.AlertType.ERROR, what, Sentence.of(why), ButtonType.CLOSE);
+    }
+
+    private Alert problems(String what, List<Problem> problems) {
         Alert alert = alert(Alert.AlertType.ERROR, what, "", ButtonType.CLOSE);
         var list = new ListView<Problem>();
         list.setId("problems");
+        list.setAccessibleText("What is wrong with the file");
         list.getItems().setAll(problems);
         list.setCellFactory(_ -> new ProblemCell());
-        list.setPrefSize(WIDTH, Math.min(320, 40 + 34 * problems.size()));
+        list.setPrefSize(WIDTH, Math.min(LIST_HEIGHT, ROW_HEIGHT * (problems.size() + 1)));
         alert.getDialogPane().setContent(list);
-        alert.show();
+        return alert;
     }
 
     Optional<ButtonType> unsaved(String name) {
@@ -62,7 +81,8 @@ final class Notices {
 
     Optional<ButtonType> recover(Recovery.Found found) {
         return alert(Alert.AlertType.CONFIRMATION, "Recover unsaved edits of " + found.file().getFileName() + "?",
-                "Lightning ended before they were saved to " + found.file() + ".", RECOVER, FORGET).showAndWait();
+                "Lightning ended before they were saved to " + found.file() + ".", RECOVER, FORGET, LATER)
+                .showAndWait();
     }
 
     void text(String title, String text) {
@@ -74,16 +94,22 @@ final class Notices {
         alert.initOwner(owner);
         alert.setTitle("Lightning");
         alert.setHeaderText(header);
+        Ikon icon = switch (type) {
+            case ERROR -> MaterialDesignA.ALERT_CIRCLE_OUTLINE;
+            case CONFIRMATION -> MaterialDesignH.HELP_CIRCLE_OUTLINE;
+            case INFORMATION, WARNING, NONE -> MaterialDesignI.INFORMATION_OUTLINE;
+        };
+        alert.setGraphic(FontIcon.of(icon, ICON));
         var content = new Label(text);
         content.setWrapText(true);
         content.setMaxWidth(WIDTH);
         alert.getDialogPane().setContent(content);
-        alert.getDialogPane().setMinHeight(javafx.scene.layout.Region.USE_PREF_SIZE);
+        alert.getDialogPane().setMinHeight(Region.USE_PREF_SIZE);
         return alert;
     }
 
     /** Line and column, then what is wrong. */
-    private static final class ProblemCell extends javafx.scene.control.ListCell<Problem> {
+    private static final class ProblemCell extends ListCell<Problem> {
         @Override
         protected void updateItem(Problem problem, boolean empty) {
             super.updateItem(problem, empty);

@@ -86,6 +86,11 @@ final class PictureView extends Region {
         requestLayout();
     }
 
+    /** Magnifies about the middle. */
+    void zoomBy(double factor) {
+        zoomBy(factor, getWidth() / 2, getHeight() / 2);
+    }
+
     /** Moves the picture, pixels of the window. */
     void pan(double x, double y) {
         shiftX += x;

@@ -1,10 +1,10 @@
 package lightning.app;
 
+import java.util.function.Consumer;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.scene.Cursor;
 import javafx.scene.Node;
-import javafx.scene.control.Label;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Pane;
@@ -21,7 +21,7 @@ import lightning.scene.Scene;
 final class TracedMouse implements AutoCloseable {
     private final EditorModel model;
     private final PictureView picture;
-    private final Label line;
+    private final Consumer<PixelReport> hovered;
     private final PixelInspector inspector;
     private final RegionTracer regions = new RegionTracer();
     private final BooleanProperty region = new SimpleBooleanProperty();
@@ -33,17 +33,18 @@ final class TracedMouse implements AutoCloseable {
     private double lastX;
     private double lastY;
 
-    TracedMouse(EditorModel model, PictureView picture, Label line) {
+    /** @param hovered hears what the pixel under the mouse shows; null where there is none */
+    TracedMouse(EditorModel model, PictureView picture, Consumer<PixelReport> hovered) {
         this.model = model;
         this.picture = picture;
-        this.line = line;
+        this.hovered = hovered;
         inspector = new PixelInspector(model.window());
         overlay.setMouseTransparent(true);
         frame.getStyleClass().add("region-frame");
         frame.setVisible(false);
         frame.setManaged(false);
         picture.setOnMouseMoved(this::hover);
-        picture.setOnMouseExited(_ -> line.setText(""));
+        picture.setOnMouseExited(_ -> leave());
         picture.setOnMousePressed(this::pressed);
         picture.setOnMouseDragged(this::dragged);
         picture.setOnMouseReleased(this::released);
@@ -75,9 +76,15 @@ final class TracedMouse implements AutoCloseable {
         }
         Scene scene = model.frame().scene();
         picture.pixel(e.getX(), e.getY()).filter(p -> p.x() < scene.picture().width() && p.y() < scene.picture().height())
-                .ifPresentOrElse(p -> inspector.ask(scene, p.x(), p.y(), report ->
-                        line.setText(report.headline() + (report.lights().isEmpty() ? "" : "   ·   "
-                                + String.join("   ", report.lightLines())))), () -> line.setText(""));
+                .ifPresentOrElse(p -> inspector.ask(scene, p.x(), p.y(), report -> {
+                    if (picture.isHover()) {
+                        hovered.accept(report);
+                    }
+                }), this::leave);
+    }
+
+    private void leave() {
+        hovered.accept(null);
     }
 
     private void pressed(MouseEvent e) {

@@ -26,6 +26,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private final PictureView picture = new PictureView();
     private final Label badge = new Label();
     private final Label pixelLine = new Label();
+    private final Label card = new Label();
     private final Label size = new Label();
     private final ToggleButton difference = new ToggleButton("Difference");
     private final TracedMouse mouse;
@@ -36,13 +37,21 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         setId("traced");
         getStyleClass().add("canvas-pane");
         picture.setId("traced-picture");
-        mouse = new TracedMouse(model, picture, pixelLine);
+        mouse = new TracedMouse(model, picture, report -> {
+            pixelLine.setText(report == null ? "" : report.headline());
+            card.setText(report == null ? "" : String.join("\n", report.lightLines()));
+        });
         badge.setId("pending");
         badge.getStyleClass().add("badge");
         StackPane.setAlignment(badge, Pos.TOP_LEFT);
         Node progress = new ProgressOverlay(model);
         StackPane.setAlignment(progress, Pos.BOTTOM_CENTER);
-        var stage = new StackPane(picture, mouse.overlay(), badge, progress);
+        card.setId("pixel-lights");
+        card.getStyleClass().add("pixel-card");
+        card.setMouseTransparent(true);
+        card.visibleProperty().bind(card.textProperty().isNotEmpty());
+        StackPane.setAlignment(card, Pos.BOTTOM_LEFT);
+        var stage = new StackPane(picture, mouse.overlay(), badge, card, progress);
         stage.getStyleClass().add("canvas");
         setTop(header());
         setCenter(stage);
@@ -55,6 +64,16 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         model.repaintsProperty().subscribe(_ -> repaint());
         model.situationProperty().subscribe(_ -> mark());
         model.renderingProperty().subscribe(_ -> mark());
+    }
+
+    /** Where the picture is magnified and moved. */
+    PictureView picture() {
+        return picture;
+    }
+
+    /** The next drag frames a region that is traced alone. */
+    void frameRegion() {
+        mouse.regionProperty().set(true);
     }
 
     private Node header() {

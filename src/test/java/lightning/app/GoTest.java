@@ -3,11 +3,13 @@ package lightning.app;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.concurrent.TimeUnit;
+import javafx.scene.control.Button;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.input.KeyCode;
 import lightning.edit.Command;
 import lightning.edit.Dial;
+import lightning.edit.LightEdits;
 import lightning.scene.Scene;
 import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.Test;
@@ -17,6 +19,15 @@ class GoTest extends EditorDesk {
 
     private void dim() {
         robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
+    }
+
+    /** So many that a large picture takes its time. */
+    private void manyLights() {
+        robot.interact(() -> {
+            for (int i = 0; i < 40; i++) {
+                model().edit(scene -> LightEdits.duplicate(scene, "lamp"));
+            }
+        });
     }
 
     private void size(int width, int height) {
@@ -110,12 +121,13 @@ class GoTest extends EditorDesk {
     }
 
     @Test
-    void largeSize_showsProgressThatCanBeCancelledWhileTheWindowAnswers() throws Exception {
+    void longTrace_showsProgressThatCanBeCancelledWhileTheWindowAnswers() throws Exception {
         Scene before = model().frame().scene();
-        size(3840, 2160);
+        manyLights();
+        size(1920, 1080);
         waitFor("progress is shown", () -> isShown("progress"));
         assertThat(WaitForAsyncUtils.asyncFx(() -> true).get(5, TimeUnit.SECONDS)).isTrue();
-        click("cancel-progress");
+        robot.interact(robot.lookup("#cancel-progress").<Button>query()::fire);
         waitFor("it is over", () -> !isShown("progress"));
         assertThat(model().frame().scene()).isEqualTo(before);
         assertThat(isEnabled(Command.GO)).isTrue();

@@ -2,9 +2,12 @@ package lightning.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import javafx.event.Event;
+import javafx.event.EventType;
 import javafx.geometry.Point2D;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
 import lightning.edit.Command;
 import lightning.edit.LightManipulation;
 import lightning.edit.PreviewCamera;
@@ -14,19 +17,30 @@ import org.junit.jupiter.api.Test;
 
 class PreviewTest extends EditorDesk {
 
-    private void drag(Light light, MouseButton button, double right, double down, KeyCode... held) {
+    private void drag(Light light, MouseButton button, double right, double down) {
         Point2D from = inPreview(light.position());
-        drag(from, button, right, down, held);
-    }
-
-    private void drag(Point2D from, MouseButton button, double right, double down, KeyCode... held) {
-        robot.press(held);
         robot.moveTo(from);
         robot.press(button);
         robot.moveTo(from.add(right / 2, down / 2));
         robot.moveTo(from.add(right, down));
         robot.release(button);
-        robot.release(held);
+    }
+
+    /** Holds a key. The platform without windows does not tell mouse events of keys, so these are told by hand. */
+    private void dragHolding(KeyCode held, Point2D from, double right, double down) {
+        tell(MouseEvent.MOUSE_PRESSED, held, from);
+        tell(MouseEvent.MOUSE_DRAGGED, held, from.add(right / 2, down / 2));
+        tell(MouseEvent.MOUSE_DRAGGED, held, from.add(right, down));
+        tell(MouseEvent.MOUSE_RELEASED, held, from.add(right, down));
+    }
+
+    private void tell(EventType<MouseEvent> type, KeyCode held, Point2D screen) {
+        robot.interact(() -> {
+            Point2D at = preview().localToScene(preview().screenToLocal(screen));
+            Event.fireEvent(preview(), new MouseEvent(type, at.getX(), at.getY(), screen.getX(), screen.getY(),
+                    MouseButton.PRIMARY, 1, held == KeyCode.SHIFT, false, held == KeyCode.ALT, false, true, false, false, true,
+                    false, false, null));
+        });
     }
 
     @Test
@@ -74,7 +88,7 @@ class PreviewTest extends EditorDesk {
     @Test
     void altAndLeftDrag_isAMiddleDrag() {
         Light before = light("stage");
-        drag(before, MouseButton.PRIMARY, 0, -40, KeyCode.ALT);
+        dragHolding(KeyCode.ALT, inPreview(before.position()), 0, -40);
         Light expected = LightManipulation.dolly(before, model().previewCameraProperty().get(), preview().viewport(), 40);
         assertThat(light("stage")).isEqualTo(expected).isNotEqualTo(before);
     }
@@ -91,7 +105,7 @@ class PreviewTest extends EditorDesk {
     @Test
     void shiftDragUp_zoomsAndResetRestores() {
         PreviewCamera before = model().previewCameraProperty().get();
-        drag(inPreview(Vec3.ZERO), MouseButton.PRIMARY, 3, -60, KeyCode.SHIFT);
+        dragHolding(KeyCode.SHIFT, inPreview(Vec3.ZERO), 3, -60);
         assertThat(model().previewCameraProperty().get().distance()).isLessThan(before.distance());
         click("view-z");
         assertThat(model().previewCameraProperty().get()).isEqualTo(before);
@@ -100,7 +114,7 @@ class PreviewTest extends EditorDesk {
     @Test
     void shiftDragRight_pansTheScene() {
         double before = inPreview(Vec3.ZERO).getX();
-        drag(inPreview(Vec3.ZERO), MouseButton.PRIMARY, 50, 2, KeyCode.SHIFT);
+        dragHolding(KeyCode.SHIFT, inPreview(Vec3.ZERO), 50, 2);
         assertThat(inPreview(Vec3.ZERO).getX()).isGreaterThan(before + 40);
     }
 

@@ -1,0 +1,141 @@
+package lightning.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import javafx.application.Platform;
+import javafx.scene.control.ListView;
+import javafx.stage.WindowEvent;
+import lightning.edit.Command;
+import lightning.edit.Dial;
+import lightning.image.PictureFile;
+import lightning.jen.JenException;
+import lightning.jen.JenReader;
+import lightning.jen.Problem;
+import org.junit.jupiter.api.Test;
+
+class FilesTest extends EditorDesk {
+
+    private void dim() {
+        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
+    }
+
+    /** Does not wait for the command, which may wait for an answer. */
+    private void begin(Command command) {
+        Platform.runLater(() -> model().run(command));
+    }
+
+    private boolean says(String text) {
+        return robot.lookup(text).tryQuery().isPresent();
+    }
+
+    @Test
+    void saveScene_writesTheFileAndIsDoneThen() throws IOException, JenException {
+        dim();
+        assertThat(stage.getTitle()).startsWith("•");
+        click("save-scene");
+        assertThat(isEnabled(Command.SAVE_SCENE)).isFalse();
+        assertThat(stage.getTitle()).startsWith("desk.jen");
+        assertThat(JenReader.read(folder.resolve("desk.jen")).scene()).isEqualTo(model().scene());
+    }
+
+    @Test
+    void saveSceneAs_isTheDocumentsFileFromThenOn() {
+        answer = folder.resolve("other");
+        begin(Command.SAVE_SCENE_AS);
+        waitFor("it is saved", () -> Files.exists(folder.resolve("other.jen")) && model().document().name().equals("other.jen"));
+    }
+
+    @Test
+    void saveImage_writesWhatTheCanvasShows() throws IOException {
+        answer = folder.resolve("picture.pfm");
+        click("save-image");
+        waitFor("it is written", () -> text("message").equals("Saved picture.pfm"));
+        assertThat(PictureFile.read(answer).sameBits(model().frame().film())).isTrue();
+    }
+
+    @Test
+    void saveImageWithPendingEdits_mentionsThem() {
+        dim();
+        answer = folder.resolve("picture.png");
+        begin(Command.SAVE_IMAGE);
+        waitFor("it asks", () -> says("The picture does not show the edits since the last Go."));
+        robot.clickOn("Save As It Is");
+        waitFor("it is written", () -> Files.exists(answer));
+        assertThat(isEnabled(Command.GO)).isTrue();
+    }
+
+    @Test
+    void goFirst_rendersInsteadOfSaving() {
+        dim();
+        answer = folder.resolve("picture.png");
+        begin(Command.SAVE_IMAGE);
+        waitFor("it asks", () -> says("Go First"));
+        robot.clickOn("Go First");
+        waitForPicture();
+        assertThat(answer).doesNotExist();
+    }
+
+    @Test
+    void brokenFile_showsItsProblemsAndTheOpenSceneStays() throws IOException {
+        answer = Files.writeString(folder.resolve("broken.jen"), "jen 1\nlight key spot { intensity -3 }\nsphere { }\n");
+        begin(Command.LOAD_FILE);
+        waitFor("it tells", () -> robot.lookup("#problems").tryQuery().isPresent());
+        List<Problem> problems = robot.lookup("#problems").<ListView<Problem>>query().getItems();
+        assertThat(problems).extracting(Problem::line).contains(2, 3);
+        assertThat(model().document().name()).isEqualTo("desk.jen");
+        robot.clickOn("Close");
+    }
+
+    @Test
+    void missingFile_isToldInASentence() {
+        answer = folder.resolve("nowhere.jen");
+        begin(Command.LOAD_FILE);
+        waitFor("it tells", () -> says(answer + ": there is no such file"));
+        robot.clickOn("Close");
+    }
+
+    @Test
+    void loadedFile_isTracedInPlaceOfTheOldOne() throws IOException {
+        String text = Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 40 30");
+        answer = Files.writeString(folder.resolve("small.jen"), text);
+        begin(Command.LOAD_FILE);
+        waitFor("it is open", () -> model().document().name().equals("small.jen"));
+        waitForPicture();
+        assertThat(model().raster().pixels().width()).isEqualTo(40);
+        assertThat(text("traced-size")).isEqualTo("40 × 30");
+    }
+
+    @Test
+    void reload_startsOverAndCanBeUndone() {
+        dim();
+        click("reload");
+        assertThat(light("lamp").intensity()).isEqualTo(1);
+        click("undo");
+        assertThat(light("lamp").intensity()).isEqualTo(0.25);
+    }
+
+    @Test
+    void closingWithUnsavedEdits_asksAndCancelStays() {
+        dim();
+        Platform.runLater(() -> stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
+        waitFor("it asks", () -> says("Save the changes of desk.jen?"));
+        robot.clickOn("Cancel");
+        assertThat(stage.isShowing()).isTrue();
+        assertThat(model().document().isDirty()).isTrue();
+    }
+
+    @Test
+    void saveOnClosing_writesTheScene() throws IOException, JenException {
+        dim();
+        Platform.runLater(() -> stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
+        waitFor("it asks", () -> says("Save the changes of desk.jen?"));
+        robot.clickOn("Save");
+        waitFor("it is saved", () -> !model().document().isDirty());
+        Path file = folder.resolve("desk.jen");
+        assertThat(JenReader.read(file).scene().light("lamp").orElseThrow().intensity()).isEqualTo(0.25);
+    }
+}

@@ -1,0 +1,95 @@
+package lightning.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import javafx.geometry.Bounds;
+import javafx.geometry.Point2D;
+import javafx.scene.control.Slider;
+import javafx.scene.input.MouseButton;
+import lightning.edit.Command;
+import lightning.edit.Dial;
+import lightning.math.Vec3;
+import org.junit.jupiter.api.Test;
+
+class TracedPaneTest extends EditorDesk {
+
+    /** Where a pixel of the traced picture is on the screen. */
+    private Point2D pixel(double x, double y) {
+        PictureView picture = robot.lookup("#traced-picture").query();
+        Bounds all = picture.getChildrenUnmodifiable().getFirst().localToScreen(
+                picture.getChildrenUnmodifiable().getFirst().getBoundsInLocal());
+        return new Point2D(all.getMinX() + (x + 0.5) * all.getWidth() / 64, all.getMinY() + (y + 0.5) * all.getHeight() / 48);
+    }
+
+    @Test
+    void hover_tellsTheShapeAndEachLightsShare() {
+        robot.moveTo(pixel(32, 24));
+        waitFor("it tells", () -> text("pixel").contains("ball"));
+        assertThat(text("pixel")).startsWith("32, 24").contains("normal");
+        assertThat(text("pixel-lights")).contains("lamp  ").contains("sun  ").contains("stage  ").contains(" %");
+    }
+
+    @Test
+    void hoverOverNothing_tellsThatItIsTheBackground() {
+        robot.moveTo(pixel(2, 1));
+        waitFor("it tells", () -> text("pixel").contains("background"));
+    }
+
+    @Test
+    void click_selectsTheLightThatMattersMostThere() {
+        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "stage", 50)));
+        click("go");
+        waitForPicture();
+        robot.interact(() -> model().selectLight("sun"));
+        robot.clickOn(pixel(36, 22));
+        waitFor("it is selected", () -> model().selectedLight().name().equals("stage"));
+    }
+
+    @Test
+    void aim_turnsTheSelectedLightToThePickedPoint() {
+        robot.interact(() -> {
+            model().selectLight("stage");
+            model().run(Command.AIM);
+        });
+        robot.clickOn(pixel(32, 24));
+        waitFor("it is aimed", () -> model().enabled(Command.UNDO));
+        Vec3 way = light("stage").direction().normalized();
+        Vec3 toBall = new Vec3(0, 1, 0).minus(light("stage").position()).normalized();
+        assertThat(way.dot(toBall)).isGreaterThan(0.85);
+    }
+
+    @Test
+    void exposure_changesThePixelsAndNotTheScene() {
+        int[] before = model().raster().pixels().pixels().clone();
+        robot.interact(() -> robot.lookup("#exposure").<Slider>query().setValue(1));
+        assertThat(model().raster().pixels().pixels()).isNotEqualTo(before)
+                .isEqualTo(new lightning.image.ViewTransform(1).toPixels(model().frame().film()));
+        assertThat(model().document().isDirty()).isFalse();
+    }
+
+    @Test
+    void framedRegion_showsTheEditsThereAlone() {
+        int[] before = model().raster().pixels().pixels().clone();
+        robot.interact(() -> model().edit(scene -> Dial.AMBIENCE.set(scene, "", 5)));
+        click("region");
+        robot.drag(pixel(28, 20), MouseButton.PRIMARY);
+        robot.dropTo(pixel(36, 28));
+        waitFor("it is traced", () -> model().raster().isPatched());
+        int[] after = model().raster().pixels().pixels();
+        assertThat(after[24 * 64 + 32]).isNotEqualTo(before[24 * 64 + 32]);
+        assertThat(after[40 * 64 + 10]).isEqualTo(before[40 * 64 + 10]);
+        assertThat(isEnabled(Command.GO)).isTrue();
+        click("go");
+        waitForPicture();
+        assertThat(model().raster().pixels().pixels()).isEqualTo(model().raster().view().toPixels(model().frame().film()));
+    }
+
+    @Test
+    void oneToOne_showsEachPixelOnce() {
+        click("traced-one-to-one");
+        PictureView picture = robot.lookup("#traced-picture").query();
+        assertThat(picture.magnification()).isEqualTo(1);
+        click("traced-fit");
+        assertThat(picture.magnification()).isGreaterThan(2);
+    }
+}
