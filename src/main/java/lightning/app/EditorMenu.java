@@ -33,7 +33,9 @@ final class EditorMenu extends MenuBar {
                 item(Command.REDO_LIGHT), new SeparatorMenuItem(), item(Command.COPY_SETTINGS), item(Command.PASTE_SETTINGS));
         var light = menu("Light", item(Command.ADD_LIGHT), item(Command.DUPLICATE_LIGHT), item(Command.DELETE_LIGHT),
                 new SeparatorMenuItem(), item(Command.RENAME_LIGHT), item(Command.SWITCH_ON), item(Command.SOLO),
-                item(Command.AIM), item(Command.LOOK_THROUGH_LIGHT), new SeparatorMenuItem(), item(Command.MAKE_ANIMATION));
+                item(Command.LOOK_THROUGH_LIGHT), new SeparatorMenuItem(), item(Command.AIM),
+                placing("Place Highlight…", "Shortcut+Shift+G", traced.placer(), traced.placer()::highlight),
+                placing("Place Shadow…", "Shortcut+Shift+D", traced.placer(), traced.placer()::shadow), new SeparatorMenuItem(), item(Command.MAKE_ANIMATION));
         var live = new CheckMenuItem("Live");
         live.setAccelerator(KeyCombination.valueOf("F8"));
         live.selectedProperty().bindBidirectional(model.liveProperty());
@@ -70,6 +72,12 @@ final class EditorMenu extends MenuBar {
             item.setAccelerator(KeyCombination.valueOf(keys));
         }
         item.setOnAction(_ -> action.run());
+        return item;
+    }
+
+    private MenuItem placing(String title, String keys, LightPlacer placer, Runnable action) {
+        MenuItem item = item(title, keys, action);
+        model.situationProperty().subscribe(_ -> item.setDisable(!placer.isEnabled()));
         return item;
     }
 

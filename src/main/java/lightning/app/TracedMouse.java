@@ -9,14 +9,11 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Pane;
 import javafx.scene.shape.Rectangle;
-import lightning.edit.Command;
-import lightning.edit.LightEdits;
-import lightning.scene.Light;
 import lightning.scene.Scene;
 
 /**
- * The mouse over the traced picture: says what a pixel is made of, selects the light that matters most there, aims the
- * selected light, frames a region, moves the picture.
+ * The mouse over the traced picture: says what a pixel is made of, selects the light that matters most there, picks
+ * places for a {@link LightPlacer}, frames a region, moves the picture.
  */
 final class TracedMouse implements AutoCloseable {
     private final EditorModel model;
@@ -27,7 +24,8 @@ final class TracedMouse implements AutoCloseable {
     private final BooleanProperty region = new SimpleBooleanProperty();
     private final Rectangle frame = new Rectangle();
     private final Pane overlay = new Pane(frame);
-    private boolean aiming;
+    /** Hears of the next click; null where a click selects. */
+    private Consumer<PixelReport> pick;
     private double pressX;
     private double pressY;
     private double lastX;
@@ -49,11 +47,13 @@ final class TracedMouse implements AutoCloseable {
         picture.setOnMouseDragged(this::dragged);
         picture.setOnMouseReleased(this::released);
         region.subscribe(_ -> cursor());
-        model.setAction(Command.AIM, () -> {
-            aiming = true;
-            model.say("Click where the light should shine to");
-            cursor();
-        });
+    }
+
+    /** The next click tells what is there instead of selecting a light; a right click ends it. */
+    void pickNext(String hint, Consumer<PixelReport> picked) {
+        pick = picked;
+        model.say(hint);
+        cursor();
     }
 
     /** Lies over the picture. */
@@ -67,7 +67,7 @@ final class TracedMouse implements AutoCloseable {
     }
 
     private void cursor() {
-        picture.setCursor(aiming || region.get() ? Cursor.CROSSHAIR : Cursor.DEFAULT);
+        picture.setCursor(pick != null || region.get() ? Cursor.CROSSHAIR : Cursor.DEFAULT);
     }
 
     private void hover(MouseEvent e) {
@@ -113,6 +113,8 @@ final class TracedMouse implements AutoCloseable {
             frame.setVisible(false);
             traceRegion(picture.nearest(pressX, pressY), picture.nearest(e.getX(), e.getY()));
             region.set(false);
+        } else if (e.getButton() == MouseButton.SECONDARY && pick != null) {
+            endPick();
         } else if (e.isStillSincePress() && e.getButton() == MouseButton.PRIMARY) {
             click(e);
         }
@@ -134,23 +136,22 @@ final class TracedMouse implements AutoCloseable {
             return;
         }
         picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.ask(model.frame().scene(), p.x(), p.y(), report -> {
-            if (aiming) {
-                aim(report);
-            } else {
+            if (pick == null) {
                 report.strongest().ifPresent(model::selectLight);
+            } else if (report.point() == null) {
+                model.say("There is nothing there; click a shape");
+            } else {
+                Consumer<PixelReport> picked = pick;
+                endPick();
+                picked.accept(report);
             }
         }));
     }
 
-    private void aim(PixelReport report) {
-        aiming = false;
+    private void endPick() {
+        pick = null;
+        model.say("");
         cursor();
-        Light light = model.selectedLight();
-        if (light == null || report.point() == null) {
-            model.say("There is nothing to aim at");
-            return;
-        }
-        model.edit(scene -> LightEdits.aim(scene, light.name(), report.point())).ifPresent(model::say);
     }
 
     @Override

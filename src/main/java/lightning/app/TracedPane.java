@@ -30,6 +30,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private final Label size = new Label();
     private final ToggleButton difference = new ToggleButton("Difference");
     private final TracedMouse mouse;
+    private final LightPlacer placer;
     private TracedRaster.Pixels shown;
 
     public TracedPane(EditorModel model) {
@@ -41,6 +42,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             pixelLine.setText(report == null ? "" : report.headline());
             card.setText(report == null ? "" : String.join("\n", report.lightLines()));
         });
+        placer = new LightPlacer(model, mouse::pickNext);
         badge.setId("pending");
         badge.getStyleClass().add("badge");
         StackPane.setAlignment(badge, Pos.TOP_LEFT);
@@ -69,6 +71,10 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     /** Where the picture is magnified and moved. */
     PictureView picture() {
         return picture;
+    }
+
+    LightPlacer placer() {
+        return placer;
     }
 
     /** The next drag frames a region that is traced alone. */

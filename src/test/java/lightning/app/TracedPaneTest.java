@@ -9,6 +9,8 @@ import javafx.scene.input.MouseButton;
 import lightning.edit.Command;
 import lightning.edit.Dial;
 import lightning.math.Vec3;
+import lightning.shading.LightReport;
+import lightning.shading.PixelExplainer;
 import org.junit.jupiter.api.Test;
 
 class TracedPaneTest extends EditorDesk {
@@ -56,6 +58,51 @@ class TracedPaneTest extends EditorDesk {
         Vec3 way = light("stage").direction().normalized();
         Vec3 toBall = new Vec3(0, 1, 0).minus(light("stage").position()).normalized();
         assertThat(way.dot(toBall)).isGreaterThan(0.85);
+    }
+
+    @Test
+    void placedHighlight_shinesThereMost() {
+        robot.interact(() -> {
+            model().selectLight("lamp");
+            traced().placer().highlight();
+        });
+        assertThat(text("message")).isEqualTo("Click where the highlight should be");
+        robot.clickOn(pixel(28, 22));
+        waitFor("it is placed", () -> model().enabled(Command.UNDO));
+        var placed = new PixelExplainer(model().scene()).pixel(28, 22).lights().getFirst();
+        assertThat(placed.light().name()).isEqualTo("lamp");
+        assertThat(placed.specular()).isGreaterThan(0.99f);
+    }
+
+    @Test
+    void placedShadow_fallsThere() {
+        robot.interact(() -> {
+            model().selectLight("lamp");
+            traced().placer().shadow();
+        });
+        robot.clickOn(pixel(32, 22));
+        waitFor("it asks for the second place", () -> text("message").equals("Click where the shadow should fall"));
+        robot.clickOn(pixel(46, 36));
+        waitFor("it is placed", () -> model().enabled(Command.UNDO));
+        var placed = new PixelExplainer(model().scene()).pixel(46, 36).lights().getFirst();
+        assertThat(placed.state()).isEqualTo(LightReport.State.SHADOWED);
+    }
+
+    @Test
+    void rightClick_endsPicking() {
+        Vec3 before = light("stage").direction();
+        robot.interact(() -> {
+            model().selectLight("stage");
+            model().run(Command.AIM);
+        });
+        robot.clickOn(pixel(32, 24), MouseButton.SECONDARY);
+        assertThat(text("message")).isEmpty();
+        robot.clickOn(pixel(32, 24));
+        assertThat(light("stage").direction()).isEqualTo(before);
+    }
+
+    private TracedPane traced() {
+        return robot.lookup("#traced").query();
     }
 
     @Test
