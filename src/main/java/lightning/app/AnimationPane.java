@@ -207,10 +207,17 @@ final class AnimationPane extends VBox {
             bar.progressProperty().bind(task.progressProperty());
             bar.setVisible(true);
             obstacles.forEach(Runnable::run);
-            task.valueProperty().subscribe(written -> status.setText("Exporting: " + written + " of " + task.pictures()));
+            task.valueProperty().subscribe(written -> exported(task, written));
             task.stateProperty().addListener((_, _, now) -> ended(task, now));
             task.begin();
         });
+    }
+
+    /** The last pictures of an export that was cancelled are told of after its end. */
+    private void exported(ExportTask task, int written) {
+        if (export == task) {
+            status.setText("Exporting: " + written + " of " + task.pictures());
+        }
     }
 
     private void ended(ExportTask task, Worker.State now) {

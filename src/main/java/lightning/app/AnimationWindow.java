@@ -9,6 +9,8 @@ import javafx.stage.Window;
 
 /** Records and plays the way of the light that is selected when it opens (paper §3.7). */
 public final class AnimationWindow extends Stage {
+    /** From the corner of the editor's window, pixels. */
+    private static final double MARGIN = 16;
 
     /** Begins the animation; closing the window ends it. A light must be selected. */
     public AnimationWindow(EditorModel model, Window owner) {
@@ -36,7 +38,12 @@ public final class AnimationWindow extends Stage {
                 motion.pulse();
             }
         };
-        setOnShown(_ -> timer.start());
+        setOnShown(_ -> {
+            // Over the properties, so that both pictures can be seen.
+            setX(Math.max(owner.getX(), owner.getX() + owner.getWidth() - getWidth() - MARGIN));
+            setY(Math.max(owner.getY(), owner.getY() + owner.getHeight() - getHeight() - MARGIN));
+            timer.start();
+        });
         setOnHidden(_ -> {
             timer.stop();
             pane.stopExport();

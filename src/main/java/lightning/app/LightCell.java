@@ -51,6 +51,12 @@ final class LightCell extends ListCell<Light> {
         on.setOnAction(_ -> edit((scene, light) -> LightEdits.on(scene, light, on.isSelected())));
         row = new HBox(type, chip, name, solo, on);
         row.getStyleClass().add("light-row");
+        model.sceneProperty().subscribe(this::showShining);
+        setOnMouseClicked(event -> {
+            if (event.getClickCount() == 2 && !isEmpty()) {
+                model.run(Command.RENAME_LIGHT);
+            }
+        });
         field.setAccessibleText("new name");
         field.setOnAction(_ -> rename());
         field.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
@@ -94,9 +100,14 @@ final class LightCell extends ListCell<Light> {
         on.setSelected(light.on());
         bulb.setIconCode(LightTypes.bulb(light.on()));
         describe(on, light.name() + " on", light.on() ? "Switch off" : "Switch on");
-        row.pseudoClassStateChanged(DARK, !model.scene().shines(light));
+        showShining();
         setAccessibleText(light.name() + ", " + LightTypes.title(light.type()).toLowerCase() + " light"
                 + (light.on() ? "" : ", off") + (light.solo() ? ", solo" : ""));
+    }
+
+    /** Another light that is solo darkens this one. */
+    private void showShining() {
+        row.pseudoClassStateChanged(DARK, getItem() != null && !model.scene().shines(getItem()));
     }
 
     private static void describe(ToggleButton button, String name, String hint) {
@@ -110,6 +121,9 @@ final class LightCell extends ListCell<Light> {
             return;
         }
         super.startEdit();
+        if (!isEditing()) {
+            return;
+        }
         field.setText(getItem().name());
         mark(Optional.empty());
         replace(name, field);
@@ -121,6 +135,7 @@ final class LightCell extends ListCell<Light> {
     public void cancelEdit() {
         super.cancelEdit();
         replace(field, name);
+        getListView().setEditable(false);
         getListView().requestFocus();
     }
 

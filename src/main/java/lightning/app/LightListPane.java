@@ -38,7 +38,6 @@ public final class LightListPane extends VBox {
         list.setId("light-list");
         list.getStyleClass().addAll("light-list", "edge-to-edge");
         list.setAccessibleText("lights");
-        list.setEditable(true);
         list.setPlaceholder(new Label("No lights. Add one above."));
         list.setCellFactory(_ -> new LightCell(model));
         list.setContextMenu(menu());
@@ -111,7 +110,9 @@ public final class LightListPane extends VBox {
         }
     }
 
+    /** Only until the cell ends it is the list editable, or a second click on a light would rename it. */
     private void rename() {
+        list.setEditable(true);
         list.edit(list.getSelectionModel().getSelectedIndex());
     }
 

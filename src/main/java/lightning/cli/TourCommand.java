@@ -10,6 +10,7 @@ import java.util.concurrent.Callable;
 import lightning.accuracy.FirstPassCost;
 import lightning.accuracy.PaperCase;
 import lightning.accuracy.PaperCases;
+import lightning.accuracy.PreviewCost;
 import lightning.accuracy.Saving;
 import lightning.accuracy.SavingMeter;
 import lightning.cli.pov.PovRay;
@@ -115,6 +116,7 @@ final class TourCommand implements Callable<Integer> {
         var table = new TourTable(console);
         bar.erase();
         table.first(first, meter.bytesPerMs());
+        table.preview(PreviewCost.of(sized, threads.count(), bar.silent()));
         if (pov.isPresent()) {
             PovScene exported = PovScene.of(sized, "scene");
             table.povRay(meter.against(sized, () -> pov.get().traceMs(exported, size.width(), size.height(), threads.count()),

@@ -1,6 +1,7 @@
 package lightning.cli;
 
 import lightning.accuracy.FirstPassCost;
+import lightning.accuracy.PreviewCost;
 import lightning.accuracy.Saving;
 import lightning.accuracy.TurnTimes;
 
@@ -24,6 +25,11 @@ final class TourTable {
     void povRay(TurnTimes times) {
         console.line("POV-Ray traces the exported scene in %.0f ms, the full trace takes %.1f ms: %.2f times as fast", times.rivalMs(),
                 times.fullMs(), times.ratio());
+        console.line("");
+    }
+
+    void preview(PreviewCost cost) {
+        console.line("preview of 600 x 600 pixels: a moved light %.1f ms, a moved camera %.1f ms", cost.lightMs(), cost.cameraMs());
         console.line("");
     }
 

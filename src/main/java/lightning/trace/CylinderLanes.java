@@ -3,6 +3,7 @@ package lightning.trace;
 import static jdk.incubator.vector.DoubleVector.broadcast;
 import static jdk.incubator.vector.DoubleVector.fromArray;
 import static jdk.incubator.vector.VectorOperators.GE;
+import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LE;
 import static jdk.incubator.vector.VectorOperators.LT;
 import static lightning.trace.Lanes.SPECIES;
@@ -43,7 +44,8 @@ final class CylinderLanes {
             VectorMask<Double> parallel = a.compare(LE, dy.mul(dy).mul(Solids.PARALLEL));
             DoubleVector far = miss.neg().blend(miss, c.compare(LE, 0));
             VectorMask<Double> less = t0.compare(LT, t1);
-            t1.blend(t0, less).blend(far.neg(), parallel).intoArray(slab.sideIn, h);
+            VectorMask<Double> touches = c.mul(a).abs().compare(GT, q.mul(2).mul(q));
+            t1.blend(t0, less).blend(miss, touches).blend(far.neg(), parallel).intoArray(slab.sideIn, h);
             t0.blend(t1, less).blend(far, parallel).intoArray(slab.sideOut, h);
         }
     }

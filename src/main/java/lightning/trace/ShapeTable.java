@@ -52,7 +52,7 @@ final class ShapeTable {
             for (int i = 6 * s; i < 6 * s + 6; i++) {
                 reach = Math.max(reach, Math.abs(bounds[i]));
             }
-            error[s] = reach * 0x1p-46;
+            error[s] = reach * Surface.ERROR;
             slack[s] = ShapeBounds.slack(render, inverse, reach);
         }
     }

@@ -20,7 +20,8 @@ final class Solids {
      * The unit sphere. The discriminant b² − ac is |d|² − |o × d|² by Lagrange's identity, which
      * loses no digits to cancellation far from the sphere, and each root is the quotient that loses
      * none near it (after Haines et al., Ray Tracing Gems, ch. 7). Only the nearest root ahead is
-     * divided out: the second one for a ray that leaves from inside, else the first.
+     * divided out: the second one for a ray that leaves from inside, else the first. That |c·a| ≤ q² holds;
+     * where it fails by far, c and q are mere rounding of a ray that touches the surface it leaves: a miss.
      */
     static double sphere(double ox, double oy, double oz, double dx, double dy, double dz) {
         double a = dx * dx + dy * dy + dz * dz;
@@ -33,7 +34,7 @@ final class Solids {
         double q = b >= 0 ? b + root : b - root;
         boolean leaves = c <= 0 && b >= 0;
         double t = (leaves ? q : c) / (leaves ? a : q);
-        return t > 0 && t < MISS ? t : MISS;
+        return t > 0 && t < MISS && Math.abs(c * a) <= 2 * q * q ? t : MISS;
     }
 
     /** The cylinder of radius 1 about the y axis, from y = 0 to y = 1, with its caps. */
@@ -47,30 +48,44 @@ final class Solids {
         double t0 = c / q;
         double t1 = q / a;
         boolean parallel = a <= dy * dy * PARALLEL;
+        boolean touches = Math.abs(c * a) > 2 * q * q;
         double far = c <= 0 ? MISS : -MISS;
-        double sideIn = parallel ? -far : t0 < t1 ? t0 : t1;
+        double sideIn = parallel ? -far : touches ? MISS : t0 < t1 ? t0 : t1;
         double sideOut = parallel ? far : t0 < t1 ? t1 : t0;
         return withinSlab(sideIn, sideOut, oy, dy);
     }
 
     /**
      * The cone with its base of radius 1 at y = 0 and its apex at y = 1. With h = 1 − y its side is
-     * x² + z² = h²; the discriminant is Lagrange's identity for that form, which needs no difference
-     * of squares of large numbers.
+     * x² + z² = h².
+     *
+     * <p>The origin is first moved along the ray to its point nearest to the apex. Otherwise the terms of a ray
+     * from far away that runs along a generator cancel, and the error grows with the square of the distance
+     * (Haines et al., Ray Tracing Gems, ch. 7, do so for the sphere). The discriminant is Lagrange's identity for
+     * that form, which needs no difference of squares of large numbers.
      */
     static double cone(double ox, double oy, double oz, double dx, double dy, double dz) {
-        double h = 1 - oy;
+        double top = 1 - oy;
         double dh = -dy;
-        double a = dx * dx + dz * dz - dh * dh;
-        double b = h * dh - (ox * dx + oz * dz);
-        double c = ox * ox + oz * oz - h * h;
-        double u = ox * dh - h * dx;
-        double v = oz * dh - h * dz;
-        double w = ox * dz - oz * dx;
-        double root = Math.sqrt(u * u + v * v - w * w);
+        double side = dx * dx + dz * dz;
+        double up = dh * dh;
+        double shift = -(ox * dx + oz * dz + top * dh) / (side + up);
+        double x = ox + shift * dx;
+        double h = top + shift * dh;
+        double z = oz + shift * dz;
+        double a = side - up;
+        double b = h * dh - (x * dx + z * dz);
+        double c = x * x + z * z - h * h;
+        double u = x * dh - h * dx;
+        double v = z * dh - h * dz;
+        double w = x * dz - z * dx;
+        double square = u * u + v * v - w * w;
+        // A ray as steep as the side, or steeper, always crosses the double cone: below 0 it goes through the apex.
+        square = a <= 0 && square < 0 ? 0 : square;
+        double root = Math.sqrt(square);
         double q = b >= 0 ? b + root : b - root;
-        double t0 = c / q;
-        double t1 = q / a;
+        double t1 = shift + q / a;
+        double t0 = q == 0 ? t1 : shift + c / q;
         double low = t0 < t1 ? t0 : t1;
         double high = t0 < t1 ? t1 : t0;
         // Steeper than the side (a < 0) the ray enters the lower half of the double cone once and
@@ -82,7 +97,7 @@ final class Solids {
         double sideIn = steep || generator ? (forwards ? bound : -MISS) : low;
         double sideOut = steep || generator ? (forwards ? MISS : bound) : high;
         // A NaN bound (no real root) must survive both choices above.
-        boolean none = !(root >= 0) || (steep || generator) && !(bound == bound);
+        boolean none = !(root >= 0) || Math.abs(c * a) > 2 * q * q || (steep || generator) && !(bound == bound);
         return withinSlab(none ? MISS : sideIn, none ? -MISS : sideOut, oy, dy);
     }
 

@@ -41,7 +41,8 @@ final class SphereLanes {
             DoubleVector q = b.sub(root).blend(b.add(root), ahead);
             VectorMask<Double> leaves = c.compare(LE, 0).and(ahead);
             DoubleVector t = c.blend(q, leaves).div(q.blend(a, leaves));
-            VectorMask<Double> hit = t.compare(GT, 0).and(t.compare(LT, Solids.MISS));
+            VectorMask<Double> hit = t.compare(GT, 0).and(t.compare(LT, Solids.MISS))
+                    .and(c.mul(a).abs().compare(LE, q.mul(2).mul(q)));
             broadcast(SPECIES, Solids.MISS).blend(t, hit).intoArray(out, h);
         }
     }

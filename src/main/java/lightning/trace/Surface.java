@@ -5,12 +5,15 @@ package lightning.trace;
  * shading sees, rounded to float.
  *
  * <p>The stored point lies off the surface, on the side that the ray came from, by a bound on its own
- * rounding error: twice the error of the rounding to float and the error of the hit in double. Rays
+ * error along the normal: twice what rounding each coordinate to float can move it that way, Σ|nᵢ·pᵢ|·2⁻²⁴, and
+ * the error of the hit in double, which grows with the coordinates of the shape and of the ray's origin. Rays
  * that leave from it need no further care. The normal has length 1 and faces the incoming ray.
  */
 public final class Surface {
-    /** The share of a point's coordinates by which it is moved off the surface: four float roundings. */
-    static final double OFFSET = 0x1p-22;
+    /** The share of a point's coordinates, seen along the normal, by which it is moved: two float roundings. */
+    static final double OFFSET = 0x1p-23;
+    /** The error of a hit in double, as a share of the coordinates of the ray's origin and of the shape. */
+    static final double ERROR = 0x1p-46;
 
     double ownX;
     double ownY;
@@ -79,7 +82,8 @@ public final class Surface {
         bx = bx * unit;
         by = by * unit;
         bz = bz * unit;
-        double off = (Math.abs(x) + Math.abs(y) + Math.abs(z)) * OFFSET + shapes.error[s];
+        double off = (Math.abs(x * bx) + Math.abs(y * by) + Math.abs(z * bz)) * OFFSET
+                + ((Math.abs(ox) + Math.abs(oy) + Math.abs(oz)) * ERROR + shapes.error[s]);
         px = (float) (x + bx * off);
         py = (float) (y + by * off);
         pz = (float) (z + bz * off);

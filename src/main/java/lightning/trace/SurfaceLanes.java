@@ -159,7 +159,9 @@ final class SurfaceLanes {
         DoubleVector px = fromArray(SPECIES, x, h);
         DoubleVector py = fromArray(SPECIES, y, h);
         DoubleVector pz = fromArray(SPECIES, z, h);
-        DoubleVector off = px.abs().add(py.abs()).add(pz.abs()).mul(Surface.OFFSET).add(shapes.error[s]);
+        DoubleVector origin = fromArray(SPECIES, p.ox, h).abs().add(fromArray(SPECIES, p.oy, h).abs()).add(fromArray(SPECIES, p.oz, h).abs());
+        DoubleVector off = px.mul(bx).abs().add(py.mul(by).abs()).add(pz.mul(bz).abs()).mul(Surface.OFFSET)
+                .add(origin.mul(Surface.ERROR).add(shapes.error[s]));
         VectorMask<Double> mask = VectorMask.fromLong(SPECIES, lanes);
         VectorMask<Float> floats = VectorMask.fromLong(FLOATS, lanes);
         fromArray(SPECIES, ownX, h).intoArray(out.ownX, h, mask);

@@ -44,6 +44,7 @@ final class OpenEditor {
 
     /** Shows one pane alone. */
     static void show(Stage stage, Parent pane) {
+        Looks.install();
         Scene scene = new Scene(pane, 320, 960);
         Looks.dress(scene);
         stage.setScene(scene);

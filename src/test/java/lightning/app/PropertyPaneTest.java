@@ -16,6 +16,7 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.stage.Stage;
 import lightning.app.widget.Refusals;
+import lightning.app.widget.Typing;
 import lightning.edit.Command;
 import lightning.edit.Dial;
 import lightning.edit.Kelvin;
@@ -222,7 +223,7 @@ class PropertyPaneTest {
     }
 
     private static void rename(FxRobot robot, String name) {
-        robot.clickOn("#light-name").push(KeyCode.SHORTCUT, KeyCode.A).write(name).push(KeyCode.ENTER);
+        Typing.over(robot, robot.lookup("#light-name").queryAs(TextField.class), name).push(KeyCode.ENTER);
     }
 
     /** The first field of a widget. */
@@ -231,6 +232,6 @@ class PropertyPaneTest {
     }
 
     private static void type(FxRobot robot, String id, String text) {
-        robot.clickOn(field(robot, id)).push(KeyCode.SHORTCUT, KeyCode.A).write(text).push(KeyCode.ENTER);
+        Typing.over(robot, field(robot, id), text).push(KeyCode.ENTER);
     }
 }

@@ -40,6 +40,17 @@ final class TraceScenes {
         return new Scene(Picture.DEFAULT, camera, World.DEFAULT, List.of(), nodes, List.of());
     }
 
+    /** One shape alone, seen from a camera. */
+    static ShapeTable one(int kind, Placement placement, Vec3 camera) {
+        return new Geometry(one(kind, placement, camera, camera.plus(new Vec3(0, 0, -1 - camera.maxAbs())))).shapes();
+    }
+
+    /** One shape alone, seen from a camera that looks at a point. */
+    static Scene one(int kind, Placement placement, Vec3 from, Vec3 to) {
+        return new Scene(Picture.DEFAULT, new Camera(from, to, Vec3.Y, 40), World.DEFAULT, List.of(),
+                new TraceScenes().add(kind, placement.at(), placement.rotate(), placement.scale()).nodes, List.of());
+    }
+
     /** Four spheres over a floor. */
     static Scene balls() {
         return new TraceScenes()

@@ -197,7 +197,7 @@ class ArrowWidgetTest {
     }
 
     private static void type(FxRobot robot, String text) {
-        robot.clickOn(field(robot)).push(KeyCode.SHORTCUT, KeyCode.A).write(text);
+        Typing.over(robot, field(robot), text);
     }
 
     private static TextField field(FxRobot robot) {

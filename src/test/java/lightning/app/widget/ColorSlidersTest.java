@@ -177,7 +177,7 @@ class ColorSlidersTest {
     }
 
     private static void type(FxRobot robot, int field, String text) {
-        robot.clickOn(fields(robot).get(field)).push(KeyCode.SHORTCUT, KeyCode.A).write(text).push(KeyCode.ENTER);
+        Typing.over(robot, fields(robot).get(field), text).push(KeyCode.ENTER);
     }
 
     private static List<TextField> fields(FxRobot robot) {

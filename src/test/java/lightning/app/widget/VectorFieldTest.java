@@ -63,7 +63,7 @@ class VectorFieldTest {
     }
 
     private static void type(FxRobot robot, int field, String text) {
-        robot.clickOn(fields(robot).get(field)).push(KeyCode.SHORTCUT, KeyCode.A).write(text).push(KeyCode.ENTER);
+        Typing.over(robot, fields(robot).get(field), text).push(KeyCode.ENTER);
     }
 
     private static List<TextField> fields(FxRobot robot) {

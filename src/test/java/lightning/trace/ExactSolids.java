@@ -1,0 +1,144 @@
+package lightning.trace;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+
+/**
+ * The canonical solids in numbers of 130 digits: what {@link Solids} should say.
+ *
+ * <p>A solid may be grown or shrunk by a margin. A distance is right if it is right for some solid between
+ * the shrunk and the grown one: then it is the exact answer to a ray, or to a shape, that differs from the given
+ * one by no more than the margin.
+ */
+final class ExactSolids {
+    private static final MathContext DIGITS = new MathContext(130);
+    private static final BigDecimal TWO = BigDecimal.TWO;
+    /** Stands for an endless interval: farther than any distance of the tests. */
+    private static final BigDecimal ENDLESS = new BigDecimal("1e400");
+
+    private ExactSolids() {}
+
+    /** An interval of distances along a ray. */
+    record Interval(BigDecimal in, BigDecimal out) {
+        boolean isEmpty() {
+            return in.compareTo(out) > 0;
+        }
+
+        Interval cut(Interval other) {
+            return new Interval(in.max(other.in), out.min(other.out));
+        }
+    }
+
+    private static final Interval NOWHERE = new Interval(ENDLESS, ENDLESS.negate());
+    private static final Interval EVERYWHERE = new Interval(ENDLESS.negate(), ENDLESS);
+
+    static BigDecimal[] exact(double... v) {
+        BigDecimal[] e = new BigDecimal[v.length];
+        for (int i = 0; i < v.length; i++) {
+            e[i] = new BigDecimal(v[i]);
+        }
+        return e;
+    }
+
+    /**
+     * Why a distance is wrong, or null where it is right.
+     *
+     * @param kind   of {@link ShapeTable}, not a plane
+     * @param t      what was computed, {@code +∞} for a miss
+     * @param margin how much the solid may be grown or shrunk, own units
+     */
+    static String complaint(int kind, BigDecimal[] o, BigDecimal[] d, double t, double margin) {
+        BigDecimal zero = BigDecimal.ZERO;
+        Interval grown = inside(kind, o, d, new BigDecimal(margin));
+        Interval shrunk = inside(kind, o, d, new BigDecimal(-margin));
+        if (t == Solids.MISS) {
+            return shrunk.isEmpty() || shrunk.out.compareTo(zero) <= 0 ? null : "missed, though inside at " + text(shrunk);
+        }
+        if (!(t > 0)) {
+            return "distance " + t;
+        }
+        BigDecimal at = new BigDecimal(t);
+        if (grown.isEmpty() || at.compareTo(grown.in) < 0 || at.compareTo(grown.out) > 0) {
+            return "hit at " + t + " in the open: the grown solid is at " + text(grown);
+        }
+        if (shrunk.isEmpty() || shrunk.out.compareTo(zero) <= 0) {
+            return null;
+        }
+        boolean first = shrunk.in.compareTo(zero) > 0 && at.compareTo(shrunk.in) <= 0;
+        boolean last = at.compareTo(shrunk.out) >= 0 && (shrunk.in.compareTo(zero) <= 0 || grown.in.compareTo(zero) <= 0);
+        return first || last ? null : "hit at " + t + " is not the first surface: inside at " + text(shrunk);
+    }
+
+    private static String text(Interval i) {
+        return i.isEmpty() ? "nowhere" : i.in.doubleValue() + " … " + i.out.doubleValue();
+    }
+
+    private static Interval inside(int kind, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
+        BigDecimal radius = BigDecimal.ONE.add(grow);
+        return switch (kind) {
+            case ShapeTable.SPHERE -> between(dot(d, d), dot(o, d).negate(), dot(o, o).subtract(square(radius)));
+            case ShapeTable.CYLINDER -> between(square(d[0]).add(square(d[2])), o[0].multiply(d[0]).add(o[2].multiply(d[2])).negate(),
+                    square(o[0]).add(square(o[2])).subtract(square(radius)))
+                    .cut(slab(o[1], d[1], grow.negate(), radius));
+            default -> cone(o, d, radius).cut(slab(o[1], d[1], grow.negate(), radius));
+        };
+    }
+
+    /** Where a·t² − 2·b·t + c ≤ 0, for a ≥ 0. */
+    private static Interval between(BigDecimal a, BigDecimal b, BigDecimal c) {
+        if (a.signum() == 0) {
+            return c.signum() <= 0 ? EVERYWHERE : NOWHERE;
+        }
+        BigDecimal disc = square(b).subtract(a.multiply(c));
+        if (disc.signum() < 0) {
+            return NOWHERE;
+        }
+        BigDecimal root = disc.sqrt(DIGITS);
+        return new Interval(b.subtract(root).divide(a, DIGITS), b.add(root).divide(a, DIGITS));
+    }
+
+    private static Interval slab(BigDecimal o, BigDecimal d, BigDecimal low, BigDecimal high) {
+        if (d.signum() == 0) {
+            return o.compareTo(low) >= 0 && o.compareTo(high) <= 0 ? EVERYWHERE : NOWHERE;
+        }
+        BigDecimal t0 = low.subtract(o).divide(d, DIGITS);
+        BigDecimal t1 = high.subtract(o).divide(d, DIGITS);
+        return new Interval(t0.min(t1), t0.max(t1));
+    }
+
+    /** Where √(x² + z²) ≤ apex − y: one interval, because the solid is convex. */
+    private static Interval cone(BigDecimal[] o, BigDecimal[] d, BigDecimal apex) {
+        BigDecimal h = apex.subtract(o[1]);
+        BigDecimal dh = d[1].negate();
+        BigDecimal a = square(d[0]).add(square(d[2])).subtract(square(dh));
+        BigDecimal b = h.multiply(dh).subtract(o[0].multiply(d[0])).subtract(o[2].multiply(d[2]));
+        BigDecimal c = square(o[0]).add(square(o[2])).subtract(square(h));
+        if (a.signum() == 0) {
+            if (b.signum() == 0) {
+                return c.signum() <= 0 ? EVERYWHERE : NOWHERE;
+            }
+            BigDecimal t = c.divide(b.multiply(TWO), DIGITS);
+            return b.signum() > 0 ? new Interval(t, ENDLESS) : new Interval(ENDLESS.negate(), t);
+        }
+        BigDecimal disc = square(b).subtract(a.multiply(c));
+        if (disc.signum() < 0) {
+            return NOWHERE;
+        }
+        BigDecimal root = disc.sqrt(DIGITS);
+        BigDecimal t0 = b.subtract(root).divide(a, DIGITS);
+        BigDecimal t1 = b.add(root).divide(a, DIGITS);
+        if (a.signum() < 0) {
+            return dh.signum() > 0 ? new Interval(t0.max(t1), ENDLESS) : new Interval(ENDLESS.negate(), t0.min(t1));
+        }
+        BigDecimal middle = b.divide(a, DIGITS);
+        return h.add(middle.multiply(dh)).signum() >= 0 ? new Interval(t0, t1) : NOWHERE;
+    }
+
+    private static BigDecimal dot(BigDecimal[] v, BigDecimal[] w) {
+        return v[0].multiply(w[0]).add(v[1].multiply(w[1])).add(v[2].multiply(w[2]));
+    }
+
+    private static BigDecimal square(BigDecimal v) {
+        return v.multiply(v);
+    }
+}

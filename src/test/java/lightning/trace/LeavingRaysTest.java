@@ -1,0 +1,151 @@
+package lightning.trace;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Random;
+import java.util.stream.Stream;
+import lightning.math.Transform;
+import lightning.math.Vec3;
+import lightning.scene.Placement;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Rays that leave a shape from a point that was seen on it: acne is a ray that meets the shape it leaves, a leak one
+ * that goes into the shape and does not meet it. {@code -Dlightning.points=1000000} takes a million points for
+ * each shape and place.
+ */
+class LeavingRaysTest {
+    private static final int POINTS = Integer.getInteger("lightning.points", 10_000);
+
+    private static final int[] KINDS = {ShapeTable.SPHERE, ShapeTable.CONE, ShapeTable.CYLINDER, ShapeTable.PLANE};
+
+    /** Own points well inside, to be aimed at and looked from; the patch's is on it. */
+    private static final Vec3[] MIDDLES = {new Vec3(0.1, 0.2, -0.1), new Vec3(0.1, 0.3, 0.1), new Vec3(-0.1, 0.4, 0.2), new Vec3(0.1, 0, -0.1)};
+
+    /** Scales and where the camera sees the shape, in units of the scale: a float holds the points of all of these. */
+    static Stream<Arguments> places() {
+        return Stream.of(
+                Arguments.of(Vec3.ONE, new Vec3(0, 0, -10)),
+                Arguments.of(Vec3.ONE, new Vec3(300, -200, 500)),
+                Arguments.of(new Vec3(1e6, 1e6, 1e6), new Vec3(3, 1, -2)),
+                Arguments.of(new Vec3(1e-6, 1e-6, 1e-6), new Vec3(3, 1, -2)),
+                Arguments.of(new Vec3(1e6, 1, 1), new Vec3(1e-5, 5, -8)),
+                Arguments.of(new Vec3(1, 1e-3, 1), new Vec3(1, -2e3, 3)),
+                Arguments.of(new Vec3(2, 2, 2), new Vec3(6, -2, -5)));
+    }
+
+    /** Rooms: their points, and the wedges at their rims, are held by floats too. */
+    static Stream<Arguments> rooms() {
+        return Stream.of(Arguments.of(Vec3.ONE), Arguments.of(new Vec3(1e6, 1e6, 1e6)), Arguments.of(new Vec3(1e-6, 1e-6, 1e-6)),
+                Arguments.of(new Vec3(1, 0.1, 1)), Arguments.of(new Vec3(100, 3, 5)));
+    }
+
+    /** Where floats are as far apart as the shape is large, or as it is thick. */
+    static Stream<Arguments> farPlaces() {
+        return Stream.of(
+                Arguments.of(Vec3.ONE, new Vec3(3e4, 1e4, -2e4)),
+                Arguments.of(new Vec3(2, 2, 2), new Vec3(148376 / 2.0, 1234 / 2.0, -223423 / 2.0)),
+                Arguments.of(new Vec3(1e6, 1e-3, 1e6), new Vec3(1e-6, -1e3, 1e-6)),
+                Arguments.of(Vec3.ONE, new Vec3(1e6, -2e6, 1e6)));
+    }
+
+    private final Random random = new Random(1);
+    private int acne;
+    private int leaks;
+    private long rays;
+
+    @ParameterizedTest
+    @MethodSource("places")
+    void raysFromPointsSeenFromOutside_leaveAndEnter(Vec3 scale, Vec3 at) {
+        lookFromOutside(scale, at);
+        assertThat(acne).as("acne among %s rays, %s", rays, scale).isZero();
+        assertThat(leaks).as("leaks among %s rays, %s", rays, scale).isZero();
+    }
+
+    /** Beyond what a float holds, one in a million may go wrong. */
+    @ParameterizedTest
+    @MethodSource("farPlaces")
+    void raysFromPointsFarAway_leaveAndEnter(Vec3 scale, Vec3 at) {
+        lookFromOutside(scale, at);
+        assertThat(acne).as("acne among %s rays, %s", rays, scale).isLessThanOrEqualTo((int) (rays / 1_000_000));
+        assertThat(leaks).as("leaks among %s rays, %s", rays, scale).isLessThanOrEqualTo((int) (rays / 1_000_000));
+    }
+
+    /** Whoever is inside sees nothing of what is outside, and nothing hides what is inside; where a cone's rim is sharp, one in a million may. */
+    @ParameterizedTest
+    @MethodSource("rooms")
+    void raysFromPointsSeenFromWithin_stayWithin(Vec3 scale) {
+        for (int kind : new int[] {ShapeTable.SPHERE, ShapeTable.CONE, ShapeTable.CYLINDER}) {
+            for (double turn : new double[] {0, 37}) {
+                Vec3 rotate = new Vec3(turn, 2 * turn, -turn);
+                Vec3 camera = new Placement(Vec3.ZERO, rotate, scale).transform().point(MIDDLES[kind]);
+                Placement placement = new Placement(camera.negated(), rotate, scale);
+                look(kind, placement, Vec3.ZERO, (geometry, from, normal) -> {
+                    leaks += geometry.distance(0, new Ray(from, away(normal))) < Solids.MISS ? 0 : 1;
+                    acne += geometry.distance(0, new Ray(from, from.negated())) < 1 ? 1 : 0;
+                });
+            }
+        }
+        assertThat(acne).as("acne among %s rays, %s", rays, scale).isLessThanOrEqualTo((int) (rays / 1_000_000));
+        assertThat(leaks).as("leaks among %s rays, %s", rays, scale).isLessThanOrEqualTo((int) (rays / 1_000_000));
+    }
+
+    /** The hit is then as inexact as doubles are where the mirror stands. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e3, 1e7, 1e10})
+    void raysFromPointsSeenInAFarMirror_leave(double far) {
+        for (int kind : KINDS) {
+            Placement placement = new Placement(new Vec3(0.5, -1, -2), new Vec3(37, 74, -37), Vec3.ONE);
+            look(kind, placement, new Vec3(far, 0.6 * far, -0.8 * far), (geometry, from, normal) ->
+                    acne += geometry.distance(0, new Ray(from, away(normal))) < Solids.MISS ? 1 : 0);
+        }
+        assertThat(acne).as("acne among %s rays", rays).isZero();
+    }
+
+    private void lookFromOutside(Vec3 scale, Vec3 at) {
+        for (int kind : KINDS) {
+            for (double turn : new double[] {0, 37}) {
+                Placement placement = new Placement(new Vec3(at.x() * scale.x(), at.y() * scale.y(), at.z() * scale.z()),
+                        new Vec3(turn, 2 * turn, -turn), scale);
+                Vec3 middle = placement.transform().point(MIDDLES[kind]);
+                look(kind, placement, Vec3.ZERO, (geometry, from, normal) -> {
+                    acne += geometry.distance(0, new Ray(from, away(normal))) < Solids.MISS ? 1 : 0;
+                    leaks += geometry.distance(0, new Ray(from, middle.minus(from))) < Solids.MISS ? 0 : 1;
+                });
+            }
+        }
+    }
+
+    private interface Leaver {
+        void leave(Geometry geometry, Vec3 from, Vec3 normal);
+    }
+
+    /** Looks from a point at points of the shape. */
+    private void look(int kind, Placement placement, Vec3 eye, Leaver leaver) {
+        Geometry geometry = new Geometry(TraceScenes.one(kind, placement, Vec3.ZERO, new Vec3(0, 0, -1)));
+        Transform map = placement.transform();
+        for (int n = 0; n < POINTS; n++) {
+            Ray ray = new Ray(eye, map.point(HardRay.onSurface(kind, random)).minus(eye).normalized());
+            if (geometry.distance(0, ray) < Solids.MISS) {
+                SurfacePoint p = geometry.surface(0, ray);
+                leaver.leave(geometry, new Vec3(p.px(), p.py(), p.pz()), new Vec3(p.nx(), p.ny(), p.nz()));
+                rays++;
+            }
+        }
+    }
+
+    /**
+     * A direction on the normal's side: anywhere, and often almost along the surface, as near to it as a normal
+     * made of floats tells its two sides apart.
+     */
+    private Vec3 away(Vec3 normal) {
+        Vec3 d = HardRay.direction(random).normalized();
+        double cosine = d.dot(normal);
+        double lift = random.nextBoolean() ? Math.abs(cosine) : Math.scalb(1.0, -random.nextInt(22));
+        Vec3 away = d.minus(normal.times(cosine)).normalized().plus(normal.times(lift));
+        return away.dot(normal) > 0 ? away : normal;
+    }
+}
