@@ -29,6 +29,13 @@ public record RenderState(UpdatePlan plan, int done, int total, int checked, int
         return toCheck > 0;
     }
 
+    /** Whether a full trace of the picture in the frame was measured: of these shapes, this camera and this size. */
+    public boolean isMeasured() {
+        return verification != null && frame != null && verification.scene().picture().equals(frame.scene().picture())
+                && verification.scene().camera().equals(frame.scene().camera())
+                && verification.scene().nodes().equals(frame.scene().nodes());
+    }
+
     RenderState started(UpdatePlan next) {
         return new RenderState(next, 0, 0, checked, toCheck, frame, verification, null, false);
     }

@@ -60,7 +60,19 @@ class GoTest extends EditorDesk {
         waitForPicture();
         assertThat(isEnabled(Command.GO)).isFalse();
         assertThat(isShown("pending")).isFalse();
-        assertThat(text("status")).contains("lamp: weight").contains("0 shadow rays").contains("saved");
+        assertThat(text("status")).contains("lamp: weight").contains("0 shadow rays").contains("for the first trace")
+                .contains("saved");
+    }
+
+    @Test
+    void goAfterVerify_isComparedWithAMeasuredFullTrace() {
+        click("verify");
+        waitFor("it is verified", () -> model().renderingProperty().get().verification() != null);
+        dim();
+        click("go");
+        waitForPicture();
+        waitFor("it is told", () -> text("status").contains("lamp: weight"));
+        assertThat(text("status")).contains("for a full trace").doesNotContain("first trace");
     }
 
     @Test
