@@ -33,6 +33,7 @@ final class Editor implements AutoCloseable {
      */
     Editor(Stage stage, OpenDocument document, Executor hops, FilePrompt prompt, double mostWidth, double mostHeight) {
         this.stage = stage;
+        looks().wear();
         notices = new Notices(stage);
         model = new EditorModel(document, recovery, hops);
         model.precisionProperty().set(precision());
@@ -102,6 +103,10 @@ final class Editor implements AutoCloseable {
         }
     }
 
+    private Looks looks() {
+        return preferences.text("theme", "").equals(Looks.LIGHT.name()) ? Looks.LIGHT : Looks.DARK;
+    }
+
     private void closeWindow() {
         stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST));
     }
@@ -109,6 +114,7 @@ final class Editor implements AutoCloseable {
     private void remember() {
         preferences.set("width", stage.getScene().getWidth());
         preferences.set("height", stage.getScene().getHeight());
+        preferences.set("theme", Looks.worn().name());
         preferences.set("precision", model.precisionProperty().get().name());
         preferences.save();
     }

@@ -55,7 +55,15 @@ final class EditorMenu extends MenuBar {
                 item("Preview Along X", "Shortcut+F2", () -> look(PreviewCamera.alongX(model.scene()))),
                 item("Preview from Above", "Shortcut+F3", () -> look(PreviewCamera.alongMinusY(model.scene()))),
                 item("Reset the Preview", "Shortcut+F4", () -> look(PreviewCamera.of(model.scene()))),
-                item("Show All Lights", "Shortcut+F5", preview.canvas()::frameLights));
+                item("Show All Lights", "Shortcut+F5", preview.canvas()::frameLights), new SeparatorMenuItem(), light());
+    }
+
+    private static MenuItem light() {
+        var light = new CheckMenuItem("Light Theme");
+        light.setId("light-theme");
+        light.setSelected(Looks.worn() == Looks.LIGHT);
+        light.setOnAction(_ -> (light.isSelected() ? Looks.LIGHT : Looks.DARK).wear());
+        return light;
     }
 
     private void look(PreviewCamera camera) {

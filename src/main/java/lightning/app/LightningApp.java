@@ -28,7 +28,7 @@ public final class LightningApp extends Application {
 
     @Override
     public void start(Stage stage) {
-        Looks.install();
+        Looks.DARK.wear();
         List<String> arguments = getParameters() == null ? List.of() : getParameters().getUnnamed();
         Path first = Folders.firstScene();
         Path file = arguments.isEmpty() ? first : Path.of(arguments.getFirst());

@@ -1,23 +1,46 @@
 package lightning.app;
 
 import atlantafx.base.theme.PrimerDark;
+import atlantafx.base.theme.PrimerLight;
+import java.util.ArrayList;
 import java.util.List;
 import javafx.application.Application;
 import javafx.scene.Scene;
+import javafx.stage.Window;
 
-/** The theme: calm and dark, so that the pictures stand out. */
-final class Looks {
-    private Looks() {}
+/** The theme: calm and dark, so that the pictures stand out, or light for bright rooms. Belongs to the window's thread. */
+enum Looks {
+    DARK, LIGHT;
 
-    /** For all windows. */
-    static void install() {
-        Application.setUserAgentStylesheet(new PrimerDark().getUserAgentStylesheet());
+    private static final List<String> SHEETS = List.of("window.css", "lightning.css");
+    private static Looks worn = DARK;
+
+    /** For all windows, those that are open too. */
+    void wear() {
+        worn = this;
+        Application.setUserAgentStylesheet(switch (this) {
+            case DARK -> new PrimerDark().getUserAgentStylesheet();
+            case LIGHT -> new PrimerLight().getUserAgentStylesheet();
+        });
+        Window.getWindows().stream().map(Window::getScene).filter(s -> s != null && s.getStylesheets().contains(url(SHEETS.getFirst())))
+                .forEach(Looks::dress);
+    }
+
+    static Looks worn() {
+        return worn;
     }
 
     /** What the theme lacks. */
     static void dress(Scene scene) {
-        for (String sheet : List.of("dark.css", "window.css", "lightning.css")) {
-            scene.getStylesheets().add(Looks.class.getResource(sheet).toExternalForm());
+        List<String> sheets = new ArrayList<>();
+        if (worn == DARK) {
+            sheets.add(url("dark.css"));
         }
+        SHEETS.forEach(sheet -> sheets.add(url(sheet)));
+        scene.getStylesheets().setAll(sheets);
+    }
+
+    private static String url(String sheet) {
+        return Looks.class.getResource(sheet).toExternalForm();
     }
 }

@@ -60,7 +60,7 @@ abstract class EditorDesk {
         FxToolkit.registerPrimaryStage();
         Path file = Files.writeString(folder.resolve("desk.jen"), SCENE);
         FxToolkit.setupFixture(() -> {
-            Looks.install();
+            Looks.DARK.wear();
             stage = new Stage();
             try {
                 editor = new Editor(stage, OpenDocument.open(file), Platform::runLater, new Answers(), 1000, 700);

@@ -44,7 +44,7 @@ final class OpenEditor {
 
     /** Shows one pane alone. */
     static void show(Stage stage, Parent pane) {
-        Looks.install();
+        Looks.DARK.wear();
         Scene scene = new Scene(pane, 320, 960);
         Looks.dress(scene);
         stage.setScene(scene);
