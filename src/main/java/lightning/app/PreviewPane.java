@@ -27,7 +27,7 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         stage.getStyleClass().add("canvas");
         setTop(header());
         setCenter(stage);
-        var hint = new Label("Drag a light: left rotates, middle or Alt along the view, right in the plane · Shift: camera");
+        var hint = new Label("Left: rotate · Middle or Alt: along the view · Right: in the plane · Shift: camera");
         hint.getStyleClass().add("pane-footer");
         hint.setMaxWidth(Double.MAX_VALUE);
         setBottom(hint);
@@ -40,6 +40,7 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
     private Node header() {
         var title = new Label("Preview");
         title.getStyleClass().add("pane-title");
+        title.setMinWidth(Region.USE_PREF_SIZE);
         var space = new Region();
         HBox.setHgrow(space, Priority.ALWAYS);
         var sizes = new MenuButton(canvas.sizeProperty().get().title());

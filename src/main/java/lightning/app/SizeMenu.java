@@ -34,8 +34,10 @@ final class SizeMenu {
             items.add(item);
         }
         var other = new MenuItem("Other…");
+        other.setId("size-other");
         other.setOnAction(_ -> ask(model.scene().picture().width() + " × " + model.scene().picture().height())
-                .ifPresent(size -> trace(model, size)));
+                .ifPresent(typed -> parse(typed).ifPresentOrElse(size -> trace(model, size),
+                        () -> model.say("A size is two numbers as in 640 × 480, was '" + typed.strip() + "'"))));
         items.add(new SeparatorMenuItem());
         items.add(other);
         return items;
@@ -62,13 +64,13 @@ final class SizeMenu {
                 .ifPresentOrElse(model::say, model::go);
     }
 
-    private static Optional<CanvasSize> ask(String now) {
+    private static Optional<String> ask(String now) {
         var dialog = new TextInputDialog(now);
         dialog.setTitle("Size of the picture");
         dialog.setHeaderText("Width × height in pixels, each 1 to " + Limits.MAX_SIZE);
         dialog.setGraphic(null);
         dialog.setContentText("Size");
-        return dialog.showAndWait().flatMap(SizeMenu::parse);
+        return dialog.showAndWait();
     }
 
     /** {@code 640 x 480}; empty where it is no size. */

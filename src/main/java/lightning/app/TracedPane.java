@@ -31,7 +31,6 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private final Label badge = new Label();
     private final Label pixelLine = new Label();
     private final Label card = new Label();
-    private final Label size = new Label();
     private final ToggleButton difference = new ToggleButton("Difference");
     private final ToggleButton compare = new ToggleButton("", new FontIcon(MaterialDesignC.COMPARE));
     private final TracedMouse mouse;
@@ -90,8 +89,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private Node header() {
         var title = new Label("Ray traced");
         title.getStyleClass().add("pane-title");
-        size.getStyleClass().add("pane-note");
-        size.setId("traced-size");
+        title.setMinWidth(Region.USE_PREF_SIZE);
         var space = new Region();
         HBox.setHgrow(space, Priority.ALWAYS);
         var region = new ToggleButton("", new FontIcon(MaterialDesignS.SELECTION_DRAG));
@@ -100,7 +98,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         region.setAccessibleText("Trace a region");
         region.selectedProperty().bindBidirectional(mouse.regionProperty());
         region.getStyleClass().add("button-icon");
-        var box = new HBox(title, size, space, difference, snapshot(), compare, new ExposureSlider(model, MOST_STOPS), region,
+        var box = new HBox(title, space, difference, snapshot(), compare, new ExposureSlider(model, MOST_STOPS), region,
                 ZoomButtons.of(picture, "traced"));
         box.getStyleClass().add("pane-header");
         return box;
@@ -148,8 +146,6 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         if (!verified) {
             difference.setSelected(false);
         }
-        var wanted = model.scene().picture();
-        size.setText(wanted.width() + " × " + wanted.height());
     }
 
     /** The difference picture's films, where the last verification is of the picture shown; else null. */

@@ -106,7 +106,7 @@ class FilesTest extends EditorDesk {
         waitFor("it is open", () -> model().document().name().equals("small.jen"));
         waitForPicture();
         assertThat(model().raster().pixels().width()).isEqualTo(40);
-        assertThat(text("traced-size")).isEqualTo("40 × 30");
+        assertThat(text("traced-sizes")).isEqualTo("40 × 30");
     }
 
     @Test

@@ -3,9 +3,11 @@ package lightning.app;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.concurrent.TimeUnit;
+import javafx.application.Platform;
 import javafx.scene.control.Button;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
+import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import lightning.edit.Command;
 import lightning.edit.Dial;
@@ -130,6 +132,28 @@ class GoTest extends EditorDesk {
         waitForPicture();
         assertThat(model().frame().film().width()).isEqualTo(200);
         assertThat(model().raster().pixels().pixels()).isEqualTo(model().viewProperty().get().toPixels(model().frame().film()));
+    }
+
+    private void typeSize(String typed) {
+        MenuItem other = robot.lookup("#traced-sizes").<MenuButton>query().getItems().getLast();
+        Platform.runLater(other::fire);
+        waitFor("it asks", () -> robot.lookup(".text-input-dialog .text-field").tryQuery().isPresent());
+        robot.interact(() -> robot.lookup(".text-input-dialog .text-field").<TextField>query().setText(typed));
+        robot.clickOn("OK");
+    }
+
+    @Test
+    void typedSize_isTracedAnew() {
+        typeSize("50 x 40");
+        waitForPicture();
+        assertThat(model().frame().film().width()).isEqualTo(50);
+    }
+
+    @Test
+    void typedNonsense_isRefusedInASentence() {
+        typeSize("large");
+        waitFor("it tells", () -> text("message").contains("640 × 480, was 'large'"));
+        assertThat(isEnabled(Command.UNDO)).isFalse();
     }
 
     @Test

@@ -45,7 +45,7 @@ final class Artist {
         Process editor = program("editor", scene.toString());
         try {
             return look("a window", () -> !isBlank(screen())) && zoom() && look("the picture of the scene", () -> shows(before))
-                    && edit() && look("the picture of the edited scene", () -> shows(rendered("after.png"))) && quit(editor);
+                    && edit() && look("the picture of the edited scene", this::showsEdited) && quit(editor);
         } finally {
             if (editor.isAlive()) {
                 ImageIO.write(screen(), "png", new File("target/window.png"));
@@ -80,7 +80,7 @@ final class Artist {
         return true;
     }
 
-    /** Moves the selected light, renders, makes the mirrors current, saves. */
+    /** Moves the selected light, renders, saves. */
     private boolean edit() throws Exception {
         String text = Files.readString(scene);
         for (int i = 0; i < 5; i++) {
@@ -88,10 +88,13 @@ final class Artist {
         }
         type(KeyEvent.VK_F5);
         type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
-        boolean saved = look("the saved scene", () -> !Files.readString(scene).equals(text));
-        robot.delay(10 * PAUSE_MS);
+        return look("the saved scene", () -> !Files.readString(scene).equals(text));
+    }
+
+    /** Asks for current mirrors again and again, for that has no effect before Go is done. */
+    private boolean showsEdited() throws Exception {
         type(KeyEvent.VK_F6);
-        return saved;
+        return shows(rendered("after.png"));
     }
 
     private boolean quit(Process editor) throws Exception {
