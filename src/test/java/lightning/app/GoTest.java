@@ -145,8 +145,8 @@ class GoTest extends EditorDesk {
     @Test
     void typedSize_isTracedAnew() {
         typeSize("50 x 40");
-        waitForPicture();
-        assertThat(model().frame().film().width()).isEqualTo(50);
+        waitFor("it is traced", () -> model().frame().film().width() == 50);
+        assertThat(model().frame().film().height()).isEqualTo(40);
     }
 
     @Test
