@@ -25,11 +25,12 @@ record ErrorBound(double relative, double absolute, double largest) {
         }
         LayerStamp[] top = cache.stamps();
         LayerStamp[] mirrors = cache.mirroredStamps();
-        double relative = RatioBound.relative(top, cache.scene()) + RatioBound.relative(mirrors, cache.mirroredScene());
+        int depth = cache.mirroredScene().picture().depth();
+        double relative = Math.max(RatioBound.relative(top, 0), RatioBound.relative(mirrors, depth));
         if (relative == 0) {
             return NONE;
         }
-        double absolute = RatioBound.absolute(top, cache.scene()) + RatioBound.absolute(mirrors, cache.mirroredScene());
+        double absolute = RatioBound.absolute(top, 1) + RatioBound.absolute(mirrors, depth);
         return new ErrorBound(relative, absolute, relative * cache.brightest() + absolute);
     }
 

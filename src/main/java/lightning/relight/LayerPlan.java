@@ -15,16 +15,16 @@ public record LayerPlan(Light light, int from, LayerStamp before, LightUpdate up
     /**
      * What the layer shows afterwards, or null if there is none.
      *
-     * @param scaled  whether the update is carried out by ratios
-     * @param largest the largest factor by which a contribution was multiplied
+     * @param scaled       whether the update is carried out by ratios
+     * @param leastFalloff the least falloff of rows whose falloff was scaled
      */
-    LayerStamp stamp(boolean scaled, double largest) {
+    LayerStamp stamp(boolean scaled, double leastFalloff) {
         return switch (update) {
             case LightUpdate.Keep _ -> before;
             case LightUpdate.FullRecompute _, LightUpdate.Refresh _ -> LayerStamp.fresh(light);
-            case LightUpdate.Reweight _ -> scaled ? RatioBound.scaled(before, light, 1, largest) : LayerStamp.fresh(light);
+            case LightUpdate.Reweight _ -> scaled ? RatioBound.scaled(before, light, true, false, leastFalloff) : LayerStamp.fresh(light);
             case LightUpdate.Partial p -> scaled
-                    ? RatioBound.scaled(before, light, (p.falloff() ? 1 : 0) + (p.weight() ? 1 : 0), largest)
+                    ? RatioBound.scaled(before, light, p.weight(), p.falloff(), leastFalloff)
                     : LayerStamp.fresh(light);
         };
     }

@@ -2,7 +2,6 @@ package lightning.relight;
 
 import lightning.cache.LayerStamp;
 import lightning.scene.Light;
-import lightning.scene.Scene;
 
 /**
  * How far a picture made by ratios may be from the exact one.
@@ -11,18 +10,23 @@ import lightning.scene.Scene;
  * contribution is fl(w·fl(t·f)), f itself rounded: 3 roundings. The stored one began with 3 as well, and
  * each scaling added 2: the ratio and the product. All quantities are ≥ 0 and a float ratio of two
  * values with n roundings between them lies in 1 ± n·u/(1 − n·u) =: 1 ± γ(n) (Higham, Accuracy and
- * Stability, §3.1). The equation adds and multiplies values ≥ 0 only, so a relative error passes
- * through it unchanged, and each of the two pictures adds its own roundings: one for each level of the
- * balanced sum over the lights and seven to close the equation (ka·ambience and 1 − kr are the same in
- * both), once for each mirror level. Hence for every value I of the film
+ * Stability, §3.1). The equation adds and multiplies values ≥ 0 only, so a sum is off by no larger share than
+ * the worst of its terms, and each of the two pictures adds its own roundings on the way of a contribution to
+ * the film: one for each level of the balanced sum over the lights; five to close the equation (kd or
+ * ks·, + ambient, ·(1 − kr), + specular, + Cr); and two for each mirror that it is seen in (kr·, +). Hence for
+ * every value I of the film
  *
- * <pre>|I − exact| ≤ γ(N)·I/(1 − γ(N)) + A,   N = 6 + scalings·2 + 2·(⌈log₂ lights⌉ + 7)·(levels)</pre>
+ * <pre>|I − exact| ≤ γ(N)·I/(1 − γ(N)) + A,   N = 6 + scalings·2 + 2·(⌈log₂ lights⌉ + 5 + 2·mirrors)</pre>
  *
- * <p>Where a result is not normal it errs by at most η = 2⁻¹⁵⁰ instead. A scaling by at most R of
- * contributions with weight w to weight w′ turns an error a into at most
- * a·R + 2η·(w + w′ + 4)·(R + 1): the falloff's product, the ratio itself and the two products underflow
- * at most once each, times what they are multiplied by. Diffuse and specular factors are at most 1, so
- * A is twice the sum over the lights and 64η for closing the equation, once for each mirror level.
+ * <p>Where a result is not normal it errs by at most η = 2⁻¹⁵⁰ instead. Scaling a contribution from
+ * weight w and falloff f to w′ and f′ adds at most η·((1 + w)·f′/f + 3w′ + 2) by this: the two products and the
+ * ratio of the stored value, the falloff and the two products of the exact one. What was lost before is scaled
+ * along, so it stays the same share of w′·f′. The lost shares of w·f only add up, by at most
+ * 4η·(w + w′ + 4)/(w′·f) with the least f of the old and new falloffs, however often a slider goes up and down.
+ * As long as only weights change, no falloff need be known: then the shares are of w, and become shares of w·f when
+ * falloffs change. Rows whose falloff is below the least normal float count as if it were that: they
+ * are not scaled any more. The same holds for channels whose weight is below it, which stay below it. A is
+ * twice the sum over the lights and the mirrors, and 64η for closing the equation.
  */
 final class RatioBound {
     private static final double UNIT = 0x1p-24;
@@ -33,21 +37,39 @@ final class RatioBound {
     /**
      * The stamp of a layer after it was scaled.
      *
-     * @param scalings how many ratios were multiplied in
-     * @param largest  the largest factor by which a contribution was multiplied
+     * @param weight       whether weights were scaled
+     * @param falloff      whether falloffs were scaled
+     * @param leastFalloff the least falloff, old or new, of rows whose falloff was scaled
      */
-    static LayerStamp scaled(LayerStamp before, Light light, int scalings, double largest) {
-        double weights = weight(before.light()) + weight(light);
-        double absolute = before.absolute() * largest + 2 * TINY * (weights + 4) * (largest + 1);
-        return new LayerStamp(light, before.roundings() + 2 * scalings, absolute);
+    static LayerStamp scaled(LayerStamp before, Light light, boolean weight, boolean falloff, double leastFalloff) {
+        int scalings = (weight ? 1 : 0) + (falloff ? 1 : 0);
+        double lost = scalings == 0 ? 0 : 4 * TINY * (weight(before.light()) + weight(light) + 4) / leastWeight(light);
+        double ofWeight = before.lostOfWeight() + lost;
+        return new LayerStamp(light, before.roundings() + 2 * scalings,
+                falloff ? before.lostOfContribution() + ofWeight / leastFalloff : before.lostOfContribution(),
+                falloff ? 0 : ofWeight);
     }
 
     private static double weight(Light light) {
         return light.color().max() * light.intensity();
     }
 
-    /** The relative part γ(N)/(1 − γ(N)) over all layers of a scene; 0 where nothing was scaled. */
-    static double relative(LayerStamp[] stamps, Scene scene) {
+    /** The least weight of a channel that is a normal float; +∞ where there is none. */
+    private static double leastWeight(Light light) {
+        double least = Double.POSITIVE_INFINITY;
+        for (double channel : new double[] {light.color().r(), light.color().g(), light.color().b()}) {
+            double w = channel * light.intensity();
+            least = w >= Float.MIN_NORMAL ? Math.min(least, w) : least;
+        }
+        return least;
+    }
+
+    /**
+     * The relative part γ(N)/(1 − γ(N)) over all layers of one level; 0 where nothing was scaled.
+     *
+     * @param mirrors in how many mirrors the level is seen at most
+     */
+    static double relative(LayerStamp[] stamps, int mirrors) {
         int most = 0;
         for (LayerStamp stamp : stamps) {
             most = Math.max(most, stamp == null ? 0 : stamp.roundings());
@@ -56,19 +78,21 @@ final class RatioBound {
             return 0;
         }
         int sum = 32 - Integer.numberOfLeadingZeros(Math.max(0, stamps.length - 1));
-        double n = 6 + most + 2.0 * (sum + 7) * (scene.picture().depth() + 1);
+        double n = 6 + most + 2.0 * (sum + 5 + 2 * mirrors);
         double gamma = n * UNIT / (1 - n * UNIT);
         return gamma / (1 - gamma);
     }
 
-    /** The absolute part A. */
-    static double absolute(LayerStamp[] stamps, Scene scene) {
-        double sum = 0;
+    /** The absolute part A of as many levels as given. */
+    static double absolute(LayerStamp[] stamps, int levels) {
+        double sum = 64 * TINY;
         boolean scaled = false;
         for (LayerStamp stamp : stamps) {
-            sum += stamp == null ? 0 : stamp.absolute();
-            scaled |= stamp != null && stamp.roundings() > 0;
+            if (stamp != null && stamp.roundings() > 0) {
+                scaled = true;
+                sum += 2 * (weight(stamp.light()) * (stamp.lostOfContribution() + stamp.lostOfWeight()) + Float.MIN_NORMAL);
+            }
         }
-        return scaled ? (scene.picture().depth() + 1) * (2 * sum + 64 * TINY) : 0;
+        return scaled ? levels * sum : 0;
     }
 }

@@ -153,12 +153,12 @@ public final class Renderer implements AutoCloseable {
         CachedTile[] tiles = new CachedTile[old.tileCount()];
         TileWorker[] threads = threads(job);
         workers.run(tiles.length, (worker, tile) -> tiles[tile] = threads[worker].relight(old.tile(tile)), progress);
-        double largest = 1;
+        double leastFalloff = 1;
         for (TileWorker thread : threads) {
-            largest = Math.max(largest, thread.largestRatio());
+            leastFalloff = Math.min(leastFalloff, thread.leastFalloff());
         }
         cache = new PixelCache(old.geometry(), tiles, wanted, mirrors ? wanted : old.mirroredScene(),
-                stamps(plan.top(), largest), mirrors ? stamps(plan.mirrors(), largest) : old.mirroredStamps());
+                stamps(plan.top(), leastFalloff), mirrors ? stamps(plan.mirrors(), leastFalloff) : old.mirroredStamps());
         return Work.of(threads);
     }
 
@@ -168,9 +168,9 @@ public final class Renderer implements AutoCloseable {
         return threads;
     }
 
-    private LayerStamp[] stamps(LevelPlan plan, double largest) {
+    private LayerStamp[] stamps(LevelPlan plan, double leastFalloff) {
         boolean scaled = options.accuracy() == Accuracy.RATIO;
-        return plan.layers().stream().map(layer -> layer.stamp(scaled, largest)).toArray(LayerStamp[]::new);
+        return plan.layers().stream().map(layer -> layer.stamp(scaled, leastFalloff)).toArray(LayerStamp[]::new);
     }
 
     @Override

@@ -48,8 +48,8 @@ final class TileWorker {
         return lights.rowsTouched() + ratios.rowsScaled();
     }
 
-    double largestRatio() {
-        return ratios.largestRatio();
+    double leastFalloff() {
+        return ratios.leastFalloff();
     }
 
     long bytesMoved() {

@@ -13,22 +13,31 @@ final class AttenuationRatio {
     /** The ratio of each row; 1 where the row is not lit. */
     final float[] ratio = new float[LightLanes.ROWS];
 
+    private double least;
+
+    /** The least of all falloffs, old and new, of the rows computed last, but not below the least normal float. */
+    double least() {
+        return least;
+    }
+
     /**
      * Computes the ratio of each lit row.
      *
-     * @return the largest ratio, or +∞ where an old falloff is 0 or too small to divide by
+     * @return whether there is one: not where an old falloff is 0 or too small to divide by
      */
-    double compute(HitRows rows, Lamp from, Lamp to, byte[] states) {
+    boolean compute(HitRows rows, Lamp from, Lamp to, byte[] states) {
         factors(rows, from, before);
         factors(rows, to, after);
-        double largest = 1;
+        boolean usable = true;
+        least = 1;
         for (int i = 0; i < rows.count; i++) {
             boolean lit = (states[i] & LightRows.STATE) == LightRows.LIT;
-            double r = lit ? after[i] / before[i] : 1;
-            ratio[i] = (float) r;
-            largest = Math.max(largest, lit && !(before[i] >= Float.MIN_NORMAL) ? Double.POSITIVE_INFINITY : r);
+            ratio[i] = (float) (lit ? after[i] / before[i] : 1);
+            usable &= !lit || before[i] >= Float.MIN_NORMAL;
+            least = Math.min(least, lit ? Math.min(before[i], after[i]) : 1);
         }
-        return largest;
+        least = Math.max(least, Float.MIN_NORMAL);
+        return usable;
     }
 
     private void factors(HitRows rows, Lamp lamp, double[] to) {

@@ -33,8 +33,4 @@ public record IntensityRatio(float red, float green, float blue) {
     public float channel(int c) {
         return c == 0 ? red : c == 1 ? green : blue;
     }
-
-    public float largest() {
-        return Math.max(Math.max(red, green), blue);
-    }
 }

@@ -12,16 +12,19 @@ public final class RatioKernel {
     private final LightKernel exact;
     private final AttenuationRatio falloffs = new AttenuationRatio();
     private final ScratchColumns scratch = new ScratchColumns();
-    private double largestRatio = 1;
+    private double leastFalloff = 1;
     private long rowsScaled;
 
     public RatioKernel(LightKernel exact) {
         this.exact = exact;
     }
 
-    /** The largest factor that {@link #partial} multiplied any contribution by since the start. */
-    public double largestRatio() {
-        return largestRatio;
+    /**
+     * The least falloff, before or after, of any row whose contributions {@link #partial} scaled by a ratio of falloffs
+     * since the start; where it is below the least normal float, that.
+     */
+    public double leastFalloff() {
+        return leastFalloff;
     }
 
     /** Rows whose contributions were scaled since the start. */
@@ -75,15 +78,12 @@ public final class RatioKernel {
         if (before.lit() == 0 && cone != ConeChange.ANGLE_ADD) {
             return cone == ConeChange.NONE ? before : moved(rows, to, before, before, cone);
         }
-        double largest = intensity.largest();
         if (falloff && before.lit() > 0) {
-            double ratio = falloffs.compute(rows, from, to, before.states());
-            if (ratio == Double.POSITIVE_INFINITY) {
+            if (!falloffs.compute(rows, from, to, before.states())) {
                 return full(rows, to);
             }
-            largest = Math.max(largest, largest * ratio);
+            leastFalloff = Math.min(leastFalloff, falloffs.least());
         }
-        largestRatio = Math.max(largestRatio, largest);
         RatioRows scaled = scaled(rows, before, intensity, falloff && before.lit() > 0);
         return cone == ConeChange.NONE ? scaled : moved(rows, to, before, scaled, cone);
     }

@@ -3,7 +3,6 @@ package lightning.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import lightning.image.Film;
 import lightning.sample.Session;
 import lightning.sample.StudioScene;
 import lightning.scene.Camera;
@@ -44,7 +43,7 @@ class RatioTest {
             for (int step = 0; step < session.scenes().size(); step++) {
                 Update update = renderer.render(session.scenes().get(step), Progress.NONE);
                 Scene mirrored = renderer.cache().mirroredScene();
-                double error = largestError(renderer.film(), new ReferenceTracer(renderer.scene(), mirrored).trace());
+                double error = FilmErrors.largestError(renderer.film(), new ReferenceTracer(renderer.scene(), mirrored).trace());
                 assertThat(error).as("after edit " + step + ": " + update.plan().text())
                         .isLessThanOrEqualTo(update.errorBound());
                 differs |= error > 0;
@@ -62,19 +61,7 @@ class RatioTest {
         try (Renderer renderer = new Renderer(Options.DEFAULT.withAccuracy(Accuracy.RATIO))) {
             renderer.render(scene, Progress.NONE);
             Update update = renderer.render(wider, Progress.NONE);
-            assertThat(largestError(renderer.film(), new ReferenceTracer(wider).trace())).isLessThanOrEqualTo(update.errorBound());
+            assertThat(FilmErrors.largestError(renderer.film(), new ReferenceTracer(wider).trace())).isLessThanOrEqualTo(update.errorBound());
         }
-    }
-
-    private static double largestError(Film actual, Film expected) {
-        float[] a = actual.toScanlines();
-        float[] e = expected.toScanlines();
-        double largest = 0;
-        for (int i = 0; i < a.length; i++) {
-            double error = Math.abs((double) a[i] - e[i]);
-            assertThat(error).as("value " + i).isNotNaN();
-            largest = Math.max(largest, error);
-        }
-        return largest;
     }
 }
