@@ -52,7 +52,7 @@ final class LightLanes {
             DoubleVector vy = DoubleVector.broadcast(D, y).sub(load(rows.py, i));
             DoubleVector vz = DoubleVector.broadcast(D, z).sub(load(rows.pz, i));
             DoubleVector d = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).lanewise(VectorOperators.SQRT);
-            VectorMask<Double> here = d.compare(VectorOperators.EQ, 0);
+            VectorMask<Double> here = d.compare(VectorOperators.LT, LightingEquation.NO_DISTANCE);
             DoubleVector inverse = DoubleVector.broadcast(D, 1).div(d);
             d.intoArray(distance, i);
             vx.mul(inverse).blend(load(rows.nx, i), here).intoArray(lx, i);

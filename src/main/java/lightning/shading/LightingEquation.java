@@ -16,6 +16,9 @@ import lightning.scene.Attenuation;
  * what is given as float was rounded when the row was stored.
  */
 final class LightingEquation {
+    /** Below it the square of a distance has too few digits to give a vector the length 1; it counts as 0. */
+    static final double NO_DISTANCE = 0x1p-500;
+
     private final Lamp lamp;
     private double lx;
     private double ly;
@@ -36,10 +39,11 @@ final class LightingEquation {
             double vy = ly - py;
             double vz = lz - pz;
             distance = Math.sqrt(vx * vx + vy * vy + vz * vz);
+            boolean here = distance < NO_DISTANCE;
             double inverse = 1 / distance;
-            lx = distance == 0 ? nx : vx * inverse;
-            ly = distance == 0 ? ny : vy * inverse;
-            lz = distance == 0 ? nz : vz * inverse;
+            lx = here ? nx : vx * inverse;
+            ly = here ? ny : vy * inverse;
+            lz = here ? nz : vz * inverse;
         }
     }
 
