@@ -45,6 +45,13 @@ final class TraceScenes {
         return new Geometry(one(kind, placement, camera, camera.plus(new Vec3(0, 0, -1 - camera.maxAbs())))).shapes();
     }
 
+    /** A ball of a radius, and a floor under it, seen from the origin. */
+    static Scene ballOnFloor(Vec3 at, double radius) {
+        List<Node> nodes = new TraceScenes().add(ShapeTable.SPHERE, at, Vec3.ZERO, Vec3.ONE.times(radius))
+                .add(ShapeTable.PLANE, at.minus(new Vec3(0, radius, 0)), Vec3.ZERO, new Vec3(8 * radius, 1, 8 * radius)).nodes;
+        return new Scene(Picture.DEFAULT, new Camera(Vec3.ZERO, at, Vec3.Y, 40), World.DEFAULT, List.of(), nodes, List.of());
+    }
+
     /** One shape alone, seen from a camera that looks at a point. */
     static Scene one(int kind, Placement placement, Vec3 from, Vec3 to) {
         return new Scene(Picture.DEFAULT, new Camera(from, to, Vec3.Y, 40), World.DEFAULT, List.of(),

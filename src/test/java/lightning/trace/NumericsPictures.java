@@ -1,0 +1,151 @@
+package lightning.trace;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Random;
+import java.util.function.ToDoubleFunction;
+import lightning.image.Film;
+import lightning.image.PictureFile;
+import lightning.image.ViewTransform;
+import lightning.math.Vec3;
+import lightning.scene.Placement;
+
+/** Draws the pictures of docs/numerics.md, the textbook's formula on the left and Lightning's on the right, and times both. */
+final class NumericsPictures {
+    private static final int SIZE = 160;
+    private static final Vec3 TO_LIGHT = new Vec3(-0.5, 0.7, 0.6).normalized();
+    private static final Path FOLDER = Path.of("docs", "pictures");
+
+    private NumericsPictures() {}
+
+    /** Run it from the project's folder. */
+    public static void main(String[] args) throws IOException {
+        Files.createDirectories(FOLDER);
+        write("far-sphere", panel(x -> fromAfar(ShapeTable.SPHERE, x, 3e7, new Vec3(0, 0, -1), true)),
+                panel(x -> fromAfar(ShapeTable.SPHERE, x, 3e7, new Vec3(0, 0, -1), false)));
+        Vec3 generator = new Vec3(0, -1, -1).normalized();
+        write("far-cone", panel(x -> fromAfar(ShapeTable.CONE, x, 3e6, generator, true)),
+                panel(x -> fromAfar(ShapeTable.CONE, x, 3e6, generator, false)));
+        Vec3 at = new Vec3(148376, 1234, -223423);
+        write("acne", panel(x -> shadowed(x, at, 2, Leaving.FROM_THE_HIT)), panel(x -> shadowed(x, at, 2, Leaving.LIGHTNING)));
+        write("epsilon", panel(x -> shadowed(x, new Vec3(0, 0, -4e-4), 1e-4, Leaving.BY_EPSILON)),
+                panel(x -> shadowed(x, new Vec3(0, 0, -4e-4), 1e-4, Leaving.LIGHTNING)));
+        write("far-scene", panel(x -> normalFromFloats(x, new Vec3(4e6, 2e6, -3e6))), panel(x -> normalFromFloats(x, Vec3.ZERO)));
+        time();
+    }
+
+    private static float[] panel(ToDoubleFunction<double[]> shade) {
+        float[] values = new float[SIZE * SIZE];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = (float) shade.applyAsDouble(new double[] {(i % SIZE + 0.5) / SIZE * 2.4 - 1.2, 1.2 - (i / SIZE + 0.5) / SIZE * 2.4});
+        }
+        return values;
+    }
+
+    private static void write(String name, float[] left, float[] right) throws IOException {
+        int width = 2 * SIZE + 4;
+        float[] rgb = new float[3 * width * SIZE];
+        for (int y = 0; y < SIZE; y++) {
+            for (int x = 0; x < width; x++) {
+                float value = x < SIZE ? left[y * SIZE + x] : x < SIZE + 4 ? 1 : right[y * SIZE + x - SIZE - 4];
+                java.util.Arrays.fill(rgb, 3 * (y * width + x), 3 * (y * width + x) + 3, value);
+            }
+        }
+        PictureFile.write(FOLDER.resolve("numerics-" + name + ".png"), Film.ofScanlines(width, SIZE, rgb), ViewTransform.DEFAULT);
+    }
+
+    /** Parallel rays against one canonical solid, shaded by its normal. */
+    private static double fromAfar(int kind, double[] x, double distance, Vec3 d, boolean naive) {
+        Vec3 right = new Vec3(1, 0, 0);
+        Vec3 up = right.cross(d);
+        Vec3 middle = kind == ShapeTable.SPHERE ? Vec3.ZERO : new Vec3(0, 0.4, 0);
+        Vec3 o = middle.plus(right.times(x[0])).plus(up.times(x[1])).minus(d.times(distance));
+        Geometry geometry = new Geometry(TraceScenes.one(kind, Placement.IDENTITY, Vec3.ZERO, new Vec3(0, 0, -1)));
+        double t = naive ? NaiveSolids.distance(kind, o.x(), o.y(), o.z(), d.x(), d.y(), d.z()) : geometry.distance(0, new Ray(o, d));
+        if (t == Solids.MISS) {
+            return 0.02;
+        }
+        Surface surface = new Surface();
+        surface.at(geometry.shapes(), 0, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
+        return 0.1 + Math.max(0, TO_LIGHT.dot(new Vec3(surface.nx, surface.ny, surface.nz)));
+    }
+
+    private enum Leaving { FROM_THE_HIT, BY_EPSILON, LIGHTNING }
+
+    /** A ball over a floor, seen from the origin, with its shadow. */
+    private static double shadowed(double[] x, Vec3 at, double scale, Leaving leaving) {
+        Geometry geometry = new Geometry(TraceScenes.ballOnFloor(at, scale));
+        Vec3 forward = at.normalized();
+        Vec3 right = forward.cross(Vec3.Y).normalized();
+        Vec3 up = right.cross(forward);
+        Vec3 target = at.plus(right.times(1.6 * scale * x[0])).plus(up.times(1.6 * scale * x[1]));
+        Ray ray = new Ray(Vec3.ZERO, target.normalized());
+        int shape = geometry.nearestOfAll(ray);
+        if (shape < 0) {
+            return 0.02;
+        }
+        SurfacePoint p = geometry.surface(shape, ray);
+        Vec3 normal = new Vec3(p.nx(), p.ny(), p.nz());
+        Vec3 hit = ray.direction().times(geometry.distance(shape, ray));
+        Vec3 from = leaving == Leaving.LIGHTNING ? new Vec3(p.px(), p.py(), p.pz()) : new Vec3((float) hit.x(), (float) hit.y(), (float) hit.z());
+        double least = leaving == Leaving.BY_EPSILON ? 1e-4 : 0;
+        boolean dark = false;
+        for (int s = 0; s < geometry.shapeCount(); s++) {
+            double t = geometry.distance(s, new Ray(from, TO_LIGHT));
+            dark |= t > least && t < Solids.MISS;
+        }
+        return 0.1 + (dark ? 0 : Math.max(0, TO_LIGHT.dot(normal)));
+    }
+
+    /** A light beside the row, of which only a float of its place is known, measured from an origin far away or at the eye. */
+    private static double normalFromFloats(double[] x, Vec3 eye) {
+        double y = x[1];
+        double z = -3;
+        Vec3 p = new Vec3((float) (eye.x() + x[0]), (float) (eye.y() + y), (float) (eye.z() + z));
+        Vec3 light = eye.plus(new Vec3(0.3, 0.2, -2.6));
+        Vec3 to = light.minus(p);
+        return 0.3 * to.normalized().z() / to.dot(to);
+    }
+
+    private static void time() {
+        String[] names = {"sphere", "cone", "cylinder"};
+        for (int kind = 0; kind < 3; kind++) {
+            double[][] rays = new double[4096][];
+            Random random = new Random(kind);
+            for (int i = 0; i < rays.length; i++) {
+                Ray ray = HardRay.FROM_AFAR.make(kind, random);
+                Vec3 o = ray.origin();
+                Vec3 d = ray.direction();
+                rays[i] = new double[] {o.x(), o.y(), o.z(), d.x(), d.y(), d.z()};
+            }
+            double naive = Double.MAX_VALUE;
+            double robust = Double.MAX_VALUE;
+            for (int run = 0; run < 400; run++) {
+                naive = Math.min(naive, nanos(rays, kind, true));
+                robust = Math.min(robust, nanos(rays, kind, false));
+            }
+            System.out.printf("%s: textbook %.1f ns, Lightning %.1f ns%n", names[kind], naive, robust);
+        }
+    }
+
+    private static double sink;
+
+    private static double nanos(double[][] rays, int kind, boolean naive) {
+        long start = System.nanoTime();
+        double sum = 0;
+        for (double[] r : rays) {
+            sum += naive ? switch (kind) {
+                case 0 -> NaiveSolids.sphere(r[0], r[1], r[2], r[3], r[4], r[5]);
+                case 1 -> NaiveSolids.cone(r[0], r[1], r[2], r[3], r[4], r[5]);
+                default -> NaiveSolids.cylinder(r[0], r[1], r[2], r[3], r[4], r[5]);
+            } : switch (kind) {
+                case 0 -> Solids.sphere(r[0], r[1], r[2], r[3], r[4], r[5]);
+                case 1 -> Solids.cone(r[0], r[1], r[2], r[3], r[4], r[5]);
+                default -> Solids.cylinder(r[0], r[1], r[2], r[3], r[4], r[5]);
+            };
+        }
+        sink += sum;
+        return (System.nanoTime() - start) / (double) rays.length;
+    }
+}
