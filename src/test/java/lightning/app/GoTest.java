@@ -63,7 +63,8 @@ class GoTest extends EditorDesk {
         assertThat(isEnabled(Command.GO)).isFalse();
         assertThat(isShown("pending")).isFalse();
         assertThat(text("status")).contains("lamp: weight").contains("0 shadow rays").contains("for the first trace")
-                .contains("saved");
+                // Which of the two it is depends on the machine: the picture is tiny.
+                .containsPattern("% (saved|slower)");
     }
 
     @Test
