@@ -1,6 +1,5 @@
 package lightning.relight;
 
-import java.util.ArrayList;
 import java.util.List;
 
 /** What a renderer will do to get from the scene rendered last to the scene wanted. */
@@ -33,6 +32,6 @@ public sealed interface UpdatePlan {
 
     /** The steps on one line. */
     default String text() {
-        return String.join(", ", new ArrayList<>(steps()));
+        return String.join(", ", steps());
     }
 }
