@@ -25,6 +25,9 @@ public final class Harness {
     private static final int DRIFT_EDITS = 10_000;
     private static final int QUICK_DRIFT_EDITS = 100;
     private static final PictureSize DRIFT_SIZE = new PictureSize(96, 96);
+    /** How long the first traces are waited for to become fast, at most; on a machine that is not busy it takes a fifth. */
+    private static final double COLD_MS = 10_000;
+    private static final double PACE_MS = 1000;
     private static final double WARM_UP_MS = 3000;
     private static final double QUICK_WARM_UP_MS = 1500;
 
@@ -47,7 +50,8 @@ public final class Harness {
     private record Group(List<Part> parts, AutoCloseable shared) {}
 
     /**
-     * Prepares a run: measures the bandwidth of memory, traces each scene for a moment, and predicts how long all will take.
+     * Prepares a run: lets the compiler see the first scene's edits, measures the bandwidth of memory, traces each scene for a
+     * moment, and predicts how long all will take.
      *
      * @param scenes    in the order in which they are measured; their names differ
      * @param problems  of scenes that could not be read
@@ -63,7 +67,9 @@ public final class Harness {
         List<Pace> paces = new ArrayList<>();
         try (Workers workers = new Workers(settings.threads())) {
             triad = Bandwidth.triad(workers);
-            scenes.forEach(scene -> paces.add(Pace.of(scene.scene(), workers, progress.silent())));
+            warmUp(workers, progress.silent());
+            double patienceMs = settings.isWarm() ? PACE_MS : 0;
+            scenes.forEach(scene -> paces.add(Pace.of(scene.scene(), workers, patienceMs, progress.silent())));
         }
         double best = triad.stream().mapToDouble(d -> d).max().orElseThrow();
         for (int i = 0; i < scenes.size(); i++) {
@@ -73,7 +79,7 @@ public final class Harness {
             groups.add(new Group(new GrowthBench(settings, ledger, best).parts(paces.getFirst()), () -> { }));
             groups.add(new Group(List.of(drift(paces.getFirst())), () -> { }));
         }
-        predictedMs = warmUpMs() + groups.stream().flatMap(g -> g.parts().stream()).mapToDouble(Part::predictedMs).sum();
+        predictedMs = groups.stream().flatMap(g -> g.parts().stream()).mapToDouble(Part::predictedMs).sum();
         run = new Run(Instant.now().truncatedTo(ChronoUnit.SECONDS).toString(), Here.commit(), arguments, Here.machine(), settings.seed(),
                 settings.threads(), settings.repetitions(), settings.quick(), predictedMs / 1e3, 0, false, best / 1e6,
                 triad.stream().map(d -> d / 1e6).toList());
@@ -99,10 +105,6 @@ public final class Harness {
                 progress -> ledger.drift(drift.measure(edits, progress)));
     }
 
-    private double warmUpMs() {
-        return settings.quick() ? QUICK_WARM_UP_MS : WARM_UP_MS;
-    }
-
     /** How long the run will take, seconds, good to about a factor of two. */
     public double predictedSeconds() {
         return predictedMs / 1e3;
@@ -123,8 +125,7 @@ public final class Harness {
      * @throws CancellationException    if {@code progress} asked to stop; {@link #results} still has what was measured
      */
     public Results run(Listener listener, Progress progress) throws IOException, InterruptedException {
-        warmUp(progress.silent());
-        double done = warmUpMs();
+        double done = 0;
         for (Group group : groups) {
             try (AutoCloseable _ = group.shared()) {
                 for (Part part : group.parts()) {
@@ -153,15 +154,17 @@ public final class Harness {
     }
 
     /** Lets the compiler see the first scene's edits. */
-    private void warmUp(Progress progress) {
-        if (scenes.isEmpty()) {
+    private void warmUp(Workers workers, Progress progress) {
+        if (scenes.isEmpty() || !settings.isWarm()) {
             return;
         }
+        Pace.of(scenes.getFirst().scene(), workers, COLD_MS, progress);
+        double patienceMs = settings.quick() ? QUICK_WARM_UP_MS : WARM_UP_MS;
         var scene = new PictureSize(160, 120).of(scenes.getFirst().scene());
         long start = System.nanoTime();
         try (LadderMeter meter = new LadderMeter(settings.threads(), 1, 0)) {
             for (PaperCase edit : PaperCases.of(scene)) {
-                if ((System.nanoTime() - start) / 1e6 < warmUpMs()) {
+                if ((System.nanoTime() - start) / 1e6 < patienceMs) {
                     meter.measure(scene, edit.after(), progress);
                 }
             }

@@ -14,7 +14,9 @@ import lightning.shading.Workers;
  */
 record Pace(double msPerPixel) {
     private static final PictureSize SMALL = new PictureSize(160, 120);
-    private static final double PATIENCE_MS = 150;
+    /** It traces until so many traces were not notably faster than the best before: the compiler is done. */
+    private static final int STEADY_TRACES = 12;
+    private static final double NOTABLY = 0.9;
     /** Warming up takes so many rounds, as a rule. */
     private static final double WARM_UPS = 4;
     /** One round of a ladder in full traces: the trace, and seven re-renders of all kinds. */
@@ -24,16 +26,23 @@ record Pace(double msPerPixel) {
     /** Measuring how far a ladder's pictures are off, milliseconds a pixel. */
     private static final double ERRORS = 1.6e-3;
 
-    /** Traces small pictures until they are fast. */
-    static Pace of(Scene scene, Workers workers, Progress progress) {
+    /**
+     * Traces small pictures until they are fast; in cold code that takes a while.
+     *
+     * @param patienceMs how long at most, milliseconds
+     */
+    static Pace of(Scene scene, Workers workers, double patienceMs, Progress progress) {
         var tracer = new TraditionalTracer(SMALL.of(scene));
         double best = Double.POSITIVE_INFINITY;
         long start = System.nanoTime();
+        int steady = 0;
         do {
             long from = System.nanoTime();
             tracer.trace(workers, progress);
-            best = Math.min(best, (System.nanoTime() - from) / 1e6);
-        } while ((System.nanoTime() - start) / 1e6 < PATIENCE_MS);
+            double ms = (System.nanoTime() - from) / 1e6;
+            steady = ms < NOTABLY * best ? 0 : steady + 1;
+            best = Math.min(best, ms);
+        } while (steady < STEADY_TRACES && (System.nanoTime() - start) / 1e6 < patienceMs);
         return new Pace(best / SMALL.pixels());
     }
 

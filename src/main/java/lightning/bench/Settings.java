@@ -11,7 +11,7 @@ import lightning.accuracy.PaperCases;
  * @param figure      the paper's figure whose edits alone are measured; 0 for all edits
  * @param values      how many varying values of each edit, 1 to {@link PaperCases#VALUES}
  * @param further     whether edits that the paper does not print are measured too
- * @param repetitions how many samples each work has, ≥ 1
+ * @param repetitions how many samples each work has, ≥ 1; 1 is for a look at what comes out: nothing is warmed up
  * @param patienceMs  how long warming up one group of works takes at most, milliseconds
  * @param threads     how many threads each work has, ≥ 1
  * @param seed        what everything random starts from
@@ -27,6 +27,7 @@ public record Settings(List<PictureSize> sizes, int figure, int values, boolean 
 
     public Settings {
         sizes = List.copyOf(sizes);
+        patienceMs = repetitions > 1 ? patienceMs : 0;
     }
 
     /** Everything. */
@@ -50,6 +51,11 @@ public record Settings(List<PictureSize> sizes, int figure, int values, boolean 
     /** The edits of one figure alone, without curves. */
     public Settings withFigure(int v) {
         return new Settings(sizes, v, values, false, repetitions, patienceMs, threads, seed, false, peers, quick);
+    }
+
+    /** Whether times are worth something: code is warmed up. */
+    boolean isWarm() {
+        return repetitions > 1;
     }
 
     /** Whether a case is measured. */

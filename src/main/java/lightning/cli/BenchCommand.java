@@ -11,7 +11,6 @@ import lightning.bench.Baseline;
 import lightning.bench.Figures;
 import lightning.bench.Harness;
 import lightning.bench.PictureSize;
-import lightning.bench.Problem;
 import lightning.bench.Reporter;
 import lightning.bench.Results;
 import lightning.bench.ResultsFile;
@@ -79,7 +78,7 @@ final class BenchCommand implements Callable<Integer> {
         figure = value;
     }
 
-    @Option(names = "--repetitions", paramLabel = "N", description = "How many samples each work has; 5 without it, 3 with --quick.")
+    @Option(names = "--repetitions", paramLabel = "N", description = "How many samples each work has; 5 without it, 3 with --quick. 1 is for a look: nothing is warmed up.")
     private void setRepetitions(int value) {
         if (value < 1 || value > MOST_REPETITIONS) {
             throw new ParameterException(command.commandLine(), "--repetitions must be from 1 to " + MOST_REPETITIONS + ", was " + value);
@@ -134,20 +133,8 @@ final class BenchCommand implements Callable<Integer> {
                 table.foot(results);
                 return results;
             } catch (CancellationException | InterruptedException | IOException e) {
-                keep(files, harness.results(false));
+                files.keep(harness.results(false));
                 throw e;
-            }
-        }
-    }
-
-    /** Writes what was measured; an interrupted thread would not be let. */
-    private static void keep(BenchFolder files, Results results) throws IOException {
-        boolean interrupted = Thread.interrupted();
-        try {
-            files.write(results);
-        } finally {
-            if (interrupted) {
-                Thread.currentThread().interrupt();
             }
         }
     }

@@ -34,6 +34,18 @@ final class BenchFolder {
         reporter.write(results, folder);
     }
 
+    /** Writes all files even where this thread is interrupted, which would not let it write; it stays interrupted. */
+    void keep(Results results) throws IOException {
+        boolean interrupted = Thread.interrupted();
+        try {
+            write(results);
+        } finally {
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+
     private void writeTables(Results results) throws IOException {
         long start = System.nanoTime();
         ResultsFile.writeJson(folder.resolve("results.json"), results);

@@ -3,16 +3,18 @@ package lightning.cli;
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.ToDoubleFunction;
 import lightning.accuracy.Level;
 import lightning.bench.DriftPoint;
 import lightning.bench.EditResult;
 import lightning.bench.FirstPass;
 import lightning.bench.Results;
+import lightning.bench.RungResult;
 import lightning.bench.SceneResult;
 
 /** The table of a benchmark, printed as it grows. */
 final class BenchTable {
-    private static final String COLUMNS = "%-15s %8s %7s %6s %6s | %8s %8s %8s %8s %8s %8s %9s";
+    private static final String COLUMNS = "%-15s %8s %7s %6s %6s | %8s %8s %8s %8s %8s %8s | %6s %6s";
 
     private final Console console;
     /** How many edits of each scene and size were printed. */
@@ -38,7 +40,7 @@ final class BenchTable {
     private void head(String name, SceneResult scene) {
         console.line("");
         console.line("%s, depth %d, %d shapes, %d lights%s", name, scene.depth(), scene.shapes(), scene.lights(), firstPass(scene.firstPass()));
-        console.line(COLUMNS, "edit", "full ms", "saves %", "paper", "cap", "half", "fast", "ratio", "exact", "updated", "current", "max error");
+        console.line(COLUMNS, "edit", "full ms", "saves %", "paper", "cap", "half", "fast", "ratio", "exact", "updated", "current", "half", "fast");
     }
 
     private static String firstPass(FirstPass first) {
@@ -50,14 +52,21 @@ final class BenchTable {
         console.line(COLUMNS, edit.edit(), ms(edit, Level.FULL_TRACE), number(edit.saving(), 1), number(edit.paperSaving(), 0),
                 number(edit.cap(), 1), ms(edit, Level.HALF_RESOLUTION), ms(edit, Level.FAST_SHADING), ms(edit, Level.RATIO),
                 ms(edit, Level.EXACT), ms(edit, Level.EXACT_UPDATED), ms(edit, Level.EXACT_CURRENT),
-                String.format(Locale.ROOT, "%.2g", edit.values().stream()
-                        .mapToDouble(v -> v.rungs().get(Level.FAST_SHADING.ordinal()).error().maxAbsolute()).max().orElse(0)));
+                flip(edit, Level.HALF_RESOLUTION), flip(edit, Level.FAST_SHADING));
+    }
+
+    private static String flip(EditResult edit, Level level) {
+        return number(average(edit, rung -> rung.error().flip(), level), 3);
     }
 
     /** The average over all values of the medians. */
     private static String ms(EditResult edit, Level level) {
-        return number(edit.values().stream().mapToDouble(value -> value.rungs().get(level.ordinal()).time().median()).average()
-                .orElse(Double.NaN), 2);
+        return number(average(edit, rung -> rung.time().median(), level), 2);
+    }
+
+    private static double average(EditResult edit, ToDoubleFunction<RungResult> what, Level level) {
+        return edit.values().stream().mapToDouble(value -> what.applyAsDouble(value.rungs().get(level.ordinal()))).average()
+                .orElse(Double.NaN);
     }
 
     private static String number(double value, int digits) {
@@ -68,7 +77,7 @@ final class BenchTable {
     void foot(Results results) {
         console.line("");
         console.line("saves: level exact, of a full trace's time; paper: on its own scene and machine of 1998; cap: what ray counts and memory allow;");
-        console.line("right of the bar: milliseconds of each level; max error: the largest difference of fast shading, linear");
+        console.line("then milliseconds of each level, and the mean FLIP error (0 to 1) of the two roughest");
         for (SceneResult scene : results.scenes()) {
             if (scene.peer() != null) {
                 console.line("%s at %d x %d: %.1f times as fast as %s; %.2f %% of the pixels show the same shape", scene.scene(), scene.width(),
