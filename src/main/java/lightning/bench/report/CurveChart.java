@@ -10,12 +10,15 @@ import org.jfree.data.xy.XYSeriesCollection;
 
 /** Lines on logarithmic axes, each named at its end. Values of 0 have a line of their own. */
 final class CurveChart {
-    /** A line through points {@code {x, y}}, x rising, both ≥ 0; dashed for what is only promised. */
+    /** A line through points {@code {x, y}}, x rising, both ≥ 0; dashed for what is only promised; its name may be empty. */
     record Curve(String name, Ink ink, boolean dashed, List<double[]> points) {
         double[] last() {
             return points.getLast();
         }
     }
+
+    private static final int AXIS = 50;
+    private static final int NAME_GAP = 14;
 
     private CurveChart() {}
 
@@ -33,8 +36,10 @@ final class CurveChart {
         double zero = zeroes ? Math.pow(10, Math.floor(Math.log10(low)) - 1) : low / 1.6;
         boolean origin = curves.stream().flatMap(c -> c.points.stream()).anyMatch(p -> p[0] == 0);
         double start = origin ? left / 2 : left;
-        XYPlot plot = PlotLook.xy(
-                new DecadeAxis(start / 1.15, right * Math.pow(right / start, 0.42), x -> x > 1.01 * right ? "" : across.apply(x)),
+        double names = curves.stream().mapToDouble(c -> ChartSvg.widthOf(c.name)).max().orElse(0) + NAME_GAP;
+        DecadeAxis bottom = new DecadeAxis(start / 1.15, right * Math.pow(right / start, names / (width - names - AXIS)),
+                x -> x > 1.01 * right ? "" : x < 0.9 * left ? "0" : across.apply(x));
+        XYPlot plot = PlotLook.xy(bottom,
                 new DecadeAxis(zeroes ? zero / 1.6 : zero, high * 2, y -> zeroes && y < 1.5 * zero ? "0" : up.apply(y)));
         XYSeriesCollection lines = new XYSeriesCollection();
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer();
@@ -48,6 +53,11 @@ final class CurveChart {
             renderer.setSeriesStroke(i, curve.dashed ? PlotLook.DASHES : PlotLook.LINE);
             renderer.setSeriesShape(i, new Ellipse2D.Double(-2.25, -2.25, 4.5, 4.5));
             renderer.setSeriesShapesVisible(i, !curve.dashed);
+            if (curve.name.isEmpty()) {
+                renderer.setSeriesStroke(i, PlotLook.HAIRLINE);
+                renderer.setSeriesShapesVisible(i, false);
+                continue;
+            }
             labels.add(curve.last()[0], curve.last()[1] > 0 ? curve.last()[1] : zero, curve.name, curve.ink.color());
         }
         plot.setDataset(lines);

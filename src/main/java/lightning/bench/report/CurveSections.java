@@ -1,6 +1,7 @@
 package lightning.bench.report;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.ToDoubleFunction;
@@ -16,6 +17,9 @@ import lightning.relight.Accuracy;
 final class CurveSections {
     private static final int WIDTH = 560;
     private static final int HEIGHT = 320;
+    /** Where there are many edits: one of each kind of update. */
+    private static final List<String> TYPICAL = List.of("color", "position", "attenuation", "angle-larger", "add",
+            "mirrors updated after position");
 
     private CurveSections() {}
 
@@ -51,7 +55,8 @@ final class CurveSections {
         }
         int refreshes = drift.points().stream().mapToInt(DriftPoint::refreshes).max().orElse(0);
         SceneSection.figure(page, drift.scene() + ", " + drift.width() + " × " + drift.height(),
-                "Largest difference of any value (linear) against the number of edits. Ratio computed anew " + refreshes + " times.",
+                "Largest difference of any value (linear) against the number of edits. Level ratio "
+                        + (refreshes == 0 ? "never had to compute anew." : "computed anew " + refreshes + " times."),
                 CurveChart.svg("Error after many edits", curves, WIDTH, HEIGHT, Numbers::tick,
                         at -> Numbers.power((int) Math.round(Math.log10(at)))));
     }
@@ -66,13 +71,17 @@ final class CurveSections {
         List<CurveChart.Curve> curves = new ArrayList<>();
         curves.add(new CurveChart.Curve("full trace", Ink.TEXT, false,
                 points(growth.points().stream().map(p -> new double[] {p.at(), p.fullTrace().median()}))));
-        List<String> edits = growth.points().stream().flatMap(p -> p.edits().stream()).map(GrowthPoint.EditTime::edit).distinct().toList();
-        for (int i = 0; i < edits.size(); i++) {
-            String edit = edits.get(i);
-            curves.add(new CurveChart.Curve(edit, Ink.of(i), false, points(growth.points().stream().flatMap(p -> p.edits().stream()
+        List<String> edits = growth.points().stream().flatMap(p -> p.edits().stream()).map(GrowthPoint.EditTime::edit).distinct()
+                .sorted(Comparator.comparing(TYPICAL::contains)).toList();
+        boolean few = edits.size() <= TYPICAL.size();
+        for (String edit : edits) {
+            boolean named = few || TYPICAL.contains(edit);
+            Ink ink = few ? Ink.of(edits.indexOf(edit)) : named ? Ink.of(TYPICAL.indexOf(edit)) : Ink.PAPER;
+            curves.add(new CurveChart.Curve(named ? edit : "", ink, false, points(growth.points().stream().flatMap(p -> p.edits().stream()
                     .filter(e -> e.edit().equals(edit)).map(e -> new double[] {p.at(), e.time().median()})))));
         }
-        SceneSection.figure(page, "With " + growth.along(), "Time (ms) against " + growth.along() + "; " + growth.scene() + ".",
+        SceneSection.figure(page, "With " + growth.along(), "Time (ms) against " + growth.along() + "; " + growth.scene() + "."
+                + (few ? "" : " Grey: the other edits."),
                 CurveChart.svg("Time against " + growth.along(), curves, WIDTH, HEIGHT, Numbers::tick, Numbers::tick));
     }
 

@@ -27,11 +27,25 @@ final class KeyNumbers {
         page.open("dl", "class", "key");
         number(page, Numbers.percent(median(savings)), "of a full trace is saved by the median edit at level exact, "
                 + "the full trace being the fastest that the program can make");
-        number(page, Numbers.percent(savings.length == 0 ? Double.NaN : savings[0]), "is saved by the edit that saves least");
+        worst(page, results);
         number(page, Numbers.grouped(equal) + " of " + Numbers.grouped(current.size()),
                 "pictures of level exact with current mirrors equal the full trace in every bit");
-        number(page, Numbers.percent(median(first)), "more time than the full trace does the median first pass take, to keep what edits need");
+        number(page, Numbers.percent(median(first)), "is what the median first pass takes beyond a full trace, to keep what edits need");
         page.close();
+    }
+
+    private static void worst(Markup page, Results results) {
+        double least = Double.POSITIVE_INFINITY;
+        String which = "";
+        for (SceneResult scene : results.scenes()) {
+            for (EditResult edit : scene.edits()) {
+                if (edit.saving() < least) {
+                    least = edit.saving();
+                    which = edit.edit() + " on " + SceneSection.title(scene);
+                }
+            }
+        }
+        number(page, Numbers.percent(least), "is saved by the edit that saves least: " + which);
     }
 
     private static void number(Markup page, String value, String meaning) {

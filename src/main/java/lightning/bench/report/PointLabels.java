@@ -27,7 +27,7 @@ final class PointLabels extends AbstractXYAnnotation {
 
     private final transient List<Label> labels = new ArrayList<>();
 
-    /** @param beside whether names go right and left of points first; else above and below, free of whiskers */
+    /** @param beside whether names stand right of points, where lines end; else above and below, free of whiskers */
     PointLabels(boolean beside) {
         this.beside = beside;
     }
@@ -72,10 +72,10 @@ final class PointLabels extends AbstractXYAnnotation {
     private Rectangle2D place(Point2D p, double width, Rectangle2D area, List<Rectangle2D> taken) {
         Rectangle2D first = null;
         double right = p.getX() + (beside ? GAP : -4);
-        double left = p.getX() - width - (beside ? GAP : -4);
+        double left = p.getX() - width + 4;
         for (int n = beside ? 0 : 1; n <= 2 * FAR; n++) {
             double y = p.getY() + (n % 2 == 0 ? 1 : -1) * ((n + 1) / 2) * LINE - LINE / 2;
-            for (double x : new double[] {right, left}) {
+            for (double x : beside ? new double[] {right} : new double[] {right, left}) {
                 Rectangle2D place = new Rectangle2D.Double(x, y, width, LINE);
                 first = first == null ? place : first;
                 if (area.contains(place) && taken.stream().noneMatch(place::intersects)) {

@@ -87,7 +87,7 @@ final class RunSection {
     }
 
     private static String edits(double count) {
-        return Double.isFinite(count) ? Numbers.grouped(Math.round(count)) + (count == 1 ? " edit" : " edits") : "never";
+        return count == 0 ? "at once" : Double.isFinite(count) ? Numbers.grouped(Math.round(count)) + (count == 1 ? " edit" : " edits") : "never";
     }
 
     static void writeMethod(Markup page, Run run) {

@@ -22,6 +22,13 @@ for (const wipe of document.querySelectorAll(".wipe")) {
   part(".cut").addEventListener("input", e => wipe.style.setProperty("--cut", e.target.value + "%"));
   part(".exposure").addEventListener("input", e => expose(Number(e.target.value)));
   part("select.left").addEventListener("change", e => show(part(".pic.left"), e.target.value));
-  part("select.right").addEventListener("change", e => show(part(".pic.right"), e.target.value));
+  part("select.right").addEventListener("change", e => {
+    show(part(".pic.right"), e.target.value);
+    const same = [...part("select.of").options].find(option => option.text === e.target.selectedOptions[0].text);
+    if (same) {
+      part("select.of").selectedIndex = same.index;
+      show(part(".pic.difference"), same.value);
+    }
+  });
   part("select.of").addEventListener("change", e => show(part(".pic.difference"), e.target.value));
 }
