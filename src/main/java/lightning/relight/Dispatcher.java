@@ -37,6 +37,9 @@ final class Dispatcher {
         if (known.picture().width() != wanted.picture().width() || known.picture().height() != wanted.picture().height()) {
             return new UpdatePlan.FirstPass("another size");
         }
+        if (!known.picture().sampling().samplesLike(wanted.picture().sampling())) {
+            return new UpdatePlan.FirstPass("other samples");
+        }
         if (!known.camera().equals(wanted.camera())) {
             return new UpdatePlan.FirstPass("another camera");
         }

@@ -1,14 +1,13 @@
 package lightning.relight;
 
-import java.util.Arrays;
 import java.util.concurrent.CancellationException;
-import lightning.cache.CachedTile;
 import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
 import lightning.image.Film;
+import lightning.scene.Antialias;
 import lightning.scene.Scene;
-import lightning.shading.Lamp;
 import lightning.shading.Progress;
+import lightning.shading.Sight;
 import lightning.shading.Workers;
 import lightning.trace.Geometry;
 
@@ -106,7 +105,7 @@ public final class Renderer implements AutoCloseable {
         Work work = switch (plan) {
             case UpdatePlan.Nothing _ -> Work.NONE;
             case UpdatePlan.FirstPass _ -> firstPass(wanted, progress);
-            case UpdatePlan.Relight relight -> relight(relight, wanted, progress);
+            case UpdatePlan.Relight relight -> relight(relight, wanted, false, progress);
         };
         ErrorBound bound = ErrorBound.of(cache);
         boolean refreshed = bound.shows(exposure);
@@ -121,7 +120,7 @@ public final class Renderer implements AutoCloseable {
     /** Contributions anew; where this is cancelled, the update that made it necessary is undone too. */
     private Work refresh(PixelCache before, Progress progress) {
         try {
-            return relight(Dispatcher.refresh(cache), cache.scene(), progress);
+            return relight(Dispatcher.refresh(cache), cache.scene(), true, progress);
         } catch (CancellationException e) {
             cache = before;
             throw e;
@@ -130,42 +129,32 @@ public final class Renderer implements AutoCloseable {
 
     private Work firstPass(Scene wanted, Progress progress) {
         Geometry geometry = cache != null && cache.geometry().serves(wanted) ? cache.geometry() : new Geometry(wanted);
-        Lamp[] lamps = Job.lamps(wanted);
-        Job job = new Job(geometry, wanted, lamps, options, null, null, progress);
-        LayerStamp[] stamps = new LayerStamp[lamps.length];
-        for (int l = 0; l < lamps.length; l++) {
-            stamps[l] = lamps[l].isDark() ? null : LayerStamp.fresh(lamps[l].light());
+        Job.Lit lit = Job.Lit.of(wanted);
+        LayerStamp[] stamps = new LayerStamp[lit.lamps().length];
+        for (int l = 0; l < stamps.length; l++) {
+            stamps[l] = lit.lamps()[l].isDark() ? null : LayerStamp.fresh(lit.lamps()[l].light());
         }
-        int tilesY = (wanted.picture().height() + Film.TILE - 1) / Film.TILE;
-        CachedTile[] tiles = new CachedTile[job.tilesX() * tilesY];
-        TileWorker[] threads = threads(job);
-        workers.run(tiles.length, (worker, tile) -> tiles[tile] = threads[worker].firstPass(tile), progress);
-        cache = new PixelCache(geometry, tiles, wanted, wanted, stamps, stamps);
-        return Work.of(threads);
+        boolean coding = wanted.picture().sampling().antialias() == Antialias.EDGES;
+        TileRun run = new TileRun(new Job(geometry, lit, lit, options, null, null, coding, progress), workers, null);
+        cache = new PixelCache(geometry, run.tiles(), run.fine(), Sight.of(wanted), Sight.of(wanted), stamps, stamps);
+        return run.work();
     }
 
-    private Work relight(UpdatePlan.Relight plan, Scene wanted, Progress progress) {
+    private Work relight(UpdatePlan.Relight plan, Scene wanted, boolean refreshed, Progress progress) {
         PixelCache old = cache;
-        Lamp[] lamps = Job.lamps(wanted);
         boolean mirrors = plan.mirrors() != null;
-        Job job = new Job(old.geometry(), wanted, lamps, options, Job.Level.of(plan.top(), old.scene(), lamps, drag),
-                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), lamps, mirroredDrag) : null, progress);
-        CachedTile[] tiles = new CachedTile[old.tileCount()];
-        TileWorker[] threads = threads(job);
-        workers.run(tiles.length, (worker, tile) -> tiles[tile] = threads[worker].relight(old.tile(tile)), progress);
-        double leastFalloff = 1;
-        for (TileWorker thread : threads) {
-            leastFalloff = Math.min(leastFalloff, thread.leastFalloff());
-        }
-        cache = new PixelCache(old.geometry(), tiles, wanted, mirrors ? wanted : old.mirroredScene(),
-                stamps(plan.top(), leastFalloff), mirrors ? stamps(plan.mirrors(), leastFalloff) : old.mirroredStamps());
-        return Work.of(threads);
-    }
-
-    private TileWorker[] threads(Job job) {
-        TileWorker[] threads = new TileWorker[workers.count()];
-        Arrays.setAll(threads, _ -> new TileWorker(job));
-        return threads;
+        Job.Lit direct = Job.Lit.of(wanted);
+        Job.Lit reflected = mirrors ? direct : Job.Lit.of(old.mirroredScene());
+        boolean seeksEdges = wanted.picture().sampling().antialias() == Antialias.EDGES;
+        boolean coding = seeksEdges && (refreshed || options.accuracy() == Accuracy.EXACT || plan.depthFrom() != plan.depthTo());
+        Job job = new Job(old.geometry(), direct, reflected, options, Job.Level.of(plan.top(), old.scene(), direct.lamps(), drag),
+                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), direct.lamps(), mirroredDrag) : null, coding, progress);
+        TileRun run = new TileRun(job, workers, old);
+        Sight sampled = seeksEdges && !coding ? old.sampled() : new Sight(wanted, mirrors ? wanted : old.sampled().mirrored());
+        cache = new PixelCache(old.geometry(), run.tiles(), run.fine(), new Sight(wanted, reflected.scene()), sampled,
+                stamps(plan.top(), run.leastFalloff()),
+                mirrors ? stamps(plan.mirrors(), run.leastFalloff()) : old.mirroredStamps());
+        return run.work();
     }
 
     private LayerStamp[] stamps(LevelPlan plan, double leastFalloff) {

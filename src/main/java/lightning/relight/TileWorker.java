@@ -5,9 +5,14 @@ import lightning.cache.CachedTile;
 import lightning.cache.TileLevel;
 import lightning.image.Film;
 import lightning.shading.BranchSums;
+import lightning.shading.EdgeCoder;
+import lightning.shading.EdgeCodes;
+import lightning.shading.Lamp;
 import lightning.shading.LightKernel;
 import lightning.shading.LightLayer;
+import lightning.shading.LightRows;
 import lightning.shading.RatioKernel;
+import lightning.shading.RatioRows;
 import lightning.shading.TileComposer;
 import lightning.shading.TraceCounts;
 import lightning.trace.HitRows;
@@ -22,6 +27,7 @@ final class TileWorker {
     private final RatioKernel ratios;
     private final LayerUpdater updater;
     private final TileComposer composer;
+    private final EdgeCoder coder;
     private long eyeRays;
     private long mirroredRays;
     private long rowsComposed;
@@ -38,6 +44,7 @@ final class TileWorker {
             case RATIO -> new RatioUpdater(ratios);
         };
         composer = new TileComposer(job.geometry().materials(), job.options().view());
+        coder = new EdgeCoder(job.geometry().materials());
     }
 
     TraceCounts rays() {
@@ -60,29 +67,77 @@ final class TileWorker {
         return rowsComposed;
     }
 
-    /** Traces a tile and keeps what it learned; null where the work was cancelled. */
+    /** Traces the centres of a tile's pixels and keeps what it learned; null where the work was cancelled. */
     CachedTile firstPass(int tile) {
         int x0 = tile % job.tilesX() * Film.TILE;
         int y0 = tile / job.tilesX() * Film.TILE;
         eyeRays += (long) Math.min(Film.TILE, job.scene().picture().width() - x0)
                 * Math.min(Film.TILE, job.scene().picture().height() - y0);
-        TileLevel top = lit(visibility.eye(x0, y0, Film.TILE, HitRows::new));
-        Mirrors mirrors = mirrors(top.rows(), new TileLevel[] {top}, new int[0][]);
-        return job.progress().isCancelled() ? null : finish(top, mirrors, null);
+        return traced(visibility.eye(x0, y0, Film.TILE, rows(job.coding())), job.coding());
     }
 
-    /** Updates a tile as planned; null where the work was cancelled. */
+    /**
+     * Traces the finer samples of some pixels of a tile; null where the work was cancelled.
+     *
+     * @param pixels indices in the tile, ascending; those from {@code from} to before {@code to} are meant
+     */
+    CachedTile fine(int tile, short[] pixels, int from, int to) {
+        int x0 = tile % job.tilesX() * Film.TILE;
+        int y0 = tile / job.tilesX() * Film.TILE;
+        eyeRays += (long) (to - from) * job.sampling().perPixel();
+        return traced(visibility.fine(x0, y0, pixels, from, to, job.sampling().grid(), HitRows::new), false);
+    }
+
+    private CachedTile traced(HitRows rows, boolean coded) {
+        TileLevel top = lit(rows, job.direct());
+        begin(coded, top);
+        Mirrors mirrors = mirrors(top.rows(), new TileLevel[] {top}, new int[0][], coded);
+        return job.progress().isCancelled() ? null : finish(top, mirrors, null, coded ? coder.codes() : null);
+    }
+
+    private static TileVisibility.Allocator rows(boolean coded) {
+        return (count, textured) -> new HitRows(count, textured, coded);
+    }
+
+    /** Updates the centres of a tile's pixels, or finer samples, as planned; null where the work was cancelled. */
     CachedTile relight(CachedTile old) {
         LightLayer[] layers = layers(old.levels[0], job.top());
         TileLevel top = with(old.levels[0], layers, job.top());
+        boolean coded = job.coding() && old.codes != null && (job.mirrors() != null || job.top().recodes(old.levels[0], layers));
+        if (job.progress().isCancelled()) {
+            return null;
+        }
+        begin(coded, top);
         Mirrors mirrors = job.mirrors() == null
                 ? new Mirrors(old.levels, old.hitShapes, old.mirrored)
-                : updateMirrors(old);
+                : updateMirrors(old, coded);
         if (job.progress().isCancelled()) {
             return null;
         }
         boolean same = mirrors.cr == old.mirrored && !job.top().recolors(old.levels[0], layers);
-        return finish(top, mirrors, same ? old.film : null);
+        EdgeCodes codes = !coded ? old.codes
+                : (job.mirrors() == null ? coder.codes(old.codes) : coder.codes()).or(old.codes);
+        return finish(top, mirrors, same ? old.film : null, codes);
+    }
+
+    private void begin(boolean coded, TileLevel top) {
+        if (coded) {
+            coder.begin();
+            code(0, top, job.direct().lamps());
+        }
+    }
+
+    /** Hears what anti-aliasing sees of a level. */
+    private void code(int k, TileLevel level, Lamp[] lamps) {
+        coder.shapes(k, level.rows());
+        for (int l = 0; l < lamps.length && !job.progress().isCancelled(); l++) {
+            if (!lamps[l].isDark()) {
+                coder.light(k, l, level.rows(), switch (level.layers()[l]) {
+                    case LightRows exact -> exact;
+                    case RatioRows ratio -> ratios.terms(level.rows(), lamps[l], ratio);
+                });
+            }
+        }
     }
 
     /** Carries out a level's plan on its layers; counts what that reads of the rows and writes. */
@@ -98,24 +153,24 @@ final class TileWorker {
         return layers;
     }
 
-    private CachedTile finish(TileLevel top, Mirrors mirrors, float[][] film) {
+    private CachedTile finish(TileLevel top, Mirrors mirrors, float[][] film, EdgeCodes codes) {
         TileLevel[] levels = mirrors.levels.clone();
         levels[0] = top;
         float[][] pixels = film;
         if (pixels == null) {
             pixels = new float[3][Film.TILE_PIXELS];
-            levels[0] = compose(top, job.top(), mirrors.cr);
+            levels[0] = compose(top, job.direct(), job.top(), mirrors.cr);
             bytesMoved += 12L * Film.TILE_PIXELS;
             composer.toFilm(top.rows(), job.scene().world(), pixels[0], pixels[1], pixels[2]);
         }
-        return new CachedTile(levels, mirrors.hitShapes, mirrors.cr, pixels);
+        return new CachedTile(levels, mirrors.hitShapes, mirrors.cr, pixels, codes);
     }
 
-    private TileLevel lit(HitRows rows) {
-        LightLayer[] layers = new LightLayer[job.lamps().length];
+    private TileLevel lit(HitRows rows, Job.Lit lit) {
+        LightLayer[] layers = new LightLayer[lit.lamps().length];
         for (int l = 0; l < layers.length && !job.progress().isCancelled(); l++) {
-            if (!job.lamps()[l].isDark()) {
-                layers[l] = updater.full(rows, job.lamps()[l]);
+            if (!lit.lamps()[l].isDark()) {
+                layers[l] = updater.full(rows, lit.lamps()[l]);
             }
         }
         return new TileLevel(rows, layers);
@@ -129,23 +184,23 @@ final class TileWorker {
     }
 
     /** Composes a level; gives it back with the sums that are kept for the next time, if any are. */
-    private TileLevel compose(TileLevel level, Job.Level plan, float[][] cr) {
+    private TileLevel compose(TileLevel level, Job.Lit lit, Job.Level plan, float[][] cr) {
         rowsComposed += level.rows().count;
         BranchSums sums = plan == null || plan.key() == null ? null
                 : level.branches() != null ? level.branches()
-                        : composer.branches(level.rows(), job.lamps(), level.layers(), plan.key());
-        composer.level(level.rows(), job.lamps(), level.layers(), sums, job.scene().world(), cr);
-        bytesMoved += bytesRead(level, plan == null ? null : plan.key(), sums);
+                        : composer.branches(level.rows(), lit.lamps(), level.layers(), plan.key());
+        composer.level(level.rows(), lit.lamps(), level.layers(), sums, lit.scene().world(), cr);
+        bytesMoved += bytesRead(level, lit.lamps(), plan == null ? null : plan.key(), sums);
         return sums == level.branches() ? level : level.with(sums);
     }
 
     /** What composing a level reads: textures, mirror images, and of the lights all that light a row, or their sums. */
-    private long bytesRead(TileLevel level, BranchSums.Key key, BranchSums sums) {
+    private static long bytesRead(TileLevel level, Lamp[] lamps, BranchSums.Key key, BranchSums sums) {
         HitRows rows = level.rows();
         long bytes = 12L * rows.reflective + (rows.diffuseRed == null ? 0 : 12L * rows.count) + 2L * rows.count;
-        for (int l = 0; l < job.lamps().length; l++) {
+        for (int l = 0; l < lamps.length; l++) {
             boolean read = sums == null || key.light() == l;
-            if (read && !job.lamps()[l].isDark() && level.layers()[l].lit() > 0) {
+            if (read && !lamps[l].isDark() && level.layers()[l].lit() > 0) {
                 bytes += level.layers()[l].bytes() - rows.count;
             }
         }
@@ -160,12 +215,12 @@ final class TileWorker {
      */
     private record Mirrors(TileLevel[] levels, int[][] hitShapes, float[][] cr) {}
 
-    private Mirrors updateMirrors(CachedTile old) {
+    private Mirrors updateMirrors(CachedTile old, boolean coded) {
         if (old.rows().reflective == 0) {
             return new Mirrors(old.levels, old.hitShapes, null);
         }
         int keep = Math.min(old.levels.length, job.depth() + 1);
-        boolean changed = !job.keepsRows() || keep < old.levels.length
+        boolean changed = coded || !job.keepsRows() || keep < old.levels.length
                 || old.levels.length <= job.depth() && old.levels[keep - 1].rows().reflective > 0;
         TileLevel[] levels = Arrays.copyOf(old.levels, keep);
         for (int k = 1; k < keep; k++) {
@@ -181,7 +236,7 @@ final class TileWorker {
             return new Mirrors(levels, old.hitShapes, old.mirrored);
         }
         int[][] known = Arrays.copyOf(old.hitShapes, Math.min(old.hitShapes.length, job.depth()));
-        return mirrors(old.rows(), levels, known);
+        return mirrors(old.rows(), levels, known, coded);
     }
 
     /**
@@ -189,8 +244,9 @@ final class TileWorker {
      *
      * @param from  the levels there are, the first included, lit
      * @param known where mirror levels are not kept: the shapes that their rays hit, as far as known
+     * @param coded whether anti-aliasing wants to see them
      */
-    private Mirrors mirrors(HitRows top, TileLevel[] from, int[][] known) {
+    private Mirrors mirrors(HitRows top, TileLevel[] from, int[][] known, boolean coded) {
         if (top.reflective == 0) {
             return new Mirrors(from, known, null);
         }
@@ -199,7 +255,7 @@ final class TileWorker {
         int deepest = from.length - 1;
         while (deepest < job.depth() && levels[deepest].rows().reflective > 0 && !job.progress().isCancelled()) {
             HitRows above = levels[deepest].rows();
-            levels[deepest + 1] = lit(visibility.mirrored(above, shapes[deepest], HitRows::new));
+            levels[deepest + 1] = lit(visibility.mirrored(above, shapes[deepest], rows(above.code != null)), job.reflected());
             if (!job.keepsRows() && shapes[deepest] == null) {
                 shapes[deepest] = visibility.hitShapes(above.reflective);
             }
@@ -208,6 +264,9 @@ final class TileWorker {
         }
         if (job.progress().isCancelled()) {
             return new Mirrors(from, known, null);
+        }
+        for (int k = 1; coded && k <= deepest; k++) {
+            code(k, levels[k], job.reflected().lamps());
         }
         float[][] cr = copyOf(cr(levels, deepest), top.reflective);
         return job.keepsRows()
@@ -219,8 +278,8 @@ final class TileWorker {
     private float[][] cr(TileLevel[] levels, int deepest) {
         float[][] cr = composer.unfollowed(levels[deepest].rows());
         for (int k = deepest; k > 0; k--) {
-            levels[k] = compose(levels[k], job.keepsRows() ? job.mirrors() : null, cr);
-            cr = composer.followed(levels[k - 1].rows(), levels[k].rows(), job.scene().world());
+            levels[k] = compose(levels[k], job.reflected(), job.keepsRows() ? job.mirrors() : null, cr);
+            cr = composer.followed(levels[k - 1].rows(), levels[k].rows(), job.reflected().scene().world());
         }
         return cr;
     }

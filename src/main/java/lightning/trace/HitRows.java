@@ -29,6 +29,8 @@ public final class HitRows {
     public final float[] diffuseBlue;
     /** Where the row's colour goes: a pixel of the tile at the first level, a row of the level above at others. */
     public final short[] parent;
+    /** What anti-aliasing sees of each hit ({@link HitCode}); null where nobody asks. */
+    public final int[] code;
     /** How many runs there are. */
     public int runs;
     /** The material of each run. */
@@ -38,8 +40,13 @@ public final class HitRows {
     /** How many rows, the first ones, are of reflective materials. */
     public int reflective;
 
-    /** Makes room for {@code rows} rows. */
+    /** Makes room for {@code rows} rows without codes. */
     public HitRows(int rows, boolean textured) {
+        this(rows, textured, false);
+    }
+
+    /** Makes room for {@code rows} rows. */
+    public HitRows(int rows, boolean textured, boolean coded) {
         int length = padded(rows);
         px = new float[length];
         py = new float[length];
@@ -54,6 +61,7 @@ public final class HitRows {
         diffuseGreen = textured ? new float[length] : null;
         diffuseBlue = textured ? new float[length] : null;
         parent = new short[length];
+        code = coded ? new int[length] : null;
     }
 
     /** The length of a column of {@code rows} rows: a multiple of 16. */
@@ -66,9 +74,9 @@ public final class HitRows {
         return r == 0 ? 0 : runEnd[r - 1];
     }
 
-    /** The bytes of the columns, array headers left out: 38 for each row, 50 where the tile is textured. */
+    /** The bytes of the columns, array headers left out: 38 for each row, 12 more where the tile is textured, 4 with codes. */
     public long bytes() {
-        return (diffuseRed == null ? 38L : 50L) * parent.length;
+        return (38L + (diffuseRed == null ? 0 : 12) + (code == null ? 0 : 4)) * parent.length;
     }
 
     void addRun(int material, int end) {

@@ -8,6 +8,7 @@ import lightning.math.Vec3;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.Node;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.World;
 
@@ -134,6 +135,13 @@ public sealed interface Edit {
         @Override
         public Scene apply(List<Scene> history) {
             return history.getLast().withPicture(history.getLast().picture().withSize(width, height));
+        }
+    }
+
+    record Sample(Sampling to) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            return history.getLast().withPicture(history.getLast().picture().withSampling(to));
         }
     }
 
