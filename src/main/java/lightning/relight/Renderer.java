@@ -136,7 +136,19 @@ public final class Renderer implements AutoCloseable {
 
     /** Drops all that is known: the next picture is a first pass. */
     public void forget() {
-        cache = null;
+        restore(null);
+    }
+
+    /**
+     * Goes back to what was kept of an earlier picture, as if nothing had been asked since: so an edit can be made, and
+     * measured, again and again.
+     *
+     * @param kept what {@link #cache} gave, here or in a renderer that differs in its reflections or threads alone
+     */
+    public void restore(PixelCache kept) {
+        cache = kept;
+        drag.end();
+        mirroredDrag.end();
     }
 
     private Update run(Scene wanted, boolean mirrors, Progress progress) {

@@ -8,6 +8,20 @@ public interface Progress {
     /** Whether the work shall stop; asked before every tile and between the lights of a tile. */
     boolean isCancelled();
 
+    /** Stops with this one and hears nothing: for the parts of a work that is shown as a whole. */
+    default Progress silent() {
+        Progress whole = this;
+        return new Progress() {
+            @Override
+            public void tiles(int done, int total) {}
+
+            @Override
+            public boolean isCancelled() {
+                return whole.isCancelled();
+            }
+        };
+    }
+
     /** Hears nothing and never stops. */
     Progress NONE = new Progress() {
         @Override
