@@ -5,6 +5,7 @@ import lightning.shading.Lamp;
 import lightning.shading.LightKernel;
 import lightning.shading.LightLayer;
 import lightning.shading.LightRows;
+import lightning.shading.RatioRows;
 import lightning.trace.HitRows;
 
 /** Updates that leave a layer as a full trace would make it, in every bit. */
@@ -22,6 +23,14 @@ record ExactUpdater(LightKernel kernel) implements LayerUpdater {
             case LightUpdate.FullRecompute _ -> full(rows, to);
             case LightUpdate.Partial p ->
                 kernel.partial(rows, to, (LightRows) before, p.cone(), p.falloff(), Columns.FRESH);
+        };
+    }
+
+    @Override
+    public LightLayer convert(HitRows rows, Lamp lamp, LightLayer before) {
+        return switch (before) {
+            case LightRows layer -> layer;
+            case RatioRows layer -> kernel.again(rows, lamp, layer, Columns.FRESH);
         };
     }
 }

@@ -4,7 +4,6 @@ import java.util.Arrays;
 import lightning.cache.CachedTile;
 import lightning.cache.FineSamples;
 import lightning.cache.FineTile;
-import lightning.image.Film;
 import lightning.scene.Antialias;
 import lightning.shading.EdgeMap;
 import lightning.shading.SampleMean;
@@ -50,9 +49,9 @@ final class FineWorker {
         if (job.progress().isCancelled()) {
             return null;
         }
-        boolean same = old != null && (center == null || center.film == oldCenter.film)
-                && isAlike(shapes, old.shapes()) && isAlike(lights, old.lights());
-        return new FineTile(shapes, lights, same ? old.film() : film(center, shapes, lights));
+        FineTile now = new FineTile(shapes, lights, old == null ? null : old.film());
+        boolean same = old != null && (center == null || center.film == oldCenter.film) && now.isAlike(old);
+        return same ? now : FineTile.of(center, shapes, lights, job.sampling().perPixel());
     }
 
     private short[] shapePixels(int tile) {
@@ -73,31 +72,5 @@ final class FineWorker {
                     : worker.fine(tile, pixels, b * together, Math.min(pixels.length, (b + 1) * together));
         }
         return new FineSamples(same ? old.pixels() : pixels, blocks);
-    }
-
-    /** Whether these are the same samples in the same colours. */
-    private static boolean isAlike(FineSamples now, FineSamples old) {
-        boolean alike = now.pixels() == old.pixels();
-        for (int b = 0; alike && b < now.blocks().length; b++) {
-            alike = now.blocks()[b].film == old.blocks()[b].film;
-        }
-        return alike;
-    }
-
-    private float[][] film(CachedTile center, FineSamples shapes, FineSamples lights) {
-        float[][] film = center == null ? new float[3][Film.TILE_PIXELS]
-                : new float[][] {center.film[0].clone(), center.film[1].clone(), center.film[2].clone()};
-        write(shapes, film);
-        write(lights, film);
-        return film;
-    }
-
-    private void write(FineSamples samples, float[][] film) {
-        int perPixel = job.sampling().perPixel();
-        int together = SampleMean.pixelsTogether(perPixel);
-        for (int b = 0; b < samples.blocks().length; b++) {
-            int to = Math.min(samples.pixels().length, (b + 1) * together);
-            SampleMean.write(samples.pixels(), b * together, to, perPixel, samples.blocks()[b].film, film);
-        }
     }
 }

@@ -3,6 +3,7 @@ package lightning.relight;
 import lightning.shading.ConeChange;
 import lightning.shading.Lamp;
 import lightning.shading.LightLayer;
+import lightning.shading.LightRows;
 import lightning.shading.RatioKernel;
 import lightning.shading.RatioRows;
 import lightning.trace.HitRows;
@@ -23,6 +24,14 @@ record RatioUpdater(RatioKernel kernel) implements LayerUpdater {
             case LightUpdate.Reweight _ -> kernel.partial(rows, from, to, (RatioRows) before, ConeChange.NONE, false);
             case LightUpdate.FullRecompute _ -> full(rows, to);
             case LightUpdate.Partial p -> kernel.partial(rows, from, to, (RatioRows) before, p.cone(), p.falloff());
+        };
+    }
+
+    @Override
+    public LightLayer convert(HitRows rows, Lamp lamp, LightLayer before) {
+        return switch (before) {
+            case LightRows layer -> kernel.of(rows, lamp, layer);
+            case RatioRows layer -> layer;
         };
     }
 }

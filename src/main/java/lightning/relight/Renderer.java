@@ -16,11 +16,13 @@ import lightning.trace.Geometry;
  * wanted, with the least work. Not for use by two threads at once.
  */
 public final class Renderer implements AutoCloseable {
-    private final Options options;
-    private final Workers workers;
+    private Options options;
+    private Workers workers;
     private final Drag drag = new Drag();
     private final Drag mirroredDrag = new Drag();
     private PixelCache cache;
+    /** How the cache is known; its accuracy differs from the wanted one after a change, until the next update. */
+    private Accuracy known;
     private double exposure;
 
     public Renderer(Options options) {
@@ -41,10 +43,35 @@ public final class Renderer implements AutoCloseable {
         exposure = stops;
     }
 
+    /**
+     * Goes on in another way of working. What is known is kept, and brought to another accuracy by the next update, without
+     * a ray; only another view, or another storage of mirror levels, forgets it.
+     */
+    public void change(Options to) {
+        if (to.threads() != options.threads()) {
+            workers.close();
+            workers = new Workers(to.threads());
+        }
+        boolean serves = to.view().equals(options.view()) && to.storage() == options.storage()
+                && (to.accuracy() == known || cache == null || Conversion.serves(cache));
+        options = to;
+        if (!serves) {
+            forget();
+        }
+    }
+
     /** What {@link #render} would do. */
     public UpdatePlan plan(Scene wanted) {
-        return Dispatcher.plan(cache, options.view().of(wanted), options.reflections() == Reflections.CURRENT,
-                options.accuracy());
+        UpdatePlan plan = difference(options.view().of(wanted), options.reflections() == Reflections.CURRENT);
+        return plan instanceof UpdatePlan.Nothing && converts() ? new Conversion(cache, options).plan() : plan;
+    }
+
+    private UpdatePlan difference(Scene wanted, boolean mirrors) {
+        return Dispatcher.plan(cache, wanted, mirrors, options.accuracy());
+    }
+
+    private boolean converts() {
+        return cache != null && known != options.accuracy();
     }
 
     /**
@@ -54,7 +81,7 @@ public final class Renderer implements AutoCloseable {
      *         is then as before the call
      */
     public Update render(Scene wanted, Progress progress) {
-        return run(plan(wanted), options.view().of(wanted), progress);
+        return run(options.view().of(wanted), options.reflections() == Reflections.CURRENT, progress);
     }
 
     /**
@@ -64,12 +91,24 @@ public final class Renderer implements AutoCloseable {
      * @throws CancellationException as {@link #render}
      */
     public Update updateReflections(Progress progress) {
-        return run(Dispatcher.plan(cache(), cache().scene(), true, options.accuracy()), cache().scene(), progress);
+        return run(cache().scene(), true, progress);
     }
 
     /** Whether the mirror images show the scene rendered last. */
     public boolean reflectionsAreCurrent() {
         return cache().mirroredScene().equals(cache().scene());
+    }
+
+    /**
+     * What one light gives to the picture, from what is known: no ray is cast, and nothing changes. Equal to the picture of
+     * {@link LightShare#scene}, mirrors included, over the samples of this picture.
+     *
+     * @param light the name; all is black where no light has it
+     * @throws IllegalStateException if nothing was rendered yet, or mirror levels are kept as hit shapes
+     * @throws CancellationException if {@code progress} asked to stop
+     */
+    public Film share(String light, Progress progress) {
+        return LightShare.film(cache(), options.view(), light, workers, progress);
     }
 
     /** The picture as it is now: later updates make new ones. */
@@ -96,35 +135,65 @@ public final class Renderer implements AutoCloseable {
 
     /** Drops all that is known: the next picture is a first pass. */
     public void forget() {
-        cache = null;
+        restore(null);
     }
 
-    private Update run(UpdatePlan plan, Scene wanted, Progress progress) {
-        long start = System.nanoTime();
+    /**
+     * Goes back to what was kept of an earlier picture, as if nothing had been asked since: so an edit can be made, and
+     * measured, again and again.
+     *
+     * @param kept what {@link #cache} gave, here or in a renderer that differs in its reflections or threads alone
+     */
+    public void restore(PixelCache kept) {
+        cache = kept;
+        drag.end();
+        mirroredDrag.end();
+    }
+
+    private Update run(Scene wanted, boolean mirrors, Progress progress) {
         PixelCache before = cache;
-        Work work = switch (plan) {
+        Accuracy knownBefore = known;
+        try {
+            return update(wanted, mirrors, progress);
+        } catch (CancellationException e) {
+            cache = before;
+            known = knownBefore;
+            throw e;
+        }
+    }
+
+    /** Leaves things half done where it is cancelled. */
+    private Update update(Scene wanted, boolean mirrors, Progress progress) {
+        long start = System.nanoTime();
+        UpdatePlan plan = difference(wanted, mirrors);
+        UpdatePlan told = plan;
+        Work work = Work.NONE;
+        if (converts() && !(plan instanceof UpdatePlan.FirstPass)) {
+            var conversion = new Conversion(cache, options);
+            work = convert(conversion, progress);
+            plan = difference(wanted, mirrors);
+            told = plan instanceof UpdatePlan.Nothing ? conversion.plan() : plan;
+        }
+        work = work.plus(switch (plan) {
             case UpdatePlan.Nothing _ -> Work.NONE;
             case UpdatePlan.FirstPass _ -> firstPass(wanted, progress);
             case UpdatePlan.Relight relight -> relight(relight, wanted, false, progress);
-        };
+        });
+        known = options.accuracy();
         ErrorBound bound = ErrorBound.of(cache);
         boolean refreshed = bound.shows(exposure);
         if (refreshed) {
-            work = work.plus(refresh(before, progress));
+            work = work.plus(relight(Dispatcher.refresh(cache), cache.scene(), true, progress));
             bound = ErrorBound.of(cache);
         }
-        return new Update(plan, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(), System.nanoTime() - start,
+        return new Update(told, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(), System.nanoTime() - start,
                 bound.largest(), refreshed);
     }
 
-    /** Contributions anew; where this is cancelled, the update that made it necessary is undone too. */
-    private Work refresh(PixelCache before, Progress progress) {
-        try {
-            return relight(Dispatcher.refresh(cache), cache.scene(), true, progress);
-        } catch (CancellationException e) {
-            cache = before;
-            throw e;
-        }
+    private Work convert(Conversion conversion, Progress progress) {
+        Conversion.Result result = conversion.run(workers, progress);
+        cache = result.cache();
+        return result.work();
     }
 
     private Work firstPass(Scene wanted, Progress progress) {

@@ -39,10 +39,7 @@ final class TileWorker {
         visibility = new TileVisibility(job.geometry(), job.scene(), tracer);
         lights = new LightKernel(job.geometry(), tracer, job.options().view());
         ratios = new RatioKernel(lights);
-        updater = switch (job.options().accuracy()) {
-            case EXACT -> new ExactUpdater(lights);
-            case RATIO -> new RatioUpdater(ratios);
-        };
+        updater = LayerUpdater.of(job.options().accuracy(), lights, ratios);
         composer = new TileComposer(job.geometry().materials(), job.options().view());
         coder = new EdgeCoder(job.geometry().materials());
     }

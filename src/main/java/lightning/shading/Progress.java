@@ -26,6 +26,20 @@ public interface Progress {
         };
     }
 
+    /** Stops with this one and hears nothing: for the parts of a work that is shown as a whole. */
+    default Progress silent() {
+        Progress whole = this;
+        return new Progress() {
+            @Override
+            public void tiles(int done, int total) {}
+
+            @Override
+            public boolean isCancelled() {
+                return whole.isCancelled();
+            }
+        };
+    }
+
     /** Hears nothing and never stops. */
     Progress NONE = new Progress() {
         @Override

@@ -3,8 +3,6 @@ package lightning.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import lightning.cache.PixelCache;
-import lightning.image.Film;
 import lightning.sample.Session;
 import lightning.sample.StudioScene;
 import lightning.scene.Camera;
@@ -18,7 +16,6 @@ import lightning.scene.World;
 import lightning.shading.Progress;
 import lightning.shading.ReferenceTracer;
 import lightning.shading.SceneCoverage;
-import lightning.shading.Sight;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
@@ -45,19 +42,13 @@ class RatioTest {
             boolean differs = false;
             for (int step = 0; step < session.scenes().size(); step++) {
                 Update update = renderer.render(session.scenes().get(step), Progress.NONE);
-                double error = FilmErrors.largestError(renderer.film(), oracle(renderer.cache()));
+                double error = FilmErrors.largestError(renderer.film(), Oracle.of(renderer.cache()));
                 assertThat(error).as("after edit " + step + ": " + update.plan().text())
                         .isLessThanOrEqualTo(update.errorBound());
                 differs |= error > 0;
             }
             SceneCoverage.collect("differs from the exact picture", differs, 5);
         }
-    }
-
-    /** The picture as it should be, over the samples that the level keeps until contributions are refreshed. */
-    private static Film oracle(PixelCache cache) {
-        Sight sampled = cache.sampled();
-        return new ReferenceTracer(cache.scene(), cache.mirroredScene()).trace(new ReferenceTracer(sampled.scene(), sampled.mirrored()));
     }
 
     @Test
