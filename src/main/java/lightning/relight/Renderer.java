@@ -52,7 +52,7 @@ public final class Renderer implements AutoCloseable {
             workers.close();
             workers = new Workers(to.threads());
         }
-        boolean serves = to.view().equals(options.view()) && to.storage() == options.storage()
+        boolean serves = to.view().tracesLike(options.view()) && to.storage() == options.storage()
                 && (to.accuracy() == known || cache == null || Conversion.serves(cache));
         options = to;
         if (!serves) {

@@ -6,7 +6,7 @@ import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.shading.Lamp;
 import lightning.shading.TileComposer;
-import lightning.shading.ViewEffects;
+import lightning.effects.ViewEffects;
 import lightning.trace.MaterialTable;
 
 /**

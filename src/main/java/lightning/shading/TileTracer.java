@@ -1,5 +1,6 @@
 package lightning.shading;
 
+import lightning.effects.ViewEffects;
 import lightning.image.Film;
 import lightning.scene.Antialias;
 import lightning.scene.Sampling;
