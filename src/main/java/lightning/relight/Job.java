@@ -13,15 +13,28 @@ import lightning.trace.Geometry;
 /**
  * What all threads of one update share, made ready once.
  *
- * @param scene the scene wanted
- * @param lamps its lights, in its order
- * @param top the update of the first level; null in a first pass
- * @param mirrors the update of the mirror levels; null where they stay, and in a first pass
+ * @param shown    what the first level shall show
+ * @param mirrored what the mirror levels shall show: the same where they are updated too, and in a first pass
+ * @param top      the update of the first level; null in a first pass
+ * @param mirrors  the update of the mirror levels; null where they stay, and in a first pass
  */
-record Job(Geometry geometry, Scene scene, Lamp[] lamps, Options options, Level top, Level mirrors, Progress progress) {
+record Job(Shown shown, Shown mirrored, Options options, Level top, Level mirrors, Progress progress) {
 
-    static Lamp[] lamps(Scene scene) {
-        return scene.lights().stream().map(light -> Lamp.of(light, scene)).toArray(Lamp[]::new);
+    /**
+     * What levels show.
+     *
+     * @param geometry with the scene's materials
+     * @param lamps    the scene's lights, in its order
+     */
+    record Shown(Geometry geometry, Scene scene, Lamp[] lamps) {
+        static Shown of(Geometry geometry, Scene scene) {
+            return new Shown(geometry.of(scene), scene,
+                    scene.lights().stream().map(light -> Lamp.of(light, scene)).toArray(Lamp[]::new));
+        }
+    }
+
+    Scene scene() {
+        return shown.scene();
     }
 
     /** Whether mirror levels are kept as full rows. */
@@ -30,11 +43,11 @@ record Job(Geometry geometry, Scene scene, Lamp[] lamps, Options options, Level 
     }
 
     int depth() {
-        return scene.picture().depth();
+        return scene().picture().depth();
     }
 
     int tilesX() {
-        return (scene.picture().width() + Film.TILE - 1) / Film.TILE;
+        return (scene().picture().width() + Film.TILE - 1) / Film.TILE;
     }
 
     /**
@@ -55,7 +68,8 @@ record Job(Geometry geometry, Scene scene, Lamp[] lamps, Options options, Level 
                 reweighted[l] = before == null || before.red() != lamps[l].red()
                         || before.green() != lamps[l].green() || before.blue() != lamps[l].blue();
             }
-            return new Level(plan, lamps, lampsBefore, reweighted, drag.next(onlyChange(plan, reweighted), lamps.length));
+            int only = plan.materials().isEmpty() ? onlyChange(plan, reweighted) : -1;
+            return new Level(plan, lamps, lampsBefore, reweighted, drag.next(only, lamps.length));
         }
 
         /** The only light whose contribution changes, or −1. */
@@ -82,7 +96,9 @@ record Job(Geometry geometry, Scene scene, Lamp[] lamps, Options options, Level 
                     // Never lit, or a mirror level that a deeper recursion added while the light was dark.
                     layers[l] = lamps[l].isDark() ? null : updater.full(old.rows(), lamps[l]);
                 } else {
-                    layers[l] = updater.update(old.rows(), lampsBefore[l], lamps[l], before, layer.update());
+                    LightLayer ready = layer.update() instanceof LightUpdate.FullRecompute ? before
+                            : updater.speculars(old.rows(), lampsBefore[l], before, plan.materials().speculars());
+                    layers[l] = updater.update(old.rows(), lampsBefore[l], lamps[l], ready, layer.update());
                 }
             }
             return layers;
@@ -90,7 +106,7 @@ record Job(Geometry geometry, Scene scene, Lamp[] lamps, Options options, Level 
 
         /** Whether any row's colour may differ from before, its mirror image left out. */
         boolean recolors(TileLevel old, LightLayer[] layers) {
-            if (plan.compose()) {
+            if (plan.compose() || plan.materials().recolored().isIn(old.rows())) {
                 return true;
             }
             for (int l = 0; l < lamps.length; l++) {

@@ -3,6 +3,8 @@ package lightning.relight;
 import lightning.shading.Lamp;
 import lightning.shading.LightLayer;
 import lightning.trace.HitRows;
+import lightning.trace.MaterialSet;
+import lightning.trace.RowSplice;
 
 /** Carries out a light's update on one tile's layer, at one level of accuracy. One for each thread. */
 interface LayerUpdater {
@@ -16,4 +18,21 @@ interface LayerUpdater {
      * @param from   the light that it was computed for, or null
      */
     LightLayer update(HitRows rows, Lamp from, Lamp to, LightLayer before, LightUpdate update);
+
+    /**
+     * The layer after an edit of materials, its light being as it was.
+     *
+     * @param lamp    the light that it was computed for
+     * @param changed materials whose specular term changed
+     */
+    LightLayer speculars(HitRows rows, Lamp lamp, LightLayer before, MaterialSet changed);
+
+    /**
+     * The layer over rows that were put together anew.
+     *
+     * @param before over the old rows
+     * @param added  over the added rows; null where there are none
+     * @param lamp   the light that both were computed for; unread where no rows were added
+     */
+    LightLayer spliced(RowSplice splice, LightLayer before, LightLayer added, Lamp lamp);
 }

@@ -130,8 +130,9 @@ public final class Renderer implements AutoCloseable {
 
     private Work firstPass(Scene wanted, Progress progress) {
         Geometry geometry = cache != null && cache.geometry().serves(wanted) ? cache.geometry() : new Geometry(wanted);
-        Lamp[] lamps = Job.lamps(wanted);
-        Job job = new Job(geometry, wanted, lamps, options, null, null, progress);
+        Job.Shown shown = Job.Shown.of(geometry, wanted);
+        Lamp[] lamps = shown.lamps();
+        Job job = new Job(shown, shown, options, null, null, progress);
         LayerStamp[] stamps = new LayerStamp[lamps.length];
         for (int l = 0; l < lamps.length; l++) {
             stamps[l] = lamps[l].isDark() ? null : LayerStamp.fresh(lamps[l].light());
@@ -140,24 +141,25 @@ public final class Renderer implements AutoCloseable {
         CachedTile[] tiles = new CachedTile[job.tilesX() * tilesY];
         TileWorker[] threads = threads(job);
         workers.run(tiles.length, (worker, tile) -> tiles[tile] = threads[worker].firstPass(tile), progress);
-        cache = new PixelCache(geometry, tiles, wanted, wanted, stamps, stamps);
+        cache = new PixelCache(shown.geometry(), tiles, wanted, wanted, stamps, stamps);
         return Work.of(threads);
     }
 
     private Work relight(UpdatePlan.Relight plan, Scene wanted, Progress progress) {
         PixelCache old = cache;
-        Lamp[] lamps = Job.lamps(wanted);
         boolean mirrors = plan.mirrors() != null;
-        Job job = new Job(old.geometry(), wanted, lamps, options, Job.Level.of(plan.top(), old.scene(), lamps, drag),
-                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), lamps, mirroredDrag) : null, progress);
+        Job.Shown shown = Job.Shown.of(old.geometry(), wanted);
+        Job.Shown mirrored = mirrors ? shown : Job.Shown.of(old.geometry(), old.mirroredScene());
+        Job job = new Job(shown, mirrored, options, Job.Level.of(plan.top(), old.scene(), shown.lamps(), drag),
+                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), shown.lamps(), mirroredDrag) : null, progress);
         CachedTile[] tiles = new CachedTile[old.tileCount()];
         TileWorker[] threads = threads(job);
-        workers.run(tiles.length, (worker, tile) -> tiles[tile] = threads[worker].relight(old.tile(tile)), progress);
+        workers.run(tiles.length, (worker, tile) -> tiles[tile] = threads[worker].relight(tile, old.tile(tile)), progress);
         double leastFalloff = 1;
         for (TileWorker thread : threads) {
             leastFalloff = Math.min(leastFalloff, thread.leastFalloff());
         }
-        cache = new PixelCache(old.geometry(), tiles, wanted, mirrors ? wanted : old.mirroredScene(),
+        cache = new PixelCache(shown.geometry(), tiles, wanted, mirrors ? wanted : old.mirroredScene(),
                 stamps(plan.top(), leastFalloff), mirrors ? stamps(plan.mirrors(), leastFalloff) : old.mirroredStamps());
         return Work.of(threads);
     }

@@ -29,7 +29,7 @@ public final class ReferenceTracer {
 
     /**
      * A trace of {@code scene} whose mirrors show {@code mirrored}: what a picture with stale reflections
-     * must be (paper §4.8). The two may differ in lights and world.
+     * must be (paper §4.8). The two may differ in lights, world and materials.
      */
     public ReferenceTracer(Scene scene, Scene mirrored) {
         this.scene = scene;

@@ -53,13 +53,18 @@ final class TermColumns {
         return column;
     }
 
-    private boolean hasSpecular(HitRows rows) {
+    /** Whether any of the rows' materials has a specular term. */
+    boolean hasSpecular(HitRows rows) {
         for (int r = 0; r < rows.runs; r++) {
             if (materials.isSpecular(rows.runMaterial[r])) {
                 return true;
             }
         }
         return false;
+    }
+
+    boolean isSpecular(int material) {
+        return materials.isSpecular(material);
     }
 
     private void run(HitRows rows, int r, int[] lit, int[] known, float[] before, float[] column) {

@@ -15,6 +15,7 @@ import lightning.trace.TileVisibility;
  */
 public final class TraditionalTracer {
     private final Geometry geometry;
+    private final Geometry mirroredGeometry;
     private final Scene scene;
     private final Scene mirrored;
     private final Lamp[] lamps;
@@ -28,7 +29,7 @@ public final class TraditionalTracer {
     /**
      * Prepares a trace over geometry that is there already.
      *
-     * @throws IllegalArgumentException if it is not the scene's
+     * @throws IllegalArgumentException if it does not serve the scene
      */
     public TraditionalTracer(Scene scene, Geometry geometry) {
         this(scene, scene, geometry);
@@ -36,17 +37,15 @@ public final class TraditionalTracer {
 
     /**
      * Prepares a trace of {@code scene} whose mirrors show {@code mirrored}: what a picture with stale
-     * reflections must be (paper §4.8). The two may differ in lights and world.
+     * reflections must be (paper §4.8). The two may differ in lights, world and materials.
      *
-     * @throws IllegalArgumentException if the geometry is not that of both
+     * @throws IllegalArgumentException if the geometry does not serve both
      */
     public TraditionalTracer(Scene scene, Scene mirrored, Geometry geometry) {
-        if (!geometry.serves(scene) || !geometry.serves(mirrored)) {
-            throw new IllegalArgumentException("the geometry is another scene's");
-        }
         this.scene = scene;
         this.mirrored = mirrored;
-        this.geometry = geometry;
+        this.geometry = geometry.of(scene);
+        mirroredGeometry = geometry.of(mirrored);
         lamps = lamps(scene);
         mirroredLamps = lamps(mirrored);
     }
@@ -86,46 +85,65 @@ public final class TraditionalTracer {
         workers.run(tiles.length, (worker, i) -> threads[worker].tile(film, tiles[i], progress), progress);
         TraceCounts rays = TraceCounts.NONE;
         for (PerThread thread : threads) {
-            rays = rays.plus(new TraceCounts(thread.eye, thread.reflected, thread.lights.shadowRays()));
+            rays = rays.plus(thread.rays());
         }
         return new Result(film, rays);
     }
 
+    /** What one thread needs of the first level, or of those in mirrors. */
+    private static final class Side {
+        private final TileVisibility visibility;
+        private final LightKernel lights;
+        private final TileComposer composer;
+
+        Side(Geometry geometry, Scene scene, PacketTracer tracer) {
+            visibility = new TileVisibility(geometry, scene, tracer);
+            lights = new LightKernel(geometry, tracer, ViewEffects.ALL);
+            composer = new TileComposer(geometry.materials(), ViewEffects.ALL);
+        }
+    }
+
     /** What one thread needs. */
     private final class PerThread {
-        private final PacketTracer tracer = new PacketTracer(geometry);
-        private final TileVisibility visibility = new TileVisibility(geometry, scene, tracer);
-        private final LightKernel lights = new LightKernel(geometry, tracer, ViewEffects.ALL);
-        private final TileComposer composer = new TileComposer(geometry.materials(), ViewEffects.ALL);
+        private final Side eye;
+        private final Side mirrors;
         private final ScratchColumns columns = new ScratchColumns();
         private final HitRows[] levels = new HitRows[scene.picture().depth() + 1];
         private final LightLayer[] layers = new LightLayer[Math.max(lamps.length, mirroredLamps.length)];
-        private long eye;
+        private long eyeRays;
         private long reflected;
+
+        PerThread() {
+            PacketTracer tracer = new PacketTracer(geometry);
+            eye = new Side(geometry, scene, tracer);
+            mirrors = geometry == mirroredGeometry ? eye : new Side(mirroredGeometry, mirrored, tracer);
+        }
+
+        TraceCounts rays() {
+            return new TraceCounts(eyeRays, reflected, eye.lights.shadowRays() + (mirrors == eye ? 0 : mirrors.lights.shadowRays()));
+        }
 
         void tile(Film film, int tile, Progress progress) {
             int x0 = tile % film.tilesX() * Film.TILE;
             int y0 = tile / film.tilesX() * Film.TILE;
-            HitRows rows = visibility.eye(x0, y0, Film.TILE, (count, textured) -> level(0));
-            eye += (long) Math.min(Film.TILE, film.width() - x0) * Math.min(Film.TILE, film.height() - y0);
+            HitRows rows = eye.visibility.eye(x0, y0, Film.TILE, (count, textured) -> level(0));
+            eyeRays += (long) Math.min(Film.TILE, film.width() - x0) * Math.min(Film.TILE, film.height() - y0);
             int deepest = 0;
             while (deepest < scene.picture().depth() && rows.reflective > 0) {
                 int next = deepest + 1;
                 reflected += rows.reflective;
-                rows = visibility.mirrored(rows, null, (count, textured) -> level(next));
+                rows = mirrors.visibility.mirrored(rows, null, (count, textured) -> level(next));
                 deepest = next;
             }
-            for (int k = deepest; k >= 0; k--) {
-                Lamp[] shining = k == 0 ? lamps : mirroredLamps;
-                light(levels[k], shining, progress);
-                if (progress.isCancelled()) {
-                    return;
-                }
-                float[][] cr = k == deepest ? composer.unfollowed(levels[k])
-                        : composer.followed(levels[k], levels[k + 1], mirrored.world());
-                composer.level(levels[k], shining, layers, null, k == 0 ? scene.world() : mirrored.world(), cr);
+            float[][] cr = mirrors.composer.unfollowed(levels[deepest]);
+            for (int k = deepest; k > 0 && !progress.isCancelled(); k--) {
+                compose(mirrors, k, mirroredLamps, mirrored, cr, progress);
+                cr = mirrors.composer.followed(levels[k - 1], levels[k], mirrored.world());
             }
-            composer.toFilm(levels[0], scene.world(), film.red(tile), film.green(tile), film.blue(tile));
+            compose(eye, 0, lamps, scene, cr, progress);
+            if (!progress.isCancelled()) {
+                eye.composer.toFilm(levels[0], scene.world(), film.red(tile), film.green(tile), film.blue(tile));
+            }
         }
 
         private HitRows level(int k) {
@@ -135,10 +153,13 @@ public final class TraditionalTracer {
             return levels[k];
         }
 
-        private void light(HitRows rows, Lamp[] lamps, Progress progress) {
+        private void compose(Side side, int k, Lamp[] lamps, Scene shown, float[][] cr, Progress progress) {
             columns.reset();
             for (int l = 0; l < lamps.length && !progress.isCancelled(); l++) {
-                layers[l] = lamps[l].isDark() ? null : lights.full(rows, lamps[l], columns);
+                layers[l] = lamps[l].isDark() ? null : side.lights.full(levels[k], lamps[l], columns);
+            }
+            if (!progress.isCancelled()) {
+                side.composer.level(levels[k], lamps, layers, null, shown.world(), cr);
             }
         }
     }

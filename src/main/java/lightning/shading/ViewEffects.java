@@ -28,7 +28,7 @@ public record ViewEffects(boolean shadows, boolean reflections, boolean litTextu
         }
         List<Material> dull = new ArrayList<>();
         for (Material m : scene.materials()) {
-            dull.add(new Material(m.name(), m.ambient(), m.diffuse(), m.specular(), m.shininess(), Rgb.BLACK, m.texture()));
+            dull.add(m.withReflective(Rgb.BLACK));
         }
         return new Scene(scene.picture().withDepth(0), scene.camera(), scene.world(), dull, scene.nodes(), scene.lights());
     }
