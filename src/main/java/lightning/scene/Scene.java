@@ -121,13 +121,19 @@ public record Scene(Picture picture, Camera camera, World world, List<Material> 
     }
 
     /**
-     * This scene with the material of the same name replaced.
+     * This scene with the material of the same name replaced; the first of the name {@code default}, which shapes without a
+     * material have, is added as the last.
      *
      * @throws IllegalArgumentException if no material has that name
      */
     public Scene withMaterial(Material material) {
         if (material(material.name()).isEmpty()) {
-            throw new IllegalArgumentException("there is no material '" + material.name() + "'");
+            if (!material.name().equals(Material.DEFAULT.name())) {
+                throw new IllegalArgumentException("there is no material '" + material.name() + "'");
+            }
+            List<Material> more = new ArrayList<>(materials);
+            more.add(material);
+            return withMaterials(more);
         }
         return withMaterials(materials.stream().map(m -> m.name().equals(material.name()) ? material : m).toList());
     }
