@@ -40,7 +40,7 @@ record ColumnBytes(long rows, long layerRows, long geometry, long textures, long
         for (CachedTile tile : cache.all()) {
             for (TileLevel level : tile.levels) {
                 HitRows rows = level.rows();
-                long texture = rows.diffuseRed == null ? 0 : COLOR * rows.diffuseRed.length;
+                long texture = rows.texelRed == null ? 0 : COLOR * rows.texelRed.length;
                 textures += texture;
                 geometry += rows.bytes() - texture;
                 levels += level.bytes();

@@ -8,7 +8,6 @@ import lightning.math.Rgb;
 import lightning.scene.Antialias;
 import lightning.scene.Attenuation;
 import lightning.scene.LightType;
-import lightning.scene.Material;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
@@ -20,14 +19,11 @@ import lightning.scene.Shape;
 public enum Effect {
     SHADOWS("shadows", uses -> uses.lights(_ -> true), UnaryOperator.identity()),
     SPECULAR("specular highlights", uses -> uses.litMaterials(m -> !m.specular().isBlack()),
-            scene -> Without.materials(scene, m -> new Material(m.name(), m.ambient(), m.diffuse(), Rgb.BLACK, m.shininess(),
-                    m.reflective(), m.texture()))),
+            scene -> Without.materials(scene, m -> m.withSpecular(Rgb.BLACK))),
     TEXTURES("textures", uses -> uses.litMaterials(m -> m.texture().isPresent() && !m.diffuse().isBlack()),
-            scene -> Without.materials(scene, m -> new Material(m.name(), m.ambient(), m.diffuse(), m.specular(), m.shininess(),
-                    m.reflective(), Optional.empty()))),
+            scene -> Without.materials(scene, m -> m.withTexture(Optional.empty()))),
     REFLECTION("reflection", Uses::mirrors,
-            scene -> Without.materials(scene, m -> new Material(m.name(), m.ambient(), m.diffuse(), m.specular(), m.shininess(),
-                    Rgb.BLACK, m.texture())).withPicture(scene.picture().withDepth(0))),
+            scene -> Without.materials(scene, m -> m.withReflective(Rgb.BLACK)).withPicture(scene.picture().withDepth(0))),
     ATTENUATION("attenuation", uses -> uses.lights(l -> l.type().hasPosition() && !l.attenuation().isNone()),
             scene -> Without.lights(scene, l -> l.withAttenuation(Attenuation.NONE))),
     SPOT_CONE("cones of light", uses -> uses.lights(l -> l.type().hasCone() && l.angle() < 180),

@@ -14,7 +14,7 @@ final class Without {
     private Without() {}
 
     static Scene materials(Scene s, UnaryOperator<Material> change) {
-        return new Scene(s.picture(), s.camera(), s.world(), s.materials().stream().map(change).toList(), s.nodes(), s.lights());
+        return s.withMaterials(s.materials().stream().map(change).toList());
     }
 
     static Scene lights(Scene s, UnaryOperator<Light> change) {

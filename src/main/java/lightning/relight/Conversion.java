@@ -17,6 +17,8 @@ import lightning.shading.Progress;
 import lightning.shading.RatioKernel;
 import lightning.shading.TraceCounts;
 import lightning.shading.Workers;
+import lightning.trace.Geometry;
+import lightning.trace.MaterialTable;
 import lightning.trace.PacketTracer;
 
 /**
@@ -40,16 +42,18 @@ record Conversion(PixelCache cache, Options to) {
     /** What it does, as a plan. */
     UpdatePlan plan() {
         int depth = cache.scene().picture().depth();
-        return new UpdatePlan.Relight(level(cache.scene(), cache.stamps()), level(cache.mirroredScene(), cache.mirroredStamps()), depth, depth);
+        MaterialTable materials = cache.geometry().materials();
+        return new UpdatePlan.Relight(level(cache.scene(), cache.stamps(), materials),
+                level(cache.mirroredScene(), cache.mirroredStamps(), materials), depth, depth);
     }
 
-    private static LevelPlan level(Scene scene, LayerStamp[] stamps) {
+    private static LevelPlan level(Scene scene, LayerStamp[] stamps, MaterialTable materials) {
         List<LayerPlan> layers = new ArrayList<>();
         for (int l = 0; l < stamps.length; l++) {
             LightUpdate update = stamps[l] == null ? new LightUpdate.Keep() : new LightUpdate.Refresh();
             layers.add(new LayerPlan(scene.lights().get(l), l, stamps[l], update));
         }
-        return new LevelPlan(layers, List.of(), true);
+        return new LevelPlan(layers, List.of(), true, MaterialUpdate.none(materials));
     }
 
     /** What is known afterwards, and what that took. */
@@ -100,34 +104,19 @@ record Conversion(PixelCache cache, Options to) {
         }
     }
 
-    /** Converts tiles, with scratch memory: one for each thread. */
-    private static final class Tiles {
+    /** Converts layers, with scratch memory: one for each thread and each of the first level and those in mirrors. */
+    private static final class Layers {
         private final LightKernel lights;
         private final RatioKernel ratios;
         private final LayerUpdater updater;
-        private final TilePainter painter;
-        private long rowsComposed;
 
-        Tiles(PixelCache cache, Options to) {
-            lights = new LightKernel(cache.geometry(), new PacketTracer(cache.geometry()), to.view());
+        Layers(Geometry geometry, Options to) {
+            lights = new LightKernel(geometry, new PacketTracer(geometry), to.view());
             ratios = new RatioKernel(lights);
             updater = LayerUpdater.of(to.accuracy(), lights, ratios);
-            painter = new TilePainter(cache.geometry().materials(), to.view());
         }
 
-        CachedTile convert(CachedTile old, Lit top, Lit mirrors) {
-            TileLevel[] levels = new TileLevel[old.levels.length];
-            for (int k = 0; k < levels.length; k++) {
-                levels[k] = convert(old.levels[k], k == 0 ? top : mirrors);
-                rowsComposed += levels[k].rows().count;
-            }
-            float[][] scratch = painter.mirrored(levels, mirrors.shining(), mirrors.scene().world());
-            float[][] cr = scratch == null ? null : copyOf(scratch, levels[0].rows().reflective);
-            return new CachedTile(levels, old.hitShapes, cr, painter.film(levels[0], top.shining(), top.scene().world(), cr),
-                    old.codes);
-        }
-
-        private TileLevel convert(TileLevel old, Lit lit) {
+        TileLevel convert(TileLevel old, Lit lit) {
             LightLayer[] layers = new LightLayer[old.layers().length];
             for (int l = 0; l < layers.length; l++) {
                 LightLayer before = old.layers()[l];
@@ -136,12 +125,42 @@ record Conversion(PixelCache cache, Options to) {
             return new TileLevel(old.rows(), layers);
         }
 
+        Work work(long rowsComposed) {
+            return new Work(lights.rowsTouched() + ratios.rowsScaled(), rowsComposed, 0, new TraceCounts(0, 0, lights.shadowRays()));
+        }
+    }
+
+    /** Converts tiles: one for each thread. */
+    private static final class Tiles {
+        private final Layers eye;
+        private final Layers mirror;
+        private final TilePainter painter;
+        private long rowsComposed;
+
+        Tiles(PixelCache cache, Options to) {
+            eye = new Layers(cache.geometry(), to);
+            mirror = new Layers(cache.geometry().of(cache.mirroredScene()), to);
+            painter = new TilePainter(cache, to.view());
+        }
+
+        CachedTile convert(CachedTile old, Lit top, Lit mirrors) {
+            TileLevel[] levels = new TileLevel[old.levels.length];
+            for (int k = 0; k < levels.length; k++) {
+                levels[k] = k == 0 ? eye.convert(old.levels[k], top) : mirror.convert(old.levels[k], mirrors);
+                rowsComposed += levels[k].rows().count;
+            }
+            float[][] scratch = painter.mirrored(levels, mirrors.shining(), mirrors.scene().world());
+            float[][] cr = scratch == null ? null : copyOf(scratch, levels[0].rows().reflective);
+            return new CachedTile(levels, old.hitShapes, cr, painter.film(levels[0], top.shining(), top.scene().world(), cr),
+                    old.codes);
+        }
+
         private static float[][] copyOf(float[][] columns, int rows) {
             return new float[][] {Arrays.copyOf(columns[0], rows), Arrays.copyOf(columns[1], rows), Arrays.copyOf(columns[2], rows)};
         }
 
         Work work() {
-            return new Work(lights.rowsTouched() + ratios.rowsScaled(), rowsComposed, 0, new TraceCounts(0, 0, lights.shadowRays()));
+            return eye.work(rowsComposed).plus(mirror.work(0));
         }
     }
 }

@@ -14,25 +14,28 @@ import lightning.trace.Geometry;
 /**
  * What all threads of one update share, made ready once.
  *
- * @param direct  what the eye sees after the update
- * @param reflected what mirrors show after the update
- * @param top     the update of the first level; null in a first pass
- * @param mirrors the update of the mirror levels; null where they stay, and in a first pass
- * @param coding  whether anti-aliasing looks for edges anew
+ * @param shown    what the first level shall show
+ * @param mirrored what the mirror levels shall show: the same where they are updated too, and in a first pass
+ * @param top      the update of the first level; null in a first pass
+ * @param mirrors  the update of the mirror levels; null where they stay, and in a first pass
+ * @param coding   whether anti-aliasing looks for edges anew
  */
-record Job(Geometry geometry, Lit direct, Lit reflected, Options options, Level top, Level mirrors, boolean coding,
-        Progress progress) {
+record Job(Shown shown, Shown mirrored, Options options, Level top, Level mirrors, boolean coding, Progress progress) {
 
-    /** A scene with its lights made ready, in its order. */
-    record Lit(Scene scene, Lamp[] lamps) {
-        static Lit of(Scene scene) {
-            return new Lit(scene, Lamp.all(scene));
+    /**
+     * What levels show.
+     *
+     * @param geometry with the scene's materials
+     * @param lamps    the scene's lights, in its order
+     */
+    record Shown(Geometry geometry, Scene scene, Lamp[] lamps) {
+        static Shown of(Geometry geometry, Scene scene) {
+            return new Shown(geometry.of(scene), scene, Lamp.all(scene));
         }
     }
 
-    /** The scene wanted. */
     Scene scene() {
-        return direct.scene();
+        return shown.scene();
     }
 
     /** Whether mirror levels are kept as full rows. */
@@ -77,7 +80,8 @@ record Job(Geometry geometry, Lit direct, Lit reflected, Options options, Level 
                 reweighted[l] = before == null || before.red() != lamps[l].red()
                         || before.green() != lamps[l].green() || before.blue() != lamps[l].blue();
             }
-            return new Level(plan, lamps, lampsBefore, reweighted, dark, drag.next(onlyChange(plan, reweighted), lamps.length));
+            int only = plan.materials().isEmpty() ? onlyChange(plan, reweighted) : -1;
+            return new Level(plan, lamps, lampsBefore, reweighted, dark, drag.next(only, lamps.length));
         }
 
         /** The only light whose contribution changes, or −1. */
@@ -104,7 +108,9 @@ record Job(Geometry geometry, Lit direct, Lit reflected, Options options, Level 
                     // Never lit, or a mirror level that a deeper recursion added while the light was dark.
                     layers[l] = lamps[l].isDark() ? null : updater.full(old.rows(), lamps[l]);
                 } else {
-                    layers[l] = updater.update(old.rows(), lampsBefore[l], lamps[l], before, layer.update());
+                    LightLayer ready = layer.update() instanceof LightUpdate.FullRecompute ? before
+                            : updater.speculars(old.rows(), lampsBefore[l], before, plan.materials().speculars());
+                    layers[l] = updater.update(old.rows(), lampsBefore[l], lamps[l], ready, layer.update());
                 }
             }
             return layers;
@@ -112,7 +118,7 @@ record Job(Geometry geometry, Lit direct, Lit reflected, Options options, Level 
 
         /** Whether anti-aliasing may see other edges of lights than before. */
         boolean recodes(TileLevel old, LightLayer[] layers) {
-            boolean same = !plan.compose();
+            boolean same = !plan.compose() && plan.materials().isEmpty();
             for (int l = 0; same && l < lamps.length; l++) {
                 same = layers[l] == old.layers()[l] && darkBefore[l] == lamps[l].isDark();
             }
@@ -121,7 +127,7 @@ record Job(Geometry geometry, Lit direct, Lit reflected, Options options, Level 
 
         /** Whether any row's colour may differ from before, its mirror image left out. */
         boolean recolors(TileLevel old, LightLayer[] layers) {
-            if (plan.compose()) {
+            if (plan.compose() || plan.materials().recolored().isIn(old.rows())) {
                 return true;
             }
             for (int l = 0; l < lamps.length; l++) {

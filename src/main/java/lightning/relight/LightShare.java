@@ -50,7 +50,7 @@ public final class LightShare {
         Lamp[] top = Lamp.all(scene);
         Lamp[] mirrors = Lamp.all(scene(cache.mirroredScene(), light));
         TilePainter[] painters = new TilePainter[workers.count()];
-        Arrays.setAll(painters, _ -> new TilePainter(cache.geometry().materials(), view));
+        Arrays.setAll(painters, _ -> new TilePainter(cache, view));
         int perPixel = scene.picture().sampling().perPixel();
         float[][][] films = new float[Math.max(cache.tileCount(), cache.fineCount())][][];
         workers.run(films.length, (worker, i) -> {

@@ -198,29 +198,29 @@ public final class Renderer implements AutoCloseable {
 
     private Work firstPass(Scene wanted, Progress progress) {
         Geometry geometry = cache != null && cache.geometry().serves(wanted) ? cache.geometry() : new Geometry(wanted);
-        Job.Lit lit = Job.Lit.of(wanted);
-        LayerStamp[] stamps = new LayerStamp[lit.lamps().length];
+        Job.Shown shown = Job.Shown.of(geometry, wanted);
+        LayerStamp[] stamps = new LayerStamp[shown.lamps().length];
         for (int l = 0; l < stamps.length; l++) {
-            stamps[l] = lit.lamps()[l].isDark() ? null : LayerStamp.fresh(lit.lamps()[l].light());
+            stamps[l] = shown.lamps()[l].isDark() ? null : LayerStamp.fresh(shown.lamps()[l].light());
         }
         boolean coding = wanted.picture().sampling().antialias() == Antialias.EDGES;
-        TileRun run = new TileRun(new Job(geometry, lit, lit, options, null, null, coding, progress), workers, null);
-        cache = new PixelCache(geometry, run.tiles(), run.fine(), Sight.of(wanted), Sight.of(wanted), stamps, stamps);
+        TileRun run = new TileRun(new Job(shown, shown, options, null, null, coding, progress), workers, null);
+        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), Sight.of(wanted), Sight.of(wanted), stamps, stamps);
         return run.work();
     }
 
     private Work relight(UpdatePlan.Relight plan, Scene wanted, boolean refreshed, Progress progress) {
         PixelCache old = cache;
         boolean mirrors = plan.mirrors() != null;
-        Job.Lit direct = Job.Lit.of(wanted);
-        Job.Lit reflected = mirrors ? direct : Job.Lit.of(old.mirroredScene());
+        Job.Shown shown = Job.Shown.of(old.geometry(), wanted);
+        Job.Shown mirrored = mirrors ? shown : Job.Shown.of(old.geometry(), old.mirroredScene());
         boolean seeksEdges = wanted.picture().sampling().antialias() == Antialias.EDGES;
         boolean coding = seeksEdges && (refreshed || options.accuracy() == Accuracy.EXACT || plan.depthFrom() != plan.depthTo());
-        Job job = new Job(old.geometry(), direct, reflected, options, Job.Level.of(plan.top(), old.scene(), direct.lamps(), drag),
-                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), direct.lamps(), mirroredDrag) : null, coding, progress);
+        Job job = new Job(shown, mirrored, options, Job.Level.of(plan.top(), old.scene(), shown.lamps(), drag),
+                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), shown.lamps(), mirroredDrag) : null, coding, progress);
         TileRun run = new TileRun(job, workers, old);
         Sight sampled = seeksEdges && !coding ? old.sampled() : new Sight(wanted, mirrors ? wanted : old.sampled().mirrored());
-        cache = new PixelCache(old.geometry(), run.tiles(), run.fine(), new Sight(wanted, reflected.scene()), sampled,
+        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), new Sight(wanted, mirrored.scene()), sampled,
                 stamps(plan.top(), run.leastFalloff()),
                 mirrors ? stamps(plan.mirrors(), run.leastFalloff()) : old.mirroredStamps());
         return run.work();

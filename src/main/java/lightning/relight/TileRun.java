@@ -34,7 +34,7 @@ final class TileRun {
         fine = new FineTile[job.sampling().isFine() ? job.tileCount() : 0];
         int all = tiles.length + fine.length;
         workers.run(tiles.length, (worker, tile) -> tiles[tile] = old == null
-                ? threads[worker].firstPass(tile) : threads[worker].relight(old.tile(tile)), job.progress().part(0, all));
+                ? threads[worker].firstPass(tile) : threads[worker].relight(tile, old.tile(tile)), job.progress().part(0, all));
         if (fine.length > 0) {
             finer(all);
         }

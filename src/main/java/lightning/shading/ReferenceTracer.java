@@ -32,7 +32,7 @@ public final class ReferenceTracer {
 
     /**
      * A trace of {@code scene} whose mirrors show {@code mirrored}: what a picture with stale reflections
-     * must be (paper §4.8). The two may differ in lights and world.
+     * must be (paper §4.8). The two may differ in lights, world and materials.
      */
     public ReferenceTracer(Scene scene, Scene mirrored) {
         this.scene = scene;
@@ -155,9 +155,9 @@ public final class ReferenceTracer {
             return;
         }
         SurfacePoint at = geometry.surface(shape, ray);
+        int hit = HitCode.of(shape, at.nx(), at.ny(), at.nz());
         sums[0] += HitCode.seen(materials.isTextured(at.material())
-                ? HitCode.of(shape, at.nx(), at.ny(), at.nz(), at.diffuse()[0], at.diffuse()[1], at.diffuse()[2])
-                : HitCode.of(shape, at.nx(), at.ny(), at.nz()), level);
+                ? HitCode.textured(hit, at.texel()[0], at.texel()[1], at.texel()[2]) : hit, level);
         for (int l = 0; l < lamps.length; l++) {
             if (!lamps[l].isDark()) {
                 int code = look(l, at);

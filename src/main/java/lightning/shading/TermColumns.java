@@ -60,7 +60,8 @@ final class TermColumns {
         return column;
     }
 
-    private boolean hasSpecular(HitRows rows) {
+    /** Whether any of the rows' materials has a specular term. */
+    boolean hasSpecular(HitRows rows) {
         for (int r = 0; r < rows.runs; r++) {
             if (isSpecular(rows.runMaterial[r])) {
                 return true;
@@ -69,7 +70,7 @@ final class TermColumns {
         return false;
     }
 
-    private boolean isSpecular(int material) {
+    boolean isSpecular(int material) {
         return everySpecular || materials.isSpecular(material);
     }
 

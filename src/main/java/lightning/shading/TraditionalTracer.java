@@ -13,6 +13,7 @@ import lightning.trace.Geometry;
  */
 public final class TraditionalTracer {
     private final Geometry geometry;
+    private final Geometry mirroredGeometry;
     private final Scene scene;
     private final Scene mirrored;
     private final Sampling sampling;
@@ -26,7 +27,7 @@ public final class TraditionalTracer {
     /**
      * Prepares a trace over geometry that is there already.
      *
-     * @throws IllegalArgumentException if it is not the scene's
+     * @throws IllegalArgumentException if it does not serve the scene
      */
     public TraditionalTracer(Scene scene, Geometry geometry) {
         this(scene, scene, geometry);
@@ -34,9 +35,9 @@ public final class TraditionalTracer {
 
     /**
      * Prepares a trace of {@code scene} whose mirrors show {@code mirrored}: what a picture with stale
-     * reflections must be (paper §4.8). The two may differ in lights and world.
+     * reflections must be (paper §4.8). The two may differ in lights, world and materials.
      *
-     * @throws IllegalArgumentException if the geometry is not that of both
+     * @throws IllegalArgumentException if the geometry does not serve both
      */
     public TraditionalTracer(Scene scene, Scene mirrored, Geometry geometry) {
         this(new Sight(scene, mirrored), null, geometry);
@@ -53,10 +54,8 @@ public final class TraditionalTracer {
         mirrored = sight.mirrored();
         this.sampled = sampled == null || sampled.equals(sight) ? this : new TraditionalTracer(sampled, null, geometry);
         sampling = this.sampled.scene.picture().sampling();
-        if (!geometry.serves(scene) || !geometry.serves(mirrored)) {
-            throw new IllegalArgumentException("the geometry is another scene's");
-        }
-        this.geometry = geometry;
+        this.geometry = geometry.of(scene);
+        mirroredGeometry = geometry.of(mirrored);
     }
 
     /** A finished picture and the rays it took. */
@@ -126,7 +125,7 @@ public final class TraditionalTracer {
 
     private TileTracer[] threads(Workers workers) {
         TileTracer[] threads = new TileTracer[workers.count()];
-        Arrays.setAll(threads, _ -> new TileTracer(geometry, new Sight(scene, mirrored), sampling));
+        Arrays.setAll(threads, _ -> new TileTracer(geometry, mirroredGeometry, new Sight(scene, mirrored), sampling));
         return threads;
     }
 }
