@@ -2,13 +2,17 @@ package lightning.trace;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import lightning.math.Vec3;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.Scale;
+import org.assertj.core.data.Percentage;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Distances worked out on paper. */
 class SolidsTest {
@@ -124,6 +128,18 @@ class SolidsTest {
         assertThat(Solids.plane(0, 0, 0, 1, 0, 0)).isEqualTo(MISS);
         assertThat(Solids.plane(0, 0, 0, 1, -1, 0)).isEqualTo(MISS);
         assertThat(Solids.plane(0, 1, 0, 1, 0, 0)).isEqualTo(MISS);
+    }
+
+    /** A distance counts in lengths of the direction, however short or long that is. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-60, 1e-40, 1e-30, 1, 1e30, 1e60})
+    void solids_areMetWhateverTheLengthOfTheDirection(double length) {
+        Percentage rounding = withinPercentage(1e-12);
+        assertThat(Solids.sphere(0, 0, 5, 0, 0, -length) * length).isCloseTo(4, rounding);
+        assertThat(Solids.cylinder(3, 0.5, 0, -length, 0.1 * length, 0) * length).isCloseTo(2, rounding);
+        assertThat(Solids.cylinder(0.5, 3, 0, 0, -length, 0) * length).isCloseTo(2, rounding);
+        assertThat(Solids.cone(3, 0.25, 0, -length, 0, 0) * length).isCloseTo(2.25, rounding);
+        assertThat(Solids.plane(0.1, 2, 0.1, 0, -length, 0) * length).isCloseTo(2, rounding);
     }
 
     @Test
