@@ -43,7 +43,13 @@ class RatiosTest {
 
     @Test
     void channelThatStaysAsItIs_hasTheRatioOneEvenAtZero() {
-        assertThat(IntensityRatio.between(weighing(0, 1e-40, 3), weighing(0, 1e-40, 3))).isEqualTo(IntensityRatio.NONE);
+        assertThat(IntensityRatio.between(weighing(0, 2, 3), weighing(0, 2, 3))).isEqualTo(IntensityRatio.NONE);
+    }
+
+    /** Its contributions have lost digits, and would lose more with each change of falloff. */
+    @Test
+    void channelThatStaysBelowTheLeastNormalFloat_hasNoRatio() {
+        assertThat(IntensityRatio.between(weighing(1, 1e-40, 3), weighing(1, 1e-40, 3)).isUsable()).isFalse();
     }
 
     /** From 0 there is no ratio, from less than a normal float only one that has lost digits, and to 0 it is 0. */
