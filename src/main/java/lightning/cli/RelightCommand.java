@@ -109,7 +109,7 @@ final class RelightCommand implements Callable<Integer> {
             if (updateReflections) {
                 kept &= report("mirrors:", renderer.updateReflections(bar), renderer, workers, bar);
             }
-            output.write(renderer.film());
+            output.write(renderer.film(), console);
         }
         if (save != null) {
             document.with(edited.getLast()).save(save);

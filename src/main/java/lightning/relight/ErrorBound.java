@@ -21,9 +21,6 @@ record ErrorBound(double relative, double absolute, double largest) {
     private static final double HALF_STEP = 0.5 / 255;
 
     static ErrorBound of(PixelCache cache) {
-        if (cache == null) {
-            return NONE;
-        }
         LayerStamp[] top = cache.stamps();
         LayerStamp[] mirrors = cache.mirroredStamps();
         int depth = cache.mirroredScene().picture().depth();
