@@ -149,6 +149,13 @@ abstract class EditorDesk {
         return preview().onScreen(canvas.pixel(model().previewCameraProperty().get(), point));
     }
 
+    /** That every pixel of the canvas, as it is on the screen's side, is a film's. */
+    void assertCanvasShows(lightning.image.Film expected) {
+        PictureView picture = robot.lookup("#traced-picture").query();
+        int[] shown = WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(picture::pixels));
+        assertThat(shown).as("the pixels of the canvas").isEqualTo(model().viewProperty().get().toPixels(expected));
+    }
+
     void assertFilmIs(lightning.image.Film expected) {
         assertThat(model().frame().film().sameBits(expected)).as("every bit of the picture").isTrue();
     }
