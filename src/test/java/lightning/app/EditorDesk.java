@@ -49,7 +49,7 @@ abstract class EditorDesk {
     @TempDir
     Path folder;
 
-    final FxRobot robot = new FxRobot();
+    final FxRobot robot = new QuickRobot();
     Stage stage;
     Editor editor;
     /** What the artist answers when asked for a file; null is Cancel. */
@@ -73,12 +73,12 @@ abstract class EditorDesk {
 
     @AfterEach
     void close() throws Exception {
+        robot.release(new javafx.scene.input.MouseButton[0]);
+        robot.release(new javafx.scene.input.KeyCode[0]);
         FxToolkit.setupFixture(() -> {
             editor.close();
             stage.close();
         });
-        robot.release(new javafx.scene.input.KeyCode[0]);
-        robot.release(new javafx.scene.input.MouseButton[0]);
     }
 
     private final class Answers implements FilePrompt {
