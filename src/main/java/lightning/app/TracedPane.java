@@ -1,6 +1,7 @@
 package lightning.app;
 
 import java.util.Locale;
+import java.util.Optional;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -14,6 +15,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
+import lightning.app.widget.Obstacle;
 import lightning.edit.Verification;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
@@ -28,6 +30,8 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 /** The ray-traced canvas: the picture, what it does not show yet, how far it is, and what a pixel of it is made of. */
 public final class TracedPane extends BorderPane implements AutoCloseable {
     private static final double MOST_STOPS = 8;
+    private static final String NOT_PLAIN = "The view does not show the whole picture";
+    private static final String REGION_HINT = "Trace a region alone: drag a frame in the picture; it shows the edits that are not rendered yet";
 
     private final EditorModel model;
     private final PictureView picture = new PictureView();
@@ -91,7 +95,17 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
 
     /** The next drag frames a region that is traced alone. */
     void frameRegion() {
-        mouse.regionProperty().set(true);
+        if (isPlain()) {
+            mouse.regionProperty().set(true);
+        } else {
+            model.say(NOT_PLAIN);
+        }
+    }
+
+    /** Whether the canvas shows the picture itself. */
+    private boolean isPlain() {
+        var frame = model.renderingProperty().get().frame();
+        return frame == null || frame.look().isPlain();
     }
 
     private Node header() {
@@ -102,12 +116,14 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         HBox.setHgrow(space, Priority.ALWAYS);
         var region = new ToggleButton("", new FontIcon(MaterialDesignS.SELECTION_DRAG));
         region.setId("region");
-        region.setTooltip(new Tooltip("Trace a region alone: drag a frame in the picture.\nIt shows the edits that are not rendered yet."));
         region.setAccessibleText("Trace a region");
         region.selectedProperty().bindBidirectional(mouse.regionProperty());
         region.getStyleClass().add("button-icon");
+        var regionBox = new StackPane(region);
+        var obstacle = new Obstacle(regionBox, region, REGION_HINT);
+        model.renderingProperty().subscribe(_ -> obstacle.set(isPlain() ? Optional.empty() : Optional.of(NOT_PLAIN)));
         var box = new HBox(title, space, difference, only(), snapshot(), compare, new ExposureSlider(model, MOST_STOPS), viewMenu(),
-                region, ZoomButtons.of(picture, "traced"));
+                regionBox, ZoomButtons.of(picture, "traced"));
         box.getStyleClass().add("pane-header");
         return box;
     }

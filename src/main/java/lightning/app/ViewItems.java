@@ -43,7 +43,7 @@ final class ViewItems {
         var item = new CheckMenuItem(title);
         item.setId(id);
         var effects = model.look().effectsProperty();
-        item.setOnAction(_ -> effects.set(with.apply(effects.get(), item.isSelected())));
+        item.selectedProperty().addListener((_, _, on) -> effects.set(with.apply(effects.get(), on)));
         effects.subscribe(e -> item.setSelected(shown.test(e)));
         return item;
     }

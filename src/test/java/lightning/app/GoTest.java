@@ -14,6 +14,7 @@ import lightning.edit.Dial;
 import lightning.edit.LightEdits;
 import lightning.scene.Scene;
 import lightning.shading.ReferenceTracer;
+import lightning.shading.TraceCounts;
 import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
@@ -187,6 +188,17 @@ class GoTest extends EditorDesk {
         click("verify");
         waitFor("it is verified", () -> model().renderingProperty().get().verification() != null);
         assertThat(text("status")).contains("differ from a full trace").contains("mirrors, which show an older light");
+    }
+
+    @Test
+    void anotherAccuracy_castsNoRay() {
+        for (Precision precision : new Precision[] {Precision.RATIO, Precision.CURRENT, Precision.EXACT}) {
+            Object before = model().frame();
+            robot.interact(() -> model().precisionProperty().set(precision));
+            waitFor("it is rendered", () -> model().frame() != before);
+            assertThat(model().frame().update().rays()).as(precision.toString()).isEqualTo(TraceCounts.NONE);
+            assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        }
     }
 
     @Test
