@@ -22,7 +22,7 @@ public enum Effect {
             scene -> Without.materials(scene, m -> m.withSpecular(Rgb.BLACK))),
     TEXTURES("textures", uses -> uses.litMaterials(m -> m.texture().isPresent() && !m.diffuse().isBlack()),
             scene -> Without.materials(scene, m -> m.withTexture(Optional.empty()))),
-    REFLECTION("reflection", Uses::mirrors,
+    REFLECTION("reflections", Uses::mirrors,
             scene -> Without.materials(scene, m -> m.withReflective(Rgb.BLACK)).withPicture(scene.picture().withDepth(0))),
     ATTENUATION("attenuation", uses -> uses.lights(l -> l.type().hasPosition() && !l.attenuation().isNone()),
             scene -> Without.lights(scene, l -> l.withAttenuation(Attenuation.NONE))),

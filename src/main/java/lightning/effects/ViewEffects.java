@@ -37,6 +37,22 @@ public record ViewEffects(Set<Effect> hidden, Set<Effect> forced, boolean litTex
         return new ViewEffects(hidden, Set.copyOf(effects), litTextures);
     }
 
+    /** This view with one effect shown or hidden. */
+    public ViewEffects with(Effect effect, boolean shown) {
+        Set<Effect> all = EnumSet.noneOf(Effect.class);
+        all.addAll(hidden);
+        if (shown) {
+            all.remove(effect);
+        } else {
+            all.add(effect);
+        }
+        return hiding(all);
+    }
+
+    public ViewEffects withLitTextures(boolean v) {
+        return new ViewEffects(hidden, forced, v);
+    }
+
     public boolean shows(Effect effect) {
         return !hidden.contains(effect);
     }

@@ -3,6 +3,7 @@ package lightning.relight;
 import java.util.concurrent.CancellationException;
 import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
+import lightning.image.DisplayCurve;
 import lightning.image.Film;
 import lightning.scene.Antialias;
 import lightning.scene.Scene;
@@ -24,6 +25,7 @@ public final class Renderer implements AutoCloseable {
     /** How the cache is known; its accuracy differs from the wanted one after a change, until the next update. */
     private Accuracy known;
     private double exposure;
+    private DisplayCurve curve = DisplayCurve.SRGB;
 
     public Renderer(Options options) {
         this.options = options;
@@ -39,8 +41,9 @@ public final class Renderer implements AutoCloseable {
      *
      * @param stops the exposure, in stops
      */
-    public void setExposure(double stops) {
+    public void setView(double stops, DisplayCurve shown) {
         exposure = stops;
+        curve = shown;
     }
 
     /**
@@ -146,6 +149,7 @@ public final class Renderer implements AutoCloseable {
      */
     public void restore(PixelCache kept) {
         cache = kept;
+        known = options.accuracy();
         drag.end();
         mirroredDrag.end();
     }
@@ -181,7 +185,7 @@ public final class Renderer implements AutoCloseable {
         });
         known = options.accuracy();
         ErrorBound bound = ErrorBound.of(cache);
-        boolean refreshed = bound.shows(exposure);
+        boolean refreshed = bound.shows(exposure, curve);
         if (refreshed) {
             work = work.plus(relight(Dispatcher.refresh(cache), cache.scene(), true, progress));
             bound = ErrorBound.of(cache);
