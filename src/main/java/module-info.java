@@ -1,6 +1,8 @@
 /** Lightning: ray-traced scenes, relit exactly in a fraction of a full trace. */
 module lightning {
     requires java.desktop;
+    requires java.management;
+    requires jdk.management;
     requires jdk.incubator.vector;
     requires info.picocli;
     requires org.apache.commons.imaging;
