@@ -6,6 +6,8 @@ module lightning {
     requires jdk.incubator.vector;
     requires info.picocli;
     requires org.apache.commons.imaging;
+    requires org.jfree.jfreechart;
+    requires VectorGraphics2D;
     requires tools.jackson.databind;
     requires tools.jackson.dataformat.csv;
     requires javafx.controls;

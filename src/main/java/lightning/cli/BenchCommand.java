@@ -15,6 +15,7 @@ import lightning.bench.Reporter;
 import lightning.bench.Results;
 import lightning.bench.ResultsFile;
 import lightning.bench.Settings;
+import lightning.bench.report.Report;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -45,7 +46,7 @@ final class BenchCommand implements Callable<Integer> {
 
     private final Console console;
     /** What makes a page of the results. */
-    private final Reporter reporter = Reporter.NONE;
+    private final Reporter reporter = Report::write;
 
     @Spec
     private CommandSpec command;
