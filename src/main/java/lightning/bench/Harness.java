@@ -66,7 +66,7 @@ public final class Harness {
         problems.forEach(problem -> ledger.problem(problem.where(), problem.what()));
         List<Pace> paces = new ArrayList<>();
         try (Workers workers = new Workers(settings.threads())) {
-            triad = Bandwidth.triad(workers);
+            triad = Bandwidth.triad(workers, settings.isWarm() ? Bandwidth.REPETITIONS : 1);
             warmUp(workers, progress.silent());
             double leastMs = settings.isWarm() ? PACE_MS : 0;
             scenes.forEach(scene -> paces.add(Pace.of(scene.scene(), workers, leastMs, progress.silent())));

@@ -32,8 +32,8 @@ import picocli.CommandLine.Spec;
             "grow with pixels, lights, shapes and mirror bounces, how errors drift over 10 000 edits, the bandwidth of memory, and",
             "POV-Ray where it is installed. Works are measured in turns; no picture is timed before it was compared.",
             "",
-            "Writes results.json (everything, with every sample), results.csv (a row for each measurement) and pictures into the",
-            "folder. A run that is cancelled keeps what it has. The exit code is 1 if a picture was not what its level promises, or",
+            "Writes report.html, results.json (everything, with every sample), results.csv (a row for each measurement) and pictures",
+            "into the folder. A run that is cancelled keeps what it has. The exit code is 1 if a picture was not what its level promises, or",
             "something became worse than the baseline; 2 if a scene could not be read (the others are measured)."},
         footer = {
             "Examples:",
@@ -100,7 +100,7 @@ final class BenchCommand implements Callable<Integer> {
         }
         Files.createDirectories(folder);
         Results results = measure(read);
-        console.line("%s: results.json, results.csv and pictures", folder);
+        console.line("%s: report.html, results.json, results.csv and pictures", folder);
         return exit(results, old, !read.problems().isEmpty());
     }
 
@@ -121,7 +121,8 @@ final class BenchCommand implements Callable<Integer> {
         try (ProgressBar bar = new ProgressBar(console, "bench")) {
             List<String> arguments = new ArrayList<>(command.commandLine().getParseResult().originalArgs());
             Harness harness = new Harness(settings(), read.scenes(), read.problems(), folder, arguments, bar);
-            console.line("%d scenes; this will take about %s", read.scenes().size(), duration(harness.predictedSeconds()));
+            int count = read.scenes().size();
+            console.line("%d scene%s; this will take about %s", count, count == 1 ? "" : "s", duration(harness.predictedSeconds()));
             try {
                 Results results = harness.run((_, until) -> {
                     bar.erase();
@@ -133,7 +134,8 @@ final class BenchCommand implements Callable<Integer> {
                 table.foot(results);
                 return results;
             } catch (CancellationException | InterruptedException | IOException e) {
-                files.keep(harness.results(false));
+                bar.erase();
+                files.keep(harness.results(false), () -> console.remark("%s: holds what was measured until now", folder));
                 throw e;
             }
         }
