@@ -18,7 +18,7 @@ import lightning.scene.Node;
 import lightning.scene.Scene;
 
 /**
- * The paper's printed edits (§4.1–4.9) and a few more, for any scene.
+ * The paper's printed edits (§4.1–4.9) and a few more, of materials too, for any scene.
  *
  * <p>Each case edits the first light of the type it needs that shines; a case that finds no such
  * light, or would change nothing, is left out. On {@code scenes/bird.jen} the values are those that
@@ -62,6 +62,7 @@ public final class PaperCases {
         PaperCases builder = new PaperCases(scene, value);
         builder.printed();
         builder.further();
+        builder.cases.addAll(MaterialCases.of(scene));
         return List.copyOf(builder.cases);
     }
 

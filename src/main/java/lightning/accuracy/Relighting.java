@@ -10,13 +10,15 @@ import lightning.relight.Update;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
-import lightning.shading.ViewEffects;
+import java.util.Set;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
 import lightning.shading.Workers;
 import lightning.trace.Geometry;
 
 /** A level's renderer: makes an edit again and again from the same start. */
 final class Relighting implements AutoCloseable {
-    private static final ViewEffects FAST_SHADING = new ViewEffects(false, false, true);
+    private static final ViewEffects FAST_SHADING = ViewEffects.ALL.hiding(Set.of(Effect.SHADOWS, Effect.REFLECTION));
 
     private final Level level;
     private final Renderer renderer;

@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import lightning.math.Rgb;
@@ -44,7 +45,8 @@ class PaperCasesTest {
         assertThat(PaperCases.of(SceneFiles.read("bird"))).extracting(PaperCase::name).containsExactly("color",
                 "intensity", "attenuation", "angle-smaller", "angle-larger", "dropoff", "position", "direction", "type",
                 "delete", "add", "ambience", "position-feet", "composite-1", "composite-2", "off", "on", "solo", "rename",
-                "undo", "depth-less", "depth-more", "spot-turned", "point-to-spot");
+                "undo", "depth-less", "depth-more", "spot-turned", "point-to-spot", "material-color", "shininess", "reflectivity",
+                "mirror-off", "mirror-on", "texture-off", "texture-on");
     }
 
     @Test
@@ -180,9 +182,33 @@ class PaperCasesTest {
 
         assertThat(PaperCases.of(pointOnly)).extracting(PaperCase::name).containsExactlyInAnyOrder("attenuation", "position",
                 "add", "ambience", "position-feet", "composite-1", "off", "on", "solo", "rename", "undo", "depth-less", "depth-more",
-                "point-to-spot");
-        assertThat(PaperCases.of(bird.withLights(List.of()))).extracting(PaperCase::name)
-                .containsExactlyInAnyOrder("add", "ambience", "depth-less", "depth-more");
+                "point-to-spot", "material-color", "shininess", "reflectivity", "mirror-off", "mirror-on", "texture-off", "texture-on");
+        assertThat(PaperCases.of(bird.withLights(List.of()))).extracting(PaperCase::name).containsExactlyInAnyOrder("add", "ambience",
+                "depth-less", "depth-more", "material-color", "shininess", "reflectivity", "mirror-off", "mirror-on", "texture-off", "texture-on");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"material-color", "shininess", "reflectivity", "mirror-off", "texture-off", "texture-on"})
+    void editOfAMaterial_castsNoRay(String name) {
+        assertThat(lastUpdate(bird(name)).rays()).isEqualTo(TraceCounts.NONE);
+    }
+
+    @Test
+    void mirrorThatComes_castsNoEyeRay() {
+        TraceCounts rays = lastUpdate(bird("mirror-on")).rays();
+
+        assertThat(rays.mirrored()).isPositive();
+        assertThat(rays.eye()).isZero();
+    }
+
+    @Test
+    void scenesWithoutMirrorsAndTextures_leaveTheirCasesOut() {
+        Scene plain = SceneFiles.read("bird");
+        plain = plain.withMaterials(plain.materials().stream().map(m -> m.withReflective(Rgb.BLACK).withTexture(Optional.empty())
+                .withSpecular(Rgb.BLACK)).toList());
+
+        assertThat(PaperCases.of(plain)).extracting(PaperCase::name).contains("material-color").doesNotContain("shininess",
+                "reflectivity", "mirror-off", "mirror-on", "texture-off", "texture-on");
     }
 
     @Test
