@@ -38,6 +38,9 @@ final class Dispatcher {
         if (known.picture().width() != wanted.picture().width() || known.picture().height() != wanted.picture().height()) {
             return new UpdatePlan.FirstPass("another size");
         }
+        if (!known.picture().sampling().samplesLike(wanted.picture().sampling())) {
+            return new UpdatePlan.FirstPass("other samples");
+        }
         if (!known.camera().equals(wanted.camera())) {
             return new UpdatePlan.FirstPass("another camera");
         }
@@ -52,7 +55,7 @@ final class Dispatcher {
         }
         Geometry geometry = cache.geometry().of(wanted);
         return new UpdatePlan.Relight(level(cache.geometry(), known, cache::stamp, wanted, geometry, accuracy), refresh
-                ? level(cache.geometry().of(cache.mirroredScene()), cache.mirroredScene(), cache::mirroredStamp, wanted, geometry, accuracy)
+                ? level(cache.mirroredGeometry(), cache.mirroredScene(), cache::mirroredStamp, wanted, geometry, accuracy)
                 : null, depthFrom, depthTo);
     }
 

@@ -5,6 +5,7 @@ import lightning.shading.Lamp;
 import lightning.shading.LightKernel;
 import lightning.shading.LightLayer;
 import lightning.shading.LightRows;
+import lightning.shading.RatioRows;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialSet;
 import lightning.trace.RowSplice;
@@ -35,5 +36,13 @@ record ExactUpdater(LightKernel kernel) implements LayerUpdater {
     @Override
     public LightLayer spliced(RowSplice splice, LightLayer before, LightLayer added, Lamp lamp) {
         return kernel.spliced(splice, (LightRows) before, (LightRows) added, lamp);
+    }
+
+    @Override
+    public LightLayer convert(HitRows rows, Lamp lamp, LightLayer before) {
+        return switch (before) {
+            case LightRows layer -> layer;
+            case RatioRows layer -> kernel.again(rows, lamp, layer, Columns.FRESH);
+        };
     }
 }

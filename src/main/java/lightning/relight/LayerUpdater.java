@@ -1,13 +1,23 @@
 package lightning.relight;
 
 import lightning.shading.Lamp;
+import lightning.shading.LightKernel;
 import lightning.shading.LightLayer;
+import lightning.shading.RatioKernel;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialSet;
 import lightning.trace.RowSplice;
 
 /** Carries out a light's update on one tile's layer, at one level of accuracy. One for each thread. */
 interface LayerUpdater {
+    /** The one of a level. */
+    static LayerUpdater of(Accuracy accuracy, LightKernel lights, RatioKernel ratios) {
+        return switch (accuracy) {
+            case EXACT -> new ExactUpdater(lights);
+            case RATIO -> new RatioUpdater(ratios);
+        };
+    }
+
     /** A layer from nothing. */
     LightLayer full(HitRows rows, Lamp lamp);
 
@@ -35,4 +45,7 @@ interface LayerUpdater {
      * @param lamp   the light that both were computed for; unread where no rows were added
      */
     LightLayer spliced(RowSplice splice, LightLayer before, LightLayer added, Lamp lamp);
+
+    /** The layer in this level's form, as {@link #full} would make it, from one in either form; no ray is cast. */
+    LightLayer convert(HitRows rows, Lamp lamp, LightLayer before);
 }

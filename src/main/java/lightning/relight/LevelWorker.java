@@ -3,11 +3,16 @@ package lightning.relight;
 import java.util.Arrays;
 import lightning.cache.TileLevel;
 import lightning.shading.BranchSums;
+import lightning.shading.EdgeCoder;
 import lightning.shading.LightKernel;
 import lightning.shading.LightLayer;
+import lightning.shading.LightRows;
 import lightning.shading.RatioKernel;
+import lightning.shading.RatioRows;
 import lightning.shading.TileComposer;
+import lightning.trace.EyeSamples;
 import lightning.trace.HitRows;
+import lightning.trace.MaterialSet;
 import lightning.trace.PacketTracer;
 import lightning.trace.Retexturing;
 import lightning.trace.RowSplice;
@@ -19,7 +24,7 @@ import lightning.trace.TileVisibility;
  */
 final class LevelWorker {
     private final Job job;
-    private final Job.Shown shown;
+    private final Job.Lit shown;
     final TileVisibility visibility;
     final TileComposer composer;
     private final Retexturing textures;
@@ -29,17 +34,14 @@ final class LevelWorker {
     private long rowsComposed;
     private long bytesMoved;
 
-    LevelWorker(Job job, Job.Shown shown, PacketTracer tracer) {
+    LevelWorker(Job job, Job.Lit shown, PacketTracer tracer) {
         this.job = job;
         this.shown = shown;
         visibility = new TileVisibility(shown.geometry(), shown.scene(), tracer);
         textures = new Retexturing(shown.geometry(), shown.scene(), tracer);
         lights = new LightKernel(shown.geometry(), tracer, job.options().view());
         ratios = new RatioKernel(lights);
-        updater = switch (job.options().accuracy()) {
-            case EXACT -> new ExactUpdater(lights);
-            case RATIO -> new RatioUpdater(ratios);
-        };
+        updater = LayerUpdater.of(job.options().accuracy(), lights, ratios);
         composer = new TileComposer(shown.geometry().materials(), job.options().view());
     }
 
@@ -74,20 +76,37 @@ final class LevelWorker {
         return new TileLevel(rows, layers);
     }
 
-    /**
-     * The level with the texels that the plan's materials ask for.
-     *
-     * @param above the level that it is seen from; null for the tile's first, whose upper left pixel is {@code x0, y0}
-     */
-    TileLevel retextured(TileLevel level, HitRows above, int x0, int y0, Job.Level plan) {
-        var changed = plan.plan().materials().retextured();
-        HitRows rows = above == null ? textures.eye(level.rows(), x0, y0, changed)
-                : textures.mirrored(level.rows(), above, changed);
+    /** The first level of a tile with the texels that the plan's materials ask for. */
+    TileLevel retextured(TileLevel level, EyeSamples samples, Job.Level plan) {
+        MaterialSet changed = plan.plan().materials().retextured();
+        return retextured(level, textures.eye(level.rows(), samples, changed), changed);
+    }
+
+    /** The same for a level that is seen from another. */
+    TileLevel retextured(TileLevel level, HitRows above, Job.Level plan) {
+        MaterialSet changed = plan.plan().materials().retextured();
+        return retextured(level, textures.mirrored(level.rows(), above, changed), changed);
+    }
+
+    private TileLevel retextured(TileLevel level, HitRows rows, MaterialSet changed) {
         if (rows == level.rows()) {
             return level;
         }
         bytesMoved += 12L * rows.count + (12L + 36) * changed.countIn(rows);
         return new TileLevel(rows, level.layers());
+    }
+
+    /** Tells anti-aliasing what is seen of level {@code k}. */
+    void code(EdgeCoder coder, int k, TileLevel level) {
+        coder.shapes(k, level.rows());
+        for (int l = 0; l < shown.lamps().length && !job.progress().isCancelled(); l++) {
+            if (!shown.lamps()[l].isDark()) {
+                coder.light(k, l, level.rows(), switch (level.layers()[l]) {
+                    case LightRows exact -> exact;
+                    case RatioRows ratio -> ratios.terms(level.rows(), shown.lamps()[l], ratio);
+                }, shown.geometry().materials());
+            }
+        }
     }
 
     /** Carries out a plan on a level's layers; counts what that reads of the rows and writes. */

@@ -3,6 +3,7 @@ package lightning.relight;
 import lightning.shading.ConeChange;
 import lightning.shading.Lamp;
 import lightning.shading.LightLayer;
+import lightning.shading.LightRows;
 import lightning.shading.RatioKernel;
 import lightning.shading.RatioRows;
 import lightning.trace.HitRows;
@@ -36,5 +37,13 @@ record RatioUpdater(RatioKernel kernel) implements LayerUpdater {
     @Override
     public LightLayer spliced(RowSplice splice, LightLayer before, LightLayer added, Lamp lamp) {
         return kernel.spliced(splice, (RatioRows) before, (RatioRows) added);
+    }
+
+    @Override
+    public LightLayer convert(HitRows rows, Lamp lamp, LightLayer before) {
+        return switch (before) {
+            case LightRows layer -> kernel.of(rows, lamp, layer);
+            case RatioRows layer -> layer;
+        };
     }
 }

@@ -4,10 +4,14 @@ import java.util.Arrays;
 import lightning.cache.CachedTile;
 import lightning.cache.TileLevel;
 import lightning.image.Film;
+import lightning.shading.EdgeCoder;
+import lightning.shading.EdgeCodes;
 import lightning.shading.TraceCounts;
+import lightning.trace.EyeSamples;
 import lightning.trace.HitRows;
 import lightning.trace.PacketTracer;
 import lightning.trace.RowSplice;
+import lightning.trace.TileVisibility;
 
 /** Builds and updates cached tiles. Holds scratch memory: one for each thread. */
 final class TileWorker {
@@ -16,19 +20,20 @@ final class TileWorker {
     private final LevelWorker eye;
     /** Made when it is needed first. */
     private LevelWorker mirror;
+    private final EdgeCoder coder = new EdgeCoder();
     private long eyeRays;
     private long mirroredRays;
     private long filmBytes;
 
     TileWorker(Job job) {
         this.job = job;
-        tracer = new PacketTracer(job.shown().geometry());
-        eye = new LevelWorker(job, job.shown(), tracer);
+        tracer = new PacketTracer(job.direct().geometry());
+        eye = new LevelWorker(job, job.direct(), tracer);
     }
 
     private LevelWorker mirror() {
         if (mirror == null) {
-            mirror = job.mirrored() == job.shown() ? eye : new LevelWorker(job, job.mirrored(), tracer);
+            mirror = job.reflected() == job.direct() ? eye : new LevelWorker(job, job.reflected(), tracer);
         }
         return mirror;
     }
@@ -45,40 +50,104 @@ final class TileWorker {
         return eye.leastFalloff();
     }
 
-    /** Traces a tile and keeps what it learned; null where the work was cancelled. */
-    CachedTile firstPass(int tile) {
-        int x0 = tile % job.tilesX() * Film.TILE;
-        int y0 = tile / job.tilesX() * Film.TILE;
-        eyeRays += (long) Math.min(Film.TILE, job.scene().picture().width() - x0)
-                * Math.min(Film.TILE, job.scene().picture().height() - y0);
-        TileLevel top = eye.lit(eye.visibility.eye(x0, y0, Film.TILE, HitRows::new));
-        Mirrors mirrors = traced(new TileLevel[] {top}, new int[0][]);
-        return job.progress().isCancelled() ? null : finish(top, mirrors, null);
+    private int x0(int tile) {
+        return tile % job.tilesX() * Film.TILE;
     }
 
-    /** Updates a tile as planned; null where the work was cancelled. */
+    private int y0(int tile) {
+        return tile / job.tilesX() * Film.TILE;
+    }
+
+    /** Traces the centres of a tile's pixels and keeps what it learned; null where the work was cancelled. */
+    CachedTile firstPass(int tile) {
+        eyeRays += (long) Math.min(Film.TILE, job.scene().picture().width() - x0(tile))
+                * Math.min(Film.TILE, job.scene().picture().height() - y0(tile));
+        boolean coded = job.coding() != Job.Coding.NOWHERE;
+        return traced(eye.visibility.eye(x0(tile), y0(tile), Film.TILE, rows(coded)), coded);
+    }
+
+    /**
+     * Traces the finer samples of some pixels of a tile; null where the work was cancelled.
+     *
+     * @param pixels indices in the tile, ascending; those from {@code from} to before {@code to} are meant
+     */
+    CachedTile fine(int tile, short[] pixels, int from, int to) {
+        eyeRays += (long) (to - from) * job.sampling().perPixel();
+        return traced(eye.visibility.fine(x0(tile), y0(tile), pixels, from, to, job.sampling().grid(), HitRows::new), false);
+    }
+
+    private CachedTile traced(HitRows rows, boolean coded) {
+        TileLevel top = eye.lit(rows);
+        begin(coded, top);
+        Mirrors mirrors = traced(new TileLevel[] {top}, new int[0][], coded);
+        return job.progress().isCancelled() ? null : finish(top, mirrors, null, coded ? coder.codes() : null);
+    }
+
+    private static TileVisibility.Allocator rows(boolean coded) {
+        return (count, textured) -> new HitRows(count, textured, coded);
+    }
+
+    /** Updates the centres of a tile's pixels as planned; null where the work was cancelled. */
     CachedTile relight(int tile, CachedTile old) {
+        return relight(EyeSamples.centers(x0(tile), y0(tile)), old);
+    }
+
+    /**
+     * Updates the finer samples of some pixels of a tile as planned; null where the work was cancelled.
+     *
+     * @param pixels indices in the tile, of which those from {@code from} on are meant
+     */
+    CachedTile relight(int tile, short[] pixels, int from, CachedTile old) {
+        return relight(new EyeSamples(x0(tile), y0(tile), pixels, from, job.sampling().grid()), old);
+    }
+
+    private CachedTile relight(EyeSamples samples, CachedTile old) {
         TileLevel known = old.levels[0];
         MaterialUpdate materials = job.top().plan().materials();
         RowSplice order = materials.mirrors().isIn(known.rows())
                 ? RowSplice.sorted(known.rows(), materials.materials()) : null;
         TileLevel sorted = order == null ? known : eye.spliced(order, known, null);
-        sorted = eye.retextured(sorted, null, tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE, job.top());
+        sorted = eye.retextured(sorted, samples, job.top());
         TileLevel top = eye.updated(sorted, job.top());
         if (job.progress().isCancelled()) {
             return null;
         }
-        Mirrors mirrors = job.mirrors() == null && order == null
+        boolean whole = old.codes != null && recodesMirrors(order != null || materials.retextured().isIn(known.rows()));
+        boolean coded = whole || old.codes != null && job.coding() != Job.Coding.NOWHERE && job.top().recodes(sorted, top.layers());
+        begin(coded, top);
+        Mirrors mirrors = job.mirrors() == null && order == null && !whole
                 ? new Mirrors(old.levels, old.hitShapes, old.mirrored)
-                : updateMirrors(old, top, order);
+                : updateMirrors(old, top, order, whole);
         if (job.progress().isCancelled()) {
             return null;
         }
         boolean same = order == null && mirrors.cr == old.mirrored && !job.top().recolors(sorted, top.layers());
-        return finish(top, mirrors, same ? old.film : null);
+        EdgeCodes codes = !coded ? old.codes : (whole ? coder.codes() : coder.codes(old.codes)).or(old.codes);
+        return finish(top, mirrors, same ? old.film : null, codes);
     }
 
-    private CachedTile finish(TileLevel top, Mirrors mirrors, float[][] film) {
+    /**
+     * Whether anti-aliasing looks at the mirror images anew too.
+     *
+     * @param looksOther whether texels or mirrors of the first level changed
+     */
+    private boolean recodesMirrors(boolean looksOther) {
+        return switch (job.coding()) {
+            case NOWHERE -> false;
+            case LIGHTS -> job.mirrors() != null;
+            case MATERIALS -> job.mirrors() != null || looksOther;
+            case ALL -> true;
+        };
+    }
+
+    private void begin(boolean coded, TileLevel top) {
+        if (coded && !job.progress().isCancelled()) {
+            coder.begin();
+            eye.code(coder, 0, top);
+        }
+    }
+
+    private CachedTile finish(TileLevel top, Mirrors mirrors, float[][] film, EdgeCodes codes) {
         TileLevel[] levels = mirrors.levels.clone();
         levels[0] = top;
         float[][] pixels = film;
@@ -88,7 +157,7 @@ final class TileWorker {
             filmBytes += 12L * Film.TILE_PIXELS;
             eye.composer.toFilm(top.rows(), job.scene().world(), pixels[0], pixels[1], pixels[2]);
         }
-        return new CachedTile(levels, mirrors.hitShapes, mirrors.cr, pixels);
+        return new CachedTile(levels, mirrors.hitShapes, mirrors.cr, pixels, codes);
     }
 
     /**
@@ -99,17 +168,20 @@ final class TileWorker {
      */
     private record Mirrors(TileLevel[] levels, int[][] hitShapes, float[][] cr) {}
 
-    /** @param order what became of the first level's rows; null if they are what they were */
-    private Mirrors updateMirrors(CachedTile old, TileLevel top, RowSplice order) {
+    /**
+     * @param order what became of the first level's rows; null if they are what they were
+     * @param coded whether anti-aliasing wants to see them
+     */
+    private Mirrors updateMirrors(CachedTile old, TileLevel top, RowSplice order, boolean coded) {
         if (top.rows().reflective == 0) {
             return new Mirrors(new TileLevel[] {top}, new int[0][], null);
         }
         if (!job.keepsRows()) {
             boolean stays = order == null && !crosses(old.hitShapes);
             int[][] known = stays ? Arrays.copyOf(old.hitShapes, Math.min(old.hitShapes.length, job.depth())) : new int[0][];
-            return traced(new TileLevel[] {top}, known);
+            return traced(new TileLevel[] {top}, known, coded);
         }
-        return spliced(old, top, order);
+        return spliced(old, top, order, coded);
     }
 
     /** Whether the rows that are seen in mirrors, known by their shapes alone, are of materials that begin or cease to mirror(). */
@@ -119,7 +191,7 @@ final class TileWorker {
         }
         for (int[] shapes : hitShapes) {
             for (int shape : shapes) {
-                if (shape >= 0 && job.mirrors().plan().materials().mirrors().contains(job.mirrored().geometry().materialOf(shape))) {
+                if (shape >= 0 && job.mirrors().plan().materials().mirrors().contains(job.reflected().geometry().materialOf(shape))) {
                     return true;
                 }
             }
@@ -128,7 +200,7 @@ final class TileWorker {
     }
 
     /** Updates the levels that are kept as rows: what is known stays, and rays are cast for the rest alone. */
-    private Mirrors spliced(CachedTile old, TileLevel top, RowSplice order) {
+    private Mirrors spliced(CachedTile old, TileLevel top, RowSplice order, boolean coded) {
         TileLevel[] levels = new TileLevel[job.depth() + 1];
         levels[0] = top;
         boolean changed = order != null || job.mirrors() != null && job.mirrors().plan().compose();
@@ -138,17 +210,17 @@ final class TileWorker {
             HitRows rows = levels[k].rows();
             TileLevel known = k + 1 < old.levels.length ? old.levels[k + 1] : null;
             if (known == null) {
-                levels[k + 1] = mirror().lit(mirror().visibility.mirrored(rows, null, HitRows::new));
+                levels[k + 1] = mirror().lit(mirror().visibility.mirrored(rows, null, rows(rows.code != null)));
                 mirroredRays += rows.reflective;
                 changed = true;
                 above = null;
                 continue;
             }
             RowSplice here = moves(above, known.rows())
-                    ? RowSplice.seenFrom(above, rows.reflective, known.rows(), null, job.mirrored().geometry().materials()) : null;
+                    ? RowSplice.seenFrom(above, rows.reflective, known.rows(), null, job.reflected().geometry().materials()) : null;
             TileLevel kept = here == null ? known : mirror().spliced(here, known, null);
             if (job.mirrors() != null) {
-                TileLevel textured = mirror().retextured(kept, rows, 0, 0, job.mirrors());
+                TileLevel textured = mirror().retextured(kept, rows, job.mirrors());
                 TileLevel updated = mirror().updated(textured, job.mirrors());
                 if (job.progress().isCancelled()) {
                     return new Mirrors(levels, old.hitShapes, null);
@@ -158,9 +230,9 @@ final class TileWorker {
             }
             int[] unknown = above == null ? new int[0] : above.unfollowed();
             if (unknown.length > 0) {
-                TileLevel added = mirror().lit(mirror().visibility.mirroredFrom(rows, unknown, HitRows::new));
+                TileLevel added = mirror().lit(mirror().visibility.mirroredFrom(rows, unknown, rows(rows.code != null)));
                 mirroredRays += unknown.length;
-                RowSplice all = RowSplice.seenFrom(null, rows.reflective, kept.rows(), added.rows(), job.mirrored().geometry().materials());
+                RowSplice all = RowSplice.seenFrom(null, rows.reflective, kept.rows(), added.rows(), job.reflected().geometry().materials());
                 kept = mirror().spliced(all, kept, added);
                 here = here == null ? all : here.then(all);
             }
@@ -172,6 +244,7 @@ final class TileWorker {
             return new Mirrors(levels, old.hitShapes, null);
         }
         levels = Arrays.copyOf(levels, k + 1);
+        code(coded, levels);
         changed |= k + 1 < old.levels.length;
         return changed ? new Mirrors(levels, old.hitShapes, copyOf(cr(levels, k), top.rows().reflective))
                 : new Mirrors(levels, old.hitShapes, old.mirrored);
@@ -187,8 +260,9 @@ final class TileWorker {
      *
      * @param from  the levels there are, the first included, lit
      * @param known where mirror levels are not kept: the shapes that their rays hit, as far as known
+     * @param coded whether anti-aliasing wants to see them
      */
-    private Mirrors traced(TileLevel[] from, int[][] known) {
+    private Mirrors traced(TileLevel[] from, int[][] known, boolean coded) {
         HitRows top = from[0].rows();
         if (top.reflective == 0) {
             return new Mirrors(from, known, null);
@@ -198,7 +272,7 @@ final class TileWorker {
         int deepest = from.length - 1;
         while (deepest < job.depth() && levels[deepest].rows().reflective > 0 && !job.progress().isCancelled()) {
             HitRows above = levels[deepest].rows();
-            levels[deepest + 1] = mirror().lit(mirror().visibility.mirrored(above, shapes[deepest], HitRows::new));
+            levels[deepest + 1] = mirror().lit(mirror().visibility.mirrored(above, shapes[deepest], rows(above.code != null)));
             if (!job.keepsRows() && shapes[deepest] == null) {
                 shapes[deepest] = mirror().visibility.hitShapes(above.reflective);
             }
@@ -208,10 +282,17 @@ final class TileWorker {
         if (job.progress().isCancelled()) {
             return new Mirrors(from, known, null);
         }
+        code(coded, Arrays.copyOf(levels, deepest + 1));
         float[][] cr = copyOf(cr(levels, deepest), top.reflective);
         return job.keepsRows()
                 ? new Mirrors(Arrays.copyOf(levels, deepest + 1), new int[0][], cr)
                 : new Mirrors(Arrays.copyOf(levels, 1), Arrays.copyOf(shapes, deepest), cr);
+    }
+
+    private void code(boolean coded, TileLevel[] levels) {
+        for (int k = 1; coded && k < levels.length; k++) {
+            mirror().code(coder, k, levels[k]);
+        }
     }
 
     /** Composes the mirror levels from the deepest up; the result is Cr of the first level. */
@@ -219,7 +300,7 @@ final class TileWorker {
         float[][] cr = mirror().composer.unfollowed(levels[deepest].rows());
         for (int k = deepest; k > 0; k--) {
             levels[k] = mirror().compose(levels[k], job.keepsRows() ? job.mirrors() : null, cr);
-            cr = mirror().composer.followed(levels[k - 1].rows(), levels[k].rows(), job.mirrored().scene().world());
+            cr = mirror().composer.followed(levels[k - 1].rows(), levels[k].rows(), job.reflected().scene().world());
         }
         return cr;
     }

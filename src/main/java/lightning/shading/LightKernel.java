@@ -126,7 +126,7 @@ public final class LightKernel {
     }
 
     /** All terms anew for rows whose states are known: no shadow ray is cast. */
-    LightRows again(HitRows rows, Lamp lamp, LightLayer before, Columns columns) {
+    public LightRows again(HitRows rows, Lamp lamp, LightLayer before, Columns columns) {
         rowsTouched += before.lit();
         if (before.lit() == 0) {
             return new LightRows(before.states(), null, null, null, 0);

@@ -46,6 +46,18 @@ public final class RatioKernel {
         return contributions(rows, lamp, exact.again(rows, lamp, before, scratch), Columns.FRESH.states(rows.count));
     }
 
+    /** The terms of rows whose states are known, in columns that are valid until the next call; no shadow ray is cast. */
+    public LightRows terms(HitRows rows, Lamp lamp, RatioRows layer) {
+        scratch.reset();
+        return exact.again(rows, lamp, layer, scratch);
+    }
+
+    /** All contributions from terms that are known: the same as {@link #full} would give, and no ray is cast. */
+    public RatioRows of(HitRows rows, Lamp lamp, LightRows layer) {
+        rowsScaled += layer.lit;
+        return contributions(rows, lamp, layer, Columns.FRESH.states(rows.count));
+    }
+
     private RatioRows contributions(HitRows rows, Lamp lamp, LightRows layer, byte[] states) {
         System.arraycopy(layer.state, 0, states, 0, rows.count);
         if (layer.lit == 0) {

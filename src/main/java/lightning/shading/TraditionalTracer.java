@@ -3,11 +3,9 @@ package lightning.shading;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import lightning.image.Film;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
-import lightning.trace.HitRows;
-import lightning.trace.PacketTracer;
-import lightning.trace.TileVisibility;
 
 /**
  * The yardstick of every saving: a full trace by the fastest code there is, tile by tile, which keeps
@@ -15,11 +13,10 @@ import lightning.trace.TileVisibility;
  */
 public final class TraditionalTracer {
     private final Geometry geometry;
-    private final Geometry mirroredGeometry;
     private final Scene scene;
     private final Scene mirrored;
-    private final Lamp[] lamps;
-    private final Lamp[] mirroredLamps;
+    private final Sampling sampling;
+    private final TraditionalTracer sampled;
 
     /** Prepares a trace, the tree of boxes included. */
     public TraditionalTracer(Scene scene) {
@@ -42,16 +39,24 @@ public final class TraditionalTracer {
      * @throws IllegalArgumentException if the geometry does not serve both
      */
     public TraditionalTracer(Scene scene, Scene mirrored, Geometry geometry) {
-        this.scene = scene;
-        this.mirrored = mirrored;
-        this.geometry = geometry.of(scene);
-        mirroredGeometry = geometry.of(mirrored);
-        lamps = lamps(scene);
-        mirroredLamps = lamps(mirrored);
+        this(new Sight(scene, mirrored), null, geometry);
     }
 
-    private static Lamp[] lamps(Scene scene) {
-        return scene.lights().stream().map(light -> Lamp.of(light, scene)).toArray(Lamp[]::new);
+    /**
+     * Prepares a trace over the samples that another picture has: what a picture must be whose samples stay (level ratio).
+     *
+     * @param sampled the picture whose samples are taken; null for the picture's own
+     * @throws IllegalArgumentException if the geometry does not serve all scenes
+     */
+    public TraditionalTracer(Sight sight, Sight sampled, Geometry geometry) {
+        scene = sight.scene();
+        mirrored = sight.mirrored();
+        this.sampled = sampled == null || sampled.equals(sight) ? this : new TraditionalTracer(sampled, null, geometry);
+        sampling = this.sampled.scene.picture().sampling();
+        if (!geometry.serves(scene) || !geometry.serves(mirrored)) {
+            throw new IllegalArgumentException("the geometry is another scene's");
+        }
+        this.geometry = geometry;
     }
 
     /** A finished picture and the rays it took. */
@@ -80,87 +85,48 @@ public final class TraditionalTracer {
      */
     public Result trace(Workers workers, int[] tiles, Progress progress) {
         Film film = Film.black(scene.picture().width(), scene.picture().height());
-        PerThread[] threads = new PerThread[workers.count()];
-        Arrays.setAll(threads, _ -> new PerThread());
-        workers.run(tiles.length, (worker, i) -> threads[worker].tile(film, tiles[i], progress), progress);
+        TileTracer[] threads = threads(workers);
+        switch (sampling.antialias()) {
+            case OFF -> workers.run(tiles.length, (worker, i) -> threads[worker].centers(film, tiles[i], progress), progress);
+            case EVERY -> workers.run(tiles.length,
+                    (worker, i) -> threads[worker].fine(film, tiles[i], EdgeMap.all(film.width(), film.height(), tiles[i]), progress), progress);
+            case EDGES -> edges(film, workers, threads, tiles, progress);
+        }
         TraceCounts rays = TraceCounts.NONE;
-        for (PerThread thread : threads) {
+        for (TileTracer thread : threads) {
             rays = rays.plus(thread.rays());
         }
         return new Result(film, rays);
     }
 
-    /** What one thread needs of the first level, or of those in mirrors. */
-    private static final class Side {
-        private final TileVisibility visibility;
-        private final LightKernel lights;
-        private final TileComposer composer;
-
-        Side(Geometry geometry, Scene scene, PacketTracer tracer) {
-            visibility = new TileVisibility(geometry, scene, tracer);
-            lights = new LightKernel(geometry, tracer, ViewEffects.ALL);
-            composer = new TileComposer(geometry.materials(), ViewEffects.ALL);
+    /** First all centres, the neighbours' too, for the edges between them; then the pixels on an edge again, finer. */
+    private void edges(Film film, Workers workers, TileTracer[] threads, int[] tiles, Progress progress) {
+        int[] seen = EdgeMap.withNeighbours(film, tiles);
+        boolean[] wanted = new boolean[film.tileCount()];
+        for (int tile : tiles) {
+            wanted[tile] = true;
         }
+        EdgeCodes[] codes = new EdgeCodes[film.tileCount()];
+        TileTracer[] coders = sampled == this ? threads : sampled.threads(workers);
+        // What is traced for its codes alone goes to a film that nobody sees.
+        Film beside = seen.length == tiles.length && sampled == this ? film : Film.black(film.width(), film.height());
+        Film aside = sampled == this ? film : beside;
+        workers.run(seen.length, (worker, i) -> {
+            int tile = seen[i];
+            codes[tile] = coders[worker].coded(wanted[tile] ? aside : beside, tile, progress);
+        }, progress.part(0, seen.length + tiles.length));
+        EdgeMap map = new EdgeMap(film.width(), film.height(), codes);
+        workers.run(tiles.length, (worker, i) -> {
+            if (sampled != this) {
+                threads[worker].centers(film, tiles[i], progress);
+            }
+            threads[worker].fine(film, tiles[i], map.edges(tiles[i]), progress);
+        }, progress.part(seen.length, seen.length + tiles.length));
     }
 
-    /** What one thread needs. */
-    private final class PerThread {
-        private final Side eye;
-        private final Side mirrors;
-        private final ScratchColumns columns = new ScratchColumns();
-        private final HitRows[] levels = new HitRows[scene.picture().depth() + 1];
-        private final LightLayer[] layers = new LightLayer[Math.max(lamps.length, mirroredLamps.length)];
-        private long eyeRays;
-        private long reflected;
-
-        PerThread() {
-            PacketTracer tracer = new PacketTracer(geometry);
-            eye = new Side(geometry, scene, tracer);
-            mirrors = geometry == mirroredGeometry ? eye : new Side(mirroredGeometry, mirrored, tracer);
-        }
-
-        TraceCounts rays() {
-            return new TraceCounts(eyeRays, reflected, eye.lights.shadowRays() + (mirrors == eye ? 0 : mirrors.lights.shadowRays()));
-        }
-
-        void tile(Film film, int tile, Progress progress) {
-            int x0 = tile % film.tilesX() * Film.TILE;
-            int y0 = tile / film.tilesX() * Film.TILE;
-            HitRows rows = eye.visibility.eye(x0, y0, Film.TILE, (count, textured) -> level(0));
-            eyeRays += (long) Math.min(Film.TILE, film.width() - x0) * Math.min(Film.TILE, film.height() - y0);
-            int deepest = 0;
-            while (deepest < scene.picture().depth() && rows.reflective > 0) {
-                int next = deepest + 1;
-                reflected += rows.reflective;
-                rows = mirrors.visibility.mirrored(rows, null, (count, textured) -> level(next));
-                deepest = next;
-            }
-            float[][] cr = mirrors.composer.unfollowed(levels[deepest]);
-            for (int k = deepest; k > 0 && !progress.isCancelled(); k--) {
-                compose(mirrors, k, mirroredLamps, mirrored, cr, progress);
-                cr = mirrors.composer.followed(levels[k - 1], levels[k], mirrored.world());
-            }
-            compose(eye, 0, lamps, scene, cr, progress);
-            if (!progress.isCancelled()) {
-                eye.composer.toFilm(levels[0], scene.world(), film.red(tile), film.green(tile), film.blue(tile));
-            }
-        }
-
-        private HitRows level(int k) {
-            if (levels[k] == null) {
-                levels[k] = new HitRows(Film.TILE_PIXELS, true);
-            }
-            return levels[k];
-        }
-
-        private void compose(Side side, int k, Lamp[] lamps, Scene shown, float[][] cr, Progress progress) {
-            columns.reset();
-            for (int l = 0; l < lamps.length && !progress.isCancelled(); l++) {
-                layers[l] = lamps[l].isDark() ? null : side.lights.full(levels[k], lamps[l], columns);
-            }
-            if (!progress.isCancelled()) {
-                side.composer.level(levels[k], lamps, layers, null, shown.world(), cr);
-            }
-        }
+    private TileTracer[] threads(Workers workers) {
+        TileTracer[] threads = new TileTracer[workers.count()];
+        Arrays.setAll(threads, _ -> new TileTracer(geometry, new Sight(scene, mirrored), sampling));
+        return threads;
     }
 }

@@ -161,14 +161,14 @@ public final class Geometry {
         surface.at(shapes, shape, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
         int material = shapes.material[shape];
         float[] diffuse = {materials.diffuse(material, 0), materials.diffuse(material, 1), materials.diffuse(material, 2)};
-        if (materials.isTextured(material)) {
-            float[] texel = new float[3];
+        float[] texel = materials.isTextured(material) ? new float[3] : null;
+        if (texel != null) {
             TextureLookup.sample(materials.texture(material), shapes.kind[shape], surface.ownX, surface.ownY, surface.ownZ, texel);
             for (int c = 0; c < 3; c++) {
                 diffuse[c] *= texel[c];
             }
         }
         return new SurfacePoint(shape, material, surface.px, surface.py, surface.pz, surface.nx, surface.ny, surface.nz,
-                (float) d.x(), (float) d.y(), (float) d.z(), diffuse);
+                (float) d.x(), (float) d.y(), (float) d.z(), diffuse, texel);
     }
 }

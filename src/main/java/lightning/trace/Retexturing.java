@@ -10,8 +10,6 @@ import lightning.scene.Scene;
  */
 public final class Retexturing {
     private static final int ROWS = 1024;
-    /** The side of a tile, pixels. */
-    private static final int SIDE = 32;
 
     private final Geometry geometry;
     private final MaterialTable materials;
@@ -42,13 +40,13 @@ public final class Retexturing {
     }
 
     /**
-     * The rows of a tile's first level, whose upper left pixel is {@code x0, y0}, with their texels.
+     * The rows of a tile's first level, with their texels and codes.
      *
      * @param changed the materials whose textures changed, went or came
      * @return the same object where nothing changes; all other columns are shared
      */
-    public HitRows eye(HitRows rows, int x0, int y0, MaterialSet changed) {
-        return textured(rows, null, x0, y0, changed);
+    public HitRows eye(HitRows rows, EyeSamples samples, MaterialSet changed) {
+        return textured(rows, null, samples, changed);
     }
 
     /**
@@ -57,21 +55,18 @@ public final class Retexturing {
      * @param from the level that they are seen from
      */
     public HitRows mirrored(HitRows rows, HitRows from, MaterialSet changed) {
-        return textured(rows, from, 0, 0, changed);
+        return textured(rows, from, null, changed);
     }
 
-    private HitRows textured(HitRows rows, HitRows from, int x0, int y0, MaterialSet changed) {
+    private HitRows textured(HitRows rows, HitRows from, EyeSamples samples, MaterialSet changed) {
         if (!changed.isIn(rows)) {
             return rows;
         }
-        if (!hasTextures(rows)) {
-            return rows.texelRed == null ? rows : rows.withoutTexels();
-        }
-        HitRows now = rows.withOwnTexels();
+        HitRows now = hasTextures(rows) ? rows.withOwnTexels() : rows.withoutTexels();
         for (int r = 0; r < rows.runs; r++) {
             int material = rows.runMaterial[r];
-            if (changed.contains(material) && materials.isTextured(material)) {
-                run(now, r, from, x0, y0);
+            if (changed.contains(material) && (now.code != null || materials.isTextured(material))) {
+                run(now, r, from, samples);
             }
         }
         return now;
@@ -86,7 +81,7 @@ public final class Retexturing {
         return false;
     }
 
-    private void run(HitRows rows, int run, HitRows from, int x0, int y0) {
+    private void run(HitRows rows, int run, HitRows from, EyeSamples samples) {
         int start = rows.runStart(run);
         int count = rows.runEnd[run] - start;
         rowsTouched += count;
@@ -94,7 +89,10 @@ public final class Retexturing {
         for (int i = 0; i < count; i++) {
             int parent = rows.parent[start + i];
             if (from == null) {
-                eye(x0 + parent % SIDE, y0 + parent / SIDE, i);
+                Vec3 direction = samples.ray(camera, parent).direction();
+                dx[i] = direction.x();
+                dy[i] = direction.y();
+                dz[i] = direction.z();
                 beam.origin(0, 0, 0);
             } else {
                 MirrorRays.direction(from, parent, dx, dy, dz, i);
@@ -112,13 +110,6 @@ public final class Retexturing {
             tracer.surfaces(packet, live, surface);
             texels.write(rows, start + i, live, packet, surface);
         }
-    }
-
-    private void eye(int x, int y, int ray) {
-        Vec3 direction = camera.through(x, y).direction();
-        dx[ray] = direction.x();
-        dy[ray] = direction.y();
-        dz[ray] = direction.z();
     }
 
     private void load(HitRows rows, HitRows from, int start, int ray, int live) {

@@ -33,7 +33,7 @@ public final class RowSplice {
             starts[r + 1] += starts[r];
         }
         boolean texels = old.texelRed != null || added != null && added.texelRed != null;
-        rows = new HitRows(sequence.length, textured && texels);
+        rows = new HitRows(sequence.length, textured && texels, old.code != null);
         rows.count = sequence.length;
         rows.reflective = starts[materials.reflectiveCount()];
         for (int r = 0; r < materials.count(); r++) {
@@ -98,7 +98,11 @@ public final class RowSplice {
 
     private void copy(short[] oldParents) {
         for (int i = 0; i < source.length; i++) {
-            rows.parent[i] = source[i] < 0 ? added.parent[~source[i]] : oldParents[source[i]];
+            boolean fresh = source[i] < 0;
+            rows.parent[i] = fresh ? added.parent[~source[i]] : oldParents[source[i]];
+            if (rows.code != null) {
+                rows.code[i] = fresh ? added.code[~source[i]] : old.code[source[i]];
+            }
         }
         copy(old.px, added == null ? null : added.px, rows.px);
         copy(old.py, added == null ? null : added.py, rows.py);

@@ -11,6 +11,7 @@ import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.Material;
 import lightning.scene.Node;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.World;
@@ -138,6 +139,13 @@ public sealed interface Edit {
         @Override
         public Scene apply(List<Scene> history) {
             return history.getLast().withPicture(history.getLast().picture().withSize(width, height));
+        }
+    }
+
+    record Sample(Sampling to) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            return history.getLast().withPicture(history.getLast().picture().withSampling(to));
         }
     }
 

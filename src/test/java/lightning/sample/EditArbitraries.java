@@ -80,6 +80,7 @@ public final class EditArbitraries {
     private static Arbitrary<Edit> ofTheGeometry() {
         return Arbitraries.oneOf(List.of(
                 Combinators.combine(sides(), sides()).as(Edit.Size::new),
+                SceneArbitraries.samplings().map(Edit.Sample::new),
                 Numbers.between(-0.3, 0.3).map(Edit.Orbit::new),
                 Arbitraries.integers().between(0, 9).map(Edit.RemoveNode::new),
                 Combinators.combine(Arbitraries.integers().between(0, 9), Arbitraries.of(NodeArbitraries.MATERIALS)).as(Edit.Assign::new)));
