@@ -8,7 +8,7 @@ import lightning.relight.Update;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
 import lightning.shading.TraditionalTracer;
-import lightning.shading.ViewEffects;
+import lightning.effects.ViewEffects;
 import lightning.shading.Workers;
 
 /**

@@ -98,7 +98,7 @@ final class RelightCommand implements Callable<Integer> {
         boolean kept = true;
         try (Renderer renderer = new Renderer(options); Workers workers = new Workers(threads.count());
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
-            renderer.setExposure(output.exposure());
+            renderer.setView(output.view().exposure(), output.view().curve());
             Update first = renderer.render(picture.apply(document.scene()), bar);
             console.line("first pass: %.1f ms, %d rays", first.milliseconds(), first.rays().all());
             warmUp(renderer, workers, bar);
@@ -109,7 +109,7 @@ final class RelightCommand implements Callable<Integer> {
             if (updateReflections) {
                 kept &= report("mirrors:", renderer.updateReflections(bar), renderer, workers, bar);
             }
-            output.write(renderer.film());
+            output.write(renderer.film(), console);
         }
         if (save != null) {
             document.with(edited.getLast()).save(save);

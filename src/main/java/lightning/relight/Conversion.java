@@ -18,6 +18,7 @@ import lightning.shading.RatioKernel;
 import lightning.shading.TraceCounts;
 import lightning.shading.Workers;
 import lightning.trace.Geometry;
+import lightning.trace.MaterialTable;
 import lightning.trace.PacketTracer;
 
 /**
@@ -41,17 +42,18 @@ record Conversion(PixelCache cache, Options to) {
     /** What it does, as a plan. */
     UpdatePlan plan() {
         int depth = cache.scene().picture().depth();
-        return new UpdatePlan.Relight(level(cache.geometry(), cache.scene(), cache.stamps()),
-                level(cache.mirroredGeometry(), cache.mirroredScene(), cache.mirroredStamps()), depth, depth);
+        MaterialTable materials = cache.geometry().materials();
+        return new UpdatePlan.Relight(level(cache.scene(), cache.stamps(), materials),
+                level(cache.mirroredScene(), cache.mirroredStamps(), materials), depth, depth);
     }
 
-    private static LevelPlan level(Geometry geometry, Scene scene, LayerStamp[] stamps) {
+    private static LevelPlan level(Scene scene, LayerStamp[] stamps, MaterialTable materials) {
         List<LayerPlan> layers = new ArrayList<>();
         for (int l = 0; l < stamps.length; l++) {
             LightUpdate update = stamps[l] == null ? new LightUpdate.Keep() : new LightUpdate.Refresh();
             layers.add(new LayerPlan(scene.lights().get(l), l, stamps[l], update));
         }
-        return new LevelPlan(layers, List.of(), true, MaterialUpdate.none(geometry.materials()));
+        return new LevelPlan(layers, List.of(), true, MaterialUpdate.none(materials));
     }
 
     /** What is known afterwards, and what that took. */
@@ -102,14 +104,14 @@ record Conversion(PixelCache cache, Options to) {
         }
     }
 
-    /** Converts levels that show one scene. */
-    private static final class Levels {
+    /** Converts layers, with scratch memory: one for each thread and each of the first level and those in mirrors. */
+    private static final class Layers {
         private final LightKernel lights;
         private final RatioKernel ratios;
         private final LayerUpdater updater;
 
-        Levels(Geometry geometry, PacketTracer tracer, Options to) {
-            lights = new LightKernel(geometry, tracer, to.view());
+        Layers(Geometry geometry, Options to) {
+            lights = new LightKernel(geometry, new PacketTracer(geometry), to.view());
             ratios = new RatioKernel(lights);
             updater = LayerUpdater.of(to.accuracy(), lights, ratios);
         }
@@ -123,29 +125,28 @@ record Conversion(PixelCache cache, Options to) {
             return new TileLevel(old.rows(), layers);
         }
 
-        long rowsTouched() {
-            return lights.rowsTouched() + ratios.rowsScaled();
+        Work work(long rowsComposed) {
+            return new Work(lights.rowsTouched() + ratios.rowsScaled(), rowsComposed, 0, new TraceCounts(0, 0, lights.shadowRays()));
         }
     }
 
-    /** Converts tiles, with scratch memory: one for each thread. */
+    /** Converts tiles: one for each thread. */
     private static final class Tiles {
-        private final Levels direct;
-        private final Levels reflected;
+        private final Layers eye;
+        private final Layers mirror;
         private final TilePainter painter;
         private long rowsComposed;
 
         Tiles(PixelCache cache, Options to) {
-            var tracer = new PacketTracer(cache.geometry());
-            direct = new Levels(cache.geometry(), tracer, to);
-            reflected = new Levels(cache.mirroredGeometry(), tracer, to);
+            eye = new Layers(cache.geometry(), to);
+            mirror = new Layers(cache.geometry().of(cache.mirroredScene()), to);
             painter = new TilePainter(cache, to.view());
         }
 
         CachedTile convert(CachedTile old, Lit top, Lit mirrors) {
             TileLevel[] levels = new TileLevel[old.levels.length];
             for (int k = 0; k < levels.length; k++) {
-                levels[k] = k == 0 ? direct.convert(old.levels[k], top) : reflected.convert(old.levels[k], mirrors);
+                levels[k] = k == 0 ? eye.convert(old.levels[k], top) : mirror.convert(old.levels[k], mirrors);
                 rowsComposed += levels[k].rows().count;
             }
             float[][] scratch = painter.mirrored(levels, mirrors.shining(), mirrors.scene().world());
@@ -159,7 +160,7 @@ record Conversion(PixelCache cache, Options to) {
         }
 
         Work work() {
-            return new Work(direct.rowsTouched() + reflected.rowsTouched(), rowsComposed, 0, TraceCounts.NONE);
+            return eye.work(rowsComposed).plus(mirror.work(0));
         }
     }
 }

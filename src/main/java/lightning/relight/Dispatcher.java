@@ -174,7 +174,11 @@ final class Dispatcher {
      */
     private static LightUpdate ratio(Light before, Light light, Scene wanted) {
         LightDifference difference = LightDifference.between(before, light);
+        LightUpdate least = exact(difference);
+        if (least instanceof LightUpdate.Keep) {
+            return least;
+        }
         boolean usable = IntensityRatio.between(Lamp.shining(before, wanted), Lamp.shining(light, wanted)).isUsable();
-        return difference.cone() == ConeChange.TURN || !usable ? new LightUpdate.FullRecompute(false) : exact(difference);
+        return difference.cone() == ConeChange.TURN || !usable ? new LightUpdate.FullRecompute(false) : least;
     }
 }

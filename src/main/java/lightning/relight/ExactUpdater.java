@@ -29,6 +29,14 @@ record ExactUpdater(LightKernel kernel) implements LayerUpdater {
     }
 
     @Override
+    public LightLayer convert(HitRows rows, Lamp lamp, LightLayer before) {
+        return switch (before) {
+            case LightRows layer -> layer;
+            case RatioRows layer -> kernel.again(rows, lamp, layer, Columns.FRESH);
+        };
+    }
+
+    @Override
     public LightLayer speculars(HitRows rows, Lamp lamp, LightLayer before, MaterialSet changed) {
         return kernel.speculars(rows, lamp, (LightRows) before, changed, Columns.FRESH);
     }
@@ -36,13 +44,5 @@ record ExactUpdater(LightKernel kernel) implements LayerUpdater {
     @Override
     public LightLayer spliced(RowSplice splice, LightLayer before, LightLayer added, Lamp lamp) {
         return kernel.spliced(splice, (LightRows) before, (LightRows) added, lamp);
-    }
-
-    @Override
-    public LightLayer convert(HitRows rows, Lamp lamp, LightLayer before) {
-        return switch (before) {
-            case LightRows layer -> layer;
-            case RatioRows layer -> kernel.again(rows, lamp, layer, Columns.FRESH);
-        };
     }
 }

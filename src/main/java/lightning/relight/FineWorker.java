@@ -4,9 +4,11 @@ import java.util.Arrays;
 import lightning.cache.CachedTile;
 import lightning.cache.FineSamples;
 import lightning.cache.FineTile;
+import lightning.image.Film;
 import lightning.scene.Antialias;
 import lightning.shading.EdgeMap;
 import lightning.shading.SampleMean;
+import lightning.trace.SamplePlaces;
 
 /**
  * Builds and updates the finer samples of tiles, after the pixels' centres are known (anti-aliasing). One for each
@@ -43,7 +45,7 @@ final class FineWorker {
      * @param old       the finer samples before, or null
      */
     FineTile tile(int tile, CachedTile center, CachedTile oldCenter, FineTile old) {
-        boolean stay = old != null && (job.coding() == Job.Coding.NOWHERE || edges.alike(tile, known));
+        boolean stay = old != null && (!job.coding() || edges.alike(tile, known));
         FineSamples shapes = samples(tile, stay ? old.shapes().pixels() : shapePixels(tile), old == null ? null : old.shapes());
         FineSamples lights = samples(tile, stay ? old.lights().pixels() : lightPixels(tile), old == null ? null : old.lights());
         if (job.progress().isCancelled()) {
@@ -68,8 +70,9 @@ final class FineWorker {
         boolean same = old != null && Arrays.equals(pixels, old.pixels());
         CachedTile[] blocks = new CachedTile[(pixels.length + together - 1) / together];
         for (int b = 0; b < blocks.length && !job.progress().isCancelled(); b++) {
-            blocks[b] = same ? worker.relight(tile, pixels, b * together, old.blocks()[b])
-                    : worker.fine(tile, pixels, b * together, Math.min(pixels.length, (b + 1) * together));
+            var places = new SamplePlaces(tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE, pixels, b * together,
+                    Math.min(pixels.length, (b + 1) * together), job.sampling().grid());
+            blocks[b] = same ? worker.relight(places, old.blocks()[b]) : worker.fine(places);
         }
         return new FineSamples(same ? old.pixels() : pixels, blocks);
     }

@@ -14,36 +14,30 @@ import lightning.trace.Geometry;
 /**
  * What all threads of one update share, made ready once.
  *
- * @param direct  what the eye sees after the update
- * @param reflected what mirrors show after the update
- * @param top     the update of the first level; null in a first pass
- * @param mirrors the update of the mirror levels; null where they stay, and in a first pass
- * @param coding  where anti-aliasing looks for edges anew
+ * @param shown    what the first level shall show
+ * @param mirrored what the mirror levels shall show: the same where they are updated too, and in a first pass
+ * @param top      the update of the first level; null in a first pass
+ * @param mirrors  the update of the mirror levels; null where they stay, and in a first pass
+ * @param coding   whether anti-aliasing looks for edges anew
+ * @param codingMirrors whether it looks for them in all mirror images too, whether or not they change
  */
-record Job(Lit direct, Lit reflected, Options options, Level top, Level mirrors, Coding coding, Progress progress) {
+record Job(Shown shown, Shown mirrored, Options options, Level top, Level mirrors, boolean coding, boolean codingMirrors,
+        Progress progress) {
 
-    /** A scene with its lights made ready, in its order, and its materials in the geometry. */
-    record Lit(Geometry geometry, Scene scene, Lamp[] lamps) {
-        static Lit of(Geometry geometry, Scene scene) {
-            return new Lit(geometry.of(scene), scene, Lamp.all(scene));
+    /**
+     * What levels show.
+     *
+     * @param geometry with the scene's materials
+     * @param lamps    the scene's lights, in its order
+     */
+    record Shown(Geometry geometry, Scene scene, Lamp[] lamps) {
+        static Shown of(Geometry geometry, Scene scene) {
+            return new Shown(geometry.of(scene), scene, Lamp.all(scene));
         }
     }
 
-    /** Where anti-aliasing looks for edges anew. */
-    enum Coding {
-        /** Nowhere: it is off, or the samples stay. */
-        NOWHERE,
-        /** Where a light's layer changes or mirror images are updated. */
-        LIGHTS,
-        /** There, and where the image of a texture or a mirror changes, mirrors included. */
-        MATERIALS,
-        /** Everywhere. */
-        ALL
-    }
-
-    /** The scene wanted. */
     Scene scene() {
-        return direct.scene();
+        return shown.scene();
     }
 
     /** Whether mirror levels are kept as full rows. */
@@ -126,7 +120,7 @@ record Job(Lit direct, Lit reflected, Options options, Level top, Level mirrors,
 
         /** Whether anti-aliasing may see other edges of lights than before. */
         boolean recodes(TileLevel old, LightLayer[] layers) {
-            boolean same = !plan.compose() && !plan.materials().speculars().isIn(old.rows());
+            boolean same = !plan.compose() && plan.materials().isEmpty();
             for (int l = 0; same && l < lamps.length; l++) {
                 same = layers[l] == old.layers()[l] && darkBefore[l] == lamps[l].isDark();
             }

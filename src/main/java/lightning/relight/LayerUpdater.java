@@ -29,6 +29,9 @@ interface LayerUpdater {
      */
     LightLayer update(HitRows rows, Lamp from, Lamp to, LightLayer before, LightUpdate update);
 
+    /** The layer in this level's form, as {@link #full} would make it, from one in either form; no ray is cast. */
+    LightLayer convert(HitRows rows, Lamp lamp, LightLayer before);
+
     /**
      * The layer after an edit of materials, its light being as it was.
      *
@@ -45,7 +48,4 @@ interface LayerUpdater {
      * @param lamp   the light that both were computed for; unread where no rows were added
      */
     LightLayer spliced(RowSplice splice, LightLayer before, LightLayer added, Lamp lamp);
-
-    /** The layer in this level's form, as {@link #full} would make it, from one in either form; no ray is cast. */
-    LightLayer convert(HitRows rows, Lamp lamp, LightLayer before);
 }

@@ -4,18 +4,18 @@ import java.util.Arrays;
 import lightning.cache.TileLevel;
 import lightning.shading.BranchSums;
 import lightning.shading.EdgeCoder;
+import lightning.shading.Lamp;
 import lightning.shading.LightKernel;
 import lightning.shading.LightLayer;
 import lightning.shading.LightRows;
 import lightning.shading.RatioKernel;
 import lightning.shading.RatioRows;
 import lightning.shading.TileComposer;
-import lightning.trace.EyeSamples;
 import lightning.trace.HitRows;
-import lightning.trace.MaterialSet;
 import lightning.trace.PacketTracer;
 import lightning.trace.Retexturing;
 import lightning.trace.RowSplice;
+import lightning.trace.SamplePlaces;
 import lightning.trace.TileVisibility;
 
 /**
@@ -24,7 +24,7 @@ import lightning.trace.TileVisibility;
  */
 final class LevelWorker {
     private final Job job;
-    private final Job.Lit shown;
+    private final Job.Shown shown;
     final TileVisibility visibility;
     final TileComposer composer;
     private final Retexturing textures;
@@ -34,7 +34,7 @@ final class LevelWorker {
     private long rowsComposed;
     private long bytesMoved;
 
-    LevelWorker(Job job, Job.Lit shown, PacketTracer tracer) {
+    LevelWorker(Job job, Job.Shown shown, PacketTracer tracer) {
         this.job = job;
         this.shown = shown;
         visibility = new TileVisibility(shown.geometry(), shown.scene(), tracer);
@@ -76,37 +76,21 @@ final class LevelWorker {
         return new TileLevel(rows, layers);
     }
 
-    /** The first level of a tile with the texels that the plan's materials ask for. */
-    TileLevel retextured(TileLevel level, EyeSamples samples, Job.Level plan) {
-        MaterialSet changed = plan.plan().materials().retextured();
-        return retextured(level, textures.eye(level.rows(), samples, changed), changed);
-    }
-
-    /** The same for a level that is seen from another. */
-    TileLevel retextured(TileLevel level, HitRows above, Job.Level plan) {
-        MaterialSet changed = plan.plan().materials().retextured();
-        return retextured(level, textures.mirrored(level.rows(), above, changed), changed);
-    }
-
-    private TileLevel retextured(TileLevel level, HitRows rows, MaterialSet changed) {
+    /**
+     * The level with the texels that the plan's materials ask for.
+     *
+     * @param above  the level that it is seen from; null for the first
+     * @param places where the rays of the first level go; unread for others
+     */
+    TileLevel retextured(TileLevel level, HitRows above, SamplePlaces places, Job.Level plan) {
+        var changed = plan.plan().materials().retextured();
+        HitRows rows = above == null ? textures.eye(level.rows(), places, changed)
+                : textures.mirrored(level.rows(), above, changed);
         if (rows == level.rows()) {
             return level;
         }
         bytesMoved += 12L * rows.count + (12L + 36) * changed.countIn(rows);
         return new TileLevel(rows, level.layers());
-    }
-
-    /** Tells anti-aliasing what is seen of level {@code k}. */
-    void code(EdgeCoder coder, int k, TileLevel level) {
-        coder.shapes(k, level.rows());
-        for (int l = 0; l < shown.lamps().length && !job.progress().isCancelled(); l++) {
-            if (!shown.lamps()[l].isDark()) {
-                coder.light(k, l, level.rows(), switch (level.layers()[l]) {
-                    case LightRows exact -> exact;
-                    case RatioRows ratio -> ratios.terms(level.rows(), shown.lamps()[l], ratio);
-                }, shown.geometry().materials());
-            }
-        }
     }
 
     /** Carries out a plan on a level's layers; counts what that reads of the rows and writes. */
@@ -141,6 +125,21 @@ final class LevelWorker {
         var level = new TileLevel(splice.rows(), layers);
         bytesMoved += old.bytes() + level.bytes();
         return level;
+    }
+
+    /** Tells anti-aliasing what a level shows; the levels above were told before. */
+    void code(EdgeCoder coder, int k, TileLevel level) {
+        Lamp[] lamps = shown.lamps();
+        coder.shapes(k, level.rows(), shown.geometry().materials());
+        for (int l = 0; l < lamps.length && !job.progress().isCancelled(); l++) {
+            if (!lamps[l].isDark()) {
+                LightRows layer = switch (level.layers()[l]) {
+                    case LightRows exact -> exact;
+                    case RatioRows ratio -> ratios.terms(level.rows(), lamps[l], ratio);
+                };
+                coder.light(k, l, level.rows(), layer, shown.geometry().materials());
+            }
+        }
     }
 
     /** Composes a level; gives it back with the sums that are kept for the next time, if any are. */

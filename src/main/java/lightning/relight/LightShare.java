@@ -14,7 +14,7 @@ import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.shading.Lamp;
 import lightning.shading.Progress;
-import lightning.shading.ViewEffects;
+import lightning.effects.ViewEffects;
 import lightning.shading.Workers;
 
 /**

@@ -26,8 +26,10 @@ import lightning.scene.Light;
  * 4η·(w + w′ + 4)/(w′·f) with the least f of the old and new falloffs, however often a slider goes up and down.
  * As long as only weights change, no falloff need be known: then the shares are of w, and become shares of w·f when
  * falloffs change. Rows whose falloff is below the least normal float count as if it were that: they
- * are not scaled any more. The same holds for channels whose weight is below it, which stay below it. A is
- * twice the sum over the lights and the mirrors, and 64η for closing the equation.
+ * are scaled no more. A channel whose weight w′ is below it was scaled once, from a normal weight, and is scaled no more
+ * either: beyond its shares it is off by at most w′ + η. What closes the equation underflows by less than 64η.
+ * Both are within two least normal floats for each light. A is twice the sum over the lights, for diffuse and
+ * specular contributions, on each level of mirrors.
  */
 final class RatioBound {
     private static final double UNIT = 0x1p-24;
@@ -92,14 +94,12 @@ final class RatioBound {
 
     /** The absolute part A of as many levels as given. */
     static double absolute(LayerStamp[] stamps, int levels) {
-        double sum = 64 * TINY;
-        boolean scaled = false;
+        double sum = 0;
         for (LayerStamp stamp : stamps) {
             if (stamp != null && stamp.roundings() > 0) {
-                scaled = true;
-                sum += 2 * (weight(stamp.light()) * (stamp.lostOfContribution() + stamp.lostOfWeight()) + Float.MIN_NORMAL);
+                sum += 2 * (weight(stamp.light()) * (stamp.lostOfContribution() + stamp.lostOfWeight()) + 2 * Float.MIN_NORMAL);
             }
         }
-        return scaled ? levels * sum : 0;
+        return levels * sum;
     }
 }

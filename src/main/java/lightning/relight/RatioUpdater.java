@@ -30,6 +30,14 @@ record RatioUpdater(RatioKernel kernel) implements LayerUpdater {
     }
 
     @Override
+    public LightLayer convert(HitRows rows, Lamp lamp, LightLayer before) {
+        return switch (before) {
+            case LightRows layer -> kernel.of(rows, lamp, layer);
+            case RatioRows layer -> layer;
+        };
+    }
+
+    @Override
     public LightLayer speculars(HitRows rows, Lamp lamp, LightLayer before, MaterialSet changed) {
         return kernel.speculars(rows, lamp, (RatioRows) before, changed);
     }
@@ -37,13 +45,5 @@ record RatioUpdater(RatioKernel kernel) implements LayerUpdater {
     @Override
     public LightLayer spliced(RowSplice splice, LightLayer before, LightLayer added, Lamp lamp) {
         return kernel.spliced(splice, (RatioRows) before, (RatioRows) added);
-    }
-
-    @Override
-    public LightLayer convert(HitRows rows, Lamp lamp, LightLayer before) {
-        return switch (before) {
-            case LightRows layer -> kernel.of(rows, lamp, layer);
-            case RatioRows layer -> layer;
-        };
     }
 }

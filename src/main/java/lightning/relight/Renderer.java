@@ -3,6 +3,7 @@ package lightning.relight;
 import java.util.concurrent.CancellationException;
 import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
+import lightning.image.DisplayCurve;
 import lightning.image.Film;
 import lightning.scene.Antialias;
 import lightning.scene.Scene;
@@ -24,6 +25,7 @@ public final class Renderer implements AutoCloseable {
     /** How the cache is known; its accuracy differs from the wanted one after a change, until the next update. */
     private Accuracy known;
     private double exposure;
+    private DisplayCurve curve = DisplayCurve.SRGB;
 
     public Renderer(Options options) {
         this.options = options;
@@ -39,8 +41,9 @@ public final class Renderer implements AutoCloseable {
      *
      * @param stops the exposure, in stops
      */
-    public void setExposure(double stops) {
+    public void setView(double stops, DisplayCurve shown) {
         exposure = stops;
+        curve = shown;
     }
 
     /**
@@ -52,7 +55,7 @@ public final class Renderer implements AutoCloseable {
             workers.close();
             workers = new Workers(to.threads());
         }
-        boolean serves = to.view().equals(options.view()) && to.storage() == options.storage()
+        boolean serves = to.view().tracesLike(options.view()) && to.storage() == options.storage()
                 && (to.accuracy() == known || cache == null || Conversion.serves(cache));
         options = to;
         if (!serves) {
@@ -146,6 +149,7 @@ public final class Renderer implements AutoCloseable {
      */
     public void restore(PixelCache kept) {
         cache = kept;
+        known = options.accuracy();
         drag.end();
         mirroredDrag.end();
     }
@@ -181,7 +185,7 @@ public final class Renderer implements AutoCloseable {
         });
         known = options.accuracy();
         ErrorBound bound = ErrorBound.of(cache);
-        boolean refreshed = bound.shows(exposure);
+        boolean refreshed = bound.shows(exposure, curve);
         if (refreshed) {
             work = work.plus(relight(Dispatcher.refresh(cache), cache.scene(), true, progress));
             bound = ErrorBound.of(cache);
@@ -198,52 +202,40 @@ public final class Renderer implements AutoCloseable {
 
     private Work firstPass(Scene wanted, Progress progress) {
         Geometry geometry = cache != null && cache.geometry().serves(wanted) ? cache.geometry() : new Geometry(wanted);
-        Job.Lit lit = Job.Lit.of(geometry, wanted);
-        LayerStamp[] stamps = new LayerStamp[lit.lamps().length];
+        Job.Shown shown = Job.Shown.of(geometry, wanted);
+        LayerStamp[] stamps = new LayerStamp[shown.lamps().length];
         for (int l = 0; l < stamps.length; l++) {
-            stamps[l] = lit.lamps()[l].isDark() ? null : LayerStamp.fresh(lit.lamps()[l].light());
+            stamps[l] = shown.lamps()[l].isDark() ? null : LayerStamp.fresh(shown.lamps()[l].light());
         }
-        Job.Coding coding = wanted.picture().sampling().antialias() == Antialias.EDGES ? Job.Coding.ALL : Job.Coding.NOWHERE;
-        TileRun run = new TileRun(new Job(lit, lit, options, null, null, coding, progress), workers, null);
-        cache = new PixelCache(lit.geometry(), run.tiles(), run.fine(), Sight.of(wanted), Sight.of(wanted), stamps, stamps);
+        boolean coding = wanted.picture().sampling().antialias() == Antialias.EDGES;
+        TileRun run = new TileRun(new Job(shown, shown, options, null, null, coding, coding, progress), workers, null);
+        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), Sight.of(wanted), Sight.of(wanted), stamps, stamps);
         return run.work();
     }
 
     private Work relight(UpdatePlan.Relight plan, Scene wanted, boolean refreshed, Progress progress) {
         PixelCache old = cache;
         boolean mirrors = plan.mirrors() != null;
-        Job.Lit direct = Job.Lit.of(old.geometry(), wanted);
-        Job.Lit reflected = mirrors ? direct : Job.Lit.of(old.geometry(), old.mirroredScene());
+        Job.Shown shown = Job.Shown.of(old.geometry(), wanted);
+        Job.Shown mirrored = mirrors ? shown : Job.Shown.of(old.geometry(), old.mirroredScene());
         boolean seeksEdges = wanted.picture().sampling().antialias() == Antialias.EDGES;
-        boolean seen = refreshed || options.accuracy() == Accuracy.EXACT || plan.depthFrom() != plan.depthTo();
-        Job.Coding coding = seeksEdges && seen ? coding(plan.top().materials()) : Job.Coding.NOWHERE;
-        Job job = new Job(direct, reflected, options, Job.Level.of(plan.top(), old.scene(), direct.lamps(), drag),
-                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), direct.lamps(), mirroredDrag) : null, coding, progress);
+        boolean coding = seeksEdges && (refreshed || options.accuracy() == Accuracy.EXACT || plan.depthFrom() != plan.depthTo());
+        Job job = new Job(shown, mirrored, options, Job.Level.of(plan.top(), old.scene(), shown.lamps(), drag),
+                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), shown.lamps(), mirroredDrag) : null, coding,
+                coding && (mirrors || mirrorsMovedUnder(old)), progress);
         TileRun run = new TileRun(job, workers, old);
-        cache = new PixelCache(direct.geometry(), run.tiles(), run.fine(), new Sight(wanted, reflected.scene()),
-                sampled(old, wanted, reflected.scene(), mirrors, coding), stamps(plan.top(), run.leastFalloff()),
+        Sight sampled = seeksEdges && !coding ? old.sampled()
+                : new Sight(wanted, mirrors || job.codingMirrors() ? mirrored.scene() : old.sampled().mirrored());
+        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), new Sight(wanted, mirrored.scene()), sampled,
+                stamps(plan.top(), run.leastFalloff()),
                 mirrors ? stamps(plan.mirrors(), run.leastFalloff()) : old.mirroredStamps());
         return run.work();
     }
 
-    /** Where edges are looked for, in an update in which they are. */
-    private Job.Coding coding(MaterialUpdate materials) {
-        Sight sampled = cache.sampled();
-        Geometry geometry = cache.geometry();
-        boolean lags = !geometry.of(sampled.scene()).materials().equals(geometry.materials())
-                || !geometry.of(sampled.mirrored()).materials().equals(cache.mirroredGeometry().materials());
-        return lags ? Job.Coding.ALL
-                : materials.retextured().isEmpty() && materials.mirrors().isEmpty() ? Job.Coding.LIGHTS : Job.Coding.MATERIALS;
-    }
-
-    /** The picture whose samples are used after an update. */
-    private static Sight sampled(PixelCache old, Scene wanted, Scene mirrored, boolean mirrors, Job.Coding coding) {
-        boolean seeksEdges = wanted.picture().sampling().antialias() == Antialias.EDGES;
-        return switch (coding) {
-            case NOWHERE -> seeksEdges ? old.sampled() : new Sight(wanted, mirrors ? wanted : old.sampled().mirrored());
-            case LIGHTS, MATERIALS -> new Sight(wanted, mirrors ? wanted : old.sampled().mirrored());
-            case ALL -> new Sight(wanted, mirrored);
-        };
+    /** Whether a material began or ceased to mirror while the samples stayed. */
+    private static boolean mirrorsMovedUnder(PixelCache cache) {
+        Geometry sampled = cache.geometry().of(cache.sampled().scene());
+        return !MaterialDifference.between(sampled.materials(), cache.geometry().materials()).mirrors().isEmpty();
     }
 
     private LayerStamp[] stamps(LevelPlan plan, double leastFalloff) {

@@ -7,10 +7,10 @@ import lightning.image.Film;
 import lightning.shading.EdgeCoder;
 import lightning.shading.EdgeCodes;
 import lightning.shading.TraceCounts;
-import lightning.trace.EyeSamples;
 import lightning.trace.HitRows;
 import lightning.trace.PacketTracer;
 import lightning.trace.RowSplice;
+import lightning.trace.SamplePlaces;
 import lightning.trace.TileVisibility;
 
 /** Builds and updates cached tiles. Holds scratch memory: one for each thread. */
@@ -27,13 +27,13 @@ final class TileWorker {
 
     TileWorker(Job job) {
         this.job = job;
-        tracer = new PacketTracer(job.direct().geometry());
-        eye = new LevelWorker(job, job.direct(), tracer);
+        tracer = new PacketTracer(job.shown().geometry());
+        eye = new LevelWorker(job, job.shown(), tracer);
     }
 
     private LevelWorker mirror() {
         if (mirror == null) {
-            mirror = job.reflected() == job.direct() ? eye : new LevelWorker(job, job.reflected(), tracer);
+            mirror = job.mirrored() == job.shown() ? eye : new LevelWorker(job, job.mirrored(), tracer);
         }
         return mirror;
     }
@@ -50,30 +50,19 @@ final class TileWorker {
         return eye.leastFalloff();
     }
 
-    private int x0(int tile) {
-        return tile % job.tilesX() * Film.TILE;
-    }
-
-    private int y0(int tile) {
-        return tile / job.tilesX() * Film.TILE;
-    }
-
     /** Traces the centres of a tile's pixels and keeps what it learned; null where the work was cancelled. */
     CachedTile firstPass(int tile) {
-        eyeRays += (long) Math.min(Film.TILE, job.scene().picture().width() - x0(tile))
-                * Math.min(Film.TILE, job.scene().picture().height() - y0(tile));
-        boolean coded = job.coding() != Job.Coding.NOWHERE;
-        return traced(eye.visibility.eye(x0(tile), y0(tile), Film.TILE, rows(coded)), coded);
+        int x0 = tile % job.tilesX() * Film.TILE;
+        int y0 = tile / job.tilesX() * Film.TILE;
+        eyeRays += (long) Math.min(Film.TILE, job.scene().picture().width() - x0)
+                * Math.min(Film.TILE, job.scene().picture().height() - y0);
+        return traced(eye.visibility.eye(x0, y0, Film.TILE, rows(job.coding())), job.coding());
     }
 
-    /**
-     * Traces the finer samples of some pixels of a tile; null where the work was cancelled.
-     *
-     * @param pixels indices in the tile, ascending; those from {@code from} to before {@code to} are meant
-     */
-    CachedTile fine(int tile, short[] pixels, int from, int to) {
-        eyeRays += (long) (to - from) * job.sampling().perPixel();
-        return traced(eye.visibility.fine(x0(tile), y0(tile), pixels, from, to, job.sampling().grid(), HitRows::new), false);
+    /** Traces finer samples; null where the work was cancelled. */
+    CachedTile fine(SamplePlaces places) {
+        eyeRays += places.count();
+        return traced(eye.visibility.fine(places, HitRows::new), false);
     }
 
     private CachedTile traced(HitRows rows, boolean coded) {
@@ -89,61 +78,43 @@ final class TileWorker {
 
     /** Updates the centres of a tile's pixels as planned; null where the work was cancelled. */
     CachedTile relight(int tile, CachedTile old) {
-        return relight(EyeSamples.centers(x0(tile), y0(tile)), old);
+        return relight(SamplePlaces.centers(tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE), old);
     }
 
-    /**
-     * Updates the finer samples of some pixels of a tile as planned; null where the work was cancelled.
-     *
-     * @param pixels indices in the tile, of which those from {@code from} on are meant
-     */
-    CachedTile relight(int tile, short[] pixels, int from, CachedTile old) {
-        return relight(new EyeSamples(x0(tile), y0(tile), pixels, from, job.sampling().grid()), old);
-    }
-
-    private CachedTile relight(EyeSamples samples, CachedTile old) {
+    /** Updates rows, whose rays go where they say, as planned; null where the work was cancelled. */
+    CachedTile relight(SamplePlaces places, CachedTile old) {
         TileLevel known = old.levels[0];
         MaterialUpdate materials = job.top().plan().materials();
         RowSplice order = materials.mirrors().isIn(known.rows())
                 ? RowSplice.sorted(known.rows(), materials.materials()) : null;
         TileLevel sorted = order == null ? known : eye.spliced(order, known, null);
-        sorted = eye.retextured(sorted, samples, job.top());
+        sorted = eye.retextured(sorted, null, places, job.top());
         TileLevel top = eye.updated(sorted, job.top());
         if (job.progress().isCancelled()) {
             return null;
         }
-        boolean whole = old.codes != null && recodesMirrors(order != null || materials.retextured().isIn(known.rows()));
-        boolean coded = whole || old.codes != null && job.coding() != Job.Coding.NOWHERE && job.top().recodes(sorted, top.layers());
+        boolean mirrorsStay = job.mirrors() == null && order == null && !(job.codingMirrors() && old.codes != null);
+        boolean coded = job.coding() && old.codes != null && (!mirrorsStay || job.top().recodes(sorted, top.layers()));
         begin(coded, top);
-        Mirrors mirrors = job.mirrors() == null && order == null && !whole
-                ? new Mirrors(old.levels, old.hitShapes, old.mirrored)
-                : updateMirrors(old, top, order, whole);
+        Mirrors mirrors = mirrorsStay ? new Mirrors(old.levels, old.hitShapes, old.mirrored) : updateMirrors(old, top, order, coded);
         if (job.progress().isCancelled()) {
             return null;
         }
         boolean same = order == null && mirrors.cr == old.mirrored && !job.top().recolors(sorted, top.layers());
-        EdgeCodes codes = !coded ? old.codes : (whole ? coder.codes() : coder.codes(old.codes)).or(old.codes);
+        EdgeCodes codes = !coded ? old.codes : (mirrorsStay ? coder.codes(old.codes) : coder.codes()).or(old.codes);
         return finish(top, mirrors, same ? old.film : null, codes);
     }
 
-    /**
-     * Whether anti-aliasing looks at the mirror images anew too.
-     *
-     * @param looksOther whether texels or mirrors of the first level changed
-     */
-    private boolean recodesMirrors(boolean looksOther) {
-        return switch (job.coding()) {
-            case NOWHERE -> false;
-            case LIGHTS -> job.mirrors() != null;
-            case MATERIALS -> job.mirrors() != null || looksOther;
-            case ALL -> true;
-        };
-    }
-
     private void begin(boolean coded, TileLevel top) {
-        if (coded && !job.progress().isCancelled()) {
+        if (coded) {
             coder.begin();
             eye.code(coder, 0, top);
+        }
+    }
+
+    private void codeMirrors(boolean coded, TileLevel[] levels, int deepest) {
+        for (int k = 1; coded && k <= deepest; k++) {
+            mirror().code(coder, k, levels[k]);
         }
     }
 
@@ -170,7 +141,7 @@ final class TileWorker {
 
     /**
      * @param order what became of the first level's rows; null if they are what they were
-     * @param coded whether anti-aliasing wants to see them
+     * @param coded whether anti-aliasing wants to see the mirror levels
      */
     private Mirrors updateMirrors(CachedTile old, TileLevel top, RowSplice order, boolean coded) {
         if (top.rows().reflective == 0) {
@@ -184,14 +155,14 @@ final class TileWorker {
         return spliced(old, top, order, coded);
     }
 
-    /** Whether the rows that are seen in mirrors, known by their shapes alone, are of materials that begin or cease to mirror(). */
+    /** Whether the rows that are seen in mirrors, known by their shapes alone, are of materials that begin or cease to mirror. */
     private boolean crosses(int[][] hitShapes) {
         if (job.mirrors() == null || job.mirrors().plan().materials().mirrors().isEmpty()) {
             return false;
         }
         for (int[] shapes : hitShapes) {
             for (int shape : shapes) {
-                if (shape >= 0 && job.mirrors().plan().materials().mirrors().contains(job.reflected().geometry().materialOf(shape))) {
+                if (shape >= 0 && job.mirrors().plan().materials().mirrors().contains(job.mirrored().geometry().materialOf(shape))) {
                     return true;
                 }
             }
@@ -217,10 +188,10 @@ final class TileWorker {
                 continue;
             }
             RowSplice here = moves(above, known.rows())
-                    ? RowSplice.seenFrom(above, rows.reflective, known.rows(), null, job.reflected().geometry().materials()) : null;
+                    ? RowSplice.seenFrom(above, rows.reflective, known.rows(), null, job.mirrored().geometry().materials()) : null;
             TileLevel kept = here == null ? known : mirror().spliced(here, known, null);
             if (job.mirrors() != null) {
-                TileLevel textured = mirror().retextured(kept, rows, job.mirrors());
+                TileLevel textured = mirror().retextured(kept, rows, null, job.mirrors());
                 TileLevel updated = mirror().updated(textured, job.mirrors());
                 if (job.progress().isCancelled()) {
                     return new Mirrors(levels, old.hitShapes, null);
@@ -232,7 +203,7 @@ final class TileWorker {
             if (unknown.length > 0) {
                 TileLevel added = mirror().lit(mirror().visibility.mirroredFrom(rows, unknown, rows(rows.code != null)));
                 mirroredRays += unknown.length;
-                RowSplice all = RowSplice.seenFrom(null, rows.reflective, kept.rows(), added.rows(), job.reflected().geometry().materials());
+                RowSplice all = RowSplice.seenFrom(null, rows.reflective, kept.rows(), added.rows(), job.mirrored().geometry().materials());
                 kept = mirror().spliced(all, kept, added);
                 here = here == null ? all : here.then(all);
             }
@@ -243,8 +214,8 @@ final class TileWorker {
         if (job.progress().isCancelled()) {
             return new Mirrors(levels, old.hitShapes, null);
         }
+        codeMirrors(coded, levels, k);
         levels = Arrays.copyOf(levels, k + 1);
-        code(coded, levels);
         changed |= k + 1 < old.levels.length;
         return changed ? new Mirrors(levels, old.hitShapes, copyOf(cr(levels, k), top.rows().reflective))
                 : new Mirrors(levels, old.hitShapes, old.mirrored);
@@ -282,17 +253,11 @@ final class TileWorker {
         if (job.progress().isCancelled()) {
             return new Mirrors(from, known, null);
         }
-        code(coded, Arrays.copyOf(levels, deepest + 1));
+        codeMirrors(coded, levels, deepest);
         float[][] cr = copyOf(cr(levels, deepest), top.reflective);
         return job.keepsRows()
                 ? new Mirrors(Arrays.copyOf(levels, deepest + 1), new int[0][], cr)
                 : new Mirrors(Arrays.copyOf(levels, 1), Arrays.copyOf(shapes, deepest), cr);
-    }
-
-    private void code(boolean coded, TileLevel[] levels) {
-        for (int k = 1; coded && k < levels.length; k++) {
-            mirror().code(coder, k, levels[k]);
-        }
     }
 
     /** Composes the mirror levels from the deepest up; the result is Cr of the first level. */
@@ -300,7 +265,7 @@ final class TileWorker {
         float[][] cr = mirror().composer.unfollowed(levels[deepest].rows());
         for (int k = deepest; k > 0; k--) {
             levels[k] = mirror().compose(levels[k], job.keepsRows() ? job.mirrors() : null, cr);
-            cr = mirror().composer.followed(levels[k - 1].rows(), levels[k].rows(), job.reflected().scene().world());
+            cr = mirror().composer.followed(levels[k - 1].rows(), levels[k].rows(), job.mirrored().scene().world());
         }
         return cr;
     }

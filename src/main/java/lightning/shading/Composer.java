@@ -1,5 +1,6 @@
 package lightning.shading;
 
+import lightning.effects.ViewEffects;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;

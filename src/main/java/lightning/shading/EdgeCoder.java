@@ -18,7 +18,8 @@ public final class EdgeCoder {
 
     private final int[] shapes = new int[LightLanes.ROWS];
     private final int[] lights = new int[LightLanes.ROWS];
-    private final int[] mirrored = new int[LightLanes.ROWS];
+    private final int[] mirroredShapes = new int[LightLanes.ROWS];
+    private final int[] mirroredLights = new int[LightLanes.ROWS];
     private short[][] pixels = new short[1][];
     private boolean mirrors;
 
@@ -32,26 +33,29 @@ public final class EdgeCoder {
     public void begin() {
         Arrays.fill(shapes, 0);
         Arrays.fill(lights, 0);
-        Arrays.fill(mirrored, 0);
+        Arrays.fill(mirroredShapes, 0);
+        Arrays.fill(mirroredLights, 0);
         mirrors = false;
     }
 
     /** Adds what the rays of level {@code level} hit; the levels above were added before. */
-    public void shapes(int level, HitRows rows) {
+    public void shapes(int level, HitRows rows, MaterialTable materials) {
+        int[] sums = level == 0 ? shapes : mirroredShapes;
+        mirrors |= level > 0;
         short[] pixel = pixels(level, rows);
-        for (int i = 0; i < rows.count; i++) {
-            shapes[pixel[i]] += HitCode.seen(rows.code[i], level);
+        for (int r = 0; r < rows.runs; r++) {
+            boolean textured = materials.isTextured(rows.runMaterial[r]);
+            for (int i = rows.runStart(r); i < rows.runEnd[r]; i++) {
+                int code = textured ? HitCode.textured(rows.code[i], rows.texelRed[i], rows.texelGreen[i], rows.texelBlue[i])
+                        : rows.code[i];
+                sums[pixel[i]] += HitCode.seen(code, level);
+            }
         }
     }
 
-    /**
-     * Adds how light {@code light}, which shines, lights level {@code level}, whose shapes or pixels were added before.
-     *
-     * @param materials those that the level shows
-     */
+    /** Adds how light {@code light}, which shines, lights level {@code level}, whose shapes were added just before. */
     public void light(int level, int light, HitRows rows, LightRows layer, MaterialTable materials) {
-        int[] sums = level == 0 ? lights : mirrored;
-        mirrors |= level > 0;
+        int[] sums = level == 0 ? lights : mirroredLights;
         short[] pixel = pixels[level];
         for (int r = 0; r < rows.runs; r++) {
             boolean specular = layer.specular != null && materials.isSpecular(rows.runMaterial[r]);
@@ -83,19 +87,22 @@ public final class EdgeCoder {
 
     /** What was added since {@link #begin}. */
     public EdgeCodes codes() {
-        int[] all = lights.clone();
-        for (int i = 0; i < all.length && mirrors; i++) {
-            all[i] += mirrored[i];
-        }
-        return new EdgeCodes(shapes.clone(), all, mirrors ? mirrored.clone() : null);
+        int[] overMirrors = mirrors ? mirroredShapes.clone() : null;
+        int[] lightsOverMirrors = mirrors ? mirroredLights.clone() : null;
+        return new EdgeCodes(sum(shapes, overMirrors), sum(lights, lightsOverMirrors), overMirrors, lightsOverMirrors);
     }
 
-    /** The same over the shapes, and what comes over mirrors, that are known already. */
+    /** The same, where the first level alone was added, with what comes over mirrors as it is known. */
     public EdgeCodes codes(EdgeCodes known) {
-        int[] all = lights.clone();
-        for (int i = 0; i < all.length && known.mirrored() != null; i++) {
-            all[i] += known.mirrored()[i];
+        return new EdgeCodes(sum(shapes, known.mirroredShapes()), sum(lights, known.mirroredLights()), known.mirroredShapes(),
+                known.mirroredLights());
+    }
+
+    private static int[] sum(int[] own, int[] mirrored) {
+        int[] sum = own.clone();
+        for (int i = 0; i < sum.length && mirrored != null; i++) {
+            sum[i] += mirrored[i];
         }
-        return new EdgeCodes(known.shapes(), all, known.mirrored());
+        return sum;
     }
 }

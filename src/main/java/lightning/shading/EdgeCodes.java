@@ -4,23 +4,24 @@ import java.util.Arrays;
 
 /**
  * What anti-aliasing sees of the pixels of a tile by their centres: neighbouring pixels whose codes differ have an edge
- * between them. A pixel that hits nothing has code 0. Arrays are never written after construction.
+ * between them. A pixel that hits nothing has code 0. Arrays, {@code int[1024]} each, are never written after construction.
  *
- * @param shapes   edges of shapes, textures and of the images of those in mirrors: {@code int[1024]}; no edit of a light changes it
- * @param lights   edges of shadows, cones and highlights, in mirrors too: {@code int[1024]}
- * @param mirrored the share in {@code lights} that comes over mirrors: {@code int[1024]}, or null where nothing does
+ * @param shapes         edges of shapes and textures, and of their images in mirrors: no edit of a light changes it
+ * @param lights         edges of shadows, cones and highlights, and of their images in mirrors
+ * @param mirroredShapes the share in {@code shapes} that comes over mirrors, or null where nothing does
+ * @param mirroredLights the share in {@code lights} that comes over mirrors, or null where nothing does
  */
-public record EdgeCodes(int[] shapes, int[] lights, int[] mirrored) {
+public record EdgeCodes(int[] shapes, int[] lights, int[] mirroredShapes, int[] mirroredLights) {
 
     /** Where the two are alike, {@code known}, so that who compares them later need not look inside. */
     public EdgeCodes or(EdgeCodes known) {
-        boolean alike = known != null && Arrays.equals(shapes, known.shapes) && Arrays.equals(lights, known.lights)
-                && Arrays.equals(mirrored, known.mirrored);
+        boolean alike = Arrays.equals(shapes, known.shapes) && Arrays.equals(lights, known.lights)
+                && Arrays.equals(mirroredShapes, known.mirroredShapes) && Arrays.equals(mirroredLights, known.mirroredLights);
         return alike ? known : this;
     }
 
     /** The bytes of the arrays. */
     public long bytes() {
-        return 4L * (shapes.length + lights.length + (mirrored == null ? 0 : mirrored.length));
+        return 4L * (shapes.length + lights.length + (mirroredShapes == null ? 0 : mirroredShapes.length + mirroredLights.length));
     }
 }

@@ -1,5 +1,6 @@
 package lightning.shading;
 
+import lightning.effects.ViewEffects;
 import java.util.Arrays;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
@@ -26,8 +27,8 @@ public final class LightKernel {
     private long rowsTouched;
 
     public LightKernel(Geometry geometry, PacketTracer tracer, ViewEffects view) {
-        shadows = new ShadowCaster(geometry, tracer, view.shadows());
-        terms = new TermColumns(geometry.materials(), lanes);
+        shadows = new ShadowCaster(geometry, tracer, view);
+        terms = new TermColumns(geometry.materials(), lanes, view);
     }
 
     /** Shadow rays cast since the start. */

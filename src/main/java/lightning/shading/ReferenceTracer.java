@@ -155,9 +155,9 @@ public final class ReferenceTracer {
             return;
         }
         SurfacePoint at = geometry.surface(shape, ray);
-        sums[0] += HitCode.seen(at.texel() != null
-                ? HitCode.of(shape, at.nx(), at.ny(), at.nz(), at.texel()[0], at.texel()[1], at.texel()[2])
-                : HitCode.of(shape, at.nx(), at.ny(), at.nz()), level);
+        int hit = HitCode.of(shape, at.nx(), at.ny(), at.nz());
+        sums[0] += HitCode.seen(materials.isTextured(at.material())
+                ? HitCode.textured(hit, at.texel()[0], at.texel()[1], at.texel()[2]) : hit, level);
         for (int l = 0; l < lamps.length; l++) {
             if (!lamps[l].isDark()) {
                 int code = look(l, at);

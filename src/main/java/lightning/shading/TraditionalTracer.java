@@ -13,6 +13,7 @@ import lightning.trace.Geometry;
  */
 public final class TraditionalTracer {
     private final Geometry geometry;
+    private final Geometry mirroredGeometry;
     private final Scene scene;
     private final Scene mirrored;
     private final Sampling sampling;
@@ -46,17 +47,15 @@ public final class TraditionalTracer {
      * Prepares a trace over the samples that another picture has: what a picture must be whose samples stay (level ratio).
      *
      * @param sampled the picture whose samples are taken; null for the picture's own
-     * @throws IllegalArgumentException if the geometry does not serve all scenes
+     * @throws IllegalArgumentException if the geometry is not that of all scenes
      */
     public TraditionalTracer(Sight sight, Sight sampled, Geometry geometry) {
         scene = sight.scene();
         mirrored = sight.mirrored();
         this.sampled = sampled == null || sampled.equals(sight) ? this : new TraditionalTracer(sampled, null, geometry);
         sampling = this.sampled.scene.picture().sampling();
-        if (!geometry.serves(scene) || !geometry.serves(mirrored)) {
-            throw new IllegalArgumentException("the geometry is another scene's");
-        }
-        this.geometry = geometry;
+        this.geometry = geometry.of(scene);
+        mirroredGeometry = geometry.of(mirrored);
     }
 
     /** A finished picture and the rays it took. */
@@ -126,7 +125,7 @@ public final class TraditionalTracer {
 
     private TileTracer[] threads(Workers workers) {
         TileTracer[] threads = new TileTracer[workers.count()];
-        Arrays.setAll(threads, _ -> new TileTracer(geometry, new Sight(scene, mirrored), sampling));
+        Arrays.setAll(threads, _ -> new TileTracer(geometry, mirroredGeometry, new Sight(scene, mirrored), sampling));
         return threads;
     }
 }

@@ -20,6 +20,6 @@ public final class Eye {
      * the middle of its cell, counted along the lines from the upper left.
      */
     public Ray through(int x, int y, int sample, int grid) {
-        return rays.at(x + SampleGrid.offset(sample % grid, grid), y + SampleGrid.offset(sample / grid, grid));
+        return rays.at(x + SamplePlaces.offset(sample % grid, grid), y + SamplePlaces.offset(sample / grid, grid));
     }
 }

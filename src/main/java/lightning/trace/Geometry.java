@@ -161,8 +161,8 @@ public final class Geometry {
         surface.at(shapes, shape, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
         int material = shapes.material[shape];
         float[] diffuse = {materials.diffuse(material, 0), materials.diffuse(material, 1), materials.diffuse(material, 2)};
-        float[] texel = materials.isTextured(material) ? new float[3] : null;
-        if (texel != null) {
+        float[] texel = {1, 1, 1};
+        if (materials.isTextured(material)) {
             TextureLookup.sample(materials.texture(material), shapes.kind[shape], surface.ownX, surface.ownY, surface.ownZ, texel);
             for (int c = 0; c < 3; c++) {
                 diffuse[c] *= texel[c];

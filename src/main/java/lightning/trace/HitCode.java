@@ -14,15 +14,15 @@ public final class HitCode {
 
     private HitCode() {}
 
-    /** The number of a hit whose material has no texture: the shape's index and the unit normal. */
+    /** The number of a hit: the shape's index and the unit normal. */
     public static int of(int shape, float nx, float ny, float nz) {
         return scramble((((shape * 3 + side(nx)) * 3 + side(ny)) * 3 + side(nz)) * FACTOR);
     }
 
-    /** The same of a hit whose material has a texture, whose linear colour there is given. */
-    public static int of(int shape, float nx, float ny, float nz, float red, float green, float blue) {
+    /** The number of a hit, its own number being {@code code}, whose material has a texture of this linear colour there. */
+    public static int textured(int code, float red, float green, float blue) {
         int shade = ((int) (red * SHADES) * 31 + (int) (green * SHADES)) * 31 + (int) (blue * SHADES);
-        return scramble(of(shape, nx, ny, nz) + shade * FACTOR);
+        return scramble(code + shade * FACTOR);
     }
 
     private static int side(float n) {

@@ -29,7 +29,7 @@ public final class HitRows {
     public final float[] texelBlue;
     /** Where the row's colour goes: a pixel of the tile at the first level, a row of the level above at others. */
     public final short[] parent;
-    /** What anti-aliasing sees of each hit ({@link HitCode}); null where nobody asks. */
+    /** What anti-aliasing sees of each hit, its texture left out ({@link HitCode}); null where nobody asks. */
     public final int[] code;
     /** How many runs there are. */
     public int runs;
@@ -64,7 +64,7 @@ public final class HitRows {
         code = coded ? new int[length] : null;
     }
 
-    /** The same rows with other texels, all three null for none, and codes of their own where there are codes. */
+    /** The same rows with other texels; all three null for none. */
     private HitRows(HitRows o, float[] red, float[] green, float[] blue) {
         count = o.count;
         px = o.px;
@@ -80,19 +80,19 @@ public final class HitRows {
         texelGreen = green;
         texelBlue = blue;
         parent = o.parent;
-        code = o.code == null ? null : o.code.clone();
+        code = o.code;
         runs = o.runs;
         runMaterial = o.runMaterial;
         runEnd = o.runEnd;
         reflective = o.reflective;
     }
 
-    /** These rows without texels, with codes of their own. */
+    /** These rows without texels. */
     HitRows withoutTexels() {
         return new HitRows(this, null, null, null);
     }
 
-    /** These rows with texels and codes of their own, copies of these. */
+    /** These rows with texels of their own, copies of these. */
     HitRows withOwnTexels() {
         int length = parent.length;
         return texelRed == null ? new HitRows(this, new float[length], new float[length], new float[length])

@@ -40,13 +40,14 @@ public final class Retexturing {
     }
 
     /**
-     * The rows of a tile's first level, with their texels and codes.
+     * The rows of a tile's first level with their texels.
      *
+     * @param places  where their rays go
      * @param changed the materials whose textures changed, went or came
      * @return the same object where nothing changes; all other columns are shared
      */
-    public HitRows eye(HitRows rows, EyeSamples samples, MaterialSet changed) {
-        return textured(rows, null, samples, changed);
+    public HitRows eye(HitRows rows, SamplePlaces places, MaterialSet changed) {
+        return textured(rows, null, places, changed);
     }
 
     /**
@@ -58,15 +59,18 @@ public final class Retexturing {
         return textured(rows, from, null, changed);
     }
 
-    private HitRows textured(HitRows rows, HitRows from, EyeSamples samples, MaterialSet changed) {
+    private HitRows textured(HitRows rows, HitRows from, SamplePlaces places, MaterialSet changed) {
         if (!changed.isIn(rows)) {
             return rows;
         }
-        HitRows now = hasTextures(rows) ? rows.withOwnTexels() : rows.withoutTexels();
+        if (!hasTextures(rows)) {
+            return rows.texelRed == null ? rows : rows.withoutTexels();
+        }
+        HitRows now = rows.withOwnTexels();
         for (int r = 0; r < rows.runs; r++) {
             int material = rows.runMaterial[r];
-            if (changed.contains(material) && (now.code != null || materials.isTextured(material))) {
-                run(now, r, from, samples);
+            if (changed.contains(material) && materials.isTextured(material)) {
+                run(now, r, from, places);
             }
         }
         return now;
@@ -81,7 +85,7 @@ public final class Retexturing {
         return false;
     }
 
-    private void run(HitRows rows, int run, HitRows from, EyeSamples samples) {
+    private void run(HitRows rows, int run, HitRows from, SamplePlaces places) {
         int start = rows.runStart(run);
         int count = rows.runEnd[run] - start;
         rowsTouched += count;
@@ -89,10 +93,7 @@ public final class Retexturing {
         for (int i = 0; i < count; i++) {
             int parent = rows.parent[start + i];
             if (from == null) {
-                Vec3 direction = samples.ray(camera, parent).direction();
-                dx[i] = direction.x();
-                dy[i] = direction.y();
-                dz[i] = direction.z();
+                eye(camera.at(places.x(parent), places.y(parent)).direction(), i);
                 beam.origin(0, 0, 0);
             } else {
                 MirrorRays.direction(from, parent, dx, dy, dz, i);
@@ -110,6 +111,12 @@ public final class Retexturing {
             tracer.surfaces(packet, live, surface);
             texels.write(rows, start + i, live, packet, surface);
         }
+    }
+
+    private void eye(Vec3 direction, int ray) {
+        dx[ray] = direction.x();
+        dy[ray] = direction.y();
+        dz[ray] = direction.z();
     }
 
     private void load(HitRows rows, HitRows from, int start, int ray, int live) {

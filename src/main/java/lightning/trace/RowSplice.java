@@ -127,6 +127,9 @@ public final class RowSplice {
         copy(old.vx, added == null ? null : added.vx, rows.vx);
         copy(old.vy, added == null ? null : added.vy, rows.vy);
         copy(old.vz, added == null ? null : added.vz, rows.vz);
+        for (int i = 0; rows.code != null && i < source.length; i++) {
+            rows.code[i] = source[i] < 0 ? added.code[~source[i]] : old.code[source[i]];
+        }
         if (rows.texelRed != null) {
             copy(old.texelRed, added == null ? null : added.texelRed, rows.texelRed);
             copy(old.texelGreen, added == null ? null : added.texelGreen, rows.texelGreen);

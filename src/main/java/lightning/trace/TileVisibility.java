@@ -15,7 +15,6 @@ public final class TileVisibility {
     }
 
     private static final int ROWS = 1024;
-    private static final int SIDE = 32;
 
     private final ShapeTable shapes;
     private final MaterialTable materials;
@@ -80,25 +79,20 @@ public final class TileVisibility {
     }
 
     /**
-     * Traces all samples of some pixels of the tile whose upper left pixel is {@code x0, y0}.
+     * Traces finer samples of some pixels of a tile.
      *
-     * @param pixels indices in a tile of 32×32 pixels, ascending; those from {@code from} to before {@code to} are meant
-     * @param grid   samples along each side of a pixel; all samples together at most 1024
-     * @return the rows of the samples that hit something; {@code parent} is the sample's number: those of the first pixel
-     *         come first, line by line
+     * @param places of all of them, at most 1024
+     * @return the rows of the samples that hit something; {@code parent} is the sample's number
      */
-    public HitRows fine(int x0, int y0, short[] pixels, int from, int to, int grid, Allocator allocator) {
-        int perPixel = grid * grid;
-        int rays = (to - from) * perPixel;
-        boundFine(x0, y0, pixels, from, to);
+    public HitRows fine(SamplePlaces places, Allocator allocator) {
+        int rays = places.count();
+        places.bound(beam, camera);
         candidates.collect(geometry, beam);
         for (int ray = 0; ray < rays; ray += RayPacket.WIDTH) {
             int live = Math.min(RayPacket.WIDTH, rays - ray);
             for (int i = 0; i < live; i++) {
-                int pixel = pixels[from + (ray + i) / perPixel];
-                int sample = (ray + i) % perPixel;
-                sampleX[i] = x0 + pixel % SIDE + SampleGrid.offset(sample % grid, grid);
-                sampleY[i] = y0 + pixel / SIDE + SampleGrid.offset(sample / grid, grid);
+                sampleX[i] = places.x(ray + i);
+                sampleY[i] = places.y(ray + i);
                 slot[ray + i] = (short) (ray + i);
             }
             EyeLanes.at(camera, sampleX, sampleY, packet);
@@ -106,19 +100,6 @@ public final class TileVisibility {
             keep(ray, live);
         }
         return rows(null, rays, allocator);
-    }
-
-    /** The beam through the smallest rectangle that holds the pixels. */
-    private void boundFine(int x0, int y0, short[] pixels, int from, int to) {
-        int left = SIDE;
-        int right = 0;
-        for (int i = from; i < to; i++) {
-            left = Math.min(left, pixels[i] % SIDE);
-            right = Math.max(right, pixels[i] % SIDE);
-        }
-        int top = pixels[from] / SIDE;
-        int bottom = pixels[to - 1] / SIDE;
-        beam.eye(camera, x0 + left, y0 + top, right - left + 1, bottom - top + 1);
     }
 
     /**
@@ -274,8 +255,11 @@ public final class TileVisibility {
             rows.vz[row + i] = (float) packet.dz[i];
             rows.parent[row + i] = slot[order[row + i]];
         }
-        if (textured || rows.code != null) {
+        if (textured) {
             texels.write(rows, row, live, packet, surface);
+        }
+        for (int i = 0; rows.code != null && i < live; i++) {
+            rows.code[row + i] = HitCode.of(packet.shape[i], rows.nx[row + i], rows.ny[row + i], rows.nz[row + i]);
         }
     }
 }

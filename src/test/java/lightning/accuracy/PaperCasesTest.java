@@ -3,8 +3,12 @@ package lightning.accuracy;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
@@ -155,6 +159,20 @@ class PaperCasesTest {
     void everyPrintedCase_changesTheScene(String name) {
         assertThat(PaperCases.of(SceneFiles.read(name))).filteredOn(PaperCase::isPrinted).isNotEmpty()
                 .allMatch(c -> !c.after().equals(c.before()) && c.paperSaving() > 0);
+    }
+
+    @ParameterizedTest
+    @MethodSource("sceneNames")
+    void everyPrintedCase_hasThreeDifferentValues(String name) {
+        Scene scene = SceneFiles.read(name);
+        Map<String, Set<String>> values = new HashMap<>();
+        for (int value = 0; value < PaperCases.VALUES; value++) {
+            for (PaperCase edit : PaperCases.of(scene, value)) {
+                values.computeIfAbsent(edit.name(), _ -> new HashSet<>()).add(edit.value());
+            }
+        }
+        assertThat(PaperCases.of(scene)).filteredOn(PaperCase::isPrinted).allSatisfy(edit ->
+                assertThat(values.get(edit.name())).as(edit.name()).hasSize(PaperCases.VALUES).doesNotContain(""));
     }
 
     @Test

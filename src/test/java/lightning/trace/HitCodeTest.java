@@ -35,7 +35,7 @@ class HitCodeTest {
     void shadesFarApart_differ(@ForAll @DoubleRange(min = 0, max = 0.8) double shade) {
         float dark = (float) shade;
         float light = (float) (shade + 0.15);
-        assertThat(HitCode.of(0, 0, 1, 0, dark, dark, dark)).isNotEqualTo(HitCode.of(0, 0, 1, 0, light, dark, dark));
+        assertThat(HitCode.textured(7, dark, dark, dark)).isNotEqualTo(HitCode.textured(7, light, dark, dark));
     }
 
     @Property
