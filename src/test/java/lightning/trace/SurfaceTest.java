@@ -71,10 +71,11 @@ class SurfaceTest {
         }
     }
 
-    /** The side has no normal there; the axis stands in. */
+    /** The side has no normal there. */
     @Test
-    void apexOfACone_pointsUp() {
+    void apexOfACone_facesTheRay() {
         assertNormal(hit(ShapeTable.CONE, Placement.IDENTITY, new Ray(new Vec3(0, 3, 0), new Vec3(0, -1, 0))), Vec3.Y);
+        assertNormal(hit(ShapeTable.CONE, Placement.IDENTITY, new Ray(new Vec3(1, 3, 0), new Vec3(-0.5, -1, 0))), new Vec3(0.5, 1, 0).normalized());
     }
 
     /** Where side and cap are equally near, the side counts: the rim of a cylinder, the edge of a cone. */
