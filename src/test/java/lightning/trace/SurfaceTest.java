@@ -129,6 +129,14 @@ class SurfaceTest {
         assertThat(mirrored.direction().length()).isCloseTo(1, within(1e-15));
     }
 
+    /** N = (2, 3, 6)/7 and V against each axis: V + 2·|N·V|·N in forty-ninths. */
+    @ParameterizedTest
+    @CsvSource({"-1,0,0, -41,12,24", "0,-1,0, 12,-31,36", "0,0,-1, 24,36,23"})
+    void mirroredRay_isThatOnPaper(float vx, float vy, float vz, double rx, double ry, double rz) {
+        SurfacePoint p = new SurfacePoint(0, 0, 0, 0, 0, 2 / 7f, 3 / 7f, 6 / 7f, vx, vy, vz, new float[3]);
+        assertThat(p.mirrored().direction().minus(new Vec3(rx, ry, rz).times(1 / 49.0)).maxAbs()).isLessThan(1e-6);
+    }
+
     /** A normal that by rounding does not face the ray must not send it into the surface. */
     @Test
     void mirroredRay_leavesTheSurfaceWhateverTheRounding() {
