@@ -1,11 +1,10 @@
 package lightning.accuracy;
 
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
-import lightning.image.Difference;
-import lightning.relight.Accuracy;
+import lightning.cache.PixelCache;
 import lightning.relight.Options;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
@@ -14,37 +13,46 @@ import lightning.shading.Progress;
 import lightning.shading.TraceCounts;
 import lightning.shading.TraditionalTracer;
 import lightning.shading.Workers;
-import lightning.trace.Geometry;
 
 /**
  * Measures updates beside full traces, in turns, so that whatever slows the machine for a while slows both.
  *
- * <p>Each measurement warms up, then repeats (first pass, update, full trace) and takes medians. The full trace gets its tree
- * of boxes for free.
+ * <p>Each update starts from what was kept of the scene before it. The full trace gets its tree of boxes for free.
  */
 public final class SavingMeter implements AutoCloseable {
-    private static final int WARM_UPS = 2;
-    /** The first pass comes first, in cold code. */
-    private static final int FIRST_WARM_UPS = 6;
     private static final long WARM_UP_NANOSECONDS = 4_000_000_000L;
 
     private final Renderer renderer;
     private final Workers workers;
-    private final int repetitions;
+    private final Turns turns;
     private final double bytesPerMs;
 
     /**
+     * A meter that measures the bandwidth of memory first.
+     *
      * @param repetitions how often each is measured, ≥ 1
      * @throws IllegalArgumentException if it is below 1
      */
     public SavingMeter(Options options, int repetitions) {
-        if (repetitions < 1) {
-            throw new IllegalArgumentException("the number of repetitions must be ≥ 1, was " + repetitions);
-        }
-        this.repetitions = repetitions;
+        turns = new Turns(repetitions);
         renderer = new Renderer(options);
         workers = new Workers(options.threads());
         bytesPerMs = Bandwidth.bytesPerMs(workers);
+    }
+
+    /**
+     * A meter for which the bandwidth of memory is known.
+     *
+     * @param repetitions how often each is measured, ≥ 1
+     * @param patienceMs  how long warming up takes at most, milliseconds
+     * @param bytesPerMs  bytes in a millisecond that memory can read and write
+     * @throws IllegalArgumentException if {@code repetitions} is below 1
+     */
+    public SavingMeter(Options options, int repetitions, double patienceMs, double bytesPerMs) {
+        turns = new Turns(repetitions, patienceMs);
+        renderer = new Renderer(options);
+        workers = new Workers(options.threads());
+        this.bytesPerMs = bytesPerMs;
     }
 
     /** The renderer that is measured: after {@link #update} it shows the scene after the update. */
@@ -63,18 +71,15 @@ public final class SavingMeter implements AutoCloseable {
      * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
      */
     public FirstPassCost firstPass(Scene scene, Progress progress) {
-        double[] first = new double[repetitions];
-        double[] full = new double[repetitions];
         TraditionalTracer tracer = new TraditionalTracer(scene);
-        for (int i = -FIRST_WARM_UPS; i < repetitions; i++) {
+        List<Timing> times = turns.take(List.of(() -> {
             try (Renderer fresh = new Renderer(renderer.options())) {
-                first[Math.max(i, 0)] = fresh.render(scene, progress).milliseconds();
+                return fresh.render(scene, progress).milliseconds();
             }
-            full[Math.max(i, 0)] = milliseconds(() -> tracer.trace(workers, progress));
-        }
+        }, () -> Turns.time(() -> tracer.trace(workers, progress))), progress.silent());
         renderer.render(scene, progress);
         long bytes = renderer.cache().bytes();
-        return new FirstPassCost(median(first), median(full), renderer.cache().rowCount(), bytes, bytes / bytesPerMs);
+        return new FirstPassCost(times.get(0), times.get(1), renderer.cache().rowCount(), bytes, bytes / bytesPerMs);
     }
 
     /**
@@ -83,7 +88,21 @@ public final class SavingMeter implements AutoCloseable {
      * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
      */
     public Saving update(Scene before, Scene after, Progress progress) {
-        return measure(() -> settle(before, progress), () -> renderer.render(after, progress), after, progress);
+        settle(before, progress);
+        return measure(List.of(() -> renderer.render(after, progress)), after, progress).getFirst();
+    }
+
+    /**
+     * Measures several updates that start from one scene, all in turns with each other and with a full trace of that scene, and
+     * verifies their pictures.
+     *
+     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     */
+    public List<Saving> updates(Scene before, List<Scene> afters, Progress progress) {
+        settle(before, progress);
+        List<Supplier<Update>> works = new ArrayList<>();
+        afters.forEach(after -> works.add(() -> renderer.render(after, progress)));
+        return measure(works, before, progress);
     }
 
     /**
@@ -92,27 +111,35 @@ public final class SavingMeter implements AutoCloseable {
      * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
      */
     public Saving reflections(Scene before, Scene after, Progress progress) {
-        return measure(() -> {
-            settle(before, progress);
-            renderer.render(after, progress);
-        }, () -> renderer.updateReflections(progress), after, progress);
+        settle(before, progress);
+        renderer.render(after, progress);
+        return measure(List.of(() -> renderer.updateReflections(progress)), after, progress).getFirst();
     }
 
-    private Saving measure(Runnable before, Supplier<Update> work, Scene after, Progress progress) {
-        before.run();
-        Update update = work.get();
-        boolean kept = isKept(update, progress);
-        var tracer = new TraditionalTracer(after, renderer.cache().geometry());
-        TraceCounts fullRays = tracer.trace(workers, progress).rays();
-        double[] updates = new double[repetitions];
-        double[] fulls = new double[repetitions];
-        for (int i = -WARM_UPS; i < repetitions; i++) {
-            before.run();
-            updates[Math.max(i, 0)] = work.get().milliseconds();
-            fulls[Math.max(i, 0)] = milliseconds(() -> tracer.trace(workers, progress));
+    /** Measures works that start, each time, from what the renderer keeps now; the scene is traced in full beside them. */
+    private List<Saving> measure(List<Supplier<Update>> works, Scene traced, Progress progress) {
+        PixelCache start = renderer.cache();
+        List<Update> updates = new ArrayList<>();
+        List<Boolean> kept = new ArrayList<>();
+        List<Turns.Turn<RuntimeException>> turn = new ArrayList<>();
+        for (Supplier<Update> work : works) {
+            renderer.restore(start);
+            updates.add(work.get());
+            kept.add(Promise.of(renderer, updates.getLast(), workers, progress).isKeptBy(renderer.film()));
+            turn.add(() -> {
+                renderer.restore(start);
+                return work.get().milliseconds();
+            });
         }
-        double full = median(fulls);
-        return new Saving(update, median(updates), full, fullRays, cap(update, full, fullRays), kept);
+        var tracer = new TraditionalTracer(traced, renderer.cache().geometry());
+        TraceCounts fullRays = tracer.trace(workers, progress).rays();
+        turn.add(() -> Turns.time(() -> tracer.trace(workers, progress)));
+        List<Timing> times = turns.take(turn, progress.silent());
+        List<Saving> savings = new ArrayList<>();
+        for (int i = 0; i < works.size(); i++) {
+            savings.add(new Saving(updates.get(i), times.get(i), times.getLast(), fullRays, bytesPerMs, kept.get(i)));
+        }
+        return savings;
     }
 
     /**
@@ -123,33 +150,15 @@ public final class SavingMeter implements AutoCloseable {
      */
     public TurnTimes against(Scene scene, Callable<Double> rival, Progress progress) throws Exception {
         var tracer = new TraditionalTracer(scene);
-        double[] full = new double[repetitions];
-        double[] other = new double[repetitions];
-        for (int i = -WARM_UPS; i < repetitions; i++) {
-            full[Math.max(i, 0)] = milliseconds(() -> tracer.trace(workers, progress));
-            other[Math.max(i, 0)] = rival.call();
-        }
-        return new TurnTimes(median(full), median(other));
+        List<Timing> times = turns.<Exception>take(List.of(() -> Turns.time(() -> tracer.trace(workers, progress)), rival::call),
+                progress.silent());
+        return new TurnTimes(times.get(0), times.get(1));
     }
 
     /** Shows a scene, mirrors included, as if nothing had been asked before: no way to a light is known from a later edit. */
     private void settle(Scene scene, Progress progress) {
         renderer.forget();
         renderer.render(scene, progress);
-    }
-
-    private boolean isKept(Update update, Progress progress) {
-        Scene scene = renderer.scene();
-        Geometry geometry = renderer.cache().geometry();
-        var oracle = new TraditionalTracer(scene, renderer.cache().mirroredScene(), geometry).trace(workers, progress).film();
-        return renderer.options().accuracy() == Accuracy.EXACT || update.errorBound() == 0
-                ? renderer.film().sameBits(oracle)
-                : Difference.of(renderer.film(), oracle).maxAbsolute() <= update.errorBound();
-    }
-
-    private double cap(Update update, double fullMs, TraceCounts fullRays) {
-        double rays = fullMs * update.rays().all() / fullRays.all();
-        return 100 * (1 - Math.max(rays, update.bytesMoved() / bytesPerMs) / fullMs);
     }
 
     /**
@@ -167,19 +176,6 @@ public final class SavingMeter implements AutoCloseable {
                 new TraditionalTracer(edit[1], renderer.cache().geometry()).trace(workers, progress);
             }
         } while (!edits.isEmpty() && System.nanoTime() - start < WARM_UP_NANOSECONDS);
-    }
-
-    private static double milliseconds(Runnable work) {
-        long start = System.nanoTime();
-        work.run();
-        return (System.nanoTime() - start) / 1e6;
-    }
-
-    private static double median(double[] values) {
-        double[] sorted = values.clone();
-        Arrays.sort(sorted);
-        int middle = sorted.length / 2;
-        return sorted.length % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
     }
 
     @Override

@@ -3,12 +3,12 @@ package lightning.accuracy;
 /**
  * A full trace beside another program's, measured in turns.
  *
- * @param fullMs  milliseconds of our full trace that keeps nothing, median
- * @param rivalMs milliseconds of the other program's, median
+ * @param full  milliseconds of our full trace that keeps nothing
+ * @param rival milliseconds of the other program's
  */
-public record TurnTimes(double fullMs, double rivalMs) {
+public record TurnTimes(Timing full, Timing rival) {
     /** How many times as fast ours is. */
     public double ratio() {
-        return rivalMs / fullMs;
+        return rival.median() / full.median();
     }
 }

@@ -1,10 +1,13 @@
 /**
- * What an update is measured by: the paper's printed edits, as named cases.
+ * What accuracy costs: each level measured beside the full trace, on the paper's printed edits or any other.
  *
  * <pre>{@code
- * for (PaperCase edit : PaperCases.of(scene)) {
- *     renderer.render(edit.before(), Progress.NONE);
- *     Update update = renderer.render(edit.after(), Progress.NONE);
+ * try (LadderMeter meter = new LadderMeter(Workers.available(), 5, 3000)) {
+ *     for (PaperCase edit : PaperCases.of(scene)) {
+ *         Ladder ladder = meter.measure(edit.before(), edit.after(), Progress.NONE);
+ *         Rung exact = ladder.rung(Level.EXACT);
+ *         System.out.println(edit.name() + ": " + exact.time().median() + " ms, " + exact.error().values() + " values differ");
+ *     }
  * }
  * }</pre>
  */

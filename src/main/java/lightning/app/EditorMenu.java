@@ -48,7 +48,13 @@ final class EditorMenu extends MenuBar {
 
     private Menu view(TracedPane traced, PreviewPane preview) {
         PictureView picture = traced.picture();
-        return menu("View", item("Fit Picture", "Shortcut+0", picture::fit), item("Actual Pixels", "Shortcut+1", picture::oneToOne),
+        var only = new CheckMenuItem("Only the Selected Light");
+        only.setId("menu-only-selected");
+        only.setAccelerator(KeyCombination.valueOf("Shortcut+I"));
+        only.selectedProperty().bindBidirectional(model.look().onlySelectedProperty());
+        var shown = new Menu("Show the Picture");
+        shown.getItems().setAll(ViewItems.of(model, "menu-view"));
+        return menu("View", only, shown, new SeparatorMenuItem(), item("Fit Picture", "Shortcut+0", picture::fit), item("Actual Pixels", "Shortcut+1", picture::oneToOne),
                 item("Zoom In", "Shortcut+EQUALS", () -> picture.zoomBy(ZOOM)),
                 item("Zoom Out", "Shortcut+MINUS", () -> picture.zoomBy(1 / ZOOM)),
                 item("Trace a Region", "Shortcut+B", traced::frameRegion), new SeparatorMenuItem(),

@@ -53,6 +53,7 @@ public final class EditorModel implements AutoCloseable {
     private final Executor window;
     private final RenderFeed feed;
     private final Workbench workbench;
+    private final PictureLook look;
     /** What an open animation shows in place of the document; null where none is open. */
     private Scene staged;
 
@@ -68,9 +69,10 @@ public final class EditorModel implements AutoCloseable {
         workbench = new Workbench(first, precision.get().options(), recovery, window, this::refresh, feed,
                 _ -> window.execute(() -> say("The last edits could not be kept for the case of a crash")));
         LightActions.addTo(this);
+        look = new PictureLook(this);
         precision.addListener((_, _, now) -> workbench.reopen(now.options()));
         view.addListener((_, _, now) -> {
-            workbench.setExposure(now.exposure());
+            workbench.setView(now);
             raster.setView(now);
             repaint();
         });
@@ -164,6 +166,11 @@ public final class EditorModel implements AutoCloseable {
     /** How linear light becomes display pixels. */
     public ObjectProperty<ViewTransform> viewProperty() {
         return view;
+    }
+
+    /** What of the traced picture is shown. */
+    PictureLook look() {
+        return look;
     }
 
     /** What the artist should read next: why an edit was refused, what was saved; empty where there is nothing. */

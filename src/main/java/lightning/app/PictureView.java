@@ -52,6 +52,15 @@ final class PictureView extends Region {
         buffer.updateBuffer(_ -> new Rectangle2D(left, top, right - left, bottom - top));
     }
 
+    /** What the image shows now, {@code int[width * height]}, opaque 0xFFRRGGBB, the top row first. */
+    int[] pixels() {
+        int width = buffer.getWidth();
+        int height = buffer.getHeight();
+        int[] pixels = new int[width * height];
+        image.getImage().getPixelReader().getPixels(0, 0, width, height, PixelFormat.getIntArgbInstance(), pixels, 0, width);
+        return pixels;
+    }
+
     boolean isEmpty() {
         return buffer == null;
     }

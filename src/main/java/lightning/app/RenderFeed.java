@@ -72,8 +72,13 @@ final class RenderFeed implements RenderListener {
 
     @Override
     public void rendered(Frame frame) {
-        raster.show(frame.film());
+        raster.show(frame.seen());
         tell(s -> s.rendered(frame));
+    }
+
+    @Override
+    public void measured(double fullTraceMs) {
+        tell(s -> s.measured(fullTraceMs));
     }
 
     @Override

@@ -11,13 +11,14 @@ import lightning.relight.UpdatePlan;
  * @param done         tiles finished; likewise {@code total}
  * @param checked      tiles of the verification finished; likewise {@code toCheck}, 0 where none runs
  * @param frame        the last picture; null before the first
+ * @param fullTraceMs  how long a warm full trace of it takes, milliseconds; NaN while that is not known
  * @param verification of a picture; null where none is finished
  * @param problem      why the last work failed; null if it did not
  * @param cancelled    whether the last work ended before its time
  */
-public record RenderState(UpdatePlan plan, int done, int total, int checked, int toCheck, Frame frame,
+public record RenderState(UpdatePlan plan, int done, int total, int checked, int toCheck, Frame frame, double fullTraceMs,
         Verification verification, Throwable problem, boolean cancelled) {
-    static final RenderState NONE = new RenderState(null, 0, 0, 0, 0, null, null, null, false);
+    static final RenderState NONE = new RenderState(null, 0, 0, 0, 0, null, Double.NaN, null, null, false);
 
     /** 0…1. */
     public double progress() {
@@ -29,34 +30,32 @@ public record RenderState(UpdatePlan plan, int done, int total, int checked, int
         return toCheck > 0;
     }
 
-    /** Whether a full trace of the picture in the frame was measured: of these shapes, this camera and this size. */
-    public boolean isMeasured() {
-        return verification != null && frame != null && verification.scene().picture().equals(frame.scene().picture())
-                && verification.scene().camera().equals(frame.scene().camera())
-                && verification.scene().nodes().equals(frame.scene().nodes());
+    RenderState started(UpdatePlan next) {
+        double ms = next instanceof UpdatePlan.FirstPass ? Double.NaN : fullTraceMs;
+        return new RenderState(next, 0, 0, checked, toCheck, frame, ms, verification, null, false);
     }
 
-    RenderState started(UpdatePlan next) {
-        return new RenderState(next, 0, 0, checked, toCheck, frame, verification, null, false);
+    RenderState measured(double milliseconds) {
+        return new RenderState(plan, done, total, checked, toCheck, frame, milliseconds, verification, problem, cancelled);
     }
 
     RenderState at(int tiles, int of) {
-        return new RenderState(plan, tiles, of, checked, toCheck, frame, verification, problem, cancelled);
+        return new RenderState(plan, tiles, of, checked, toCheck, frame, fullTraceMs, verification, problem, cancelled);
     }
 
     RenderState checking(int tiles, int of) {
-        return new RenderState(plan, done, total, tiles, of, frame, verification, null, false);
+        return new RenderState(plan, done, total, tiles, of, frame, fullTraceMs, verification, null, false);
     }
 
     RenderState rendered(Frame picture) {
-        return new RenderState(plan, done, total, checked, toCheck, picture, verification, problem, cancelled);
+        return new RenderState(plan, done, total, checked, toCheck, picture, fullTraceMs, verification, problem, cancelled);
     }
 
     RenderState verified(Verification result) {
-        return new RenderState(plan, done, total, 0, 0, frame, result, problem, cancelled);
+        return new RenderState(plan, done, total, 0, 0, frame, fullTraceMs, result, problem, cancelled);
     }
 
     RenderState stopped(Throwable why) {
-        return new RenderState(plan, done, total, 0, 0, frame, verification, why, why == null);
+        return new RenderState(plan, done, total, 0, 0, frame, fullTraceMs, verification, why, why == null);
     }
 }

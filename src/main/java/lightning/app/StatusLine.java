@@ -53,6 +53,6 @@ final class StatusLine extends HBox {
                 && state.verification().scene().equals(state.frame().scene())) {
             return StatusText.of(state.verification());
         }
-        return state.frame() == null ? "" : StatusText.of(state.frame(), state.isMeasured());
+        return state.frame() == null ? "" : StatusText.of(state.frame(), state.fullTraceMs());
     }
 }

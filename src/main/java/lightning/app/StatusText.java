@@ -13,18 +13,17 @@ final class StatusText {
 
     /**
      * {@code key: full recompute · 5,021 rows touched · 4,811 shadow rays · 2.1 ms of 31 ms for a full trace · 93.2 % saved ·
-     * exact}. The first trace of a picture runs before Java is warm and is no yardstick, so it is called by its name until
-     * a verification has measured a full trace.
+     * exact}. The first trace of a picture runs before Java is warm and is no yardstick.
      *
-     * @param measured whether the frame's full trace was measured by a verification
+     * @param fullTraceMs how long a warm full trace takes, milliseconds; NaN while that is not known
      */
-    static String of(Frame frame, boolean measured) {
+    static String of(Frame frame, double fullTraceMs) {
         Update update = frame.update();
         String text = update.plan().text() + " · " + number(update.rowsTouched()) + " rows touched · "
                 + number(update.rays().shadow()) + " shadow rays · " + milliseconds(update.milliseconds());
         if (!(update.plan() instanceof UpdatePlan.FirstPass)) {
-            text += " of " + milliseconds(frame.fullTraceMs()) + (measured ? " for a full trace"
-                    : " for the first trace (Verify measures a warm one)") + " · " + saving(frame.saving());
+            text += Double.isNaN(fullTraceMs) ? " (a full trace is still being measured)"
+                    : " of " + milliseconds(fullTraceMs) + " for a full trace · " + saving(1 - update.milliseconds() / fullTraceMs);
         }
         return text + " · " + accuracy(frame);
     }

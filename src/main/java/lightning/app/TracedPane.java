@@ -1,10 +1,12 @@
 package lightning.app;
 
 import java.util.Locale;
+import java.util.Optional;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
+import javafx.scene.control.MenuButton;
 import javafx.scene.control.Slider;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
@@ -13,6 +15,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
+import lightning.app.widget.Obstacle;
 import lightning.edit.Verification;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
@@ -20,15 +23,20 @@ import lightning.image.ViewTransform;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignB;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignE;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 
 /** The ray-traced canvas: the picture, what it does not show yet, how far it is, and what a pixel of it is made of. */
 public final class TracedPane extends BorderPane implements AutoCloseable {
     private static final double MOST_STOPS = 8;
+    private static final String NOT_PLAIN = "The view does not show the whole picture";
+    private static final String REGION_HINT = "Trace a region alone: drag a frame in the picture; it shows the edits that are not rendered yet";
 
     private final EditorModel model;
     private final PictureView picture = new PictureView();
     private final Label badge = new Label();
+    private final Label lookBadge = new Label();
     private final Label pixelLine = new Label();
     private final Label card = new Label();
     private final ToggleButton difference = new ToggleButton("Difference");
@@ -50,6 +58,10 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         badge.setId("pending");
         badge.getStyleClass().add("badge");
         StackPane.setAlignment(badge, Pos.TOP_LEFT);
+        lookBadge.setId("look");
+        lookBadge.getStyleClass().addAll("badge", "look-badge");
+        lookBadge.setTooltip(new Tooltip("A way of looking, no part of the scene.\nSave Image and Verify take the picture itself."));
+        StackPane.setAlignment(lookBadge, Pos.TOP_RIGHT);
         Node progress = new ProgressOverlay(model);
         StackPane.setAlignment(progress, Pos.BOTTOM_CENTER);
         card.setId("pixel-lights");
@@ -57,7 +69,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         card.setMouseTransparent(true);
         card.visibleProperty().bind(card.textProperty().isNotEmpty());
         StackPane.setAlignment(card, Pos.BOTTOM_LEFT);
-        var stage = new StackPane(picture, mouse.overlay(), badge, card, progress);
+        var stage = new StackPane(picture, mouse.overlay(), badge, lookBadge, card, progress);
         stage.getStyleClass().add("canvas");
         setTop(header());
         setCenter(stage);
@@ -83,7 +95,17 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
 
     /** The next drag frames a region that is traced alone. */
     void frameRegion() {
-        mouse.regionProperty().set(true);
+        if (isPlain()) {
+            mouse.regionProperty().set(true);
+        } else {
+            model.say(NOT_PLAIN);
+        }
+    }
+
+    /** Whether the canvas shows the picture itself. */
+    private boolean isPlain() {
+        var frame = model.renderingProperty().get().frame();
+        return frame == null || frame.look().isPlain();
     }
 
     private Node header() {
@@ -94,14 +116,36 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         HBox.setHgrow(space, Priority.ALWAYS);
         var region = new ToggleButton("", new FontIcon(MaterialDesignS.SELECTION_DRAG));
         region.setId("region");
-        region.setTooltip(new Tooltip("Trace a region alone: drag a frame in the picture.\nIt shows the edits that are not rendered yet."));
         region.setAccessibleText("Trace a region");
         region.selectedProperty().bindBidirectional(mouse.regionProperty());
         region.getStyleClass().add("button-icon");
-        var box = new HBox(title, space, difference, snapshot(), compare, new ExposureSlider(model, MOST_STOPS), region,
-                ZoomButtons.of(picture, "traced"));
+        var regionBox = new StackPane(region);
+        var obstacle = new Obstacle(regionBox, region, REGION_HINT);
+        model.renderingProperty().subscribe(_ -> obstacle.set(isPlain() ? Optional.empty() : Optional.of(NOT_PLAIN)));
+        var box = new HBox(title, space, difference, only(), snapshot(), compare, new ExposureSlider(model, MOST_STOPS), viewMenu(),
+                regionBox, ZoomButtons.of(picture, "traced"));
         box.getStyleClass().add("pane-header");
         return box;
+    }
+
+    private ToggleButton only() {
+        var only = new ToggleButton("", new FontIcon(MaterialDesignF.FILTER_OUTLINE));
+        only.setId("only-selected");
+        only.setAccessibleText("Only the selected light");
+        only.setTooltip(new Tooltip("Only the selected light\nShow what it gives to the picture, in mirrors too: no ambience, no background."));
+        only.getStyleClass().add("button-icon");
+        only.selectedProperty().bindBidirectional(model.look().onlySelectedProperty());
+        return only;
+    }
+
+    private MenuButton viewMenu() {
+        var menu = new MenuButton("", new FontIcon(MaterialDesignE.EYE_SETTINGS_OUTLINE));
+        menu.setId("view-options");
+        menu.setAccessibleText("How the picture is shown");
+        menu.setTooltip(new Tooltip("How the picture is shown\nThe display's curve, and effects to hide. No part of the scene."));
+        menu.getStyleClass().addAll("button-icon", "flat");
+        menu.getItems().setAll(ViewItems.of(model, "view"));
+        return menu;
     }
 
     private Button snapshot() {
@@ -138,6 +182,10 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         if (model.raster().isPatched()) {
             remark = "A region shows edits that the rest does not";
         }
+        var frame = model.renderingProperty().get().frame();
+        String look = frame == null ? "" : frame.look().label();
+        lookBadge.setText(look.isEmpty() ? "" : "View: " + look);
+        lookBadge.setVisible(!look.isEmpty());
         badge.setText(remark);
         badge.setVisible(!remark.isEmpty());
         boolean verified = verified() != null;
@@ -206,7 +254,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             slider.valueProperty().subscribe(v -> {
                 double stops = Math.rint(v.doubleValue() * 10) / 10;
                 value.setText(String.format(Locale.ROOT, "%+.1f", stops));
-                model.viewProperty().set(new ViewTransform(stops));
+                model.viewProperty().set(model.viewProperty().get().withExposure(stops));
             });
         }
     }

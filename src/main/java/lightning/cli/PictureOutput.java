@@ -4,13 +4,16 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import lightning.image.Clipping;
+import lightning.image.DisplayCurve;
 import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
 
 /** The options that say where a picture goes and how bright it is shown. */
 final class PictureOutput {
@@ -27,7 +30,7 @@ final class PictureOutput {
             description = "Brightens .png and .xpm: each stop doubles (-1 halves).")
     private void setExposure(double stops) {
         try {
-            view = new ViewTransform(stops);
+            view = view.withExposure(stops);
         } catch (IllegalArgumentException e) {
             throw new ParameterException(command.commandLine(), "--" + e.getMessage());
         }
@@ -37,9 +40,27 @@ final class PictureOutput {
         return file;
     }
 
-    /** Stops. */
-    double exposure() {
-        return view.exposure();
+    @Option(names = "--view", paramLabel = "CURVE", converter = Curve.class,
+            description = "How .png and .xpm show light: srgb (the default), or 1998 for the linear values as they are.")
+    private void setCurve(DisplayCurve curve) {
+        view = view.withCurve(curve);
+    }
+
+    /** The names that an artist types. */
+    private static final class Curve implements ITypeConverter<DisplayCurve> {
+        @Override
+        public DisplayCurve convert(String text) {
+            return switch (text) {
+                case "srgb" -> DisplayCurve.SRGB;
+                case "1998" -> DisplayCurve.LINEAR;
+                default -> throw new TypeConversionException("expected srgb or 1998, found '" + text + "'");
+            };
+        }
+    }
+
+    /** How the picture is shown. */
+    ViewTransform view() {
+        return view;
     }
 
     /** Finds out before a long computation whether its result could not be written. */

@@ -67,19 +67,6 @@ final class ProgressBar implements Progress, AutoCloseable {
         return owner.isInterrupted();
     }
 
-    /** Stops with the same thread, and shows nothing: for the parts of a work that the bar shows as a whole. */
-    Progress silent() {
-        return new Progress() {
-            @Override
-            public void tiles(int done, int total) {}
-
-            @Override
-            public boolean isCancelled() {
-                return owner.isInterrupted();
-            }
-        };
-    }
-
     /** Makes room for other output; the next step shows the bar again. */
     synchronized void erase() {
         if (visible) {

@@ -21,8 +21,11 @@ public interface RenderListener {
     /** A small picture of the scene that is being traced for the first time, to show enlarged until it is there. */
     default void coarse(Film film, Scene scene) {}
 
-    /** A picture is finished. */
+    /** A picture is finished, or another look at it. */
     default void rendered(Frame frame) {}
+
+    /** A warm full trace of the last picture was found to take so long, milliseconds. */
+    default void measured(double fullTraceMs) {}
 
     /** A full trace was compared with the last picture. */
     default void verified(Verification verification) {}

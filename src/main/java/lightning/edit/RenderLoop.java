@@ -2,6 +2,7 @@ package lightning.edit;
 
 import java.util.concurrent.CancellationException;
 import lightning.image.Film;
+import lightning.image.ViewTransform;
 import lightning.relight.Options;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
@@ -32,8 +33,10 @@ public final class RenderLoop implements AutoCloseable {
     private final Verifier verifier;
     private final Thread thread;
     private Renderer renderer;
-    private volatile double exposure;
-    private double firstPassMs;
+    private volatile ViewTransform view = ViewTransform.DEFAULT;
+    private volatile Look look = Look.PLAIN;
+    private final Looking looking = new Looking();
+    private Update last;
     private Scene rendered;
 
     /** Starts the thread; nothing is rendered until a scene is wanted. */
@@ -47,8 +50,8 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     /**
-     * Brings the picture to a scene. Replaces a scene that still waits. A trace of another picture (size, camera, shapes,
-     * materials) is cancelled; an update that runs is finished first, so that a picture comes even while edits never pause.
+     * Brings the picture to a scene. Replaces a scene that still waits. A trace of another picture (size, camera, shapes) is
+     * cancelled; an update that runs is finished first, so that a picture comes even while edits never pause.
      */
     public void render(Scene scene) {
         queue.render(scene);
@@ -64,14 +67,20 @@ public final class RenderLoop implements AutoCloseable {
         queue.verify();
     }
 
-    /** Another way of working; the picture is traced anew. */
+    /** Another way of working. What is known of the picture serves on as far as it can: see {@link Renderer#change}. */
     public void reopen(Options options) {
         queue.reopen(options);
     }
 
-    /** See {@link Renderer#setExposure}; counts from the next update. */
-    public void setExposure(double stops) {
-        exposure = stops;
+    /** See {@link Renderer#setView}; counts from the next update. */
+    public void setView(ViewTransform v) {
+        view = v;
+    }
+
+    /** Shows the picture in another way; nothing of it changes. */
+    public void setLook(Look v) {
+        look = v;
+        queue.look();
     }
 
     /** Stops what runs, a verification too, and forgets what waits. The last picture stays. */
@@ -106,21 +115,32 @@ public final class RenderLoop implements AutoCloseable {
                 attempt(work, stop);
                 if (queue.done(rendered)) {
                     listener.idle();
+                    measure();
                 }
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } finally {
             renderer.close();
+            looking.close();
+        }
+    }
+
+    /** While nobody works, what a full trace takes. */
+    private void measure() {
+        if (rendered != null) {
+            verifier.measure(rendered, renderer.cache().geometry());
         }
     }
 
     private void attempt(RenderQueue.Work work, RenderQueue.Stop stop) {
+        verifier.pause();
         try {
             switch (work) {
                 case RenderQueue.Work.Render r -> renderScene(r.scene(), stop);
                 case RenderQueue.Work.Reopen r -> reopen(r, stop);
                 case RenderQueue.Work.Reflections _ -> mirror(stop);
+                case RenderQueue.Work.Looks _ -> lookAgain(stop);
                 case RenderQueue.Work.Verify _ -> handToVerifier();
             }
         } catch (CancellationException e) {
@@ -132,9 +152,7 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     private void reopen(RenderQueue.Work.Reopen work, RenderQueue.Stop stop) {
-        renderer.close();
-        renderer = new Renderer(work.options());
-        rendered = null;
+        renderer.change(work.options());
         if (work.scene() != null) {
             renderScene(work.scene(), stop);
         }
@@ -143,30 +161,41 @@ public final class RenderLoop implements AutoCloseable {
     private void renderScene(Scene scene, RenderQueue.Stop stop) {
         UpdatePlan plan = renderer.plan(scene);
         listener.started(plan);
-        boolean first = plan instanceof UpdatePlan.FirstPass;
-        if (first) {
+        if (plan instanceof UpdatePlan.FirstPass) {
+            verifier.forgetTime();
             coarse(scene, stop);
         }
-        renderer.setExposure(exposure);
-        Update update = renderer.render(scene, stop);
-        if (first) {
-            firstPassMs = update.milliseconds();
-            verifier.forgetTime();
-        }
-        show(update);
+        renderer.setView(view.exposure(), view.curve());
+        show(renderer.render(scene, stop), stop);
     }
 
     private void mirror(RenderQueue.Stop stop) {
         if (rendered != null) {
-            renderer.setExposure(exposure);
-            show(renderer.updateReflections(stop));
+            renderer.setView(view.exposure(), view.curve());
+            show(renderer.updateReflections(stop), stop);
         }
     }
 
-    private void show(Update update) {
+    private void lookAgain(RenderQueue.Stop stop) {
+        if (rendered != null) {
+            show(last, stop);
+        }
+    }
+
+    private void show(Update update, RenderQueue.Stop stop) {
         rendered = renderer.scene();
-        listener.rendered(new Frame(renderer.film(), rendered, renderer.cache().mirroredScene(), update,
-                verifier.fullTraceMs().orElse(firstPassMs)));
+        last = update;
+        Look wanted = look;
+        try {
+            tell(wanted.isPlain() ? looking.plain(renderer) : looking.film(renderer, wanted, stop.silent()), wanted);
+        } catch (CancellationException e) {
+            // The picture itself is finished.
+            tell(renderer.film(), Look.PLAIN);
+        }
+    }
+
+    private void tell(Film seen, Look shown) {
+        listener.rendered(new Frame(renderer.film(), seen, shown, rendered, renderer.cache().mirroredScene(), last));
     }
 
     /** One pixel of 64: a look at the picture in a fraction of its time. */

@@ -17,6 +17,9 @@ final class RenderQueue {
 
         record Verify() implements Work {}
 
+        /** The picture that there is, to be looked at in another way. */
+        record Looks() implements Work {}
+
         /** Another renderer, then {@code scene}; null where nothing was rendered yet. */
         record Reopen(Options options, Scene scene) implements Work {}
     }
@@ -54,6 +57,7 @@ final class RenderQueue {
     private Options options;
     private boolean reflections;
     private boolean verify;
+    private boolean look;
     private boolean closed;
     private Work running;
     private Scene rendered;
@@ -76,13 +80,13 @@ final class RenderQueue {
             case Work.Render r -> !samePicture(r.scene(), wanted);
             case Work.Reopen r -> r.scene() != null && !samePicture(r.scene(), wanted);
             case Work.Reflections _ -> true;
-            case Work.Verify _ -> false;
+            case Work.Verify _, Work.Looks _ -> false;
         };
     }
 
     private static boolean samePicture(Scene a, Scene b) {
         return a.picture().width() == b.picture().width() && a.picture().height() == b.picture().height()
-                && a.camera().equals(b.camera()) && a.nodes().equals(b.nodes()) && a.materials().equals(b.materials());
+                && a.camera().equals(b.camera()) && a.nodes().equals(b.nodes());
     }
 
     synchronized void reflections() {
@@ -92,6 +96,11 @@ final class RenderQueue {
 
     synchronized void verify() {
         verify = true;
+        notifyAll();
+    }
+
+    synchronized void look() {
+        look = true;
         notifyAll();
     }
 
@@ -126,7 +135,7 @@ final class RenderQueue {
     }
 
     private boolean isWaiting() {
-        return scene != null || options != null || reflections || verify;
+        return scene != null || options != null || reflections || look || verify;
     }
 
     /** Waits for work; returns null when the queue was closed. */
@@ -157,6 +166,10 @@ final class RenderQueue {
         if (reflections) {
             reflections = false;
             return new Work.Reflections();
+        }
+        if (look) {
+            look = false;
+            return new Work.Looks();
         }
         verify = false;
         return new Work.Verify();

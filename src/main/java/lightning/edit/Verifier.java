@@ -1,15 +1,27 @@
 package lightning.edit;
 
-import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
+import lightning.accuracy.FullTraceTime;
+import lightning.scene.Scene;
 import lightning.shading.Workers;
+import lightning.trace.Geometry;
 
-/** Traces in full on a thread of its own; a newer verification replaces an older one. Safe for several threads. */
+/**
+ * Traces in full on a thread of its own, to verify a picture and to find out how long that takes; a newer verification
+ * replaces an older one. Safe for several threads.
+ */
 final class Verifier implements AutoCloseable {
     private static final int PATIENCE_SECONDS = 10;
+
+    /** What decides how long a full trace of one picture takes, but for where its lights are. */
+    private record Effort(int depth, long lights) {
+        static Effort of(Scene scene) {
+            return new Effort(scene.picture().depth(), scene.lights().stream().filter(scene::shines).count());
+        }
+    }
 
     private final Workers workers;
     private final RenderListener listener;
@@ -19,7 +31,8 @@ final class Verifier implements AutoCloseable {
         return t;
     });
     private RenderQueue.Stop stop;
-    private double fullTraceMs = Double.NaN;
+    private RenderQueue.Stop measuring;
+    private Effort known;
     private int pictures;
     private int running;
 
@@ -31,18 +44,51 @@ final class Verifier implements AutoCloseable {
     synchronized void verify(Verification.Request request) {
         cancel();
         var own = new RenderQueue.Stop(listener::verifying);
-        int picture = pictures;
         stop = own;
         running++;
-        thread.execute(() -> run(request, own, picture));
+        pause();
+        thread.execute(() -> run(request, own));
+        measure(request.scene(), request.geometry());
     }
 
-    private void run(Verification.Request request, RenderQueue.Stop own, int picture) {
+    /** Finds out what a warm full trace takes, unless it is known or being found out; the listener hears of it. */
+    synchronized void measure(Scene scene, Geometry geometry) {
+        Effort effort = Effort.of(scene);
+        if (effort.equals(known) || measuring != null || thread.isShutdown()) {
+            return;
+        }
+        var own = new RenderQueue.Stop((_, _) -> { });
+        int picture = pictures;
+        measuring = own;
+        thread.execute(() -> {
+            try {
+                measured(picture, effort, FullTraceTime.measure(scene, geometry, workers, own).median());
+            } catch (CancellationException e) {
+                // It is measured when there is time again.
+            } catch (RuntimeException | OutOfMemoryError e) {
+                // A picture that cannot be traced in full has no time that savings could be savings of.
+                forget(own);
+            }
+        });
+    }
+
+    /** There is other work: what is measured beside it would be too long. */
+    synchronized void pause() {
+        if (measuring != null) {
+            measuring.ask();
+            measuring = null;
+        }
+    }
+
+    private synchronized void forget(RenderQueue.Stop own) {
+        measuring = measuring == own ? null : measuring;
+    }
+
+    private void run(Verification.Request request, RenderQueue.Stop own) {
         Runnable outcome;
         try {
             Verification verification = request.run(workers, own);
             outcome = () -> listener.verified(verification);
-            measured(picture, verification.fullTraceMs());
         } catch (CancellationException e) {
             outcome = listener::cancelled;
         } catch (Throwable e) {
@@ -53,9 +99,11 @@ final class Verifier implements AutoCloseable {
         outcome.run();
     }
 
-    private synchronized void measured(int picture, double milliseconds) {
+    private synchronized void measured(int picture, Effort effort, double milliseconds) {
         if (picture == pictures) {
-            fullTraceMs = milliseconds;
+            known = effort;
+            measuring = null;
+            listener.measured(milliseconds);
         }
     }
 
@@ -74,21 +122,22 @@ final class Verifier implements AutoCloseable {
         }
     }
 
-    /** The measured time of a full trace, milliseconds; empty if none was verified of this picture. */
-    synchronized OptionalDouble fullTraceMs() {
-        return Double.isNaN(fullTraceMs) ? OptionalDouble.empty() : OptionalDouble.of(fullTraceMs);
-    }
-
     /** Another picture takes another time. */
     synchronized void forgetTime() {
         pictures++;
-        fullTraceMs = Double.NaN;
+        known = null;
+        pause();
+    }
+
+    private synchronized void shutdown() {
+        pause();
+        cancel();
+        thread.shutdown();
     }
 
     @Override
     public void close() {
-        cancel();
-        thread.shutdown();
+        shutdown();
         try {
             // The workers must not end before the trace that waits for them.
             thread.awaitTermination(PATIENCE_SECONDS, TimeUnit.SECONDS);

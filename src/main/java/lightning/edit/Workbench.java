@@ -7,6 +7,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.LongFunction;
 import lightning.image.Film;
+import lightning.image.ViewTransform;
 import lightning.jen.JenException;
 import lightning.relight.Options;
 import lightning.relight.UpdatePlan;
@@ -215,7 +216,7 @@ public final class Workbench implements AutoCloseable {
         verifying = loop.isVerifying();
     }
 
-    /** Another accuracy or number of threads: the picture is traced anew. */
+    /** Another accuracy: what is known of the picture serves on. */
     public void reopen(Options options) {
         inWork = Optional.of(scene());
         loop.reopen(options);
@@ -223,9 +224,14 @@ public final class Workbench implements AutoCloseable {
         changed.run();
     }
 
-    /** See {@link RenderLoop#setExposure}. */
-    public void setExposure(double stops) {
-        loop.setExposure(stops);
+    /** Shows the picture in another way: see {@link RenderLoop#setLook}. */
+    public void setLook(Look look) {
+        loop.setLook(look);
+    }
+
+    /** See {@link RenderLoop#setView}. */
+    public void setView(ViewTransform view) {
+        loop.setView(view);
     }
 
     /** Whether every edit is rendered at once; off at first (paper §3.3). */
@@ -306,6 +312,11 @@ public final class Workbench implements AutoCloseable {
         public void rendered(Frame finished) {
             canvas.rendered(finished);
             tell(() -> frame = Optional.of(finished));
+        }
+
+        @Override
+        public void measured(double fullTraceMs) {
+            canvas.measured(fullTraceMs);
         }
 
         @Override

@@ -3,18 +3,17 @@ package lightning.image;
 /**
  * How a linear film becomes display pixels — the only place that clamps.
  *
- * <p>Each channel becomes {@code sRGB(clamp(linear · 2^exposure, 0, 1))} in 8 bits, correctly rounded. The gain
- * {@code 2^exposure} is rounded to float and so is the product; NaN counts as 0. sRGB is that of IEC 61966-2-1:
- * {@code 12.92 · v} up to v = 0.0031308, else {@code 1.055 · v^(1/2.4) − 0.055}.
+ * <p>Each channel becomes {@code curve(clamp(linear · 2^exposure, 0, 1))} in 8 bits, correctly rounded. The gain
+ * {@code 2^exposure} is rounded to float and so is the product; NaN counts as 0.
  *
  * @param exposure stops, −64 to 64; one more doubles the brightness
  */
-public record ViewTransform(double exposure) {
+public record ViewTransform(double exposure, DisplayCurve curve) {
 
     /** The largest absolute exposure, in stops. */
     public static final double MAX_EXPOSURE = 64;
 
-    /** Linear white 1 is display white. */
+    /** sRGB; linear white 1 is display white. */
     public static final ViewTransform DEFAULT = new ViewTransform(0);
 
     /** @throws IllegalArgumentException if {@code exposure} is NaN or outside −64…64 */
@@ -24,6 +23,23 @@ public record ViewTransform(double exposure) {
         }
     }
 
+    /**
+     * For an sRGB display.
+     *
+     * @throws IllegalArgumentException if {@code exposure} is NaN or outside −64…64
+     */
+    public ViewTransform(double exposure) {
+        this(exposure, DisplayCurve.SRGB);
+    }
+
+    public ViewTransform withExposure(double stops) {
+        return new ViewTransform(stops, curve);
+    }
+
+    public ViewTransform withCurve(DisplayCurve v) {
+        return new ViewTransform(exposure, v);
+    }
+
     /** The factor on linear values, {@code 2^exposure}. */
     public float gain() {
         return (float) StrictMath.pow(2, exposure);
@@ -31,10 +47,10 @@ public record ViewTransform(double exposure) {
 
     /** The display code, 0 to 255, of one linear value. */
     public int encode(float linear) {
-        return Srgb.encode(linear * gain());
+        return curve.encode(linear * gain());
     }
 
-    /** The linear value, 0…1, that exposure 0 shows as {@code code}, 0 to 255: the inverse of sRGB. */
+    /** The linear value, 0…1, that {@link #DEFAULT} shows as {@code code}, 0 to 255: the inverse of sRGB. */
     public static float linear(int code) {
         return Srgb.linear(code);
     }
@@ -69,9 +85,9 @@ public record ViewTransform(double exposure) {
             int to = (top + y) * film.width() + left;
             for (int x = 0; x < columns; x++) {
                 pixels[to + x] = 0xFF000000
-                        | Srgb.encode(red[from + x] * gain) << 16
-                        | Srgb.encode(green[from + x] * gain) << 8
-                        | Srgb.encode(blue[from + x] * gain);
+                        | curve.encode(red[from + x] * gain) << 16
+                        | curve.encode(green[from + x] * gain) << 8
+                        | curve.encode(blue[from + x] * gain);
             }
         }
     }

@@ -26,4 +26,9 @@ final class Drag {
         key = light < 0 ? null : new BranchSums.Key(light);
         return null;
     }
+
+    /** Forgets which light was edited last. */
+    void end() {
+        key = null;
+    }
 }

@@ -2,6 +2,8 @@ package lightning.relight;
 
 import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
+import lightning.image.DisplayCurve;
+import lightning.scene.Sampling;
 
 /**
  * How far the film may be from the exact one: relative for each value, plus an absolute part.
@@ -12,10 +14,10 @@ import lightning.cache.PixelCache;
  */
 record ErrorBound(double relative, double absolute, double largest) {
     private static final ErrorBound NONE = new ErrorBound(0, 0, 0);
-    /** The largest slope of the display curve: sRGB near black. */
-    private static final double STEEPEST = 12.92;
-    /** The largest change of a displayed value for a relative change: x·d/dx of 1.055·x^(1/2.4), at 1. */
-    private static final double RELATIVE_SLOPE = 1.055 / 2.4;
+    /** The largest slope of sRGB: near black. */
+    private static final double SRGB_STEEPEST = 12.92;
+    /** The largest change of a value displayed in sRGB for a relative change: x·d/dx of 1.055·x^(1/2.4), at 1. */
+    private static final double SRGB_RELATIVE_SLOPE = 1.055 / 2.4;
     /** Half an 8-bit step of the displayed value. */
     private static final double HALF_STEP = 0.5 / 255;
 
@@ -23,7 +25,9 @@ record ErrorBound(double relative, double absolute, double largest) {
         LayerStamp[] top = cache.stamps();
         LayerStamp[] mirrors = cache.mirroredStamps();
         int depth = cache.mirroredScene().picture().depth();
-        double relative = Math.max(RatioBound.relative(top, 0), RatioBound.relative(mirrors, depth));
+        Sampling sampling = cache.scene().picture().sampling();
+        int samples = sampling.isFine() ? sampling.perPixel() : 1;
+        double relative = Math.max(RatioBound.relative(top, 0, samples), RatioBound.relative(mirrors, depth, samples));
         if (relative == 0) {
             return NONE;
         }
@@ -32,7 +36,11 @@ record ErrorBound(double relative, double absolute, double largest) {
     }
 
     /** Whether an error of this size could change what is displayed at an exposure, in stops. */
-    boolean shows(double exposure) {
-        return RELATIVE_SLOPE * relative + STEEPEST * Math.pow(2, exposure) * absolute > HALF_STEP;
+    boolean shows(double exposure, DisplayCurve curve) {
+        double scaled = Math.pow(2, exposure) * absolute;
+        return HALF_STEP < switch (curve) {
+            case SRGB -> SRGB_RELATIVE_SLOPE * relative + SRGB_STEEPEST * scaled;
+            case LINEAR -> relative + scaled;
+        };
     }
 }

@@ -5,7 +5,10 @@ import lightning.shading.Lamp;
 import lightning.shading.LightKernel;
 import lightning.shading.LightLayer;
 import lightning.shading.LightRows;
+import lightning.shading.RatioRows;
 import lightning.trace.HitRows;
+import lightning.trace.MaterialSet;
+import lightning.trace.RowSplice;
 
 /** Updates that leave a layer as a full trace would make it, in every bit. */
 record ExactUpdater(LightKernel kernel) implements LayerUpdater {
@@ -23,5 +26,23 @@ record ExactUpdater(LightKernel kernel) implements LayerUpdater {
             case LightUpdate.Partial p ->
                 kernel.partial(rows, to, (LightRows) before, p.cone(), p.falloff(), Columns.FRESH);
         };
+    }
+
+    @Override
+    public LightLayer convert(HitRows rows, Lamp lamp, LightLayer before) {
+        return switch (before) {
+            case LightRows layer -> layer;
+            case RatioRows layer -> kernel.again(rows, lamp, layer, Columns.FRESH);
+        };
+    }
+
+    @Override
+    public LightLayer speculars(HitRows rows, Lamp lamp, LightLayer before, MaterialSet changed) {
+        return kernel.speculars(rows, lamp, (LightRows) before, changed, Columns.FRESH);
+    }
+
+    @Override
+    public LightLayer spliced(RowSplice splice, LightLayer before, LightLayer added, Lamp lamp) {
+        return kernel.spliced(splice, (LightRows) before, (LightRows) added, lamp);
     }
 }

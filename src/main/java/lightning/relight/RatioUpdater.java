@@ -3,9 +3,12 @@ package lightning.relight;
 import lightning.shading.ConeChange;
 import lightning.shading.Lamp;
 import lightning.shading.LightLayer;
+import lightning.shading.LightRows;
 import lightning.shading.RatioKernel;
 import lightning.shading.RatioRows;
 import lightning.trace.HitRows;
+import lightning.trace.MaterialSet;
+import lightning.trace.RowSplice;
 
 /** The paper's updates: stored contributions are scaled by ratios (§4.1 to §4.4). */
 record RatioUpdater(RatioKernel kernel) implements LayerUpdater {
@@ -24,5 +27,23 @@ record RatioUpdater(RatioKernel kernel) implements LayerUpdater {
             case LightUpdate.FullRecompute _ -> full(rows, to);
             case LightUpdate.Partial p -> kernel.partial(rows, from, to, (RatioRows) before, p.cone(), p.falloff());
         };
+    }
+
+    @Override
+    public LightLayer convert(HitRows rows, Lamp lamp, LightLayer before) {
+        return switch (before) {
+            case LightRows layer -> kernel.of(rows, lamp, layer);
+            case RatioRows layer -> layer;
+        };
+    }
+
+    @Override
+    public LightLayer speculars(HitRows rows, Lamp lamp, LightLayer before, MaterialSet changed) {
+        return kernel.speculars(rows, lamp, (RatioRows) before, changed);
+    }
+
+    @Override
+    public LightLayer spliced(RowSplice splice, LightLayer before, LightLayer added, Lamp lamp) {
+        return kernel.spliced(splice, (RatioRows) before, (RatioRows) added);
     }
 }

@@ -1,14 +1,14 @@
 package lightning.relight;
 
-import java.util.Arrays;
 import java.util.concurrent.CancellationException;
-import lightning.cache.CachedTile;
 import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
+import lightning.image.DisplayCurve;
 import lightning.image.Film;
+import lightning.scene.Antialias;
 import lightning.scene.Scene;
-import lightning.shading.Lamp;
 import lightning.shading.Progress;
+import lightning.shading.Sight;
 import lightning.shading.Workers;
 import lightning.trace.Geometry;
 
@@ -17,12 +17,15 @@ import lightning.trace.Geometry;
  * wanted, with the least work. Not for use by two threads at once.
  */
 public final class Renderer implements AutoCloseable {
-    private final Options options;
-    private final Workers workers;
+    private Options options;
+    private Workers workers;
     private final Drag drag = new Drag();
     private final Drag mirroredDrag = new Drag();
     private PixelCache cache;
+    /** How the cache is known; its accuracy differs from the wanted one after a change, until the next update. */
+    private Accuracy known;
     private double exposure;
+    private DisplayCurve curve = DisplayCurve.SRGB;
 
     public Renderer(Options options) {
         this.options = options;
@@ -38,14 +41,40 @@ public final class Renderer implements AutoCloseable {
      *
      * @param stops the exposure, in stops
      */
-    public void setExposure(double stops) {
+    public void setView(double stops, DisplayCurve shown) {
         exposure = stops;
+        curve = shown;
+    }
+
+    /**
+     * Goes on in another way of working. What is known is kept, and brought to another accuracy by the next update, without
+     * a ray; only another view, or another storage of mirror levels, forgets it.
+     */
+    public void change(Options to) {
+        if (to.threads() != options.threads()) {
+            workers.close();
+            workers = new Workers(to.threads());
+        }
+        boolean serves = to.view().tracesLike(options.view()) && to.storage() == options.storage()
+                && (to.accuracy() == known || cache == null || Conversion.serves(cache));
+        options = to;
+        if (!serves) {
+            forget();
+        }
     }
 
     /** What {@link #render} would do. */
     public UpdatePlan plan(Scene wanted) {
-        return Dispatcher.plan(cache, options.view().of(wanted), options.reflections() == Reflections.CURRENT,
-                options.accuracy());
+        UpdatePlan plan = difference(options.view().of(wanted), options.reflections() == Reflections.CURRENT);
+        return plan instanceof UpdatePlan.Nothing && converts() ? new Conversion(cache, options).plan() : plan;
+    }
+
+    private UpdatePlan difference(Scene wanted, boolean mirrors) {
+        return Dispatcher.plan(cache, wanted, mirrors, options.accuracy());
+    }
+
+    private boolean converts() {
+        return cache != null && known != options.accuracy();
     }
 
     /**
@@ -55,7 +84,7 @@ public final class Renderer implements AutoCloseable {
      *         is then as before the call
      */
     public Update render(Scene wanted, Progress progress) {
-        return run(plan(wanted), options.view().of(wanted), progress);
+        return run(options.view().of(wanted), options.reflections() == Reflections.CURRENT, progress);
     }
 
     /**
@@ -65,12 +94,24 @@ public final class Renderer implements AutoCloseable {
      * @throws CancellationException as {@link #render}
      */
     public Update updateReflections(Progress progress) {
-        return run(Dispatcher.plan(cache(), cache().scene(), true, options.accuracy()), cache().scene(), progress);
+        return run(cache().scene(), true, progress);
     }
 
     /** Whether the mirror images show the scene rendered last. */
     public boolean reflectionsAreCurrent() {
         return cache().mirroredScene().equals(cache().scene());
+    }
+
+    /**
+     * What one light gives to the picture, from what is known: no ray is cast, and nothing changes. Equal to the picture of
+     * {@link LightShare#scene}, mirrors included, over the samples of this picture.
+     *
+     * @param light the name; all is black where no light has it
+     * @throws IllegalStateException if nothing was rendered yet, or mirror levels are kept as hit shapes
+     * @throws CancellationException if {@code progress} asked to stop
+     */
+    public Film share(String light, Progress progress) {
+        return LightShare.film(cache(), options.view(), light, workers, progress);
     }
 
     /** The picture as it is now: later updates make new ones. */
@@ -97,75 +138,96 @@ public final class Renderer implements AutoCloseable {
 
     /** Drops all that is known: the next picture is a first pass. */
     public void forget() {
-        cache = null;
+        restore(null);
     }
 
-    private Update run(UpdatePlan plan, Scene wanted, Progress progress) {
-        long start = System.nanoTime();
+    /**
+     * Goes back to what was kept of an earlier picture, as if nothing had been asked since: so an edit can be made, and
+     * measured, again and again.
+     *
+     * @param kept what {@link #cache} gave, here or in a renderer that differs in its reflections or threads alone
+     */
+    public void restore(PixelCache kept) {
+        cache = kept;
+        known = options.accuracy();
+        drag.end();
+        mirroredDrag.end();
+    }
+
+    private Update run(Scene wanted, boolean mirrors, Progress progress) {
         PixelCache before = cache;
-        Work work = switch (plan) {
-            case UpdatePlan.Nothing _ -> Work.NONE;
-            case UpdatePlan.FirstPass _ -> firstPass(wanted, progress);
-            case UpdatePlan.Relight relight -> relight(relight, wanted, progress);
-        };
-        ErrorBound bound = ErrorBound.of(cache);
-        boolean refreshed = bound.shows(exposure);
-        if (refreshed) {
-            work = work.plus(refresh(before, progress));
-            bound = ErrorBound.of(cache);
-        }
-        return new Update(plan, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(), System.nanoTime() - start,
-                bound.largest(), refreshed);
-    }
-
-    /** Contributions anew; where this is cancelled, the update that made it necessary is undone too. */
-    private Work refresh(PixelCache before, Progress progress) {
+        Accuracy knownBefore = known;
         try {
-            return relight(Dispatcher.refresh(cache), cache.scene(), progress);
+            return update(wanted, mirrors, progress);
         } catch (CancellationException e) {
             cache = before;
+            known = knownBefore;
             throw e;
         }
     }
 
+    /** Leaves things half done where it is cancelled. */
+    private Update update(Scene wanted, boolean mirrors, Progress progress) {
+        long start = System.nanoTime();
+        UpdatePlan plan = difference(wanted, mirrors);
+        UpdatePlan told = plan;
+        Work work = Work.NONE;
+        if (converts() && !(plan instanceof UpdatePlan.FirstPass)) {
+            var conversion = new Conversion(cache, options);
+            work = convert(conversion, progress);
+            plan = difference(wanted, mirrors);
+            told = plan instanceof UpdatePlan.Nothing ? conversion.plan() : plan;
+        }
+        work = work.plus(switch (plan) {
+            case UpdatePlan.Nothing _ -> Work.NONE;
+            case UpdatePlan.FirstPass _ -> firstPass(wanted, progress);
+            case UpdatePlan.Relight relight -> relight(relight, wanted, false, progress);
+        });
+        known = options.accuracy();
+        ErrorBound bound = ErrorBound.of(cache);
+        boolean refreshed = bound.shows(exposure, curve);
+        if (refreshed) {
+            work = work.plus(relight(Dispatcher.refresh(cache), cache.scene(), true, progress));
+            bound = ErrorBound.of(cache);
+        }
+        return new Update(told, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(), System.nanoTime() - start,
+                bound.largest(), refreshed);
+    }
+
+    private Work convert(Conversion conversion, Progress progress) {
+        Conversion.Result result = conversion.run(workers, progress);
+        cache = result.cache();
+        return result.work();
+    }
+
     private Work firstPass(Scene wanted, Progress progress) {
         Geometry geometry = cache != null && cache.geometry().serves(wanted) ? cache.geometry() : new Geometry(wanted);
-        Lamp[] lamps = Job.lamps(wanted);
-        Job job = new Job(geometry, wanted, lamps, options, null, null, progress);
-        LayerStamp[] stamps = new LayerStamp[lamps.length];
-        for (int l = 0; l < lamps.length; l++) {
-            stamps[l] = lamps[l].isDark() ? null : LayerStamp.fresh(lamps[l].light());
+        Job.Shown shown = Job.Shown.of(geometry, wanted);
+        LayerStamp[] stamps = new LayerStamp[shown.lamps().length];
+        for (int l = 0; l < stamps.length; l++) {
+            stamps[l] = shown.lamps()[l].isDark() ? null : LayerStamp.fresh(shown.lamps()[l].light());
         }
-        int tilesY = (wanted.picture().height() + Film.TILE - 1) / Film.TILE;
-        CachedTile[] tiles = new CachedTile[job.tilesX() * tilesY];
-        TileWorker[] threads = threads(job);
-        workers.run(tiles.length, (worker, tile) -> tiles[tile] = threads[worker].firstPass(tile), progress);
-        cache = new PixelCache(geometry, tiles, wanted, wanted, stamps, stamps);
-        return Work.of(threads);
+        boolean coding = wanted.picture().sampling().antialias() == Antialias.EDGES;
+        TileRun run = new TileRun(new Job(shown, shown, options, null, null, coding, progress), workers, null);
+        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), Sight.of(wanted), Sight.of(wanted), stamps, stamps);
+        return run.work();
     }
 
-    private Work relight(UpdatePlan.Relight plan, Scene wanted, Progress progress) {
+    private Work relight(UpdatePlan.Relight plan, Scene wanted, boolean refreshed, Progress progress) {
         PixelCache old = cache;
-        Lamp[] lamps = Job.lamps(wanted);
         boolean mirrors = plan.mirrors() != null;
-        Job job = new Job(old.geometry(), wanted, lamps, options, Job.Level.of(plan.top(), old.scene(), lamps, drag),
-                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), lamps, mirroredDrag) : null, progress);
-        CachedTile[] tiles = new CachedTile[old.tileCount()];
-        TileWorker[] threads = threads(job);
-        workers.run(tiles.length, (worker, tile) -> tiles[tile] = threads[worker].relight(old.tile(tile)), progress);
-        double leastFalloff = 1;
-        for (TileWorker thread : threads) {
-            leastFalloff = Math.min(leastFalloff, thread.leastFalloff());
-        }
-        cache = new PixelCache(old.geometry(), tiles, wanted, mirrors ? wanted : old.mirroredScene(),
-                stamps(plan.top(), leastFalloff), mirrors ? stamps(plan.mirrors(), leastFalloff) : old.mirroredStamps());
-        return Work.of(threads);
-    }
-
-    private TileWorker[] threads(Job job) {
-        TileWorker[] threads = new TileWorker[workers.count()];
-        Arrays.setAll(threads, _ -> new TileWorker(job));
-        return threads;
+        Job.Shown shown = Job.Shown.of(old.geometry(), wanted);
+        Job.Shown mirrored = mirrors ? shown : Job.Shown.of(old.geometry(), old.mirroredScene());
+        boolean seeksEdges = wanted.picture().sampling().antialias() == Antialias.EDGES;
+        boolean coding = seeksEdges && (refreshed || options.accuracy() == Accuracy.EXACT || plan.depthFrom() != plan.depthTo());
+        Job job = new Job(shown, mirrored, options, Job.Level.of(plan.top(), old.scene(), shown.lamps(), drag),
+                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), shown.lamps(), mirroredDrag) : null, coding, progress);
+        TileRun run = new TileRun(job, workers, old);
+        Sight sampled = seeksEdges && !coding ? old.sampled() : new Sight(wanted, mirrors ? wanted : old.sampled().mirrored());
+        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), new Sight(wanted, mirrored.scene()), sampled,
+                stamps(plan.top(), run.leastFalloff()),
+                mirrors ? stamps(plan.mirrors(), run.leastFalloff()) : old.mirroredStamps());
+        return run.work();
     }
 
     private LayerStamp[] stamps(LevelPlan plan, double leastFalloff) {

@@ -3,10 +3,12 @@ package lightning.accuracy;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.Arrays;
 import lightning.relight.Accuracy;
 import lightning.relight.Options;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
+import lightning.relight.UpdatePlan;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
@@ -37,12 +39,28 @@ class SavingMeterTest {
         }
     }
 
+    private static Timing ms(double... samples) {
+        return new Timing(Arrays.stream(samples).boxed().toList());
+    }
+
     @Test
     void percent_isOfTheFullTrace() {
-        assertThat(new Saving(null, 5, 20, TraceCounts.NONE, 100, true).percent()).isEqualTo(75);
-        assertThat(new FirstPassCost(22, 20, 10, 1250, 1).bytesPerRow()).isEqualTo(125);
-        assertThat(new FirstPassCost(25, 20, 10, 1250, 1).percentSlower()).isEqualTo(25);
-        assertThat(new FirstPassCost(25, 20, 10, 1250, 1).percentFloor()).isEqualTo(5);
+        assertThat(new Saving(null, ms(5), ms(20), TraceCounts.NONE, 1, true).percent()).isEqualTo(75);
+        assertThat(new FirstPassCost(ms(22), ms(20), 10, 1250, 1).bytesPerRow()).isEqualTo(125);
+        assertThat(new FirstPassCost(ms(25), ms(20), 10, 1250, 1).percentSlower()).isEqualTo(25);
+        assertThat(new FirstPassCost(ms(25), ms(20), 10, 1250, 1).percentFloor()).isEqualTo(5);
+    }
+
+    /** A quarter of the rays takes 5 of 20 ms at least, 1600 bytes at 200 a millisecond take 8. */
+    @Test
+    void cap_isSetByRaysOrMemoryWhateverTakesLonger() {
+        TraceCounts all = new TraceCounts(100, 0, 300);
+        assertThat(Saving.cap(update(new TraceCounts(0, 0, 100), 0), 20, all, 200)).isEqualTo(75);
+        assertThat(Saving.cap(update(new TraceCounts(0, 0, 100), 1600), 20, all, 200)).isEqualTo(60);
+    }
+
+    private static Update update(TraceCounts rays, long bytes) {
+        return new Update(new UpdatePlan.Nothing(), 0, 0, bytes, rays, 0, 0, false);
     }
 
     @Test
@@ -52,8 +70,8 @@ class SavingMeterTest {
             renderer.render(before, Progress.NONE);
             assertThat(cost.rows()).isEqualTo(renderer.cache().rowCount());
             assertThat(cost.bytes()).isEqualTo(renderer.cache().bytes());
-            assertThat(cost.firstMs()).isPositive();
-            assertThat(cost.fullMs()).isPositive();
+            assertThat(cost.first().median()).isPositive();
+            assertThat(cost.full().median()).isPositive();
         }
     }
 
@@ -72,9 +90,9 @@ class SavingMeterTest {
         try (SavingMeter meter = new SavingMeter(Options.DEFAULT.withThreads(2), 3)) {
             double[] next = {0};
             TurnTimes times = meter.against(before, () -> next[0]++, Progress.NONE);
-            // Two warm-ups tell 0 and 1, then come 2, 3 and 4.
-            assertThat(times.rivalMs()).isEqualTo(3);
-            assertThat(times.ratio()).isEqualTo(3 / times.fullMs());
+            assertThat(times.full().milliseconds()).hasSize(3);
+            assertThat(times.rival().milliseconds()).containsExactly(next[0] - 3, next[0] - 2, next[0] - 1);
+            assertThat(times.ratio()).isEqualTo((next[0] - 2) / times.full().median());
         }
     }
 

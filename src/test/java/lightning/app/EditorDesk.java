@@ -49,7 +49,7 @@ abstract class EditorDesk {
     @TempDir
     Path folder;
 
-    final FxRobot robot = new FxRobot();
+    final FxRobot robot = new QuickRobot();
     Stage stage;
     Editor editor;
     /** What the artist answers when asked for a file; null is Cancel. */
@@ -73,12 +73,12 @@ abstract class EditorDesk {
 
     @AfterEach
     void close() throws Exception {
+        robot.release(new javafx.scene.input.MouseButton[0]);
+        robot.release(new javafx.scene.input.KeyCode[0]);
         FxToolkit.setupFixture(() -> {
             editor.close();
             stage.close();
         });
-        robot.release(new javafx.scene.input.KeyCode[0]);
-        robot.release(new javafx.scene.input.MouseButton[0]);
     }
 
     private final class Answers implements FilePrompt {
@@ -147,6 +147,13 @@ abstract class EditorDesk {
     Point2D inPreview(Vec3 point) {
         Viewport canvas = preview().viewport();
         return preview().onScreen(canvas.pixel(model().previewCameraProperty().get(), point));
+    }
+
+    /** That every pixel of the canvas, as it is on the screen's side, is a film's. */
+    void assertCanvasShows(lightning.image.Film expected) {
+        PictureView picture = robot.lookup("#traced-picture").query();
+        int[] shown = WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(picture::pixels));
+        assertThat(shown).as("the pixels of the canvas").isEqualTo(model().viewProperty().get().toPixels(expected));
     }
 
     void assertFilmIs(lightning.image.Film expected) {

@@ -19,11 +19,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxRobot;
-import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
 import org.testfx.framework.junit5.Stop;
 
-@ExtendWith({JavaFxNeeds.class, ApplicationExtension.class})
+@ExtendWith({JavaFxNeeds.class, OnStage.class})
 class LightListPaneTest {
     @TempDir
     private Path folder;

@@ -3,15 +3,27 @@ package lightning.app;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.IOException;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
+import javafx.scene.control.CheckMenuItem;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
 import javafx.scene.control.Slider;
 import javafx.scene.input.MouseButton;
 import lightning.edit.Command;
 import lightning.edit.Dial;
+import lightning.edit.LightEdits;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
+import lightning.image.DisplayCurve;
+import lightning.image.PictureFile;
+import lightning.image.ViewTransform;
 import lightning.math.Vec3;
+import lightning.relight.LightShare;
 import lightning.shading.LightReport;
 import lightning.shading.PixelExplainer;
+import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.Test;
 
 class TracedPaneTest extends EditorDesk {
@@ -125,8 +137,79 @@ class TracedPaneTest extends EditorDesk {
         int[] before = model().raster().pixels().pixels().clone();
         robot.interact(() -> robot.lookup("#exposure").<Slider>query().setValue(1));
         assertThat(model().raster().pixels().pixels()).isNotEqualTo(before)
-                .isEqualTo(new lightning.image.ViewTransform(1).toPixels(model().frame().film()));
+                .isEqualTo(new ViewTransform(1).toPixels(model().frame().film()));
         assertThat(model().document().isDirty()).isFalse();
+    }
+
+    private void choose(String id) {
+        MenuButton menu = robot.lookup("#view-options").query();
+        robot.interact(() -> {
+            MenuItem item = menu.getItems().stream().filter(i -> id.equals(i.getId())).findFirst().orElseThrow();
+            if (item instanceof CheckMenuItem check) {
+                check.setSelected(!check.isSelected());
+            }
+            item.fire();
+        });
+    }
+
+    @Test
+    void view1998_showsTheLinearValues() {
+        choose("view-1998");
+        assertThat(model().raster().pixels().pixels()).isEqualTo(
+                ViewTransform.DEFAULT.withCurve(DisplayCurve.LINEAR).toPixels(model().frame().film()));
+        robot.interact(() -> robot.lookup("#exposure").<Slider>query().setValue(1));
+        assertThat(model().viewProperty().get()).isEqualTo(new ViewTransform(1, DisplayCurve.LINEAR));
+        choose("view-srgb");
+        assertThat(model().raster().pixels().pixels()).isEqualTo(new ViewTransform(1).toPixels(model().frame().film()));
+    }
+
+    @Test
+    void onlySelected_showsThatLightsShareWhicheverIsSelected() {
+        robot.interact(() -> model().selectLight("stage"));
+        click("only-selected");
+        waitFor("it is shown", () -> isShown("look"));
+        assertThat(text("look")).isEqualTo("View: Only stage");
+        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().scene(), "stage")).trace());
+        robot.interact(() -> model().selectLight("sun"));
+        waitFor("the other is shown", () -> text("look").equals("View: Only sun"));
+        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().scene(), "sun")).trace());
+        click("only-selected");
+        waitFor("all is shown", () -> !isShown("look"));
+        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+    }
+
+    @Test
+    void onlySelected_isNoEditAndNothingThatIsSavedOrVerified() throws IOException {
+        click("only-selected");
+        waitFor("it is shown", () -> isShown("look"));
+        assertThat(model().document().isDirty()).isFalse();
+        assertThat(isEnabled(Command.GO)).isFalse();
+        answer = folder.resolve("whole.pfm");
+        click("save-image");
+        waitFor("it is written", () -> text("message").equals("Saved whole.pfm"));
+        assertThat(PictureFile.read(answer).sameBits(new ReferenceTracer(model().scene()).trace())).isTrue();
+        click("verify");
+        waitFor("it is verified", () -> model().renderingProperty().get().verification() != null);
+        assertThat(text("status")).startsWith("Verified: equal to a full trace in every bit");
+    }
+
+    @Test
+    void renamedLight_isStillTheOneThatIsShown() {
+        robot.interact(() -> model().selectLight("stage"));
+        click("only-selected");
+        waitFor("it is shown", () -> isShown("look"));
+        robot.interact(() -> model().edit(scene -> LightEdits.rename(scene, "stage", "rim")));
+        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().frame().scene(), "stage")).trace());
+    }
+
+    @Test
+    void hiddenEffect_isLabelledAndGoneFromTheCanvasAlone() {
+        choose("view-reflections");
+        waitFor("it is shown", () -> isShown("look"));
+        assertThat(text("look")).isEqualTo("View: No reflections");
+        assertCanvasShows(new ReferenceTracer(ViewEffects.ALL.with(Effect.REFLECTION, false).of(model().scene())).trace());
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertThat(robot.lookup("#region").query().isDisabled()).isTrue();
     }
 
     @Test

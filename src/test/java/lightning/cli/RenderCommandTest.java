@@ -6,7 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import lightning.image.Film;
+import lightning.image.DisplayCurve;
 import lightning.image.PictureFile;
+import lightning.image.ViewTransform;
 import lightning.jen.JenReader;
 import lightning.scene.Scene;
 import lightning.shading.ReferenceTracer;
@@ -56,6 +58,16 @@ class RenderCommandTest {
     }
 
     @Test
+    void view1998_writesTheLinearValues() throws Exception {
+        Path linear = folder.resolve("linear.pfm");
+        Path shown = folder.resolve("shown.png");
+        Cli.run("render", scene, "-o", linear).isDone();
+        Cli.run("render", scene, "-o", shown, "--view", "1998", "--exposure", "1").isDone();
+        int[] codes = new ViewTransform(1, DisplayCurve.LINEAR).toPixels(PictureFile.read(linear));
+        assertThat(ViewTransform.DEFAULT.toPixels(PictureFile.read(shown))).isEqualTo(codes);
+    }
+
+    @Test
     void xpm_isWrittenAsText() throws Exception {
         Path picture = folder.resolve("a.xpm");
         Cli.run("render", scene, "-o", picture).isDone();
@@ -86,6 +98,7 @@ class RenderCommandTest {
         "--depth | -1 | --depth must be from 0 to 10, was -1",
         "--depth | x | --depth",
         "--threads | 0 | --threads must be from 1 to 1024, was 0",
+        "--view | rec709 | expected srgb or 1998, found 'rec709'",
         "--exposure | NaN | --exposure must be from -64 to 64 stops, was NaN"})
     void badOption_isRefused(String option, String value, String sentence) {
         Cli.run("render", scene, "-o", folder.resolve("a.png"), option, value).isRefusedSaying(sentence);

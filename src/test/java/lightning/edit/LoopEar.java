@@ -18,6 +18,8 @@ final class LoopEar implements RenderListener {
 
     record Coarse(Film film) {}
 
+    record Measured(double fullTraceMs) {}
+
     record Started(UpdatePlan plan) {}
 
     enum Event {
@@ -100,6 +102,11 @@ final class LoopEar implements RenderListener {
     @Override
     public void rendered(Frame frame) {
         events.add(new Shown(frame, frame.film().copy()));
+    }
+
+    @Override
+    public void measured(double fullTraceMs) {
+        events.add(new Measured(fullTraceMs));
     }
 
     @Override

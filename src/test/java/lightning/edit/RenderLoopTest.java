@@ -2,13 +2,20 @@ package lightning.edit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Optional;
+import java.util.Set;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
 import lightning.image.Film;
 import lightning.relight.Accuracy;
+import lightning.relight.LightShare;
 import lightning.relight.Options;
 import lightning.relight.Reflections;
+import lightning.relight.Renderer;
 import lightning.relight.UpdatePlan;
 import lightning.scene.Scene;
 import lightning.shading.ReferenceTracer;
+import lightning.shading.TraceCounts;
 import lightning.shading.TraditionalTracer;
 import lightning.shading.Progress;
 import lightning.shading.Workers;
@@ -166,15 +173,85 @@ class RenderLoopTest {
         assertThat(verification.scene()).isEqualTo(key(5));
     }
 
+    private Scene sized(int width, int height) {
+        return scene.withPicture(scene.picture().withSize(width, height));
+    }
+
     @Test
-    void verifiedTime_isTheFullTracesFromThenOn() throws Exception {
-        LoopEar.Shown first = go(scene);
-        assertThat(first.frame().fullTraceMs()).isEqualTo(first.frame().update().milliseconds());
-        loop.verify();
-        double measured = ear.next(Verification.class).fullTraceMs();
+    void fullTrace_isMeasuredOnceAfterThePicture() throws Exception {
+        go(scene);
+        assertThat(ear.next(LoopEar.Measured.class).fullTraceMs()).isPositive();
+        go(key(2));
+        ear.nextIs(LoopEar.Event.IDLE);
+        go(sized(50, 40));
+        // The next size is measured too, and nothing was in between.
+        assertThat(ear.next(LoopEar.Measured.class).fullTraceMs()).isPositive();
+        assertThat(ear.events).noneMatch(LoopEar.Measured.class::isInstance);
+    }
+
+    @Test
+    void anotherNumberOfLights_isMeasuredAnew() throws Exception {
+        go(scene);
+        ear.next(LoopEar.Measured.class);
+        go(Desk.done(LightEdits.duplicate(scene, "key")));
+        assertThat(ear.next(LoopEar.Measured.class).fullTraceMs()).isPositive();
+    }
+
+    @Test
+    void workWhileMeasuring_isNotHeldUpAndMeasuringBeginsAgain() throws Exception {
+        go(sized(400, 300));
+        ear.nextIs(LoopEar.Event.IDLE);
         LoopEar.Shown shown = go(key(2));
-        assertThat(shown.frame().fullTraceMs()).isEqualTo(measured);
-        assertThat(shown.frame().saving()).isEqualTo(1 - shown.frame().update().milliseconds() / measured);
+        assertThat(shown.frame().scene()).isEqualTo(key(2));
+        assertThat(ear.next(LoopEar.Measured.class).fullTraceMs()).isPositive();
+    }
+
+    @Test
+    void lookAtOneLight_showsItsShareAndLeavesThePicture() throws Exception {
+        go(scene);
+        go(key(2));
+        loop.setLook(Look.PLAIN.withLight(Optional.of("key")));
+        Frame frame = ear.next(LoopEar.Shown.class).frame();
+        Film share = new ReferenceTracer(LightShare.scene(key(2), "key"), LightShare.scene(scene, "key")).trace();
+        assertThat(frame.seen().sameBits(share)).isTrue();
+        assertThat(frame.film().sameBits(stale(key(2), scene))).isTrue();
+        assertThat(frame.look().label()).isEqualTo("Only key");
+        loop.verify();
+        assertThat(ear.next(Verification.class).promised().isNone()).isTrue();
+        assertThat(go(key(3)).frame().seen().sameBits(new ReferenceTracer(LightShare.scene(key(3), "key"),
+                LightShare.scene(scene, "key")).trace())).isTrue();
+        loop.setLook(Look.PLAIN);
+        frame = ear.next(LoopEar.Shown.class).frame();
+        assertThat(frame.seen().sameBits(frame.film())).isTrue();
+    }
+
+    @Test
+    void hiddenEffects_areGoneFromTheLookAlone() throws Exception {
+        go(scene);
+        go(key(2));
+        ViewEffects dull = ViewEffects.ALL.hiding(Set.of(Effect.SHADOWS, Effect.REFLECTION));
+        loop.setLook(Look.PLAIN.withEffects(dull));
+        Frame frame = ear.next(LoopEar.Shown.class).frame();
+        assertThat(frame.seen().sameBits(without(dull, key(2)))).isTrue();
+        assertThat(frame.film().sameBits(stale(key(2), scene))).isTrue();
+        assertThat(frame.look().label()).isEqualTo("No shadows, no reflections");
+        assertThat(go(key(3)).frame().seen().sameBits(without(dull, key(3)))).isTrue();
+    }
+
+    private static Film without(ViewEffects effects, Scene scene) {
+        try (Renderer renderer = new Renderer(OPTIONS.withView(effects))) {
+            renderer.render(scene, Progress.NONE);
+            return renderer.film();
+        }
+    }
+
+    @Test
+    void hiddenShadows_leaveTheMirrorsAsOldAsThePictures() throws Exception {
+        go(scene);
+        go(key(2));
+        loop.setLook(Look.PLAIN.withEffects(ViewEffects.ALL.withLitTextures(false)));
+        Frame frame = ear.next(LoopEar.Shown.class).frame();
+        assertThat(frame.seen().sameBits(stale(key(2), scene))).as("there are no textures").isTrue();
     }
 
     @Test
@@ -187,17 +264,22 @@ class RenderLoopTest {
     }
 
     @Test
-    void anotherAccuracy_tracesTheSameSceneAnew() throws Exception {
+    void anotherAccuracy_keepsWhatIsKnownOfTheScene() throws Exception {
         go(scene);
         go(key(2));
-        loop.reopen(OPTIONS.withReflections(Reflections.CURRENT));
+        loop.reopen(OPTIONS.withAccuracy(Accuracy.RATIO));
         LoopEar.Shown shown = ear.next(LoopEar.Shown.class);
         assertThat(shown.frame().scene()).isEqualTo(key(2));
+        assertThat(shown.frame().update().rays()).isEqualTo(TraceCounts.NONE);
+        loop.reopen(OPTIONS.withReflections(Reflections.CURRENT));
+        shown = ear.next(LoopEar.Shown.class);
+        assertThat(shown.frame().update().rays()).isEqualTo(TraceCounts.NONE);
+        assertThat(shown.film().sameBits(reference(key(2)))).isTrue();
         assertThat(go(key(3)).film().sameBits(reference(key(3)))).isTrue();
     }
 
     @Test
-    void accuracyAndSceneTogether_areOneTrace() throws Exception {
+    void accuracyAndSceneTogether_areOneUpdate() throws Exception {
         go(scene);
         LoopEar.Hold hold = ear.holdNextTile();
         loop.render(key(2));
@@ -208,7 +290,8 @@ class RenderLoopTest {
         ear.next(LoopEar.Shown.class);
         LoopEar.Shown shown = ear.next(LoopEar.Shown.class);
         assertThat(shown.frame().scene()).isEqualTo(key(3));
-        assertThat(shown.frame().update().plan()).isInstanceOf(UpdatePlan.FirstPass.class);
+        assertThat(shown.frame().update().plan()).isInstanceOf(UpdatePlan.Relight.class);
+        assertThat(shown.frame().update().rays()).isEqualTo(TraceCounts.NONE);
     }
 
     @Test

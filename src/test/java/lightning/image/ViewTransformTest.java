@@ -3,12 +3,15 @@ package lightning.image;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 class ViewTransformTest {
 
@@ -22,6 +25,28 @@ class ViewTransformTest {
         assertThat(ViewTransform.DEFAULT.encode(0.18f)).isEqualTo(118);
         // The straight part: 12.92 · 0.002 · 255 = 6.589
         assertThat(ViewTransform.DEFAULT.encode(0.002f)).isEqualTo(7);
+    }
+
+    @Test
+    void in1998_theLinearValueIsTheCode() {
+        ViewTransform view = ViewTransform.DEFAULT.withCurve(DisplayCurve.LINEAR);
+        assertThat(view.encode(0)).isEqualTo(0);
+        assertThat(view.encode(1)).isEqualTo(255);
+        // 0.18 · 255 = 45.9
+        assertThat(view.encode(0.18f)).isEqualTo(46);
+        for (int code = 0; code < 256; code++) {
+            assertThat(view.encode(code / 255f)).isEqualTo(code);
+        }
+        assertThat(view.withExposure(1).encode(0.25f)).isEqualTo(view.encode(0.5f));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void valuesOutsideTheDisplay_areClampedByEveryCurve(DisplayCurve curve) {
+        ViewTransform view = ViewTransform.DEFAULT.withCurve(curve);
+        assertThat(List.of(view.encode(-1), view.encode(-0f), view.encode(Float.NaN), view.encode(Float.NEGATIVE_INFINITY)))
+                .containsOnly(0);
+        assertThat(List.of(view.encode(1.5f), view.encode(Float.MAX_VALUE), view.encode(Float.POSITIVE_INFINITY))).containsOnly(255);
     }
 
     @Test

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import lightning.image.DisplayCurve;
 import lightning.image.Film;
 import lightning.sample.Session;
 import lightning.scene.Scene;
@@ -35,8 +36,8 @@ class CancellationTest {
             @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll Accuracy accuracy, @ForAll boolean refreshing) {
         Options options = new Options(accuracy, reflections, storage, threads);
         try (Renderer undisturbed = new Renderer(options); Renderer disturbed = new Renderer(options)) {
-            undisturbed.setExposure(refreshing ? REFRESHING : 0);
-            disturbed.setExposure(refreshing ? REFRESHING : 0);
+            undisturbed.setView(refreshing ? REFRESHING : 0, DisplayCurve.SRGB);
+            disturbed.setView(refreshing ? REFRESHING : 0, DisplayCurve.SRGB);
             Scene first = session.scenes().getFirst();
             undisturbed.render(first, Progress.NONE);
             disturbed.render(first, Progress.NONE);

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.withinPercentage;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.cache.LayerStamp;
+import lightning.image.DisplayCurve;
 import lightning.image.FilmAssert;
 import lightning.math.Rgb;
 import lightning.sample.StudioScene;
@@ -77,15 +78,23 @@ class RatioBoundTest {
             stamps[2] = new LayerStamp(ONE, 2, 0, 0);
         }
         double n = 6 + 4 + 2 * (levelsOfTheSum + 5 + 2 * mirrors);
-        assertThat(RatioBound.relative(stamps, mirrors)).isCloseTo(n * U / (1 - 2 * n * U), withinPercentage(1e-9));
+        assertThat(RatioBound.relative(stamps, mirrors, 1)).isCloseTo(n * U / (1 - 2 * n * U), withinPercentage(1e-9));
+    }
+
+    /** The mean of 16 samples is four additions deep, and one division. */
+    @Test
+    void meanOfSamples_addsItsRoundingsInBothPictures() {
+        LayerStamp[] stamps = {new LayerStamp(ONE, 2, 0, 0)};
+        double n = 6 + 2 + 2 * (5 + 4 + 1);
+        assertThat(RatioBound.relative(stamps, 0, 16)).isCloseTo(n * U / (1 - 2 * n * U), withinPercentage(1e-9));
     }
 
     @Test
     void layersThatWereNotScaled_areExact() {
         LayerStamp[] fresh = {LayerStamp.fresh(ONE), null};
-        assertThat(RatioBound.relative(fresh, 3)).isZero();
+        assertThat(RatioBound.relative(fresh, 3, 1)).isZero();
         assertThat(RatioBound.absolute(fresh, 4)).isZero();
-        assertThat(RatioBound.relative(new LayerStamp[0], 3)).isZero();
+        assertThat(RatioBound.relative(new LayerStamp[0], 3, 1)).isZero();
     }
 
     /** Twice what the lights of weights 1 and 4 lost, and twice two least normal floats for each, on 3 levels. */
@@ -101,15 +110,15 @@ class RatioBoundTest {
     @Test
     void bound_showsFromHalfAStepOfEightBits() {
         double relative = 0.5 / 255 / (1.055 / 2.4);
-        assertThat(new ErrorBound(relative * 0.9999, 0, 1).shows(0)).isFalse();
-        assertThat(new ErrorBound(relative * 1.0001, 0, 1).shows(0)).isTrue();
+        assertThat(new ErrorBound(relative * 0.9999, 0, 1).shows(0, DisplayCurve.SRGB)).isFalse();
+        assertThat(new ErrorBound(relative * 1.0001, 0, 1).shows(0, DisplayCurve.SRGB)).isTrue();
         double absolute = 0.5 / 255 / 12.92;
         for (double exposure : new double[] {-3, 0, 7}) {
             double shown = absolute * Math.pow(2, -exposure);
-            assertThat(new ErrorBound(0, shown * 0.9999, 1).shows(exposure)).isFalse();
-            assertThat(new ErrorBound(0, shown * 1.0001, 1).shows(exposure)).isTrue();
-            assertThat(new ErrorBound(relative / 2, shown * 0.499, 1).shows(exposure)).isFalse();
-            assertThat(new ErrorBound(relative / 2, shown * 0.501, 1).shows(exposure)).isTrue();
+            assertThat(new ErrorBound(0, shown * 0.9999, 1).shows(exposure, DisplayCurve.SRGB)).isFalse();
+            assertThat(new ErrorBound(0, shown * 1.0001, 1).shows(exposure, DisplayCurve.SRGB)).isTrue();
+            assertThat(new ErrorBound(relative / 2, shown * 0.499, 1).shows(exposure, DisplayCurve.SRGB)).isFalse();
+            assertThat(new ErrorBound(relative / 2, shown * 0.501, 1).shows(exposure, DisplayCurve.SRGB)).isTrue();
         }
     }
 
@@ -131,7 +140,7 @@ class RatioBoundTest {
                 brightest = Math.max(brightest, value);
             }
             LayerStamp[] stamps = {RatioBound.scaled(LayerStamp.fresh(key), dim, true, false, 1)};
-            assertThat(update.errorBound()).isCloseTo(RatioBound.relative(stamps, 2) * brightest + RatioBound.absolute(stamps, 3), within(1e-20));
+            assertThat(update.errorBound()).isCloseTo(RatioBound.relative(stamps, 2, 1) * brightest + RatioBound.absolute(stamps, 3), within(1e-20));
             assertThat(brightest).isGreaterThan(0.1);
         }
     }
@@ -185,7 +194,7 @@ class RatioBoundTest {
             renderer.render(scene, Progress.NONE);
             Scene narrow = scene.withLight(key.withDropoff(900));
             assertThat(renderer.render(narrow, Progress.NONE).refreshed()).isFalse();
-            renderer.setExposure(64);
+            renderer.setView(64, DisplayCurve.SRGB);
             Scene back = narrow.withLight(key.withDropoff(1));
             Update update = renderer.render(back, Progress.NONE);
             assertThat(update.refreshed()).isTrue();

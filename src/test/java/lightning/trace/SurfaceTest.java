@@ -122,7 +122,7 @@ class SurfaceTest {
         double c = Math.cos(Math.toRadians(degrees));
         Vec3 u = new Vec3(H, 0, H);
         Vec3 v = u.times(s).plus(new Vec3(0, -c, 0));
-        SurfacePoint p = new SurfacePoint(0, 0, 2, 3, 5, 0, 1, 0, (float) v.x(), (float) v.y(), (float) v.z(), new float[3]);
+        SurfacePoint p = new SurfacePoint(0, 0, 2, 3, 5, 0, 1, 0, (float) v.x(), (float) v.y(), (float) v.z(), new float[3], new float[3]);
         Ray mirrored = p.mirrored();
         assertThat(mirrored.origin()).isEqualTo(new Vec3(2, 3, 5));
         assertThat(mirrored.direction().minus(u.times(s).plus(new Vec3(0, c, 0))).maxAbs()).isLessThan(1e-6);
@@ -140,10 +140,10 @@ class SurfaceTest {
     /** A normal that by rounding does not face the ray must not send it into the surface. */
     @Test
     void mirroredRay_leavesTheSurfaceWhateverTheRounding() {
-        SurfacePoint p = new SurfacePoint(0, 0, 0, 0, 0, 0.6f, 0.8f, 0, 0.8f, -0.59999996f, 1e-7f, new float[3]);
+        SurfacePoint p = new SurfacePoint(0, 0, 0, 0, 0, 0.6f, 0.8f, 0, 0.8f, -0.59999996f, 1e-7f, new float[3], new float[3]);
         assertThat(0.6f * 0.8f + 0.8f * -0.59999996f).as("N·V").isPositive();
         assertThat(p.mirrored().direction().dot(new Vec3(0.6f, 0.8f, 0))).isPositive();
-        SurfacePoint slanted = new SurfacePoint(0, 0, 0, 0, 0, 0, 0.6f, -0.8f, 0.28f, 0.768f, 0.576f, new float[3]);
+        SurfacePoint slanted = new SurfacePoint(0, 0, 0, 0, 0, 0, 0.6f, -0.8f, 0.28f, 0.768f, 0.576f, new float[3], new float[3]);
         Ray mirrored = slanted.mirrored();
         assertThat(mirrored.direction().dot(new Vec3(0, 0.6f, -0.8f))).isGreaterThanOrEqualTo(0);
     }

@@ -16,16 +16,16 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
+import lightning.app.OnStage;
 import lightning.app.JavaFxNeeds;
 import lightning.edit.Steps;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
-import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
 import org.testfx.service.query.PointQuery;
 
-@ExtendWith({JavaFxNeeds.class, ApplicationExtension.class})
+@ExtendWith({JavaFxNeeds.class, OnStage.class})
 class ArrowWidgetTest {
     private static final double BEGIN = 1.1;
 

@@ -13,6 +13,7 @@ import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.stage.Stage;
+import lightning.app.OnStage;
 import lightning.app.JavaFxNeeds;
 import lightning.edit.Hsv;
 import lightning.edit.Kelvin;
@@ -22,10 +23,9 @@ import lightning.scene.Limits;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
-import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
 
-@ExtendWith({JavaFxNeeds.class, ApplicationExtension.class})
+@ExtendWith({JavaFxNeeds.class, OnStage.class})
 class ColorSlidersTest {
     private final List<Object> gestures = new ArrayList<>();
     private Rgb color = new Rgb(0.5, 0.25, 0.1);

@@ -9,15 +9,15 @@ import javafx.scene.Scene;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Stage;
+import lightning.app.OnStage;
 import lightning.app.JavaFxNeeds;
 import lightning.math.Vec3;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
-import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
 
-@ExtendWith({JavaFxNeeds.class, ApplicationExtension.class})
+@ExtendWith({JavaFxNeeds.class, OnStage.class})
 class VectorFieldTest {
     private final List<Vec3> edits = new ArrayList<>();
     private VectorField vector;

@@ -1,0 +1,28 @@
+package lightning.accuracy;
+
+import java.util.List;
+import lightning.image.Film;
+import lightning.scene.Scene;
+import lightning.shading.TraceCounts;
+
+/**
+ * What each level of accuracy costs for one edit, and how far its picture is from the full trace.
+ *
+ * @param original the picture before the edit
+ * @param rungs    one for each {@link Level}, in that order
+ * @param fullRays the rays of the full trace
+ */
+public record Ladder(Scene before, Scene after, Film original, List<Rung> rungs, TraceCounts fullRays) {
+    public Ladder {
+        rungs = List.copyOf(rungs);
+    }
+
+    public Rung rung(Level level) {
+        return rungs.get(level.ordinal());
+    }
+
+    /** Percent of the full trace's time that a level saves; negative where it takes longer. */
+    public double saving(Level level) {
+        return rung(level).time().savingOf(rung(Level.FULL_TRACE).time().median());
+    }
+}

@@ -1,0 +1,102 @@
+package lightning.accuracy;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.cache.PixelCache;
+import lightning.image.Film;
+import lightning.scene.Scene;
+import lightning.shading.Progress;
+import lightning.shading.TraditionalTracer;
+import lightning.shading.Workers;
+
+/**
+ * Measures the ladder of an edit: every level of accuracy, in turns with a full trace.
+ *
+ * <p>Each level makes the edit once and is compared with its oracle before anything is timed. Each timed edit starts from
+ * what was kept of the scene before it, so none profits from the one before. The full trace gets its tree of boxes for free.
+ * Edits that start from the same scene share its first pass; what is kept of it stays in memory until the meter is closed.
+ */
+public final class LadderMeter implements AutoCloseable {
+    private final Workers workers;
+    private final Turns turns;
+    private final List<Relighting> levels = new ArrayList<>();
+    private Scene start;
+    private PixelCache kept;
+
+    /**
+     * @param threads     how many threads each level works with, ≥ 1
+     * @param repetitions how often each level is measured, ≥ 1
+     * @param patienceMs  how long warming up takes at most, milliseconds
+     * @throws IllegalArgumentException if {@code threads} or {@code repetitions} is below 1
+     */
+    public LadderMeter(int threads, int repetitions, double patienceMs) {
+        turns = new Turns(repetitions, patienceMs);
+        workers = new Workers(threads);
+        for (Level level : Level.values()) {
+            if (level != Level.FULL_TRACE) {
+                levels.add(new Relighting(level, workers));
+            }
+        }
+    }
+
+    /**
+     * Measures the edit that leads from one scene to another.
+     *
+     * @param progress hears of finished rounds
+     * @throws BrokenPromise if a level's picture is not what it promises
+     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     */
+    public Ladder measure(Scene before, Scene after, Progress progress) {
+        Progress silent = progress.silent();
+        begin(before, silent);
+        for (Relighting level : levels) {
+            level.edit(after, silent);
+            level.verify(silent);
+        }
+        var tracer = new TraditionalTracer(after, levels.getLast().geometry());
+        TraditionalTracer.Result full = tracer.trace(workers, silent);
+        List<Turns.Turn<RuntimeException>> works = new ArrayList<>();
+        levels.forEach(level -> works.add(() -> level.edit(after, silent)));
+        works.add(() -> Turns.time(() -> tracer.trace(workers, silent)));
+        List<Timing> times = turns.take(works, progress);
+        return new Ladder(before, after, kept.film(), rungs(times, full.film(), silent), full.rays());
+    }
+
+    /** What is kept of the scene that the last measured edit started from. */
+    public PixelCache kept() {
+        return kept;
+    }
+
+    private void begin(Scene before, Progress progress) {
+        if (before.equals(start)) {
+            return;
+        }
+        start = null;
+        for (Relighting level : levels) {
+            switch (level.level()) {
+                case EXACT -> kept = level.begin(before, progress);
+                case EXACT_UPDATED, EXACT_CURRENT -> level.begin(kept);
+                case HALF_RESOLUTION, FAST_SHADING, RATIO, FULL_TRACE -> level.begin(before, progress);
+            }
+        }
+        start = before;
+    }
+
+    private List<Rung> rungs(List<Timing> times, Film reference, Progress progress) {
+        PictureError[] errors = new PictureError[levels.size()];
+        workers.run(errors.length, (_, i) -> errors[i] = PictureError.of(levels.get(i).film(), reference), progress);
+        List<Rung> rungs = new ArrayList<>();
+        for (int i = 0; i < errors.length; i++) {
+            Relighting level = levels.get(i);
+            rungs.add(new Rung(level.level(), times.get(i), errors[i], level.film(), level.update()));
+        }
+        rungs.add(new Rung(Level.FULL_TRACE, times.getLast(), PictureError.of(reference, reference), reference, null));
+        return rungs;
+    }
+
+    @Override
+    public void close() {
+        levels.forEach(Relighting::close);
+        workers.close();
+    }
+}

@@ -1,0 +1,120 @@
+package lightning.accuracy;
+
+import lightning.cache.PixelCache;
+import lightning.image.Film;
+import lightning.relight.Accuracy;
+import lightning.relight.Options;
+import lightning.relight.Reflections;
+import lightning.relight.Renderer;
+import lightning.relight.Update;
+import lightning.scene.Picture;
+import lightning.scene.Scene;
+import lightning.shading.Progress;
+import java.util.Set;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
+import lightning.shading.Workers;
+import lightning.trace.Geometry;
+
+/** A level's renderer: makes an edit again and again from the same start. */
+final class Relighting implements AutoCloseable {
+    private static final ViewEffects FAST_SHADING = ViewEffects.ALL.hiding(Set.of(Effect.SHADOWS, Effect.REFLECTION));
+
+    private final Level level;
+    private final Renderer renderer;
+    private final Workers workers;
+    private PixelCache start;
+    private Update update;
+    private Film film;
+
+    Relighting(Level level, Workers workers) {
+        this.level = level;
+        this.workers = workers;
+        renderer = new Renderer(options(level).withThreads(workers.count()));
+    }
+
+    private static Options options(Level level) {
+        Options exact = Options.DEFAULT.withAccuracy(Accuracy.EXACT);
+        return switch (level) {
+            case HALF_RESOLUTION, EXACT_CURRENT -> exact.withReflections(Reflections.CURRENT);
+            case FAST_SHADING -> exact.withReflections(Reflections.STALE).withView(FAST_SHADING);
+            case RATIO -> exact.withReflections(Reflections.STALE).withAccuracy(Accuracy.RATIO);
+            case EXACT, EXACT_UPDATED -> exact.withReflections(Reflections.STALE);
+            case FULL_TRACE -> throw new IllegalArgumentException("a full trace re-renders nothing");
+        };
+    }
+
+    Level level() {
+        return level;
+    }
+
+    /** Traces the scene that edits start from; returns what is kept of it. */
+    PixelCache begin(Scene before, Progress progress) {
+        renderer.forget();
+        renderer.render(sized(before), progress);
+        return begin(renderer.cache());
+    }
+
+    /** Lets edits start from what a renderer of the same accuracy and view keeps. */
+    PixelCache begin(PixelCache kept) {
+        start = kept;
+        return kept;
+    }
+
+    /** Makes the edit; returns milliseconds. */
+    double edit(Scene after, Progress progress) {
+        renderer.restore(start);
+        update = renderer.render(sized(after), progress);
+        double ms = update.milliseconds();
+        film = renderer.film();
+        if (level == Level.EXACT_UPDATED) {
+            update = both(update, renderer.updateReflections(progress));
+            ms = update.milliseconds();
+            film = renderer.film();
+        } else if (level == Level.HALF_RESOLUTION) {
+            Picture full = after.picture();
+            ms += Turns.time(() -> film = Enlarger.enlarge(film, full.width(), full.height(), workers, progress));
+        }
+        return ms;
+    }
+
+    /** One update after another: the second's plan, the work of both. */
+    private static Update both(Update a, Update b) {
+        return new Update(b.plan(), a.rowsTouched() + b.rowsTouched(), a.rowsComposed() + b.rowsComposed(),
+                a.bytesMoved() + b.bytesMoved(), a.rays().plus(b.rays()), a.nanoseconds() + b.nanoseconds(), b.errorBound(),
+                a.refreshed() || b.refreshed());
+    }
+
+    /**
+     * Compares the last picture with its oracle.
+     *
+     * @throws BrokenPromise if the level's promise is not kept
+     */
+    void verify(Progress progress) {
+        Promise.of(renderer, update, workers, progress).require(renderer.film(), level);
+    }
+
+    private Scene sized(Scene scene) {
+        Picture p = scene.picture();
+        return level == Level.HALF_RESOLUTION ? scene.withPicture(p.withSize((p.width() + 1) / 2, (p.height() + 1) / 2)) : scene;
+    }
+
+    /** The picture after the last edit, at full size. */
+    Film film() {
+        return film;
+    }
+
+    Geometry geometry() {
+        return renderer.cache().geometry();
+    }
+
+    /** What the last edit did; of {@link Level#EXACT_UPDATED} the plan of the mirrors and the work of both. */
+    Update update() {
+        return update;
+    }
+
+    @Override
+    public void close() {
+        renderer.close();
+    }
+}

@@ -1,0 +1,80 @@
+package lightning.relight;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Function;
+import java.util.concurrent.CancellationException;
+import lightning.cache.CachedTile;
+import lightning.cache.PixelCache;
+import lightning.image.Film;
+import lightning.math.Rgb;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+import lightning.scene.World;
+import lightning.shading.Lamp;
+import lightning.shading.Progress;
+import lightning.effects.ViewEffects;
+import lightning.shading.Workers;
+
+/**
+ * What one light gives to a picture: the picture that is left when all other lights, the ambience and the background are
+ * taken away, in the mirrors too. The shares of all lights and that of the ambience and the background add up to the
+ * picture, but for rounding.
+ */
+public final class LightShare {
+    private LightShare() {}
+
+    /**
+     * The scene whose picture is a light's share. A light that is off, or that another's solo darkens, has a black one.
+     *
+     * @param light the name; all is black where no light has it
+     */
+    public static Scene scene(Scene scene, String light) {
+        List<Light> lights = new ArrayList<>();
+        for (Light l : scene.lights()) {
+            // A solo light that is switched off darkens nobody any more.
+            lights.add(l.name().equals(light) && scene.shines(l) ? l : l.withOn(false));
+        }
+        return new Scene(scene.picture(), scene.camera(), new World(0, Rgb.BLACK), scene.materials(), scene.nodes(), lights);
+    }
+
+    /**
+     * The share in a picture, from what is known of it; in mirrors it is the share in the scene that they show.
+     *
+     * @throws IllegalStateException if mirror levels are not kept as rows
+     * @throws CancellationException if {@code progress} asked to stop
+     */
+    static Film film(PixelCache cache, ViewEffects view, String light, Workers workers, Progress progress) {
+        Scene scene = scene(cache.scene(), light);
+        Lamp[] top = Lamp.all(scene);
+        Lamp[] mirrors = Lamp.all(scene(cache.mirroredScene(), light));
+        TilePainter[] painters = new TilePainter[workers.count()];
+        Arrays.setAll(painters, _ -> new TilePainter(cache, view));
+        int perPixel = scene.picture().sampling().perPixel();
+        float[][][] films = new float[Math.max(cache.tileCount(), cache.fineCount())][][];
+        workers.run(films.length, (worker, i) -> {
+            Function<CachedTile, float[][]> share = tile -> share(tile, painters[worker], top, mirrors, scene.world());
+            CachedTile center = cache.tileCount() == 0 ? null : cache.tile(i);
+            films[i] = cache.fineCount() == 0 ? share.apply(center) : cache.fine(i).film(center, share, perPixel);
+        }, progress);
+        return film(scene, films);
+    }
+
+    private static float[][] share(CachedTile tile, TilePainter painter, Lamp[] top, Lamp[] mirrors, World world) {
+        if (tile.hitShapes.length > 0) {
+            throw new IllegalStateException("mirror levels are kept as hit shapes");
+        }
+        return painter.film(tile.levels[0], top, world, painter.mirrored(tile.levels, mirrors, world));
+    }
+
+    private static Film film(Scene scene, float[][][] tiles) {
+        float[][][] channels = new float[3][tiles.length][];
+        for (int i = 0; i < tiles.length; i++) {
+            for (int c = 0; c < 3; c++) {
+                channels[c][i] = tiles[i][c];
+            }
+        }
+        return new Film(scene.picture().width(), scene.picture().height(), channels[0], channels[1], channels[2]);
+    }
+}

@@ -1,0 +1,124 @@
+package lightning.accuracy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Arrays;
+import java.util.concurrent.CancellationException;
+import lightning.image.Film;
+import lightning.math.Vec3;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+import lightning.shading.Progress;
+import lightning.shading.ReferenceTracer;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class LadderMeterTest {
+    private final LadderMeter meter = new LadderMeter(2, 2, 0);
+    private final Scene before = SceneFiles.read("bird", 41);
+    private final Light lamp = before.light("lamp").orElseThrow();
+    private final Scene faded = before.withLight(lamp.withIntensity(0.3 * lamp.intensity()));
+    private final Scene moved = before.withLight(lamp.withPosition(lamp.position().plus(new Vec3(0.5, -0.5, 0.25))));
+
+    @AfterEach
+    void close() {
+        meter.close();
+    }
+
+    @Test
+    void ladder_hasEveryLevelWithItsSamples() {
+        Ladder ladder = meter.measure(before, moved, Progress.NONE);
+        assertThat(ladder.rungs()).extracting(Rung::level).containsExactly(Level.values());
+        assertThat(ladder.rungs()).allSatisfy(rung -> {
+            assertThat(rung.time().milliseconds()).hasSize(2);
+            assertThat(rung.film().width()).isEqualTo(41);
+            assertThat(rung.film().height()).isEqualTo(41);
+            assertThat(rung.error().of()).isEqualTo(3 * 41 * 41);
+        });
+        assertThat(ladder.fullRays().eye()).isEqualTo(41 * 41);
+        assertThat(ladder.saving(Level.FULL_TRACE)).isZero();
+    }
+
+    @Test
+    void accurateLevels_showTheReference() {
+        Ladder ladder = meter.measure(before, moved, Progress.NONE);
+        Film reference = new ReferenceTracer(moved).trace();
+        for (Level level : new Level[] {Level.EXACT_UPDATED, Level.EXACT_CURRENT, Level.FULL_TRACE}) {
+            assertThat(ladder.rung(level).film().sameBits(reference)).as(level.label()).isTrue();
+            assertThat(ladder.rung(level).error().values()).as(level.label()).isZero();
+        }
+        assertThat(ladder.original().sameBits(new ReferenceTracer(before).trace())).isTrue();
+    }
+
+    @Test
+    void roughLevels_areOff() {
+        Ladder ladder = meter.measure(before, moved, Progress.NONE);
+        for (Level level : new Level[] {Level.HALF_RESOLUTION, Level.FAST_SHADING, Level.RATIO, Level.EXACT}) {
+            assertThat(ladder.rung(level).error().values()).as(level.label()).isPositive();
+        }
+        assertThat(ladder.rung(Level.FAST_SHADING).error().maxAbsolute()).isGreaterThan(0.01);
+        assertThat(ladder.rung(Level.EXACT).error().maxAbsolute()).isLessThan(ladder.rung(Level.FAST_SHADING).error().maxAbsolute());
+    }
+
+    @Test
+    void withoutMirrors_exactIsTheReferenceAndRatioIsNot() {
+        Scene flat = before.withPicture(before.picture().withDepth(0));
+        Ladder ladder = meter.measure(flat, faded.withPicture(flat.picture()), Progress.NONE);
+        assertThat(ladder.rung(Level.EXACT).error().values()).isZero();
+        assertThat(ladder.rung(Level.RATIO).error().values()).isPositive();
+        assertThat(ladder.rung(Level.RATIO).error().maxAbsolute()).isBetween(0.0, ladder.rung(Level.RATIO).update().errorBound());
+    }
+
+    @Test
+    void updates_areThoseOfTheLevels() {
+        Ladder ladder = meter.measure(before, faded, Progress.NONE);
+        assertThat(ladder.rung(Level.EXACT).update().plan().text()).isEqualTo("lamp: weight");
+        assertThat(ladder.rung(Level.EXACT_UPDATED).update().plan().text()).isEqualTo("reflections");
+        assertThat(ladder.rung(Level.EXACT_CURRENT).update().plan().text()).isEqualTo("lamp: weight, reflections");
+        assertThat(ladder.rung(Level.FULL_TRACE).update()).isNull();
+    }
+
+    @Test
+    void nextEdit_startsFromTheSceneAgain() {
+        meter.measure(before, moved, Progress.NONE);
+        Ladder second = meter.measure(before, faded, Progress.NONE);
+        assertThat(second.rung(Level.EXACT).update().plan().text()).isEqualTo("lamp: weight");
+        assertThat(meter.kept().scene()).isEqualTo(before);
+    }
+
+    @Test
+    void cancelledMeasuring_canBeginAgain() {
+        int[] asked = {0};
+        Progress stop = new Progress() {
+            @Override
+            public void tiles(int done, int total) {}
+
+            @Override
+            public boolean isCancelled() {
+                return asked[0]++ > 20;
+            }
+        };
+        assertThatThrownBy(() -> meter.measure(before, moved, stop)).isInstanceOf(CancellationException.class);
+        assertThat(meter.measure(before, moved, Progress.NONE).rung(Level.EXACT_CURRENT).error().values()).isZero();
+    }
+
+    @Test
+    void brokenPromise_isNotMeasured() {
+        Film oracle = Film.black(2, 2);
+        Film off = Film.black(2, 2);
+        off.blue(0)[33] = 0.25f;
+        new Promise(oracle, 0).require(oracle, Level.EXACT);
+        new Promise(oracle, 0.25).require(off, Level.RATIO);
+        assertThatThrownBy(() -> new Promise(oracle, 0).require(off, Level.EXACT)).isInstanceOf(BrokenPromise.class)
+                .hasMessage("level exact: 1 values differ from the oracle, by up to 0.25 where 0.0 is promised, first at pixel 1,1; "
+                        + "not measured");
+        assertThatThrownBy(() -> new Promise(oracle, 0.2).require(off, Level.RATIO)).isInstanceOf(BrokenPromise.class);
+    }
+
+    @Test
+    void everyLevel_saysWhatItIs() {
+        assertThat(Arrays.stream(Level.values()).map(Level::label)).doesNotHaveDuplicates();
+        assertThat(Level.values()).allSatisfy(level -> assertThat(level.note()).isNotBlank());
+    }
+}
