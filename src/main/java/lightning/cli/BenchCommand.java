@@ -122,7 +122,8 @@ final class BenchCommand implements Callable<Integer> {
         try (ProgressBar bar = new ProgressBar(console, "bench")) {
             List<String> arguments = new ArrayList<>(command.commandLine().getParseResult().originalArgs());
             Harness harness = new Harness(settings(), read.scenes(), read.problems(), folder, arguments, bar);
-            console.line("%d scenes; this will take about %s", read.scenes().size(), duration(harness.predictedSeconds()));
+            int count = read.scenes().size();
+            console.line("%d scene%s; this will take about %s", count, count == 1 ? "" : "s", duration(harness.predictedSeconds()));
             try {
                 Results results = harness.run((_, until) -> {
                     bar.erase();
@@ -134,7 +135,8 @@ final class BenchCommand implements Callable<Integer> {
                 table.foot(results);
                 return results;
             } catch (CancellationException | InterruptedException | IOException e) {
-                files.keep(harness.results(false));
+                bar.erase();
+                files.keep(harness.results(false), () -> console.remark("%s: holds what was measured until now", folder));
                 throw e;
             }
         }

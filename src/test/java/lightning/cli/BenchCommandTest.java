@@ -42,7 +42,7 @@ class BenchCommandTest {
     @Test
     void run_leavesResultsTablesAndPictures() throws Exception {
         Cli run = bench(scene, "--figure", 6, "--seed", 9).isDone();
-        assertThat(run.out()).contains("1 scenes; this will take about", "a at 24 x 16, depth 2, 3 shapes, 3 lights", "color ", "intensity ",
+        assertThat(run.out()).contains("1 scene; this will take about", "a at 24 x 16, depth 2, 3 shapes, 3 lights", "color ", "intensity ",
                 "memory: ", "results.json");
         assertThat(results().scenes().getFirst().edits()).extracting(EditResult::edit).containsExactly("color", "intensity");
         assertThat(results().run().complete()).isTrue();
@@ -130,7 +130,7 @@ class BenchCommandTest {
         Results results = results();
         Path kept = Files.createDirectory(folder.resolve("kept"));
         Thread.currentThread().interrupt();
-        new BenchFolder(kept, Reporter.NONE).keep(results);
+        new BenchFolder(kept, Reporter.NONE).keep(results, () -> assertThat(kept.resolve("results.csv")).exists());
         assertThat(Thread.interrupted()).isTrue();
         assertThat(ResultsFile.readJson(kept.resolve("results.json"))).isEqualTo(results);
     }
