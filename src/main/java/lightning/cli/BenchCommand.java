@@ -32,9 +32,10 @@ import picocli.CommandLine.Spec;
             "grow with pixels, lights, shapes and mirror bounces, how errors drift over 10 000 edits, the bandwidth of memory, and",
             "POV-Ray where it is installed. Works are measured in turns; no picture is timed before it was compared.",
             "",
-            "Writes report.html, results.json (everything, with every sample), results.csv (a row for each measurement) and pictures",
-            "into the folder. A run that is cancelled keeps what it has. The exit code is 1 if a picture was not what its level promises, or",
-            "something became worse than the baseline; 2 if a scene could not be read (the others are measured)."},
+            "Writes report.html (a page with charts and pictures, which needs no network), results.json (everything, with every",
+            "sample), results.csv (a row for each measurement) and pictures into the folder. A run that is cancelled keeps what it",
+            "has. The exit code is 1 if a picture was not what its level promises, or something became worse than the baseline; 2 if",
+            "a scene could not be read (the others are measured)."},
         footer = {
             "Examples:",
             "  lightning bench -o results --quick",

@@ -55,7 +55,7 @@ final class Dispatcher {
         }
         Geometry geometry = cache.geometry().of(wanted);
         return new UpdatePlan.Relight(level(cache.geometry(), known, cache::stamp, wanted, geometry, accuracy), refresh
-                ? level(cache.geometry().of(cache.mirroredScene()), cache.mirroredScene(), cache::mirroredStamp, wanted, geometry, accuracy)
+                ? level(cache.mirroredGeometry(), cache.mirroredScene(), cache::mirroredStamp, wanted, geometry, accuracy)
                 : null, depthFrom, depthTo);
     }
 

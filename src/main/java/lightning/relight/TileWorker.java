@@ -93,7 +93,7 @@ final class TileWorker {
         if (job.progress().isCancelled()) {
             return null;
         }
-        boolean mirrorsStay = job.mirrors() == null && order == null;
+        boolean mirrorsStay = job.mirrors() == null && order == null && !(job.codingMirrors() && old.codes != null);
         boolean coded = job.coding() && old.codes != null && (!mirrorsStay || job.top().recodes(sorted, top.layers()));
         begin(coded, top);
         Mirrors mirrors = mirrorsStay ? new Mirrors(old.levels, old.hitShapes, old.mirrored) : updateMirrors(old, top, order, coded);
@@ -155,7 +155,7 @@ final class TileWorker {
         return spliced(old, top, order, coded);
     }
 
-    /** Whether the rows that are seen in mirrors, known by their shapes alone, are of materials that begin or cease to mirror(). */
+    /** Whether the rows that are seen in mirrors, known by their shapes alone, are of materials that begin or cease to mirror. */
     private boolean crosses(int[][] hitShapes) {
         if (job.mirrors() == null || job.mirrors().plan().materials().mirrors().isEmpty()) {
             return false;

@@ -14,6 +14,8 @@ public final class RowSplice {
     private final HitRows rows;
     /** Of each row of the result the old row, or {@code ~i} for row i of those added. */
     private final int[] source;
+    /** Of each row of the result the end of the stretch whose sources follow one another, which is copied at once. */
+    private final int[] end;
     /** Of each old row its row in the result, or −1. */
     private final int[] now;
 
@@ -51,6 +53,18 @@ public final class RowSplice {
                 now[s] = row;
             }
         }
+        end = ends(source);
+    }
+
+    private static int[] ends(int[] source) {
+        int[] end = new int[source.length];
+        for (int i = source.length - 1; i >= 0; i--) {
+            // Numbers of added rows count backwards: ~0, ~1, ….
+            boolean follows = i + 1 < source.length && source[i + 1] == (source[i] < 0 ? source[i] - 1 : source[i] + 1)
+                    && source[i] < 0 == source[i + 1] < 0;
+            end[i] = follows ? end[i + 1] : i + 1;
+        }
+        return end;
     }
 
     private static int[] materials(HitRows rows) {
@@ -98,7 +112,11 @@ public final class RowSplice {
 
     private void copy(short[] oldParents) {
         for (int i = 0; i < source.length; i++) {
-            rows.parent[i] = source[i] < 0 ? added.parent[~source[i]] : oldParents[source[i]];
+            boolean fresh = source[i] < 0;
+            rows.parent[i] = fresh ? added.parent[~source[i]] : oldParents[source[i]];
+            if (rows.code != null) {
+                rows.code[i] = fresh ? added.code[~source[i]] : old.code[source[i]];
+            }
         }
         copy(old.px, added == null ? null : added.px, rows.px);
         copy(old.py, added == null ? null : added.py, rows.py);
@@ -135,6 +153,7 @@ public final class RowSplice {
         rows = second.rows;
         source = new int[second.source.length];
         Arrays.setAll(source, i -> second.source[i] < 0 ? second.source[i] : first.source[second.source[i]]);
+        end = ends(source);
         now = new int[first.now.length];
         Arrays.setAll(now, i -> first.now[i] < 0 ? -1 : second.now[first.now[i]]);
     }
@@ -153,17 +172,20 @@ public final class RowSplice {
 
     /** Fills a column from those of the old rows and the added ones; 0 where the one that is asked is null. */
     public void copy(float[] ofOld, float[] ofAdded, float[] to) {
-        for (int i = 0; i < source.length; i++) {
-            int s = source[i];
-            float[] from = s < 0 ? ofAdded : ofOld;
-            to[i] = from == null ? 0 : from[s < 0 ? ~s : s];
+        for (int i = 0; i < source.length; i = end[i]) {
+            float[] from = source[i] < 0 ? ofAdded : ofOld;
+            if (from == null) {
+                Arrays.fill(to, i, end[i], 0);
+            } else {
+                System.arraycopy(from, source[i] < 0 ? ~source[i] : source[i], to, i, end[i] - i);
+            }
         }
     }
 
     /** The same for a column of bytes, none of them null but that of rows that there are none of. */
     public void copy(byte[] ofOld, byte[] ofAdded, byte[] to) {
-        for (int i = 0; i < source.length; i++) {
-            to[i] = source[i] < 0 ? ofAdded[~source[i]] : ofOld[source[i]];
+        for (int i = 0; i < source.length; i = end[i]) {
+            System.arraycopy(source[i] < 0 ? ofAdded : ofOld, source[i] < 0 ? ~source[i] : source[i], to, i, end[i] - i);
         }
     }
 }

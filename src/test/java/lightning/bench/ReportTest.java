@@ -3,6 +3,7 @@ package lightning.bench;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.StringReader;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -17,6 +18,8 @@ import lightning.image.ViewTransform;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
@@ -101,6 +104,31 @@ class ReportTest {
 
         assertThat(byClass(page, "wipe")).isEmpty();
         assertThat(page.getDocumentElement().getTextContent()).contains("sun.color = 1, 0, 0");
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void withoutFonts_aSentenceStandsForEachChart() throws Exception {
+        Path none = Files.writeString(folder.resolve("fonts.conf"), "<?xml version=\"1.0\"?><fontconfig></fontconfig>");
+        ProcessBuilder java = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+                System.getProperty("java.class.path"), "--add-modules", "jdk.incubator.vector", "-Duser.home=" + folder,
+                Fontless.class.getName(), folder.toString()).redirectErrorStream(true);
+        java.environment().put("FONTCONFIG_FILE", none.toString());
+        java.environment().put("HOME", folder.toString());
+        Process process = java.start();
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+
+        assertThat(process.waitFor()).as(said).isZero();
+        assertThat(Files.readString(folder.resolve(Report.FILE))).contains("Java finds no font", "sun.color = 1, 0, 0").doesNotContain("<svg class");
+    }
+
+    /** Writes a report in a process of its own. */
+    static final class Fontless {
+        private Fontless() {}
+
+        public static void main(String[] folder) throws Exception {
+            Report.write(new Results(Sample.RUN, List.of(Sample.scene(10)), List.of(), List.of(), List.of()), Path.of(folder[0]));
+        }
     }
 
     private static void assertIsWhole(Document page) {

@@ -50,6 +50,7 @@ class BenchCommandTest {
         assertThat(results().run().arguments()).contains("--figure", "6");
         assertThat(Files.readAllLines(out.resolve("results.csv"))).hasSize(1 + 2 + 2 * 7);
         assertThat(out.resolve("pictures/a-color-full.png")).exists();
+        assertThat(out.resolve("report.html")).content().contains("<svg", "data:image/");
     }
 
     @Test
