@@ -53,7 +53,8 @@ final class BenchCommand implements Callable<Integer> {
     private CommandSpec command;
     @Parameters(arity = "0..*", paramLabel = "scene.jen", description = "The scenes; all in scenes/ where none is named.")
     private List<Path> scenes = List.of();
-    @Option(names = {"-o", "--output"}, paramLabel = "DIR", required = true, description = "The folder for the results, made if it is not there.")
+    @Option(names = {"-o", "--output"}, paramLabel = "DIR", required = true,
+            description = "The folder for the results, made if it is not there.")
     private Path folder;
     @Option(names = "--quick", description = "A small selection, in under a minute on two processors.")
     private boolean quick;
@@ -70,7 +71,8 @@ final class BenchCommand implements Callable<Integer> {
     private int figure;
     private Integer repetitions;
 
-    @Option(names = "--figure", paramLabel = "N", description = "The edits of one of the paper's figures alone, on bird where no scene is named.")
+    @Option(names = "--figure", paramLabel = "N",
+            description = "The edits of one of the paper's figures alone, on bird where no scene is named.")
     private void setFigure(int value) {
         if (!Figures.isMeasured(value)) {
             throw new ParameterException(command.commandLine(),
@@ -79,7 +81,8 @@ final class BenchCommand implements Callable<Integer> {
         figure = value;
     }
 
-    @Option(names = "--repetitions", paramLabel = "N", description = "How many samples each work has; 5 without it, 3 with --quick. 1 is for a look: nothing is warmed up.")
+    @Option(names = "--repetitions", paramLabel = "N",
+            description = "How many samples each work has; 5 without it, 3 with --quick. 1 is for a look: nothing is warmed up.")
     private void setRepetitions(int value) {
         if (value < 1 || value > MOST_REPETITIONS) {
             throw new ParameterException(command.commandLine(), "--repetitions must be from 1 to " + MOST_REPETITIONS + ", was " + value);
