@@ -18,6 +18,7 @@ public final class EditorWindow extends BorderPane implements AutoCloseable {
     private final PreviewPane preview;
     private final TracedPane traced;
     private final FileActions files;
+    private final Panels panels;
 
     EditorWindow(EditorModel model, FileActions files, Notices notices) {
         this.files = files;
@@ -32,7 +33,8 @@ public final class EditorWindow extends BorderPane implements AutoCloseable {
         var all = new SplitPane(canvases, side);
         all.setDividerPositions(CANVASES);
         SplitPane.setResizableWithParent(side, false);
-        setTop(new VBox(new EditorMenu(model, files, traced, preview, notices), new EditorToolBar(model)));
+        panels = new Panels(model, this::window);
+        setTop(new VBox(new EditorMenu(model, files, traced, preview, notices, panels), new EditorToolBar(model, panels)));
         setCenter(all);
         setBottom(new StatusLine(model));
         model.setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, window()).show());
@@ -68,6 +70,7 @@ public final class EditorWindow extends BorderPane implements AutoCloseable {
 
     @Override
     public void close() {
+        panels.close();
         files.close();
         preview.close();
         traced.close();

@@ -55,6 +55,25 @@ class WorkbenchTest {
         runUntil(() -> bench.situation().inWork().isEmpty() && !bench.situation().verifying());
     }
 
+    @Test
+    void lastEdit_isWhatIsPendingOrElseWhatTheLastUpdateShowed() throws InterruptedException {
+        Scene first = bench.scene();
+        bench.go();
+        settle();
+        assertThat(bench.lastEdit()).isEmpty();
+        dial(2);
+        Scene second = bench.scene();
+        assertThat(bench.lastEdit()).contains(new LastEdit(first, second, true));
+        bench.go();
+        settle();
+        assertThat(bench.lastEdit()).contains(new LastEdit(first, second, false));
+        bench.updateReflections();
+        settle();
+        assertThat(bench.lastEdit()).as("mirrors are no edit").contains(new LastEdit(first, second, false));
+        bench.edit(new Change.To(second.withPicture(second.picture().withSize(20, 10))));
+        assertThat(bench.lastEdit()).as("another picture").isEmpty();
+    }
+
     private void dial(double intensity) {
         assertThat(bench.edit(Dial.INTENSITY.set(bench.scene(), "key", intensity))).isEmpty();
     }
