@@ -93,6 +93,8 @@ public final class Workbench implements AutoCloseable {
         animating = false;
         autosave.changed(document);
         go();
+        // Shapes that the other document had too would mirror its lights.
+        loop.updateReflections();
     }
 
     /** Opens what a crash left unsaved: see {@link OpenDocument#recover}. Until it is saved it can be recovered again. */

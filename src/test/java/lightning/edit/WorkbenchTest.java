@@ -188,7 +188,7 @@ class WorkbenchTest {
     }
 
     @Test
-    void anotherAccuracy_tracesAnew() throws Exception {
+    void currentReflections_areThereWithoutGo() throws Exception {
         bench.go();
         settle();
         dial(2);
@@ -208,6 +208,7 @@ class WorkbenchTest {
         assertThat(bench.document().name()).isEqualTo("other.jen");
         settle();
         assertThat(shown().light("moon")).isPresent();
+        assertThat(bench.frame().orElseThrow().mirrorsAreCurrent()).as("its mirrors show nothing of the other document").isTrue();
     }
 
     @Test
