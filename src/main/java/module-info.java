@@ -1,9 +1,15 @@
 /** Lightning: ray-traced scenes, relit exactly in a fraction of a full trace. */
 module lightning {
     requires java.desktop;
+    requires java.management;
+    requires jdk.management;
     requires jdk.incubator.vector;
     requires info.picocli;
     requires org.apache.commons.imaging;
+    requires org.jfree.jfreechart;
+    requires VectorGraphics2D;
+    requires tools.jackson.databind;
+    requires tools.jackson.dataformat.csv;
     requires javafx.controls;
     requires atlantafx.base;
     requires org.kordamp.ikonli.javafx;
@@ -11,4 +17,6 @@ module lightning {
 
     exports lightning.app to javafx.graphics;
     opens lightning.cli to info.picocli;
+    opens lightning.accuracy to tools.jackson.databind;
+    opens lightning.bench to tools.jackson.databind;
 }

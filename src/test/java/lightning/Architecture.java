@@ -24,12 +24,13 @@ import java.util.Set;
  */
 final class Architecture {
     /** The rows from the bottom of the program up. */
-    private static final List<String> ROWS = List.of("math", "file", "scene", "jen", "image", "trace", "shading",
-            "effects", "cache", "relight", "accuracy", "edit", "app", "bench", "cli");
+    private static final List<String> ROWS = List.of("math", "file", "scene", "effects", "jen", "image", "trace", "shading",
+            "cache", "relight", "accuracy", "edit", "app", "bench", "cli");
 
     /** Rows that know less than all the rows above them, with the little that they know. */
     private static final Map<String, Set<String>> NARROWED = Map.of(
             "image", Set.of("math", "file"),
+            "effects", Set.of("math", "scene"),
             "jen", Set.of("math", "file", "scene"),
             "bench", allBut("app"),
             "cli", allBut("app"));

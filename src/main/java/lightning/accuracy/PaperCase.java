@@ -31,6 +31,11 @@ public record PaperCase(String name, String figure, double paperSaving, List<Sce
         return scenes.getLast();
     }
 
+    /** What the last step changes to what, as in {@code sun.color = 1 0 0}. */
+    public String value() {
+        return SceneChange.text(scenes.get(scenes.size() - 2), after());
+    }
+
     /** Whether the paper prints this edit. */
     public boolean isPrinted() {
         return !figure.isEmpty();

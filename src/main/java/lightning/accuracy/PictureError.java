@@ -2,6 +2,7 @@ package lightning.accuracy;
 
 import lightning.image.Difference;
 import lightning.image.Film;
+import lightning.image.Flip;
 
 /**
  * How far a picture is from the full trace of the wanted scene; see {@link Difference} for what each measure is taken of.
@@ -32,6 +33,6 @@ public record PictureError(long values, long of, long maxUlp, double maxAbsolute
         }
         Difference d = Difference.of(film, reference);
         return new PictureError(d.values(), of, d.maxUlp(), d.maxAbsolute(), d.meanAbsolute(), d.rmse(), d.linearPsnr(),
-                d.displayPsnr(), d.ssim(), Double.NaN);
+                d.displayPsnr(), d.ssim(), Flip.mean(film, reference));
     }
 }

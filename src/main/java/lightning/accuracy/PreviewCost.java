@@ -8,7 +8,7 @@ import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
-import lightning.shading.ViewEffects;
+import lightning.effects.ViewEffects;
 
 /**
  * What the editor's preview costs at 600×600 pixels.

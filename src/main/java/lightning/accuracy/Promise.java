@@ -8,7 +8,7 @@ import lightning.relight.Update;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
 import lightning.shading.TraditionalTracer;
-import lightning.shading.ViewEffects;
+import lightning.effects.ViewEffects;
 import lightning.shading.Workers;
 
 /**
@@ -21,12 +21,12 @@ record Promise(Film oracle, double bound) {
 
     /**
      * The promise for a renderer's last update. Where all effects are shown, the oracle is a full trace that keeps nothing, its
-     * mirrors those of the picture; else a first pass with the same effects.
+     * mirrors and samples those of the picture; else a first pass with the same effects.
      */
     static Promise of(Renderer renderer, Update update, Workers workers, Progress progress) {
         double bound = renderer.options().accuracy() == Accuracy.EXACT ? 0 : update.errorBound();
         if (renderer.options().view().equals(ViewEffects.ALL)) {
-            var tracer = new TraditionalTracer(renderer.scene(), renderer.cache().mirroredScene(), renderer.cache().geometry());
+            var tracer = new TraditionalTracer(renderer.cache().sight(), renderer.cache().sampled(), renderer.cache().geometry());
             return new Promise(tracer.trace(workers, progress).film(), bound);
         }
         try (Renderer fresh = new Renderer(renderer.options())) {

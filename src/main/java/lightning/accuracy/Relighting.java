@@ -10,13 +10,15 @@ import lightning.relight.Update;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
-import lightning.shading.ViewEffects;
+import java.util.Set;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
 import lightning.shading.Workers;
 import lightning.trace.Geometry;
 
 /** A level's renderer: makes an edit again and again from the same start. */
 final class Relighting implements AutoCloseable {
-    private static final ViewEffects FAST_SHADING = new ViewEffects(false, false, true);
+    private static final ViewEffects FAST_SHADING = ViewEffects.ALL.hiding(Set.of(Effect.SHADOWS, Effect.REFLECTION));
 
     private final Level level;
     private final Renderer renderer;
@@ -66,14 +68,21 @@ final class Relighting implements AutoCloseable {
         double ms = update.milliseconds();
         film = renderer.film();
         if (level == Level.EXACT_UPDATED) {
-            update = renderer.updateReflections(progress);
-            ms += update.milliseconds();
+            update = both(update, renderer.updateReflections(progress));
+            ms = update.milliseconds();
             film = renderer.film();
         } else if (level == Level.HALF_RESOLUTION) {
             Picture full = after.picture();
             ms += Turns.time(() -> film = Enlarger.enlarge(film, full.width(), full.height(), workers, progress));
         }
         return ms;
+    }
+
+    /** One update after another: the second's plan, the work of both. */
+    private static Update both(Update a, Update b) {
+        return new Update(b.plan(), a.rowsTouched() + b.rowsTouched(), a.rowsComposed() + b.rowsComposed(),
+                a.bytesMoved() + b.bytesMoved(), a.rays().plus(b.rays()), a.nanoseconds() + b.nanoseconds(), b.errorBound(),
+                a.refreshed() || b.refreshed());
     }
 
     /**
@@ -99,7 +108,7 @@ final class Relighting implements AutoCloseable {
         return renderer.cache().geometry();
     }
 
-    /** What the last edit did; of {@link Level#EXACT_UPDATED} the update of the mirrors. */
+    /** What the last edit did; of {@link Level#EXACT_UPDATED} the plan of the mirrors and the work of both. */
     Update update() {
         return update;
     }

@@ -10,6 +10,6 @@ import lightning.relight.Update;
  * @param error  how far the picture is from the full trace
  * @param film   the picture, at full size
  * @param update what the re-render did; null for {@link Level#FULL_TRACE}. Of {@link Level#EXACT_UPDATED} it is the
- *               update of the mirrors.
+ *               plan of the mirrors' update, and the work of both
  */
 public record Rung(Level level, Timing time, PictureError error, Film film, Update update) {}

@@ -1,5 +1,6 @@
 package lightning.accuracy;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
@@ -27,6 +28,8 @@ public final class SavingMeter implements AutoCloseable {
     private final double bytesPerMs;
 
     /**
+     * A meter that measures the bandwidth of memory first.
+     *
      * @param repetitions how often each is measured, ≥ 1
      * @throws IllegalArgumentException if it is below 1
      */
@@ -35,6 +38,21 @@ public final class SavingMeter implements AutoCloseable {
         renderer = new Renderer(options);
         workers = new Workers(options.threads());
         bytesPerMs = Bandwidth.bytesPerMs(workers);
+    }
+
+    /**
+     * A meter for which the bandwidth of memory is known.
+     *
+     * @param repetitions how often each is measured, ≥ 1
+     * @param patienceMs  how long warming up takes at most, milliseconds
+     * @param bytesPerMs  bytes in a millisecond that memory can read and write
+     * @throws IllegalArgumentException if {@code repetitions} is below 1
+     */
+    public SavingMeter(Options options, int repetitions, double patienceMs, double bytesPerMs) {
+        turns = new Turns(repetitions, patienceMs);
+        renderer = new Renderer(options);
+        workers = new Workers(options.threads());
+        this.bytesPerMs = bytesPerMs;
     }
 
     /** The renderer that is measured: after {@link #update} it shows the scene after the update. */
@@ -71,7 +89,20 @@ public final class SavingMeter implements AutoCloseable {
      */
     public Saving update(Scene before, Scene after, Progress progress) {
         settle(before, progress);
-        return measure(() -> renderer.render(after, progress), after, progress);
+        return measure(List.of(() -> renderer.render(after, progress)), after, progress).getFirst();
+    }
+
+    /**
+     * Measures several updates that start from one scene, all in turns with each other and with a full trace of that scene, and
+     * verifies their pictures.
+     *
+     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     */
+    public List<Saving> updates(Scene before, List<Scene> afters, Progress progress) {
+        settle(before, progress);
+        List<Supplier<Update>> works = new ArrayList<>();
+        afters.forEach(after -> works.add(() -> renderer.render(after, progress)));
+        return measure(works, before, progress);
     }
 
     /**
@@ -82,21 +113,33 @@ public final class SavingMeter implements AutoCloseable {
     public Saving reflections(Scene before, Scene after, Progress progress) {
         settle(before, progress);
         renderer.render(after, progress);
-        return measure(() -> renderer.updateReflections(progress), after, progress);
+        return measure(List.of(() -> renderer.updateReflections(progress)), after, progress).getFirst();
     }
 
-    /** Measures a work that starts, each time, from what the renderer keeps now. */
-    private Saving measure(Supplier<Update> work, Scene after, Progress progress) {
+    /** Measures works that start, each time, from what the renderer keeps now; the scene is traced in full beside them. */
+    private List<Saving> measure(List<Supplier<Update>> works, Scene traced, Progress progress) {
         PixelCache start = renderer.cache();
-        Update update = work.get();
-        boolean kept = Promise.of(renderer, update, workers, progress).isKeptBy(renderer.film());
-        var tracer = new TraditionalTracer(after, renderer.cache().geometry());
-        TraceCounts fullRays = tracer.trace(workers, progress).rays();
-        List<Timing> times = turns.take(List.of(() -> {
+        List<Update> updates = new ArrayList<>();
+        List<Boolean> kept = new ArrayList<>();
+        List<Turns.Turn<RuntimeException>> turn = new ArrayList<>();
+        for (Supplier<Update> work : works) {
             renderer.restore(start);
-            return work.get().milliseconds();
-        }, () -> Turns.time(() -> tracer.trace(workers, progress))), progress.silent());
-        return new Saving(update, times.get(0), times.get(1), fullRays, bytesPerMs, kept);
+            updates.add(work.get());
+            kept.add(Promise.of(renderer, updates.getLast(), workers, progress).isKeptBy(renderer.film()));
+            turn.add(() -> {
+                renderer.restore(start);
+                return work.get().milliseconds();
+            });
+        }
+        var tracer = new TraditionalTracer(traced, renderer.cache().geometry());
+        TraceCounts fullRays = tracer.trace(workers, progress).rays();
+        turn.add(() -> Turns.time(() -> tracer.trace(workers, progress)));
+        List<Timing> times = turns.take(turn, progress.silent());
+        List<Saving> savings = new ArrayList<>();
+        for (int i = 0; i < works.size(); i++) {
+            savings.add(new Saving(updates.get(i), times.get(i), times.getLast(), fullRays, bytesPerMs, kept.get(i)));
+        }
+        return savings;
     }
 
     /**

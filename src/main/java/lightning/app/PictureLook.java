@@ -8,8 +8,8 @@ import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import lightning.edit.Frame;
 import lightning.edit.Look;
+import lightning.effects.ViewEffects;
 import lightning.scene.Light;
-import lightning.shading.ViewEffects;
 
 /** What of the traced picture the artist wants to look at: the share of the selected light alone, or less than all effects. */
 final class PictureLook {

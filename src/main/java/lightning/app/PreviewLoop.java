@@ -10,7 +10,7 @@ import lightning.relight.Renderer;
 import lightning.relight.UpdatePlan;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
-import lightning.shading.ViewEffects;
+import lightning.effects.ViewEffects;
 
 /**
  * Draws the preview on a thread of its own, the newest wish each time: the engine without shadows and mirrors, and with

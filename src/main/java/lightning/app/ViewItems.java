@@ -8,8 +8,9 @@ import javafx.scene.control.MenuItem;
 import javafx.scene.control.RadioMenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.control.ToggleGroup;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
 import lightning.image.DisplayCurve;
-import lightning.shading.ViewEffects;
 
 /** The choices of how the traced picture is looked at, none of which is a part of the scene. */
 final class ViewItems {
@@ -21,12 +22,12 @@ final class ViewItems {
         return List.of(curve(model, curves, prefix + "-srgb", "sRGB", DisplayCurve.SRGB),
                 curve(model, curves, prefix + "-1998", "As Computed in 1998 (Linear)", DisplayCurve.LINEAR),
                 new SeparatorMenuItem(),
-                effect(model, prefix + "-shadows", "Shadows", ViewEffects::shadows,
-                        (e, on) -> new ViewEffects(on, e.reflections(), e.litTextures())),
-                effect(model, prefix + "-reflections", "Reflections", ViewEffects::reflections,
-                        (e, on) -> new ViewEffects(e.shadows(), on, e.litTextures())),
+                effect(model, prefix + "-shadows", "Shadows", e -> e.shows(Effect.SHADOWS),
+                        (e, on) -> e.with(Effect.SHADOWS, on)),
+                effect(model, prefix + "-reflections", "Reflections", e -> e.shows(Effect.REFLECTION),
+                        (e, on) -> e.with(Effect.REFLECTION, on)),
                 effect(model, prefix + "-textures", "Light on Textures", ViewEffects::litTextures,
-                        (e, on) -> new ViewEffects(e.shadows(), e.reflections(), on)));
+                        ViewEffects::withLitTextures));
     }
 
     private static MenuItem curve(EditorModel model, ToggleGroup group, String id, String title, DisplayCurve curve) {

@@ -1,9 +1,11 @@
 package lightning.cache;
 
+import lightning.shading.EdgeCodes;
 import lightning.trace.HitRows;
 
 /**
- * All that is known of one tile. Arrays are never written after construction.
+ * All that is known of the centres of one tile's pixels, or of up to 1024 finer samples of some of them. Arrays are
+ * never written after construction.
  */
 public final class CachedTile {
     /** Level 0 is what the eye sees; level k what is seen over k mirrors. Later levels may be missing. */
@@ -15,17 +17,20 @@ public final class CachedTile {
     public final int[][] hitShapes;
     /** Cr of level 0's reflective rows: red, green, blue columns; null where it has none. */
     public final float[][] mirrored;
-    /** The tile of the film: red, green, blue, {@code float[1024]} each. */
+    /** The colours of the pixels' centres or of the samples: red, green, blue, {@code float[1024]} each. */
     public final float[][] film;
+    /** What anti-aliasing sees of the pixels' centres; null where it does not look for edges. */
+    public final EdgeCodes codes;
 
-    public CachedTile(TileLevel[] levels, int[][] hitShapes, float[][] mirrored, float[][] film) {
+    public CachedTile(TileLevel[] levels, int[][] hitShapes, float[][] mirrored, float[][] film, EdgeCodes codes) {
         this.levels = levels;
         this.hitShapes = hitShapes;
         this.mirrored = mirrored;
         this.film = film;
+        this.codes = codes;
     }
 
-    /** The largest value in the tile of the film, linear. */
+    /** The largest value of its colours, linear. */
     float brightest() {
         float brightest = 0;
         for (float[] channel : film) {
@@ -41,7 +46,7 @@ public final class CachedTile {
         return levels[0].rows();
     }
 
-    /** The bytes of rows, layers, stored hits and Cr; the film is left out. */
+    /** The bytes of rows, layers, stored hits, Cr and codes; the colours are left out. */
     public long bytes() {
         long bytes = 0;
         for (TileLevel level : levels) {
@@ -50,7 +55,7 @@ public final class CachedTile {
         for (int[] shapes : hitShapes) {
             bytes += 4L * shapes.length;
         }
-        return bytes + (mirrored == null ? 0 : 12L * mirrored[0].length);
+        return bytes + (mirrored == null ? 0 : 12L * mirrored[0].length) + (codes == null ? 0 : codes.bytes());
     }
 
     /** The hit rows of all levels. */

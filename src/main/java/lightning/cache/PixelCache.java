@@ -1,7 +1,10 @@
 package lightning.cache;
 
+import java.util.ArrayList;
+import java.util.List;
 import lightning.image.Film;
 import lightning.scene.Scene;
+import lightning.shading.Sight;
 import lightning.trace.Geometry;
 
 /**
@@ -14,24 +17,28 @@ import lightning.trace.Geometry;
 public final class PixelCache {
     private final Geometry geometry;
     private final CachedTile[] tiles;
-    private final Scene scene;
-    private final Scene mirroredScene;
+    private final FineTile[] fine;
+    private final Sight sight;
+    private final Sight sampled;
     private final LayerStamp[] stamps;
     private final LayerStamp[] mirroredStamps;
 
     /**
-     * @param scene          what the film and the first level show
-     * @param mirroredScene  what the mirror levels and Cr show
-     * @param stamps         for each light of {@code scene} the light that its layer was computed for,
+     * @param tiles          the pixels' centres; none where all pixels have several samples
+     * @param fine           finer samples of each tile; none without anti-aliasing
+     * @param sight          what the film and the first level show, and what the mirror levels and Cr show
+     * @param sampled        the picture whose samples these are; another than {@code sight} only at level ratio
+     * @param stamps         for each light of the scene the light that its layer was computed for,
      *                       null where there is no layer
-     * @param mirroredStamps the same for {@code mirroredScene}
+     * @param mirroredStamps the same for the mirrored scene
      */
-    public PixelCache(Geometry geometry, CachedTile[] tiles, Scene scene, Scene mirroredScene, LayerStamp[] stamps,
+    public PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fine, Sight sight, Sight sampled, LayerStamp[] stamps,
             LayerStamp[] mirroredStamps) {
         this.geometry = geometry;
         this.tiles = tiles;
-        this.scene = scene;
-        this.mirroredScene = mirroredScene;
+        this.fine = fine;
+        this.sight = sight;
+        this.sampled = sampled;
         this.stamps = stamps;
         this.mirroredStamps = mirroredStamps;
     }
@@ -40,20 +47,59 @@ public final class PixelCache {
         return geometry;
     }
 
+    /** How many tiles of pixels' centres there are: none where all pixels have several samples. */
     public int tileCount() {
         return tiles.length;
     }
 
+    /** The centres of a tile's pixels. */
     public CachedTile tile(int index) {
         return tiles[index];
     }
 
-    public Scene scene() {
-        return scene;
+    /** The centres of all tiles' pixels; none where all pixels have several samples. */
+    public CachedTile[] tiles() {
+        return tiles.clone();
     }
 
+    /** How many tiles of finer samples there are: none without anti-aliasing. */
+    public int fineCount() {
+        return fine.length;
+    }
+
+    /** The finer samples of a tile. */
+    public FineTile fine(int index) {
+        return fine[index];
+    }
+
+    /** All rows there are: the pixels' centres and all finer samples. */
+    public List<CachedTile> all() {
+        List<CachedTile> all = new ArrayList<>(List.of(tiles));
+        for (FineTile tile : fine) {
+            all.addAll(List.of(tile.shapes().blocks()));
+            all.addAll(List.of(tile.lights().blocks()));
+        }
+        return all;
+    }
+
+    /** What the film shows. */
+    public Scene scene() {
+        return sight.scene();
+    }
+
+    /** What mirrors show. */
     public Scene mirroredScene() {
-        return mirroredScene;
+        return sight.mirrored();
+    }
+
+    /** What the film and the mirrors show. */
+    public Sight sight() {
+        return sight;
+    }
+
+    /** The picture whose samples are used: at level ratio they stay until contributions are refreshed. */
+    public Sight sampled() {
+        return sampled;
     }
 
     /** The light that layer {@code l} of the first level was computed for, or null. */
@@ -78,41 +124,35 @@ public final class PixelCache {
 
     /** The picture, over the tiles' own arrays. */
     public Film film() {
-        float[][] red = new float[tiles.length][];
-        float[][] green = new float[tiles.length][];
-        float[][] blue = new float[tiles.length][];
-        for (int i = 0; i < tiles.length; i++) {
-            red[i] = tiles[i].film[0];
-            green[i] = tiles[i].film[1];
-            blue[i] = tiles[i].film[2];
+        int count = Math.max(tiles.length, fine.length);
+        float[][] red = new float[count][];
+        float[][] green = new float[count][];
+        float[][] blue = new float[count][];
+        for (int i = 0; i < count; i++) {
+            float[][] film = fine.length > 0 ? fine[i].film() : tiles[i].film;
+            red[i] = film[0];
+            green[i] = film[1];
+            blue[i] = film[2];
         }
-        return new Film(scene.picture().width(), scene.picture().height(), red, green, blue);
+        return new Film(scene().picture().width(), scene().picture().height(), red, green, blue);
     }
 
-    /** The largest value of the film, linear. */
+    /** The largest value of all centres and samples, linear. */
     public float brightest() {
         float brightest = 0;
-        for (CachedTile tile : tiles) {
+        for (CachedTile tile : all()) {
             brightest = Math.max(brightest, tile.brightest());
         }
         return brightest;
     }
 
-    /** The bytes of all tiles, the film left out. */
+    /** The bytes of all rows; colours are left out. */
     public long bytes() {
-        long bytes = 0;
-        for (CachedTile tile : tiles) {
-            bytes += tile.bytes();
-        }
-        return bytes;
+        return all().stream().mapToLong(CachedTile::bytes).sum();
     }
 
-    /** The hit rows of all tiles and levels. */
+    /** The hit rows of all samples and levels. */
     public long rowCount() {
-        long rows = 0;
-        for (CachedTile tile : tiles) {
-            rows += tile.rowCount();
-        }
-        return rows;
+        return all().stream().mapToLong(CachedTile::rowCount).sum();
     }
 }

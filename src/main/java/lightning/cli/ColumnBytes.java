@@ -37,11 +37,10 @@ record ColumnBytes(long rows, long layerRows, long geometry, long textures, long
         long speculars = 0;
         long falloffs = 0;
         long levels = 0;
-        for (int t = 0; t < cache.tileCount(); t++) {
-            CachedTile tile = cache.tile(t);
+        for (CachedTile tile : cache.all()) {
             for (TileLevel level : tile.levels) {
                 HitRows rows = level.rows();
-                long texture = rows.diffuseRed == null ? 0 : COLOR * rows.diffuseRed.length;
+                long texture = rows.texelRed == null ? 0 : COLOR * rows.texelRed.length;
                 textures += texture;
                 geometry += rows.bytes() - texture;
                 levels += level.bytes();

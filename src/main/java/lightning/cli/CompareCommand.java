@@ -5,6 +5,7 @@ import java.util.concurrent.Callable;
 import lightning.image.Difference;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
+import lightning.image.Flip;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
 import picocli.CommandLine.Command;
@@ -16,7 +17,8 @@ import picocli.CommandLine.Parameters;
         description = {
             "Compares two pictures of the same size, of the formats .png, .xpm and .pfm in any combination. The exit code is",
             "that of diff: 0 for equal pictures, 1 for different ones, 2 for trouble.",
-            "Only .pfm holds all bits of a picture: a .png can tell equal displays, not equal pictures."},
+            "Only .pfm holds all bits of a picture: a .png can tell equal displays, not equal pictures.",
+            "FLIP is how much of a difference a person sees who flips between the two: 0 none, 1 the worst; 67 pixels per degree."},
         footer = {
             "Examples:",
             "  lightning compare before.png after.png",
@@ -52,11 +54,11 @@ final class CompareCommand implements Callable<Integer> {
         if (output != null) {
             PictureFile.write(output, DifferencePicture.of(a, b), ViewTransform.DEFAULT);
         }
-        print(difference, 3L * a.width() * a.height());
+        print(difference, 3L * a.width() * a.height(), Flip.mean(a, b));
         return difference.isNone() ? ExitCode.DONE : ExitCode.CHECK_FAILED;
     }
 
-    private void print(Difference d, long values) {
+    private void print(Difference d, long values, double flip) {
         if (d.isNone()) {
             console.line("equal: all %d values agree in every bit", values);
             return;
@@ -66,6 +68,6 @@ final class CompareCommand implements Callable<Integer> {
         console.line("mean difference     %.6g linear", d.meanAbsolute());
         console.line("rmse                %.6g linear, PSNR %.2f dB", d.rmse(), d.linearPsnr());
         console.line(Double.isInfinite(d.displayPsnr()) ? "as displayed        equal"
-                : "as displayed        PSNR %.2f dB, SSIM %.6f", d.displayPsnr(), d.ssim());
+                : "as displayed        PSNR %.2f dB, SSIM %.6f, FLIP %.6f", d.displayPsnr(), d.ssim(), flip);
     }
 }

@@ -1,5 +1,6 @@
 package lightning.cli;
 
+import java.nio.file.Path;
 import java.util.List;
 import lightning.accuracy.PaperCase;
 import lightning.accuracy.PaperCases;
@@ -10,7 +11,8 @@ import picocli.CommandLine.Option;
 /** One word of an edit on the command line; exactly one of the fields is set. */
 final class EditStep {
     @Option(names = "--set", required = true, paramLabel = "NAME.PROPERTY=VALUE",
-            description = "Sets a property as the file would: key.intensity=0.4, \"key.color=1 0 0\", key.type=spot, key.on=no, world.ambience=0.1, picture.depth=5.")
+            description = {"Sets a property as the file would: key.intensity=0.4, \"key.color=1 0 0\", key.type=spot, key.on=no, world.ambience=0.1, picture.depth=5;",
+                "of a material: \"material:gold.reflective=0.5 0.4 0.1\", material:gold.shininess=30, material:floor.texture=none."})
     private String set;
 
     @Option(names = "--add", required = true, paramLabel = "LIGHT",
@@ -35,14 +37,15 @@ final class EditStep {
     /**
      * The scenes that this step leads to, one after the other; all but the last are rendered by themselves.
      *
+     * @param folder where textures are looked for
      * @throws BadInput if the scene has no such thing, or not such a value
      */
-    List<Scene> apply(Scene scene) throws BadInput {
+    List<Scene> apply(Scene scene, Path folder) throws BadInput {
         if (named != null) {
             return paperCase(scene);
         }
         try {
-            return List.of(set != null ? PropertyEdit.apply(scene, set)
+            return List.of(set != null ? PropertyEdit.apply(scene, set, folder)
                     : add != null ? PropertyEdit.add(scene, add)
                     : delete != null ? PropertyEdit.delete(scene, delete)
                     : scene);

@@ -43,6 +43,7 @@ public final class Lightning {
                 .addSubcommand(new ExportCommand(console))
                 .addSubcommand(new EffectsCommand(console))
                 .addSubcommand(new TourCommand(console))
+                .addSubcommand(new BenchCommand(console))
                 .addSubcommand(new CheckCommand(console))
                 .addSubcommand(new CompareCommand(console));
         return commands

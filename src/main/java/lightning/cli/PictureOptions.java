@@ -1,7 +1,9 @@
 package lightning.cli;
 
+import lightning.scene.Antialias;
 import lightning.scene.Limits;
 import lightning.scene.Picture;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -28,12 +30,32 @@ final class PictureOptions {
         depth = value;
     }
 
+    @Option(names = "--antialias", paramLabel = "WHICH", description = {
+        "Which pixels are the mean of several samples: ${COMPLETION-CANDIDATES};",
+        "the scene's own choice without it."})
+    private Antialias antialias;
+
+    private Integer samples;
+
+    @Option(names = "--samples", paramLabel = "N",
+            description = "Samples along each side of such a pixel, " + Limits.MIN_SAMPLES + " to " + Limits.MAX_SAMPLES
+                    + "; the scene's own number without it.")
+    private void setSamples(int value) {
+        if (value < Limits.MIN_SAMPLES || value > Limits.MAX_SAMPLES) {
+            throw new ParameterException(command.commandLine(), "--samples must be from " + Limits.MIN_SAMPLES + " to "
+                    + Limits.MAX_SAMPLES + ", was " + value);
+        }
+        samples = value;
+    }
+
     /** The scene with the picture asked for. */
     Scene apply(Scene scene) {
         Picture picture = scene.picture();
         if (size != null) {
             picture = picture.withSize(size.width(), size.height());
         }
-        return scene.withPicture(depth == null ? picture : picture.withDepth(depth));
+        Sampling own = picture.sampling();
+        Sampling sampling = new Sampling(antialias == null ? own.antialias() : antialias, samples == null ? own.grid() : samples);
+        return scene.withPicture((depth == null ? picture : picture.withDepth(depth)).withSampling(sampling));
     }
 }

@@ -3,6 +3,7 @@ package lightning.cli;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import lightning.image.Clipping;
 import lightning.image.DisplayCurve;
 import lightning.image.Film;
 import lightning.image.PictureFile;
@@ -81,7 +82,13 @@ final class PictureOutput {
         }
     }
 
-    void write(Film film) throws IOException {
+    /** Writes the picture, and says how much of it the file cannot show. */
+    void write(Film film, Console console) throws IOException {
         PictureFile.write(file, film, view);
+        Clipping clipping = Clipping.of(film, view);
+        if (clipping.pixels() > 0 && PictureFile.isDisplayed(file)) {
+            console.line("%s: %d of %d pixels (%.1f %%) are cut off at white, the brightest is %.3g times as bright", file,
+                    clipping.pixels(), clipping.all(), 100.0 * clipping.pixels() / clipping.all(), clipping.brightest());
+        }
     }
 }

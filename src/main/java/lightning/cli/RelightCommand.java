@@ -20,7 +20,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** Traces a scene, edits its lights and renders only what each edit changed. */
-@Command(name = "relight", header = "Edit lights and render only what the edits changed.", abbreviateSynopsis = true,
+@Command(name = "relight", header = "Edit lights and materials and render only what the edits changed.", abbreviateSynopsis = true,
         description = {
             "Traces the scene once, then makes the edits in their order. Edits up to a --then (or the end) are made at once and",
             "rendered as one. Each such group gets a line: its plan, the rows of light layers it touched, its shadow rays, its",
@@ -36,6 +36,7 @@ import picocli.CommandLine.Option;
             "  lightning relight scenes/bird.jen -o red.png --set \"sun.color=1 0 0\" --set sun.intensity=0.3 --verify",
             "  lightning relight scenes/bird.jen -o two.png --set stage.angle=12 --then --delete sun --reflections current",
             "  lightning relight scenes/bird.jen -o feet.png --case position-feet --update-reflections --verify",
+            "  lightning relight scenes/balls.jen -o dull.png --set \"material:gold.reflective=0 0 0\" --set material:jade.shininess=20",
             "  lightning relight scenes/bird.jen -o new.png --add \"fill point intensity=0.5 at=0 3 2\" --save new.jen"})
 final class RelightCommand implements Callable<Integer> {
     /** Nanoseconds. */
@@ -108,7 +109,7 @@ final class RelightCommand implements Callable<Integer> {
             if (updateReflections) {
                 kept &= report("mirrors:", renderer.updateReflections(bar), renderer, workers, bar);
             }
-            output.write(renderer.film());
+            output.write(renderer.film(), console);
         }
         if (save != null) {
             document.with(edited.getLast()).save(save);
@@ -135,7 +136,7 @@ final class RelightCommand implements Callable<Integer> {
             if (step.endsGroup()) {
                 scenes.add(current);
             }
-            List<Scene> next = step.apply(current);
+            List<Scene> next = step.apply(current, input.path().toAbsolutePath().getParent());
             scenes.addAll(next.subList(0, next.size() - 1));
             current = next.getLast();
         }

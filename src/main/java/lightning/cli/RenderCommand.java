@@ -69,7 +69,7 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void write(Scene scene, Film film, String what, double milliseconds, TraceCounts rays) throws Exception {
-        output.write(film);
+        output.write(film, console);
         console.line("%s: %s of %d x %d pixels, depth %d, in %.1f ms: %d eye rays, %d mirrored, %d shadow rays", output.file(), what,
                 film.width(), film.height(), scene.picture().depth(), milliseconds, rays.eye(), rays.mirrored(), rays.shadow());
     }

@@ -5,11 +5,13 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.Limits;
+import lightning.scene.Material;
 import lightning.scene.Scene;
 
 /** Says what changed from one scene to another: {@code key: intensity 1 → 1.2}. */
@@ -25,8 +27,9 @@ final class EditText {
         change("ambience", number(before.world().ambience()), number(after.world().ambience()), parts);
         change("depth", number(before.picture().depth()), number(after.picture().depth()), parts);
         change("size", size(before), size(after), parts);
-        boolean other = !before.camera().equals(after.camera()) || !before.materials().equals(after.materials())
-                || !before.nodes().equals(after.nodes()) || !before.world().background().equals(after.world().background());
+        boolean known = materials(before, after, parts);
+        boolean other = !known || !before.camera().equals(after.camera()) || !before.nodes().equals(after.nodes())
+                || !before.world().background().equals(after.world().background());
         if (other || parts.isEmpty()) {
             parts.add("the scene");
         }
@@ -47,11 +50,7 @@ final class EditText {
         change("dropoff", number(before.dropoff()), number(after.dropoff()), parts);
         change("on", before.on() ? "yes" : "no", after.on() ? "yes" : "no", parts);
         change("solo", before.solo() ? "yes" : "no", after.solo() ? "yes" : "no", parts);
-        if (parts.isEmpty()) {
-            return before.name() + ": a little";
-        }
-        return before.name() + ": " + (parts.size() == 1 ? parts.getFirst()
-                : String.join(", ", parts.stream().map(p -> p.substring(0, p.indexOf(' '))).toList()));
+        return joined(before.name(), parts);
     }
 
     private static void lights(LightMatch match, List<String> parts) {
@@ -77,6 +76,51 @@ final class EditText {
         if (!ordered) {
             parts.add("order of lights");
         }
+    }
+
+    /** Adds what changed of each material; false if the change is more than values of theirs. */
+    private static boolean materials(Scene before, Scene after, List<String> parts) {
+        if (!before.materials().equals(after.materials())) {
+            Map<String, Material> known = before.materialsByName();
+            for (Material material : after.materials()) {
+                Material old = known.get(material.name());
+                if (old != null && !old.equals(material)) {
+                    parts.add(of(old, material));
+                }
+            }
+        }
+        return names(after).equals(names(before)) || addsDefault(before, after);
+    }
+
+    private static boolean addsDefault(Scene before, Scene after) {
+        List<String> names = new ArrayList<>(names(before));
+        names.add(Material.DEFAULT.name());
+        return names(after).equals(names);
+    }
+
+    private static List<String> names(Scene scene) {
+        return scene.materials().stream().map(Material::name).toList();
+    }
+
+    /** The edit of one material: {@code gold: diffuse, shininess} where several properties changed. */
+    private static String of(Material before, Material after) {
+        List<String> parts = new ArrayList<>();
+        change("ambient", color(before.ambient()), color(after.ambient()), parts);
+        change("diffuse", color(before.diffuse()), color(after.diffuse()), parts);
+        change("specular", color(before.specular()), color(after.specular()), parts);
+        change("shininess", number(before.shininess()), number(after.shininess()), parts);
+        change("reflective", color(before.reflective()), color(after.reflective()), parts);
+        change("texture", texture(before), texture(after), parts);
+        return joined(before.name(), parts);
+    }
+
+    private static String joined(String name, List<String> parts) {
+        return name + ": " + (parts.isEmpty() ? "a little" : parts.size() == 1 ? parts.getFirst()
+                : String.join(", ", parts.stream().map(p -> p.substring(0, p.indexOf(' '))).toList()));
+    }
+
+    private static String texture(Material material) {
+        return material.texture().map(t -> t.file() + " " + number(t.repeatU()) + " × " + number(t.repeatV())).orElse("none");
     }
 
     private static void change(String what, String before, String after, List<String> parts) {

@@ -3,7 +3,8 @@ package lightning.edit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import lightning.shading.ViewEffects;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
 
 /**
  * What of the traced picture is shown: a state of looking, no part of the scene, that saving and verifying know nothing of.
@@ -31,11 +32,10 @@ public record Look(Optional<String> light, ViewEffects effects) {
     public String label() {
         List<String> parts = new ArrayList<>();
         light.ifPresent(name -> parts.add("only " + name));
-        if (!effects.shadows()) {
-            parts.add("no shadows");
-        }
-        if (!effects.reflections()) {
-            parts.add("no reflections");
+        for (Effect effect : Effect.values()) {
+            if (!effects.shows(effect)) {
+                parts.add("no " + effect.title());
+            }
         }
         if (!effects.litTextures()) {
             parts.add("glowing textures");

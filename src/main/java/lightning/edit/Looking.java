@@ -1,12 +1,12 @@
 package lightning.edit;
 
 import java.util.concurrent.CancellationException;
+import lightning.effects.ViewEffects;
 import lightning.image.Film;
 import lightning.relight.Reflections;
 import lightning.relight.Renderer;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
-import lightning.shading.ViewEffects;
 
 /**
  * Makes what a {@link Look} shows of a renderer's picture. A light's share is composed from what the renderer keeps; where

@@ -50,8 +50,8 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     /**
-     * Brings the picture to a scene. Replaces a scene that still waits. A trace of another picture (size, camera, shapes,
-     * materials) is cancelled; an update that runs is finished first, so that a picture comes even while edits never pause.
+     * Brings the picture to a scene. Replaces a scene that still waits. A trace of another picture (size, camera, shapes) is
+     * cancelled; an update that runs is finished first, so that a picture comes even while edits never pause.
      */
     public void render(Scene scene) {
         queue.render(scene);

@@ -86,7 +86,7 @@ final class RenderQueue {
 
     private static boolean samePicture(Scene a, Scene b) {
         return a.picture().width() == b.picture().width() && a.picture().height() == b.picture().height()
-                && a.camera().equals(b.camera()) && a.nodes().equals(b.nodes()) && a.materials().equals(b.materials());
+                && a.camera().equals(b.camera()) && a.nodes().equals(b.nodes());
     }
 
     synchronized void reflections() {

@@ -7,7 +7,7 @@ import lightning.trace.Geometry;
 import lightning.trace.Ray;
 import lightning.trace.SurfacePoint;
 
-/** Finds what lies under a place of a canvas. Made once for all scenes that differ in their lights only. */
+/** Finds what lies under a place of a canvas. Made once for all scenes that differ in lights and materials only. */
 public final class ScenePicker {
     private final Scene scene;
     private final Geometry geometry;

@@ -1,30 +1,76 @@
 package lightning.effects;
 
-/** The parts of the picture that a scene may or may not call for. */
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import lightning.math.Rgb;
+import lightning.scene.Antialias;
+import lightning.scene.Attenuation;
+import lightning.scene.LightType;
+import lightning.scene.Sampling;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+
+/**
+ * The parts of the picture that a scene may or may not call for: the one place that names them. Each tells who calls for
+ * it, and what the scene is without it.
+ */
 public enum Effect {
-    SHADOWS("shadows"),
-    SPECULAR("specular highlights"),
-    TEXTURES("textures"),
-    REFLECTION("reflection"),
-    ATTENUATION("attenuation"),
-    SPOT_CONE("cones of light"),
-    DROPOFF("dropoff"),
-    DIRECTIONAL_LIGHTS("directional lights"),
-    POINT_LIGHTS("point lights"),
-    SPOT_LIGHTS("spot lights"),
-    SPHERES("spheres"),
-    CONES("cones"),
-    CYLINDERS("cylinders"),
-    PLANES("planes");
+    SHADOWS("shadows", uses -> uses.lights(_ -> true), UnaryOperator.identity()),
+    SPECULAR("specular highlights", uses -> uses.litMaterials(m -> !m.specular().isBlack()),
+            scene -> Without.materials(scene, m -> m.withSpecular(Rgb.BLACK))),
+    TEXTURES("textures", uses -> uses.litMaterials(m -> m.texture().isPresent() && !m.diffuse().isBlack()),
+            scene -> Without.materials(scene, m -> m.withTexture(Optional.empty()))),
+    REFLECTION("reflections", Uses::mirrors,
+            scene -> Without.materials(scene, m -> m.withReflective(Rgb.BLACK)).withPicture(scene.picture().withDepth(0))),
+    ATTENUATION("attenuation", uses -> uses.lights(l -> l.type().hasPosition() && !l.attenuation().isNone()),
+            scene -> Without.lights(scene, l -> l.withAttenuation(Attenuation.NONE))),
+    SPOT_CONE("cones of light", uses -> uses.lights(l -> l.type().hasCone() && l.angle() < 180),
+            scene -> Without.lights(scene, l -> l.withAngle(180))),
+    DROPOFF("dropoff", uses -> uses.lights(l -> l.type().hasCone() && l.dropoff() != 0),
+            scene -> Without.lights(scene, l -> l.withDropoff(0))),
+    ANTIALIASING("anti-aliasing", Uses::fineSamples, scene -> scene.withPicture(scene.picture()
+            .withSampling(new Sampling(Antialias.OFF, scene.picture().sampling().grid())))),
+    DIRECTIONAL_LIGHTS("directional lights", LightType.DIRECTIONAL),
+    POINT_LIGHTS("point lights", LightType.POINT),
+    SPOT_LIGHTS("spot lights", LightType.SPOT),
+    SPHERES("spheres", Shape.Sphere.class),
+    CONES("cones", Shape.Cone.class),
+    CYLINDERS("cylinders", Shape.Cylinder.class),
+    PLANES("planes", Shape.Plane.class);
 
     private final String title;
+    private final Function<Uses, Stream<String>> callers;
+    private final UnaryOperator<Scene> without;
 
-    Effect(String title) {
+    Effect(String title, Function<Uses, Stream<String>> callers, UnaryOperator<Scene> without) {
         this.title = title;
+        this.callers = callers;
+        this.without = without;
+    }
+
+    Effect(String title, LightType type) {
+        this(title, uses -> uses.lights(l -> l.type() == type),
+                scene -> Without.lights(scene, l -> l.type() == type ? l.withOn(false) : l));
+    }
+
+    Effect(String title, Class<? extends Shape> type) {
+        this(title, uses -> uses.shapes(type), scene -> Without.shapes(scene, type));
     }
 
     /** For people, lower case, in the plural where there is one. */
     public String title() {
         return title;
+    }
+
+    /** The names of the lights, materials or shapes that call for it, in the order of the scene, perhaps repeatedly. */
+    Stream<String> callers(Uses uses) {
+        return callers.apply(uses);
+    }
+
+    /** The scene without it; for shadows the scene itself, because nothing in a scene tells of them. */
+    Scene without(Scene scene) {
+        return without.apply(scene);
     }
 }

@@ -48,6 +48,18 @@ public final class PictureFile {
     }
 
     /**
+     * Whether a file of this name holds what is displayed, clamped to 8 bits, rather than the film itself.
+     *
+     * @throws IOException if the extension is none of {@link #extensions()}
+     */
+    public static boolean isDisplayed(Path file) throws IOException {
+        return switch (formatOf(file)) {
+            case PNG, XPM -> true;
+            case PFM -> false;
+        };
+    }
+
+    /**
      * Writes a film; {@code file} holds the whole new picture or what it held before, at every moment.
      *
      * @param view what PNG and XPM show; PFM keeps the linear values and ignores it

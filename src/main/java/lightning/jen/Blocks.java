@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.scene.Antialias;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
 import lightning.scene.Group;
@@ -19,6 +20,7 @@ import lightning.scene.Material;
 import lightning.scene.Node;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
+import lightning.scene.Sampling;
 import lightning.scene.Shape;
 import lightning.scene.TextureMap;
 import lightning.scene.World;
@@ -31,8 +33,12 @@ final class Blocks {
                     p -> Value.of(p.width(), p.height())).inWholeNumbers(),
             Property.<Picture>number("depth", Picture.DEFAULT.depth(), 0, Limits.MAX_DEPTH, "mirror bounces",
                     p -> (double) p.depth()).inWholeNumbers(),
-            Property.choice("antialias", new Value.Word("off"), List.of("off"), p -> new Value.Word("off"))),
-            (name, v, children) -> new Picture(v.whole("size", 0), v.whole("size", 1), v.whole("depth", 0)));
+            Property.choice("antialias", word(Sampling.DEFAULT.antialias()), words(Antialias.values()),
+                    p -> word(p.sampling().antialias())),
+            Property.<Picture>number("samples", Sampling.DEFAULT.grid(), Limits.MIN_SAMPLES, Limits.MAX_SAMPLES,
+                    "along each side of a pixel", p -> (double) p.sampling().grid()).inWholeNumbers()),
+            (name, v, children) -> new Picture(v.whole("size", 0), v.whole("size", 1), v.whole("depth", 0),
+                    new Sampling(Antialias.valueOf(v.word("antialias").toUpperCase(Locale.ROOT)), v.whole("samples", 0))));
 
     static final BlockType<Camera> CAMERA = new BlockType<>("camera", false, Optional.empty(), List.of(
             position("from", Camera.DEFAULT.from(), Camera::from),
@@ -74,8 +80,7 @@ final class Blocks {
             (name, v, children) -> new Group(name, placement(v), children));
 
     static final BlockType<Light> LIGHT = new BlockType<>("light", true,
-            Optional.of(Property.choice("type", word(LightType.POINT), Stream.of(LightType.values())
-                    .map(t -> t.name().toLowerCase(Locale.ROOT)).toList(), l -> word(l.type()))),
+            Optional.of(Property.choice("type", word(LightType.POINT), words(LightType.values()), l -> word(l.type()))),
             lightProperties(Light.of("initial", LightType.POINT)),
             (name, v, children) -> new Light(name, LightType.valueOf(v.word("type").toUpperCase(Locale.ROOT)),
                     v.color("color"), v.number("intensity"), v.vector("at"), v.vector("direction"),
@@ -162,8 +167,12 @@ final class Blocks {
         return Value.of(a.constant(), a.linear(), a.quadratic());
     }
 
-    private static Value word(LightType type) {
-        return new Value.Word(type.name().toLowerCase(Locale.ROOT));
+    private static Value word(Enum<?> choice) {
+        return new Value.Word(choice.name().toLowerCase(Locale.ROOT));
+    }
+
+    private static List<String> words(Enum<?>[] choices) {
+        return Stream.of(choices).map(c -> c.name().toLowerCase(Locale.ROOT)).toList();
     }
 
     private static double component(Value v, int index) {

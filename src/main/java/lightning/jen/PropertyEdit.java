@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import lightning.scene.Group;
@@ -22,12 +23,16 @@ import lightning.scene.TextureMap;
  * Edits of a scene in the words of the file: {@code key.intensity=0.4}, {@code picture.size=640 480}.
  *
  * <p>The part before the point is {@code picture}, {@code camera}, {@code world}, or the name of a light, a
- * shape, a group or a material, looked for in this order. The properties are those of the file, and
- * {@code name} of everything but materials, and {@code type} of lights. Every method throws an
+ * shape, a group or a material, looked for in this order; {@code material:gold} means a material whatever else has
+ * its name. The properties are those of the file, and {@code name} of everything but materials, {@code type} of lights, and
+ * {@code texture=none} to take a texture away. The material {@code default} may be edited before it is written. A picture that
+ * the scene has not read yet can be named where a folder is given, and is looked for as if the scene file were in it. Every method throws an
  * {@link IllegalArgumentException} whose message says in one sentence what is wrong.
  */
 public final class PropertyEdit {
     private static final String NAME = "name";
+    private static final String MATERIAL = "material:";
+    private static final String NONE = "none";
 
     private PropertyEdit() {}
 
@@ -39,13 +44,26 @@ public final class PropertyEdit {
      *     property, or if the file could not say that value there
      */
     public static Scene apply(Scene scene, String assignment) {
+        return apply(scene, assignment, file -> texture(scene, file));
+    }
+
+    /**
+     * The same, with textures from a folder.
+     *
+     * @param folder where pictures are looked for, as if the scene file were in it
+     */
+    public static Scene apply(Scene scene, String assignment, Path folder) {
+        return apply(scene, assignment, file -> texture(scene, file, folder));
+    }
+
+    private static Scene apply(Scene scene, String assignment, Function<String, Texture> textures) {
         int equals = assignment.indexOf('=');
         int point = assignment.lastIndexOf('.', Math.max(equals, 0));
         if (point < 1) {
             throw new IllegalArgumentException("an edit must be written as NAME.PROPERTY=VALUE, was '" + assignment + "'");
         }
         return set(scene, assignment.substring(0, point).strip(), assignment.substring(point + 1, equals).strip(),
-                assignment.substring(equals + 1).strip());
+                assignment.substring(equals + 1).strip(), textures);
     }
 
     /**
@@ -55,20 +73,29 @@ public final class PropertyEdit {
      * @throws IllegalArgumentException as {@link #apply(Scene, String)}
      */
     public static Scene set(Scene scene, String target, String property, String value) {
-        switch (target) {
-            case "picture" -> {
-                return scene.withPicture(edited(scene, Blocks.PICTURE, "", scene.picture(), property, value));
-            }
-            case "camera" -> {
-                return scene.withCamera(edited(scene, Blocks.CAMERA, "", scene.camera(), property, value));
-            }
-            case "world" -> {
-                return scene.withWorld(edited(scene, Blocks.WORLD, "", scene.world(), property, value));
-            }
-            default -> {
-                return setNamed(scene, target, property, value);
-            }
-        }
+        return set(scene, target, property, value, file -> texture(scene, file));
+    }
+
+    /**
+     * The scene with a picture, read from a file, on a material; how often it repeats is kept.
+     *
+     * @param folder where the picture is looked for, as if the scene file were in it
+     * @throws IllegalArgumentException if there is no such material, or no such picture
+     */
+    public static Scene texture(Scene scene, String material, String file, Path folder) {
+        TextureName.check(file);
+        return set(scene, MATERIAL + material, "texture", new Value.Quoted(file).text(), f -> texture(scene, f, folder));
+    }
+
+    private static Scene set(Scene scene, String target, String property, String value, Function<String, Texture> textures) {
+        return switch (target) {
+            case "picture" -> scene.withPicture(edited(textures, Blocks.PICTURE, "", scene.picture(), property, value));
+            case "camera" -> scene.withCamera(edited(textures, Blocks.CAMERA, "", scene.camera(), property, value));
+            case "world" -> scene.withWorld(edited(textures, Blocks.WORLD, "", scene.world(), property, value));
+            default -> target.startsWith(MATERIAL)
+                    ? setMaterial(scene, target.substring(MATERIAL.length()), property, value, textures)
+                    : setNamed(scene, target, property, value, textures);
+        };
     }
 
     /**
@@ -113,37 +140,44 @@ public final class PropertyEdit {
         return "light " + words[0] + " " + words[1] + " { " + (words.length < 3 ? "" : words[2].replace('=', ' ')) + "\n}";
     }
 
-    private static Scene setNamed(Scene scene, String target, String property, String value) {
+    private static Scene setNamed(Scene scene, String target, String property, String value, Function<String, Texture> textures) {
         Optional<Light> light = scene.light(target);
         if (light.isPresent()) {
-            Light edited = edited(scene, Blocks.LIGHT, target, light.get(), property, value);
+            Light edited = edited(textures, Blocks.LIGHT, target, light.get(), property, value);
             return scene.withLights(replaced(scene.lights(), l -> l == light.get() ? edited : l));
         }
         if (names(scene.nodes()).anyMatch(target::equals)) {
-            List<Node> nodes = replaced(scene.nodes(), n -> node(scene, n, target, property, value));
+            List<Node> nodes = replaced(scene.nodes(), n -> node(textures, n, target, property, value));
             return new Scene(scene.picture(), scene.camera(), scene.world(), scene.materials(), nodes, scene.lights());
         }
-        if (scene.materials().stream().anyMatch(m -> m.name().equals(target))) {
-            List<Material> materials = replaced(scene.materials(), m -> m.name().equals(target)
-                    ? edited(scene, Blocks.MATERIAL, target, m, property, value) : m);
-            return new Scene(scene.picture(), scene.camera(), scene.world(), materials, scene.nodes(), scene.lights());
+        if (scene.material(target).isPresent()) {
+            return setMaterial(scene, target, property, value, textures);
         }
         List<String> known = Stream.of(Stream.of("picture", "camera", "world"), scene.lights().stream().map(Light::name),
                 names(scene.nodes()), scene.materials().stream().map(Material::name)).flatMap(s -> s).toList();
         throw new IllegalArgumentException("the scene has nothing named '" + target + "'" + Nearest.hint(target, known));
     }
 
-    private static Node node(Scene scene, Node node, String target, String property, String value) {
+    private static Scene setMaterial(Scene scene, String name, String property, String value, Function<String, Texture> textures) {
+        Material material = scene.materialsByName().get(name);
+        if (material == null) {
+            List<String> known = scene.materials().stream().map(Material::name).toList();
+            throw new IllegalArgumentException("there is no material '" + name + "'" + Nearest.hint(name, known));
+        }
+        return scene.withMaterial(edited(textures, Blocks.MATERIAL, name, material, property, value));
+    }
+
+    private static Node node(Function<String, Texture> textures, Node node, String target, String property, String value) {
         if (!node.name().equals(target)) {
             return node instanceof Group g ? new Group(g.name(), g.placement(),
-                    replaced(g.children(), n -> node(scene, n, target, property, value))) : node;
+                    replaced(g.children(), n -> node(textures, n, target, property, value))) : node;
         }
         return switch (node) {
-            case Group g -> edited(scene, Blocks.GROUP, target, g, property, value);
-            case Shape.Sphere s -> edited(scene, Blocks.SPHERE, target, s, property, value);
-            case Shape.Cone c -> edited(scene, Blocks.CONE, target, c, property, value);
-            case Shape.Cylinder c -> edited(scene, Blocks.CYLINDER, target, c, property, value);
-            case Shape.Plane p -> edited(scene, Blocks.PLANE, target, p, property, value);
+            case Group g -> edited(textures, Blocks.GROUP, target, g, property, value);
+            case Shape.Sphere s -> edited(textures, Blocks.SPHERE, target, s, property, value);
+            case Shape.Cone c -> edited(textures, Blocks.CONE, target, c, property, value);
+            case Shape.Cylinder c -> edited(textures, Blocks.CYLINDER, target, c, property, value);
+            case Shape.Plane p -> edited(textures, Blocks.PLANE, target, p, property, value);
         };
     }
 
@@ -157,11 +191,13 @@ public final class PropertyEdit {
     }
 
     /** The record with one property set. */
-    private static <T> T edited(Scene scene, BlockType<T> type, String name, T record, String property, String value) {
+    private static <T> T edited(Function<String, Texture> textures, BlockType<T> type, String name, T record, String property, String value) {
         Map<String, Value> values = new HashMap<>(type.values(record));
         String newName = name;
         if (property.equals(NAME) && type.named() && type != Blocks.MATERIAL) {
             newName = Limits.name(value);
+        } else if (type == Blocks.MATERIAL && property.equals("texture") && value.equals(NONE)) {
+            values.put(property, new Value.Absent());
         } else {
             values.put(property, value(type, name, property, value));
         }
@@ -171,7 +207,7 @@ public final class PropertyEdit {
         type.properties().forEach(p -> values.computeIfPresent(p.name(), (n, v) -> v instanceof Value.Absent ? p.initial() : v));
         List<Node> children = record instanceof Group g ? g.children() : List.of();
         try {
-            return type.builder().build(newName, new Values(values, file -> texture(scene, file)), children);
+            return type.builder().build(newName, new Values(values, textures), children);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException((name.isEmpty() ? type.keyword() : type.keyword() + " '" + name + "'") + ": "
                     + e.getMessage(), e);
@@ -203,11 +239,25 @@ public final class PropertyEdit {
         return block.entries.get(property).value();
     }
 
-    /** A picture that the scene already holds: an edit reads no files. */
+    /** A picture that the scene already holds: without a folder an edit reads no files. */
     private static Texture texture(Scene scene, String file) {
+        return held(scene, file).orElseThrow(() -> new IllegalArgumentException(
+                "texture must be one that the scene already has, was '" + file + "'"));
+    }
+
+    private static Texture texture(Scene scene, String file, Path folder) {
+        return held(scene, file).orElseGet(() -> {
+            try {
+                return new TextureFolder(folder).load(file);
+            } catch (TextureFolder.UnusableException e) {
+                throw new IllegalArgumentException(e.getMessage(), e);
+            }
+        });
+    }
+
+    private static Optional<Texture> held(Scene scene, String file) {
         return scene.materials().stream().flatMap(m -> m.texture().stream()).filter(t -> t.file().equals(file))
-                .map(TextureMap::image).findFirst().orElseThrow(() -> new IllegalArgumentException(
-                        "texture must be one that the scene already has, was '" + file + "'"));
+                .map(TextureMap::image).findFirst();
     }
 
     private static void throwIfAny(Problems problems) {

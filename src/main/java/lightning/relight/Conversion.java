@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.cache.CachedTile;
+import lightning.cache.FineTile;
 import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
 import lightning.cache.TileLevel;
@@ -16,6 +17,8 @@ import lightning.shading.Progress;
 import lightning.shading.RatioKernel;
 import lightning.shading.TraceCounts;
 import lightning.shading.Workers;
+import lightning.trace.Geometry;
+import lightning.trace.MaterialTable;
 import lightning.trace.PacketTracer;
 
 /**
@@ -28,29 +31,29 @@ import lightning.trace.PacketTracer;
  */
 record Conversion(PixelCache cache, Options to) {
 
-    /** Whether a picture can be converted: not where mirror levels are kept as hit shapes, whose rows are gone. */
+    /**
+     * Whether a picture can be converted: not where mirror levels are kept as hit shapes, whose rows are gone, and not
+     * where its finer samples are an older picture's.
+     */
     static boolean serves(PixelCache cache) {
-        for (int i = 0; i < cache.tileCount(); i++) {
-            if (cache.tile(i).hitShapes.length > 0) {
-                return false;
-            }
-        }
-        return true;
+        return cache.sampled().equals(cache.sight()) && cache.all().stream().allMatch(tile -> tile.hitShapes.length == 0);
     }
 
     /** What it does, as a plan. */
     UpdatePlan plan() {
         int depth = cache.scene().picture().depth();
-        return new UpdatePlan.Relight(level(cache.scene(), cache.stamps()), level(cache.mirroredScene(), cache.mirroredStamps()), depth, depth);
+        MaterialTable materials = cache.geometry().materials();
+        return new UpdatePlan.Relight(level(cache.scene(), cache.stamps(), materials),
+                level(cache.mirroredScene(), cache.mirroredStamps(), materials), depth, depth);
     }
 
-    private static LevelPlan level(Scene scene, LayerStamp[] stamps) {
+    private static LevelPlan level(Scene scene, LayerStamp[] stamps, MaterialTable materials) {
         List<LayerPlan> layers = new ArrayList<>();
         for (int l = 0; l < stamps.length; l++) {
             LightUpdate update = stamps[l] == null ? new LightUpdate.Keep() : new LightUpdate.Refresh();
             layers.add(new LayerPlan(scene.lights().get(l), l, stamps[l], update));
         }
-        return new LevelPlan(layers, List.of(), true);
+        return new LevelPlan(layers, List.of(), true, MaterialUpdate.none(materials));
     }
 
     /** What is known afterwards, and what that took. */
@@ -63,12 +66,22 @@ record Conversion(PixelCache cache, Options to) {
         Tiles[] threads = new Tiles[workers.count()];
         Arrays.setAll(threads, _ -> new Tiles(cache, to));
         CachedTile[] tiles = new CachedTile[cache.tileCount()];
-        workers.run(tiles.length, (worker, tile) -> tiles[tile] = threads[worker].convert(cache.tile(tile), top, mirrors), progress);
+        FineTile[] fine = new FineTile[cache.fineCount()];
+        int perPixel = cache.scene().picture().sampling().perPixel();
+        workers.run(Math.max(tiles.length, fine.length), (worker, i) -> {
+            CachedTile center = tiles.length == 0 ? null : threads[worker].convert(cache.tile(i), top, mirrors);
+            if (center != null) {
+                tiles[i] = center;
+            }
+            if (fine.length > 0) {
+                fine[i] = cache.fine(i).map(center, block -> threads[worker].convert(block, top, mirrors), perPixel);
+            }
+        }, progress);
         Work work = Work.NONE;
         for (Tiles thread : threads) {
             work = work.plus(thread.work());
         }
-        return new Result(new PixelCache(cache.geometry(), tiles, cache.scene(), cache.mirroredScene(), fresh(cache.stamps()),
+        return new Result(new PixelCache(cache.geometry(), tiles, fine, cache.sight(), cache.sampled(), fresh(cache.stamps()),
                 fresh(cache.mirroredStamps())), work);
     }
 
@@ -86,38 +99,24 @@ record Conversion(PixelCache cache, Options to) {
      */
     private record Lit(Scene scene, Lamp[] shining, Lamp[] computed) {
         static Lit of(Scene scene, LayerStamp[] stamps) {
-            return new Lit(scene, Job.lamps(scene), Arrays.stream(stamps)
+            return new Lit(scene, Lamp.all(scene), Arrays.stream(stamps)
                     .map(s -> s == null ? null : Lamp.shining(s.light(), scene)).toArray(Lamp[]::new));
         }
     }
 
-    /** Converts tiles, with scratch memory: one for each thread. */
-    private static final class Tiles {
+    /** Converts layers, with scratch memory: one for each thread and each of the first level and those in mirrors. */
+    private static final class Layers {
         private final LightKernel lights;
         private final RatioKernel ratios;
         private final LayerUpdater updater;
-        private final TilePainter painter;
-        private long rowsComposed;
 
-        Tiles(PixelCache cache, Options to) {
-            lights = new LightKernel(cache.geometry(), new PacketTracer(cache.geometry()), to.view());
+        Layers(Geometry geometry, Options to) {
+            lights = new LightKernel(geometry, new PacketTracer(geometry), to.view());
             ratios = new RatioKernel(lights);
             updater = LayerUpdater.of(to.accuracy(), lights, ratios);
-            painter = new TilePainter(cache.geometry().materials(), to.view());
         }
 
-        CachedTile convert(CachedTile old, Lit top, Lit mirrors) {
-            TileLevel[] levels = new TileLevel[old.levels.length];
-            for (int k = 0; k < levels.length; k++) {
-                levels[k] = convert(old.levels[k], k == 0 ? top : mirrors);
-                rowsComposed += levels[k].rows().count;
-            }
-            float[][] scratch = painter.mirrored(levels, mirrors.shining(), mirrors.scene().world());
-            float[][] cr = scratch == null ? null : copyOf(scratch, levels[0].rows().reflective);
-            return new CachedTile(levels, old.hitShapes, cr, painter.film(levels[0], top.shining(), top.scene().world(), cr));
-        }
-
-        private TileLevel convert(TileLevel old, Lit lit) {
+        TileLevel convert(TileLevel old, Lit lit) {
             LightLayer[] layers = new LightLayer[old.layers().length];
             for (int l = 0; l < layers.length; l++) {
                 LightLayer before = old.layers()[l];
@@ -126,12 +125,42 @@ record Conversion(PixelCache cache, Options to) {
             return new TileLevel(old.rows(), layers);
         }
 
+        Work work(long rowsComposed) {
+            return new Work(lights.rowsTouched() + ratios.rowsScaled(), rowsComposed, 0, new TraceCounts(0, 0, lights.shadowRays()));
+        }
+    }
+
+    /** Converts tiles: one for each thread. */
+    private static final class Tiles {
+        private final Layers eye;
+        private final Layers mirror;
+        private final TilePainter painter;
+        private long rowsComposed;
+
+        Tiles(PixelCache cache, Options to) {
+            eye = new Layers(cache.geometry(), to);
+            mirror = new Layers(cache.geometry().of(cache.mirroredScene()), to);
+            painter = new TilePainter(cache, to.view());
+        }
+
+        CachedTile convert(CachedTile old, Lit top, Lit mirrors) {
+            TileLevel[] levels = new TileLevel[old.levels.length];
+            for (int k = 0; k < levels.length; k++) {
+                levels[k] = k == 0 ? eye.convert(old.levels[k], top) : mirror.convert(old.levels[k], mirrors);
+                rowsComposed += levels[k].rows().count;
+            }
+            float[][] scratch = painter.mirrored(levels, mirrors.shining(), mirrors.scene().world());
+            float[][] cr = scratch == null ? null : copyOf(scratch, levels[0].rows().reflective);
+            return new CachedTile(levels, old.hitShapes, cr, painter.film(levels[0], top.shining(), top.scene().world(), cr),
+                    old.codes);
+        }
+
         private static float[][] copyOf(float[][] columns, int rows) {
             return new float[][] {Arrays.copyOf(columns[0], rows), Arrays.copyOf(columns[1], rows), Arrays.copyOf(columns[2], rows)};
         }
 
         Work work() {
-            return new Work(lights.rowsTouched() + ratios.rowsScaled(), rowsComposed, 0, new TraceCounts(0, 0, lights.shadowRays()));
+            return eye.work(rowsComposed).plus(mirror.work(0));
         }
     }
 }

@@ -14,6 +14,7 @@ import lightning.scene.Scene;
 import lightning.shading.ConeChange;
 import lightning.shading.IntensityRatio;
 import lightning.shading.Lamp;
+import lightning.trace.Geometry;
 
 /**
  * Finds the least update that leads from the scene rendered last to the scene wanted (paper §4.9), by
@@ -37,11 +38,14 @@ final class Dispatcher {
         if (known.picture().width() != wanted.picture().width() || known.picture().height() != wanted.picture().height()) {
             return new UpdatePlan.FirstPass("another size");
         }
+        if (!known.picture().sampling().samplesLike(wanted.picture().sampling())) {
+            return new UpdatePlan.FirstPass("other samples");
+        }
         if (!known.camera().equals(wanted.camera())) {
             return new UpdatePlan.FirstPass("another camera");
         }
         if (!cache.geometry().serves(wanted)) {
-            return new UpdatePlan.FirstPass("other shapes or materials");
+            return new UpdatePlan.FirstPass("other shapes");
         }
         int depthFrom = known.picture().depth();
         int depthTo = wanted.picture().depth();
@@ -49,12 +53,14 @@ final class Dispatcher {
         if (known.equals(wanted) && !refresh) {
             return new UpdatePlan.Nothing();
         }
-        return new UpdatePlan.Relight(level(known, cache::stamp, wanted, accuracy),
-                refresh ? level(cache.mirroredScene(), cache::mirroredStamp, wanted, accuracy) : null, depthFrom, depthTo);
+        Geometry geometry = cache.geometry().of(wanted);
+        return new UpdatePlan.Relight(level(cache.geometry(), known, cache::stamp, wanted, geometry, accuracy), refresh
+                ? level(cache.geometry().of(cache.mirroredScene()), cache.mirroredScene(), cache::mirroredStamp, wanted, geometry, accuracy)
+                : null, depthFrom, depthTo);
     }
 
     /** The update of the layers that show {@code known} and were computed for {@code stamps}. */
-    private static LevelPlan level(Scene known, IntFunction<LayerStamp> stamps, Scene wanted,
+    private static LevelPlan level(Geometry shown, Scene known, IntFunction<LayerStamp> stamps, Scene wanted, Geometry geometry,
             Accuracy accuracy) {
         int[] origins = origins(known.lights(), wanted.lights());
         List<LayerPlan> layers = new ArrayList<>();
@@ -71,7 +77,8 @@ final class Dispatcher {
                 dropped.add(known.lights().get(i).name());
             }
         }
-        return new LevelPlan(layers, dropped, composesEverywhere(known, wanted, origins));
+        return new LevelPlan(layers, dropped, composesEverywhere(known, wanted, origins),
+                MaterialDifference.between(shown.materials(), geometry.materials()));
     }
 
     /** A change of the order or number of lights changes how their sum is grouped. */
@@ -124,19 +131,20 @@ final class Dispatcher {
     /** At level ratio: all contributions anew, of the scene that is shown. */
     static UpdatePlan.Relight refresh(PixelCache cache) {
         int depth = cache.scene().picture().depth();
-        return new UpdatePlan.Relight(refresh(cache.scene(), cache.stamps()),
-                cache.mirroredScene().equals(cache.scene()) ? refresh(cache.mirroredScene(), cache.mirroredStamps()) : null,
+        MaterialUpdate materials = MaterialUpdate.none(cache.geometry().materials());
+        return new UpdatePlan.Relight(refresh(cache.scene(), cache.stamps(), materials),
+                cache.mirroredScene().equals(cache.scene()) ? refresh(cache.mirroredScene(), cache.mirroredStamps(), materials) : null,
                 depth, depth);
     }
 
-    private static LevelPlan refresh(Scene scene, LayerStamp[] stamps) {
+    private static LevelPlan refresh(Scene scene, LayerStamp[] stamps, MaterialUpdate materials) {
         List<LayerPlan> layers = new ArrayList<>();
         for (int l = 0; l < stamps.length; l++) {
             boolean scaled = stamps[l] != null && stamps[l].roundings() > 0 && scene.shines(scene.lights().get(l));
             LightUpdate update = scaled ? new LightUpdate.Refresh() : new LightUpdate.Keep();
             layers.add(new LayerPlan(scene.lights().get(l), l, stamps[l], update));
         }
-        return new LevelPlan(layers, List.of(), true);
+        return new LevelPlan(layers, List.of(), true, materials);
     }
 
     private static LightUpdate update(LayerStamp before, Light light, Scene wanted, Accuracy accuracy) {
@@ -166,7 +174,11 @@ final class Dispatcher {
      */
     private static LightUpdate ratio(Light before, Light light, Scene wanted) {
         LightDifference difference = LightDifference.between(before, light);
+        LightUpdate least = exact(difference);
+        if (least instanceof LightUpdate.Keep) {
+            return least;
+        }
         boolean usable = IntensityRatio.between(Lamp.shining(before, wanted), Lamp.shining(light, wanted)).isUsable();
-        return difference.cone() == ConeChange.TURN || !usable ? new LightUpdate.FullRecompute(false) : exact(difference);
+        return difference.cone() == ConeChange.TURN || !usable ? new LightUpdate.FullRecompute(false) : least;
     }
 }

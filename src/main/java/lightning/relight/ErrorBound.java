@@ -3,6 +3,7 @@ package lightning.relight;
 import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
 import lightning.image.DisplayCurve;
+import lightning.scene.Sampling;
 
 /**
  * How far the film may be from the exact one: relative for each value, plus an absolute part.
@@ -21,13 +22,12 @@ record ErrorBound(double relative, double absolute, double largest) {
     private static final double HALF_STEP = 0.5 / 255;
 
     static ErrorBound of(PixelCache cache) {
-        if (cache == null) {
-            return NONE;
-        }
         LayerStamp[] top = cache.stamps();
         LayerStamp[] mirrors = cache.mirroredStamps();
         int depth = cache.mirroredScene().picture().depth();
-        double relative = Math.max(RatioBound.relative(top, 0), RatioBound.relative(mirrors, depth));
+        Sampling sampling = cache.scene().picture().sampling();
+        int samples = sampling.isFine() ? sampling.perPixel() : 1;
+        double relative = Math.max(RatioBound.relative(top, 0, samples), RatioBound.relative(mirrors, depth, samples));
         if (relative == 0) {
             return NONE;
         }

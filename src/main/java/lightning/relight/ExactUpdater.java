@@ -7,6 +7,8 @@ import lightning.shading.LightLayer;
 import lightning.shading.LightRows;
 import lightning.shading.RatioRows;
 import lightning.trace.HitRows;
+import lightning.trace.MaterialSet;
+import lightning.trace.RowSplice;
 
 /** Updates that leave a layer as a full trace would make it, in every bit. */
 record ExactUpdater(LightKernel kernel) implements LayerUpdater {
@@ -32,5 +34,15 @@ record ExactUpdater(LightKernel kernel) implements LayerUpdater {
             case LightRows layer -> layer;
             case RatioRows layer -> kernel.again(rows, lamp, layer, Columns.FRESH);
         };
+    }
+
+    @Override
+    public LightLayer speculars(HitRows rows, Lamp lamp, LightLayer before, MaterialSet changed) {
+        return kernel.speculars(rows, lamp, (LightRows) before, changed, Columns.FRESH);
+    }
+
+    @Override
+    public LightLayer spliced(RowSplice splice, LightLayer before, LightLayer added, Lamp lamp) {
+        return kernel.spliced(splice, (LightRows) before, (LightRows) added, lamp);
     }
 }

@@ -3,6 +3,7 @@ package lightning.relight;
 import lightning.cache.LayerStamp;
 import lightning.cache.TileLevel;
 import lightning.image.Film;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.shading.BranchSums;
 import lightning.shading.Lamp;
@@ -13,15 +14,28 @@ import lightning.trace.Geometry;
 /**
  * What all threads of one update share, made ready once.
  *
- * @param scene the scene wanted
- * @param lamps its lights, in its order
- * @param top the update of the first level; null in a first pass
- * @param mirrors the update of the mirror levels; null where they stay, and in a first pass
+ * @param shown    what the first level shall show
+ * @param mirrored what the mirror levels shall show: the same where they are updated too, and in a first pass
+ * @param top      the update of the first level; null in a first pass
+ * @param mirrors  the update of the mirror levels; null where they stay, and in a first pass
+ * @param coding   whether anti-aliasing looks for edges anew
  */
-record Job(Geometry geometry, Scene scene, Lamp[] lamps, Options options, Level top, Level mirrors, Progress progress) {
+record Job(Shown shown, Shown mirrored, Options options, Level top, Level mirrors, boolean coding, Progress progress) {
 
-    static Lamp[] lamps(Scene scene) {
-        return scene.lights().stream().map(light -> Lamp.of(light, scene)).toArray(Lamp[]::new);
+    /**
+     * What levels show.
+     *
+     * @param geometry with the scene's materials
+     * @param lamps    the scene's lights, in its order
+     */
+    record Shown(Geometry geometry, Scene scene, Lamp[] lamps) {
+        static Shown of(Geometry geometry, Scene scene) {
+            return new Shown(geometry.of(scene), scene, Lamp.all(scene));
+        }
+    }
+
+    Scene scene() {
+        return shown.scene();
     }
 
     /** Whether mirror levels are kept as full rows. */
@@ -30,32 +44,44 @@ record Job(Geometry geometry, Scene scene, Lamp[] lamps, Options options, Level 
     }
 
     int depth() {
-        return scene.picture().depth();
+        return scene().picture().depth();
+    }
+
+    Sampling sampling() {
+        return scene().picture().sampling();
     }
 
     int tilesX() {
-        return (scene.picture().width() + Film.TILE - 1) / Film.TILE;
+        return (scene().picture().width() + Film.TILE - 1) / Film.TILE;
+    }
+
+    int tileCount() {
+        return tilesX() * ((scene().picture().height() + Film.TILE - 1) / Film.TILE);
     }
 
     /**
      * A level's plan, with the lights that its layers were computed for, and whether each light's
-     * effective weight changes: colour, intensity, on or solo; and the key of sums that may be kept
+     * effective weight changes: colour, intensity, on or solo; whether it was dark; and the key of sums that may be kept
      * because one light alone is edited again and again, or null.
      */
-    record Level(LevelPlan plan, Lamp[] lamps, Lamp[] lampsBefore, boolean[] reweighted, BranchSums.Key key) {
+    record Level(LevelPlan plan, Lamp[] lamps, Lamp[] lampsBefore, boolean[] reweighted, boolean[] darkBefore,
+            BranchSums.Key key) {
 
         static Level of(LevelPlan plan, Scene known, Lamp[] lamps, Drag drag) {
             boolean[] reweighted = new boolean[lamps.length];
+            boolean[] dark = new boolean[lamps.length];
             Lamp[] lampsBefore = new Lamp[lamps.length];
             for (int l = 0; l < lamps.length; l++) {
                 LayerStamp stamp = plan.layers().get(l).before();
                 lampsBefore[l] = stamp == null ? null : Lamp.shining(stamp.light(), known);
                 int from = plan.layers().get(l).from();
                 Lamp before = from < 0 ? null : Lamp.of(known.lights().get(from), known);
+                dark[l] = before == null || before.isDark();
                 reweighted[l] = before == null || before.red() != lamps[l].red()
                         || before.green() != lamps[l].green() || before.blue() != lamps[l].blue();
             }
-            return new Level(plan, lamps, lampsBefore, reweighted, drag.next(onlyChange(plan, reweighted), lamps.length));
+            int only = plan.materials().isEmpty() ? onlyChange(plan, reweighted) : -1;
+            return new Level(plan, lamps, lampsBefore, reweighted, dark, drag.next(only, lamps.length));
         }
 
         /** The only light whose contribution changes, or −1. */
@@ -82,15 +108,26 @@ record Job(Geometry geometry, Scene scene, Lamp[] lamps, Options options, Level 
                     // Never lit, or a mirror level that a deeper recursion added while the light was dark.
                     layers[l] = lamps[l].isDark() ? null : updater.full(old.rows(), lamps[l]);
                 } else {
-                    layers[l] = updater.update(old.rows(), lampsBefore[l], lamps[l], before, layer.update());
+                    LightLayer ready = layer.update() instanceof LightUpdate.FullRecompute ? before
+                            : updater.speculars(old.rows(), lampsBefore[l], before, plan.materials().speculars());
+                    layers[l] = updater.update(old.rows(), lampsBefore[l], lamps[l], ready, layer.update());
                 }
             }
             return layers;
         }
 
+        /** Whether anti-aliasing may see other edges of lights than before. */
+        boolean recodes(TileLevel old, LightLayer[] layers) {
+            boolean same = !plan.compose() && plan.materials().isEmpty();
+            for (int l = 0; same && l < lamps.length; l++) {
+                same = layers[l] == old.layers()[l] && darkBefore[l] == lamps[l].isDark();
+            }
+            return !same;
+        }
+
         /** Whether any row's colour may differ from before, its mirror image left out. */
         boolean recolors(TileLevel old, LightLayer[] layers) {
-            if (plan.compose()) {
+            if (plan.compose() || plan.materials().recolored().isIn(old.rows())) {
                 return true;
             }
             for (int l = 0; l < lamps.length; l++) {

@@ -5,6 +5,8 @@ import lightning.shading.LightKernel;
 import lightning.shading.LightLayer;
 import lightning.shading.RatioKernel;
 import lightning.trace.HitRows;
+import lightning.trace.MaterialSet;
+import lightning.trace.RowSplice;
 
 /** Carries out a light's update on one tile's layer, at one level of accuracy. One for each thread. */
 interface LayerUpdater {
@@ -29,4 +31,21 @@ interface LayerUpdater {
 
     /** The layer in this level's form, as {@link #full} would make it, from one in either form; no ray is cast. */
     LightLayer convert(HitRows rows, Lamp lamp, LightLayer before);
+
+    /**
+     * The layer after an edit of materials, its light being as it was.
+     *
+     * @param lamp    the light that it was computed for
+     * @param changed materials whose specular term changed
+     */
+    LightLayer speculars(HitRows rows, Lamp lamp, LightLayer before, MaterialSet changed);
+
+    /**
+     * The layer over rows that were put together anew.
+     *
+     * @param before over the old rows
+     * @param added  over the added rows; null where there are none
+     * @param lamp   the light that both were computed for; unread where no rows were added
+     */
+    LightLayer spliced(RowSplice splice, LightLayer before, LightLayer added, Lamp lamp);
 }

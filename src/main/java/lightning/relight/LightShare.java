@@ -3,6 +3,7 @@ package lightning.relight;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Function;
 import java.util.concurrent.CancellationException;
 import lightning.cache.CachedTile;
 import lightning.cache.PixelCache;
@@ -13,7 +14,7 @@ import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.shading.Lamp;
 import lightning.shading.Progress;
-import lightning.shading.ViewEffects;
+import lightning.effects.ViewEffects;
 import lightning.shading.Workers;
 
 /**
@@ -46,20 +47,25 @@ public final class LightShare {
      */
     static Film film(PixelCache cache, ViewEffects view, String light, Workers workers, Progress progress) {
         Scene scene = scene(cache.scene(), light);
-        Lamp[] top = Job.lamps(scene);
-        Lamp[] mirrors = Job.lamps(scene(cache.mirroredScene(), light));
+        Lamp[] top = Lamp.all(scene);
+        Lamp[] mirrors = Lamp.all(scene(cache.mirroredScene(), light));
         TilePainter[] painters = new TilePainter[workers.count()];
-        Arrays.setAll(painters, _ -> new TilePainter(cache.geometry().materials(), view));
-        float[][][] films = new float[cache.tileCount()][][];
+        Arrays.setAll(painters, _ -> new TilePainter(cache, view));
+        int perPixel = scene.picture().sampling().perPixel();
+        float[][][] films = new float[Math.max(cache.tileCount(), cache.fineCount())][][];
         workers.run(films.length, (worker, i) -> {
-            CachedTile tile = cache.tile(i);
-            if (tile.hitShapes.length > 0) {
-                throw new IllegalStateException("mirror levels are kept as hit shapes");
-            }
-            float[][] cr = painters[worker].mirrored(tile.levels, mirrors, scene.world());
-            films[i] = painters[worker].film(tile.levels[0], top, scene.world(), cr);
+            Function<CachedTile, float[][]> share = tile -> share(tile, painters[worker], top, mirrors, scene.world());
+            CachedTile center = cache.tileCount() == 0 ? null : cache.tile(i);
+            films[i] = cache.fineCount() == 0 ? share.apply(center) : cache.fine(i).film(center, share, perPixel);
         }, progress);
         return film(scene, films);
+    }
+
+    private static float[][] share(CachedTile tile, TilePainter painter, Lamp[] top, Lamp[] mirrors, World world) {
+        if (tile.hitShapes.length > 0) {
+            throw new IllegalStateException("mirror levels are kept as hit shapes");
+        }
+        return painter.film(tile.levels[0], top, world, painter.mirrored(tile.levels, mirrors, world));
     }
 
     private static Film film(Scene scene, float[][][] tiles) {

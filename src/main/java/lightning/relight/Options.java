@@ -1,6 +1,6 @@
 package lightning.relight;
 
-import lightning.shading.ViewEffects;
+import lightning.effects.ViewEffects;
 import lightning.shading.Workers;
 
 /**

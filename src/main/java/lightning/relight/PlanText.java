@@ -15,6 +15,7 @@ final class PlanText {
         for (LayerPlan layer : plan.top().layers()) {
             describe(layer, steps);
         }
+        steps.addAll(plan.top().materials().steps());
         if (plan.depthTo() != plan.depthFrom()) {
             steps.add("depth " + plan.depthFrom() + " → " + plan.depthTo());
         }

@@ -13,10 +13,11 @@ import lightning.scene.Light;
  * Stability, §3.1). The equation adds and multiplies values ≥ 0 only, so a sum is off by no larger share than
  * the worst of its terms, and each of the two pictures adds its own roundings on the way of a contribution to
  * the film: one for each level of the balanced sum over the lights; five to close the equation (kd or
- * ks·, + ambient, ·(1 − kr), + specular, + Cr); and two for each mirror that it is seen in (kr·, +). Hence for
- * every value I of the film
+ * ks·, + ambient, ·(1 − kr), + specular, + Cr); and two for each mirror that it is seen in (kr·, +); and where a pixel
+ * is the mean of samples, one for each level of their balanced sum and one for the division. Hence for every value I
+ * of the film
  *
- * <pre>|I − exact| ≤ γ(N)·I/(1 − γ(N)) + A,   N = 6 + scalings·2 + 2·(⌈log₂ lights⌉ + 5 + 2·mirrors)</pre>
+ * <pre>|I − exact| ≤ γ(N)·I/(1 − γ(N)) + A,   N = 6 + scalings·2 + 2·(⌈log₂ lights⌉ + 5 + 2·mirrors + mean)</pre>
  *
  * <p>Where a result is not normal it errs by at most η = 2⁻¹⁵⁰ instead. Scaling a contribution from
  * weight w and falloff f to w′ and f′ adds at most η·((1 + w)·f′/f + 3w′ + 2) by this: the two products and the
@@ -25,8 +26,10 @@ import lightning.scene.Light;
  * 4η·(w + w′ + 4)/(w′·f) with the least f of the old and new falloffs, however often a slider goes up and down.
  * As long as only weights change, no falloff need be known: then the shares are of w, and become shares of w·f when
  * falloffs change. Rows whose falloff is below the least normal float count as if it were that: they
- * are not scaled any more. The same holds for channels whose weight is below it, which stay below it. A is
- * twice the sum over the lights and the mirrors, and 64η for closing the equation.
+ * are scaled no more. A channel whose weight w′ is below it was scaled once, from a normal weight, and is scaled no more
+ * either: beyond its shares it is off by at most w′ + η. What closes the equation underflows by less than 64η.
+ * Both are within two least normal floats for each light. A is twice the sum over the lights, for diffuse and
+ * specular contributions, on each level of mirrors.
  */
 final class RatioBound {
     private static final double UNIT = 0x1p-24;
@@ -68,8 +71,9 @@ final class RatioBound {
      * The relative part γ(N)/(1 − γ(N)) over all layers of one level; 0 where nothing was scaled.
      *
      * @param mirrors in how many mirrors the level is seen at most
+     * @param samples of how many samples a pixel is the mean
      */
-    static double relative(LayerStamp[] stamps, int mirrors) {
+    static double relative(LayerStamp[] stamps, int mirrors, int samples) {
         int most = 0;
         for (LayerStamp stamp : stamps) {
             most = Math.max(most, stamp == null ? 0 : stamp.roundings());
@@ -77,22 +81,25 @@ final class RatioBound {
         if (most == 0) {
             return 0;
         }
-        int sum = 32 - Integer.numberOfLeadingZeros(Math.max(0, stamps.length - 1));
-        double n = 6 + most + 2.0 * (sum + 5 + 2 * mirrors);
+        int mean = samples == 1 ? 0 : levels(samples) + 1;
+        double n = 6 + most + 2.0 * (levels(stamps.length) + 5 + 2 * mirrors + mean);
         double gamma = n * UNIT / (1 - n * UNIT);
         return gamma / (1 - gamma);
     }
 
+    /** The levels of the balanced sum of so many terms: ⌈log₂ terms⌉. */
+    private static int levels(int terms) {
+        return 32 - Integer.numberOfLeadingZeros(Math.max(0, terms - 1));
+    }
+
     /** The absolute part A of as many levels as given. */
     static double absolute(LayerStamp[] stamps, int levels) {
-        double sum = 64 * TINY;
-        boolean scaled = false;
+        double sum = 0;
         for (LayerStamp stamp : stamps) {
             if (stamp != null && stamp.roundings() > 0) {
-                scaled = true;
-                sum += 2 * (weight(stamp.light()) * (stamp.lostOfContribution() + stamp.lostOfWeight()) + Float.MIN_NORMAL);
+                sum += 2 * (weight(stamp.light()) * (stamp.lostOfContribution() + stamp.lostOfWeight()) + 2 * Float.MIN_NORMAL);
             }
         }
-        return scaled ? levels * sum : 0;
+        return levels * sum;
     }
 }

@@ -7,6 +7,8 @@ import lightning.shading.LightRows;
 import lightning.shading.RatioKernel;
 import lightning.shading.RatioRows;
 import lightning.trace.HitRows;
+import lightning.trace.MaterialSet;
+import lightning.trace.RowSplice;
 
 /** The paper's updates: stored contributions are scaled by ratios (§4.1 to §4.4). */
 record RatioUpdater(RatioKernel kernel) implements LayerUpdater {
@@ -33,5 +35,15 @@ record RatioUpdater(RatioKernel kernel) implements LayerUpdater {
             case LightRows layer -> kernel.of(rows, lamp, layer);
             case RatioRows layer -> layer;
         };
+    }
+
+    @Override
+    public LightLayer speculars(HitRows rows, Lamp lamp, LightLayer before, MaterialSet changed) {
+        return kernel.speculars(rows, lamp, (RatioRows) before, changed);
+    }
+
+    @Override
+    public LightLayer spliced(RowSplice splice, LightLayer before, LightLayer added, Lamp lamp) {
+        return kernel.spliced(splice, (RatioRows) before, (RatioRows) added);
     }
 }

@@ -1,15 +1,14 @@
 package lightning.relight;
 
-import java.util.Arrays;
 import java.util.concurrent.CancellationException;
-import lightning.cache.CachedTile;
 import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
 import lightning.image.DisplayCurve;
 import lightning.image.Film;
+import lightning.scene.Antialias;
 import lightning.scene.Scene;
-import lightning.shading.Lamp;
 import lightning.shading.Progress;
+import lightning.shading.Sight;
 import lightning.shading.Workers;
 import lightning.trace.Geometry;
 
@@ -56,7 +55,7 @@ public final class Renderer implements AutoCloseable {
             workers.close();
             workers = new Workers(to.threads());
         }
-        boolean serves = to.view().equals(options.view()) && to.storage() == options.storage()
+        boolean serves = to.view().tracesLike(options.view()) && to.storage() == options.storage()
                 && (to.accuracy() == known || cache == null || Conversion.serves(cache));
         options = to;
         if (!serves) {
@@ -105,7 +104,7 @@ public final class Renderer implements AutoCloseable {
 
     /**
      * What one light gives to the picture, from what is known: no ray is cast, and nothing changes. Equal to the picture of
-     * {@link LightShare#scene}, mirrors included.
+     * {@link LightShare#scene}, mirrors included, over the samples of this picture.
      *
      * @param light the name; all is black where no light has it
      * @throws IllegalStateException if nothing was rendered yet, or mirror levels are kept as hit shapes
@@ -182,13 +181,13 @@ public final class Renderer implements AutoCloseable {
         work = work.plus(switch (plan) {
             case UpdatePlan.Nothing _ -> Work.NONE;
             case UpdatePlan.FirstPass _ -> firstPass(wanted, progress);
-            case UpdatePlan.Relight relight -> relight(relight, wanted, progress);
+            case UpdatePlan.Relight relight -> relight(relight, wanted, false, progress);
         });
         known = options.accuracy();
         ErrorBound bound = ErrorBound.of(cache);
         boolean refreshed = bound.shows(exposure, curve);
         if (refreshed) {
-            work = work.plus(relight(Dispatcher.refresh(cache), cache.scene(), progress));
+            work = work.plus(relight(Dispatcher.refresh(cache), cache.scene(), true, progress));
             bound = ErrorBound.of(cache);
         }
         return new Update(told, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(), System.nanoTime() - start,
@@ -203,42 +202,32 @@ public final class Renderer implements AutoCloseable {
 
     private Work firstPass(Scene wanted, Progress progress) {
         Geometry geometry = cache != null && cache.geometry().serves(wanted) ? cache.geometry() : new Geometry(wanted);
-        Lamp[] lamps = Job.lamps(wanted);
-        Job job = new Job(geometry, wanted, lamps, options, null, null, progress);
-        LayerStamp[] stamps = new LayerStamp[lamps.length];
-        for (int l = 0; l < lamps.length; l++) {
-            stamps[l] = lamps[l].isDark() ? null : LayerStamp.fresh(lamps[l].light());
+        Job.Shown shown = Job.Shown.of(geometry, wanted);
+        LayerStamp[] stamps = new LayerStamp[shown.lamps().length];
+        for (int l = 0; l < stamps.length; l++) {
+            stamps[l] = shown.lamps()[l].isDark() ? null : LayerStamp.fresh(shown.lamps()[l].light());
         }
-        int tilesY = (wanted.picture().height() + Film.TILE - 1) / Film.TILE;
-        CachedTile[] tiles = new CachedTile[job.tilesX() * tilesY];
-        TileWorker[] threads = threads(job);
-        workers.run(tiles.length, (worker, tile) -> tiles[tile] = threads[worker].firstPass(tile), progress);
-        cache = new PixelCache(geometry, tiles, wanted, wanted, stamps, stamps);
-        return Work.of(threads);
+        boolean coding = wanted.picture().sampling().antialias() == Antialias.EDGES;
+        TileRun run = new TileRun(new Job(shown, shown, options, null, null, coding, progress), workers, null);
+        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), Sight.of(wanted), Sight.of(wanted), stamps, stamps);
+        return run.work();
     }
 
-    private Work relight(UpdatePlan.Relight plan, Scene wanted, Progress progress) {
+    private Work relight(UpdatePlan.Relight plan, Scene wanted, boolean refreshed, Progress progress) {
         PixelCache old = cache;
-        Lamp[] lamps = Job.lamps(wanted);
         boolean mirrors = plan.mirrors() != null;
-        Job job = new Job(old.geometry(), wanted, lamps, options, Job.Level.of(plan.top(), old.scene(), lamps, drag),
-                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), lamps, mirroredDrag) : null, progress);
-        CachedTile[] tiles = new CachedTile[old.tileCount()];
-        TileWorker[] threads = threads(job);
-        workers.run(tiles.length, (worker, tile) -> tiles[tile] = threads[worker].relight(old.tile(tile)), progress);
-        double leastFalloff = 1;
-        for (TileWorker thread : threads) {
-            leastFalloff = Math.min(leastFalloff, thread.leastFalloff());
-        }
-        cache = new PixelCache(old.geometry(), tiles, wanted, mirrors ? wanted : old.mirroredScene(),
-                stamps(plan.top(), leastFalloff), mirrors ? stamps(plan.mirrors(), leastFalloff) : old.mirroredStamps());
-        return Work.of(threads);
-    }
-
-    private TileWorker[] threads(Job job) {
-        TileWorker[] threads = new TileWorker[workers.count()];
-        Arrays.setAll(threads, _ -> new TileWorker(job));
-        return threads;
+        Job.Shown shown = Job.Shown.of(old.geometry(), wanted);
+        Job.Shown mirrored = mirrors ? shown : Job.Shown.of(old.geometry(), old.mirroredScene());
+        boolean seeksEdges = wanted.picture().sampling().antialias() == Antialias.EDGES;
+        boolean coding = seeksEdges && (refreshed || options.accuracy() == Accuracy.EXACT || plan.depthFrom() != plan.depthTo());
+        Job job = new Job(shown, mirrored, options, Job.Level.of(plan.top(), old.scene(), shown.lamps(), drag),
+                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), shown.lamps(), mirroredDrag) : null, coding, progress);
+        TileRun run = new TileRun(job, workers, old);
+        Sight sampled = seeksEdges && !coding ? old.sampled() : new Sight(wanted, mirrors ? wanted : old.sampled().mirrored());
+        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), new Sight(wanted, mirrored.scene()), sampled,
+                stamps(plan.top(), run.leastFalloff()),
+                mirrors ? stamps(plan.mirrors(), run.leastFalloff()) : old.mirroredStamps());
+        return run.work();
     }
 
     private LayerStamp[] stamps(LevelPlan plan, double leastFalloff) {

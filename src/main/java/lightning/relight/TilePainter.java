@@ -1,23 +1,25 @@
 package lightning.relight;
 
+import lightning.cache.PixelCache;
 import lightning.cache.TileLevel;
 import lightning.image.Film;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.shading.Lamp;
 import lightning.shading.TileComposer;
-import lightning.shading.ViewEffects;
-import lightning.trace.MaterialTable;
+import lightning.effects.ViewEffects;
 
 /**
  * Composes tiles from layers that are known, whatever was composed of them before: no ray is cast and no light's term
  * computed. Holds scratch memory: one for each thread.
  */
 final class TilePainter {
-    private final TileComposer composer;
+    private final TileComposer eye;
+    private final TileComposer mirror;
 
-    TilePainter(MaterialTable materials, ViewEffects view) {
-        composer = new TileComposer(materials, view);
+    TilePainter(PixelCache cache, ViewEffects view) {
+        eye = new TileComposer(cache.geometry().materials(), view);
+        mirror = new TileComposer(cache.geometry().of(cache.mirroredScene()).materials(), view);
     }
 
     /**
@@ -30,10 +32,10 @@ final class TilePainter {
         if (levels[0].rows().reflective == 0) {
             return null;
         }
-        float[][] cr = composer.unfollowed(levels[levels.length - 1].rows());
+        float[][] cr = mirror.unfollowed(levels[levels.length - 1].rows());
         for (int k = levels.length - 1; k > 0; k--) {
-            composer.level(levels[k].rows(), lamps, levels[k].layers(), null, world, cr);
-            cr = composer.followed(levels[k - 1].rows(), levels[k].rows(), world);
+            mirror.level(levels[k].rows(), lamps, levels[k].layers(), null, world, cr);
+            cr = mirror.followed(levels[k - 1].rows(), levels[k].rows(), world);
         }
         return cr;
     }
@@ -41,8 +43,8 @@ final class TilePainter {
     /** The tile of the film: red, green, blue, {@code float[1024]} each. */
     float[][] film(TileLevel top, Lamp[] lamps, World world, float[][] cr) {
         float[][] pixels = new float[3][Film.TILE_PIXELS];
-        composer.level(top.rows(), lamps, top.layers(), null, world, cr);
-        composer.toFilm(top.rows(), world, pixels[0], pixels[1], pixels[2]);
+        eye.level(top.rows(), lamps, top.layers(), null, world, cr);
+        eye.toFilm(top.rows(), world, pixels[0], pixels[1], pixels[2]);
         return pixels;
     }
 }

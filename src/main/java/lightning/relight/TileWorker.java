@@ -4,149 +4,131 @@ import java.util.Arrays;
 import lightning.cache.CachedTile;
 import lightning.cache.TileLevel;
 import lightning.image.Film;
-import lightning.shading.BranchSums;
-import lightning.shading.LightKernel;
-import lightning.shading.LightLayer;
-import lightning.shading.RatioKernel;
-import lightning.shading.TileComposer;
+import lightning.shading.EdgeCoder;
+import lightning.shading.EdgeCodes;
 import lightning.shading.TraceCounts;
 import lightning.trace.HitRows;
 import lightning.trace.PacketTracer;
+import lightning.trace.RowSplice;
+import lightning.trace.SamplePlaces;
 import lightning.trace.TileVisibility;
 
 /** Builds and updates cached tiles. Holds scratch memory: one for each thread. */
 final class TileWorker {
     private final Job job;
-    private final TileVisibility visibility;
-    private final LightKernel lights;
-    private final RatioKernel ratios;
-    private final LayerUpdater updater;
-    private final TileComposer composer;
+    private final PacketTracer tracer;
+    private final LevelWorker eye;
+    /** Made when it is needed first. */
+    private LevelWorker mirror;
+    private final EdgeCoder coder = new EdgeCoder();
     private long eyeRays;
     private long mirroredRays;
-    private long rowsComposed;
-    private long bytesMoved;
+    private long filmBytes;
 
     TileWorker(Job job) {
         this.job = job;
-        PacketTracer tracer = new PacketTracer(job.geometry());
-        visibility = new TileVisibility(job.geometry(), job.scene(), tracer);
-        lights = new LightKernel(job.geometry(), tracer, job.options().view());
-        ratios = new RatioKernel(lights);
-        updater = LayerUpdater.of(job.options().accuracy(), lights, ratios);
-        composer = new TileComposer(job.geometry().materials(), job.options().view());
+        tracer = new PacketTracer(job.shown().geometry());
+        eye = new LevelWorker(job, job.shown(), tracer);
     }
 
-    TraceCounts rays() {
-        return new TraceCounts(eyeRays, mirroredRays, lights.shadowRays());
+    private LevelWorker mirror() {
+        if (mirror == null) {
+            mirror = job.mirrored() == job.shown() ? eye : new LevelWorker(job, job.mirrored(), tracer);
+        }
+        return mirror;
     }
 
-    long rowsTouched() {
-        return lights.rowsTouched() + ratios.rowsScaled();
+    /** What was done since the start. */
+    Work work() {
+        Work work = new Work(eye.rowsTouched(), eye.rowsComposed(), eye.bytesMoved() + filmBytes,
+                new TraceCounts(eyeRays, mirroredRays, eye.shadowRays()));
+        return mirror == null || mirror == eye ? work : work.plus(new Work(mirror.rowsTouched(), mirror.rowsComposed(), mirror.bytesMoved(),
+                new TraceCounts(0, 0, mirror.shadowRays())));
     }
 
     double leastFalloff() {
-        return ratios.leastFalloff();
+        return eye.leastFalloff();
     }
 
-    long bytesMoved() {
-        return bytesMoved;
-    }
-
-    long rowsComposed() {
-        return rowsComposed;
-    }
-
-    /** Traces a tile and keeps what it learned; null where the work was cancelled. */
+    /** Traces the centres of a tile's pixels and keeps what it learned; null where the work was cancelled. */
     CachedTile firstPass(int tile) {
         int x0 = tile % job.tilesX() * Film.TILE;
         int y0 = tile / job.tilesX() * Film.TILE;
         eyeRays += (long) Math.min(Film.TILE, job.scene().picture().width() - x0)
                 * Math.min(Film.TILE, job.scene().picture().height() - y0);
-        TileLevel top = lit(visibility.eye(x0, y0, Film.TILE, HitRows::new));
-        Mirrors mirrors = mirrors(top.rows(), new TileLevel[] {top}, new int[0][]);
-        return job.progress().isCancelled() ? null : finish(top, mirrors, null);
+        return traced(eye.visibility.eye(x0, y0, Film.TILE, rows(job.coding())), job.coding());
     }
 
-    /** Updates a tile as planned; null where the work was cancelled. */
-    CachedTile relight(CachedTile old) {
-        LightLayer[] layers = layers(old.levels[0], job.top());
-        TileLevel top = with(old.levels[0], layers, job.top());
-        Mirrors mirrors = job.mirrors() == null
-                ? new Mirrors(old.levels, old.hitShapes, old.mirrored)
-                : updateMirrors(old);
+    /** Traces finer samples; null where the work was cancelled. */
+    CachedTile fine(SamplePlaces places) {
+        eyeRays += places.count();
+        return traced(eye.visibility.fine(places, HitRows::new), false);
+    }
+
+    private CachedTile traced(HitRows rows, boolean coded) {
+        TileLevel top = eye.lit(rows);
+        begin(coded, top);
+        Mirrors mirrors = traced(new TileLevel[] {top}, new int[0][], coded);
+        return job.progress().isCancelled() ? null : finish(top, mirrors, null, coded ? coder.codes() : null);
+    }
+
+    private static TileVisibility.Allocator rows(boolean coded) {
+        return (count, textured) -> new HitRows(count, textured, coded);
+    }
+
+    /** Updates the centres of a tile's pixels as planned; null where the work was cancelled. */
+    CachedTile relight(int tile, CachedTile old) {
+        return relight(SamplePlaces.centers(tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE), old);
+    }
+
+    /** Updates rows, whose rays go where they say, as planned; null where the work was cancelled. */
+    CachedTile relight(SamplePlaces places, CachedTile old) {
+        TileLevel known = old.levels[0];
+        MaterialUpdate materials = job.top().plan().materials();
+        RowSplice order = materials.mirrors().isIn(known.rows())
+                ? RowSplice.sorted(known.rows(), materials.materials()) : null;
+        TileLevel sorted = order == null ? known : eye.spliced(order, known, null);
+        sorted = eye.retextured(sorted, null, places, job.top());
+        TileLevel top = eye.updated(sorted, job.top());
         if (job.progress().isCancelled()) {
             return null;
         }
-        boolean same = mirrors.cr == old.mirrored && !job.top().recolors(old.levels[0], layers);
-        return finish(top, mirrors, same ? old.film : null);
-    }
-
-    /** Carries out a level's plan on its layers; counts what that reads of the rows and writes. */
-    private LightLayer[] layers(TileLevel old, Job.Level plan) {
-        LightLayer[] layers = plan.layers(old, updater, job.progress());
-        for (int l = 0; l < layers.length; l++) {
-            int from = plan.plan().layers().get(l).from();
-            LightLayer before = from < 0 ? null : old.layers()[from];
-            if (layers[l] != before && layers[l] != null) {
-                bytesMoved += layers[l].newBytes(before) + old.rows().count * layers[l].rowBytesRead(before);
-            }
+        boolean mirrorsStay = job.mirrors() == null && order == null;
+        boolean coded = job.coding() && old.codes != null && (!mirrorsStay || job.top().recodes(sorted, top.layers()));
+        begin(coded, top);
+        Mirrors mirrors = mirrorsStay ? new Mirrors(old.levels, old.hitShapes, old.mirrored) : updateMirrors(old, top, order, coded);
+        if (job.progress().isCancelled()) {
+            return null;
         }
-        return layers;
+        boolean same = order == null && mirrors.cr == old.mirrored && !job.top().recolors(sorted, top.layers());
+        EdgeCodes codes = !coded ? old.codes : (mirrorsStay ? coder.codes(old.codes) : coder.codes()).or(old.codes);
+        return finish(top, mirrors, same ? old.film : null, codes);
     }
 
-    private CachedTile finish(TileLevel top, Mirrors mirrors, float[][] film) {
+    private void begin(boolean coded, TileLevel top) {
+        if (coded) {
+            coder.begin();
+            eye.code(coder, 0, top);
+        }
+    }
+
+    private void codeMirrors(boolean coded, TileLevel[] levels, int deepest) {
+        for (int k = 1; coded && k <= deepest; k++) {
+            mirror().code(coder, k, levels[k]);
+        }
+    }
+
+    private CachedTile finish(TileLevel top, Mirrors mirrors, float[][] film, EdgeCodes codes) {
         TileLevel[] levels = mirrors.levels.clone();
         levels[0] = top;
         float[][] pixels = film;
         if (pixels == null) {
             pixels = new float[3][Film.TILE_PIXELS];
-            levels[0] = compose(top, job.top(), mirrors.cr);
-            bytesMoved += 12L * Film.TILE_PIXELS;
-            composer.toFilm(top.rows(), job.scene().world(), pixels[0], pixels[1], pixels[2]);
+            levels[0] = eye.compose(top, job.top(), mirrors.cr);
+            filmBytes += 12L * Film.TILE_PIXELS;
+            eye.composer.toFilm(top.rows(), job.scene().world(), pixels[0], pixels[1], pixels[2]);
         }
-        return new CachedTile(levels, mirrors.hitShapes, mirrors.cr, pixels);
-    }
-
-    private TileLevel lit(HitRows rows) {
-        LightLayer[] layers = new LightLayer[job.lamps().length];
-        for (int l = 0; l < layers.length && !job.progress().isCancelled(); l++) {
-            if (!job.lamps()[l].isDark()) {
-                layers[l] = updater.full(rows, job.lamps()[l]);
-            }
-        }
-        return new TileLevel(rows, layers);
-    }
-
-    /** A level with its layers after an update, and its sums unless they are void. */
-    private static TileLevel with(TileLevel level, LightLayer[] layers, Job.Level plan) {
-        BranchSums sums = level.branches() != null && level.branches().key() == plan.key() ? level.branches() : null;
-        return sums == level.branches() && Arrays.equals(layers, level.layers()) ? level
-                : new TileLevel(level.rows(), layers, sums);
-    }
-
-    /** Composes a level; gives it back with the sums that are kept for the next time, if any are. */
-    private TileLevel compose(TileLevel level, Job.Level plan, float[][] cr) {
-        rowsComposed += level.rows().count;
-        BranchSums sums = plan == null || plan.key() == null ? null
-                : level.branches() != null ? level.branches()
-                        : composer.branches(level.rows(), job.lamps(), level.layers(), plan.key());
-        composer.level(level.rows(), job.lamps(), level.layers(), sums, job.scene().world(), cr);
-        bytesMoved += bytesRead(level, plan == null ? null : plan.key(), sums);
-        return sums == level.branches() ? level : level.with(sums);
-    }
-
-    /** What composing a level reads: textures, mirror images, and of the lights all that light a row, or their sums. */
-    private long bytesRead(TileLevel level, BranchSums.Key key, BranchSums sums) {
-        HitRows rows = level.rows();
-        long bytes = 12L * rows.reflective + (rows.diffuseRed == null ? 0 : 12L * rows.count) + 2L * rows.count;
-        for (int l = 0; l < job.lamps().length; l++) {
-            boolean read = sums == null || key.light() == l;
-            if (read && !job.lamps()[l].isDark() && level.layers()[l].lit() > 0) {
-                bytes += level.layers()[l].bytes() - rows.count;
-            }
-        }
-        return bytes + (sums == null ? 0 : sums.bytes());
+        return new CachedTile(levels, mirrors.hitShapes, mirrors.cr, pixels, codes);
     }
 
     /**
@@ -157,28 +139,91 @@ final class TileWorker {
      */
     private record Mirrors(TileLevel[] levels, int[][] hitShapes, float[][] cr) {}
 
-    private Mirrors updateMirrors(CachedTile old) {
-        if (old.rows().reflective == 0) {
-            return new Mirrors(old.levels, old.hitShapes, null);
+    /**
+     * @param order what became of the first level's rows; null if they are what they were
+     * @param coded whether anti-aliasing wants to see the mirror levels
+     */
+    private Mirrors updateMirrors(CachedTile old, TileLevel top, RowSplice order, boolean coded) {
+        if (top.rows().reflective == 0) {
+            return new Mirrors(new TileLevel[] {top}, new int[0][], null);
         }
-        int keep = Math.min(old.levels.length, job.depth() + 1);
-        boolean changed = !job.keepsRows() || keep < old.levels.length
-                || old.levels.length <= job.depth() && old.levels[keep - 1].rows().reflective > 0;
-        TileLevel[] levels = Arrays.copyOf(old.levels, keep);
-        for (int k = 1; k < keep; k++) {
-            LightLayer[] layers = layers(old.levels[k], job.mirrors());
-            if (job.progress().isCancelled()) {
-                return new Mirrors(old.levels, old.hitShapes, old.mirrored);
+        if (!job.keepsRows()) {
+            boolean stays = order == null && !crosses(old.hitShapes);
+            int[][] known = stays ? Arrays.copyOf(old.hitShapes, Math.min(old.hitShapes.length, job.depth())) : new int[0][];
+            return traced(new TileLevel[] {top}, known, coded);
+        }
+        return spliced(old, top, order, coded);
+    }
+
+    /** Whether the rows that are seen in mirrors, known by their shapes alone, are of materials that begin or cease to mirror(). */
+    private boolean crosses(int[][] hitShapes) {
+        if (job.mirrors() == null || job.mirrors().plan().materials().mirrors().isEmpty()) {
+            return false;
+        }
+        for (int[] shapes : hitShapes) {
+            for (int shape : shapes) {
+                if (shape >= 0 && job.mirrors().plan().materials().mirrors().contains(job.mirrored().geometry().materialOf(shape))) {
+                    return true;
+                }
             }
-            changed |= job.mirrors().recolors(old.levels[k], layers);
-            levels[k] = with(old.levels[k], layers, job.mirrors());
         }
-        changed |= job.mirrors().plan().compose();
-        if (!changed) {
-            return new Mirrors(levels, old.hitShapes, old.mirrored);
+        return false;
+    }
+
+    /** Updates the levels that are kept as rows: what is known stays, and rays are cast for the rest alone. */
+    private Mirrors spliced(CachedTile old, TileLevel top, RowSplice order, boolean coded) {
+        TileLevel[] levels = new TileLevel[job.depth() + 1];
+        levels[0] = top;
+        boolean changed = order != null || job.mirrors() != null && job.mirrors().plan().compose();
+        RowSplice above = order;
+        int k = 0;
+        for (; k < job.depth() && levels[k].rows().reflective > 0 && !job.progress().isCancelled(); k++) {
+            HitRows rows = levels[k].rows();
+            TileLevel known = k + 1 < old.levels.length ? old.levels[k + 1] : null;
+            if (known == null) {
+                levels[k + 1] = mirror().lit(mirror().visibility.mirrored(rows, null, rows(rows.code != null)));
+                mirroredRays += rows.reflective;
+                changed = true;
+                above = null;
+                continue;
+            }
+            RowSplice here = moves(above, known.rows())
+                    ? RowSplice.seenFrom(above, rows.reflective, known.rows(), null, job.mirrored().geometry().materials()) : null;
+            TileLevel kept = here == null ? known : mirror().spliced(here, known, null);
+            if (job.mirrors() != null) {
+                TileLevel textured = mirror().retextured(kept, rows, null, job.mirrors());
+                TileLevel updated = mirror().updated(textured, job.mirrors());
+                if (job.progress().isCancelled()) {
+                    return new Mirrors(levels, old.hitShapes, null);
+                }
+                changed |= job.mirrors().recolors(textured, updated.layers());
+                kept = updated;
+            }
+            int[] unknown = above == null ? new int[0] : above.unfollowed();
+            if (unknown.length > 0) {
+                TileLevel added = mirror().lit(mirror().visibility.mirroredFrom(rows, unknown, rows(rows.code != null)));
+                mirroredRays += unknown.length;
+                RowSplice all = RowSplice.seenFrom(null, rows.reflective, kept.rows(), added.rows(), job.mirrored().geometry().materials());
+                kept = mirror().spliced(all, kept, added);
+                here = here == null ? all : here.then(all);
+            }
+            levels[k + 1] = kept;
+            changed |= here != null;
+            above = here;
         }
-        int[][] known = Arrays.copyOf(old.hitShapes, Math.min(old.hitShapes.length, job.depth()));
-        return mirrors(old.rows(), levels, known);
+        if (job.progress().isCancelled()) {
+            return new Mirrors(levels, old.hitShapes, null);
+        }
+        codeMirrors(coded, levels, k);
+        levels = Arrays.copyOf(levels, k + 1);
+        changed |= k + 1 < old.levels.length;
+        return changed ? new Mirrors(levels, old.hitShapes, copyOf(cr(levels, k), top.rows().reflective))
+                : new Mirrors(levels, old.hitShapes, old.mirrored);
+    }
+
+    /** Whether rows that are seen from others change their places, or are seen no more. */
+    private boolean moves(RowSplice above, HitRows rows) {
+        return above != null || job.mirrors() != null && job.mirrors().plan().materials().mirrors().isIn(rows);
     }
 
     /**
@@ -186,8 +231,10 @@ final class TileWorker {
      *
      * @param from  the levels there are, the first included, lit
      * @param known where mirror levels are not kept: the shapes that their rays hit, as far as known
+     * @param coded whether anti-aliasing wants to see them
      */
-    private Mirrors mirrors(HitRows top, TileLevel[] from, int[][] known) {
+    private Mirrors traced(TileLevel[] from, int[][] known, boolean coded) {
+        HitRows top = from[0].rows();
         if (top.reflective == 0) {
             return new Mirrors(from, known, null);
         }
@@ -196,9 +243,9 @@ final class TileWorker {
         int deepest = from.length - 1;
         while (deepest < job.depth() && levels[deepest].rows().reflective > 0 && !job.progress().isCancelled()) {
             HitRows above = levels[deepest].rows();
-            levels[deepest + 1] = lit(visibility.mirrored(above, shapes[deepest], HitRows::new));
+            levels[deepest + 1] = mirror().lit(mirror().visibility.mirrored(above, shapes[deepest], rows(above.code != null)));
             if (!job.keepsRows() && shapes[deepest] == null) {
-                shapes[deepest] = visibility.hitShapes(above.reflective);
+                shapes[deepest] = mirror().visibility.hitShapes(above.reflective);
             }
             mirroredRays += above.reflective;
             deepest++;
@@ -206,6 +253,7 @@ final class TileWorker {
         if (job.progress().isCancelled()) {
             return new Mirrors(from, known, null);
         }
+        codeMirrors(coded, levels, deepest);
         float[][] cr = copyOf(cr(levels, deepest), top.reflective);
         return job.keepsRows()
                 ? new Mirrors(Arrays.copyOf(levels, deepest + 1), new int[0][], cr)
@@ -214,10 +262,10 @@ final class TileWorker {
 
     /** Composes the mirror levels from the deepest up; the result is Cr of the first level. */
     private float[][] cr(TileLevel[] levels, int deepest) {
-        float[][] cr = composer.unfollowed(levels[deepest].rows());
+        float[][] cr = mirror().composer.unfollowed(levels[deepest].rows());
         for (int k = deepest; k > 0; k--) {
-            levels[k] = compose(levels[k], job.keepsRows() ? job.mirrors() : null, cr);
-            cr = composer.followed(levels[k - 1].rows(), levels[k].rows(), job.scene().world());
+            levels[k] = mirror().compose(levels[k], job.keepsRows() ? job.mirrors() : null, cr);
+            cr = mirror().composer.followed(levels[k - 1].rows(), levels[k].rows(), job.mirrored().scene().world());
         }
         return cr;
     }

@@ -9,7 +9,7 @@ record Work(long rowsTouched, long rowsComposed, long bytesMoved, TraceCounts ra
     static Work of(TileWorker[] threads) {
         Work work = NONE;
         for (TileWorker thread : threads) {
-            work = work.plus(new Work(thread.rowsTouched(), thread.rowsComposed(), thread.bytesMoved(), thread.rays()));
+            work = work.plus(thread.work());
         }
         return work;
     }

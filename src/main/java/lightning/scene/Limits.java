@@ -14,6 +14,8 @@ import lightning.math.Vec3;
 public final class Limits {
     public static final int MAX_SIZE = 16384;
     public static final int MAX_DEPTH = 10;
+    public static final int MIN_SAMPLES = 2;
+    public static final int MAX_SAMPLES = 8;
     public static final int MAX_LIGHTS = 1000;
     public static final int MAX_SHAPES = 1_000_000;
     public static final int MAX_MATERIALS = 32_000;

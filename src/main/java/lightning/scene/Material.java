@@ -29,4 +29,28 @@ public record Material(String name, Rgb ambient, Rgb diffuse, Rgb specular, doub
         Limits.range("shininess", shininess, 0, Limits.MAX_SHININESS);
         Limits.range("reflective", reflective, 1);
     }
+
+    public Material withAmbient(Rgb v) {
+        return new Material(name, v, diffuse, specular, shininess, reflective, texture);
+    }
+
+    public Material withDiffuse(Rgb v) {
+        return new Material(name, ambient, v, specular, shininess, reflective, texture);
+    }
+
+    public Material withSpecular(Rgb v) {
+        return new Material(name, ambient, diffuse, v, shininess, reflective, texture);
+    }
+
+    public Material withShininess(double v) {
+        return new Material(name, ambient, diffuse, specular, v, reflective, texture);
+    }
+
+    public Material withReflective(Rgb v) {
+        return new Material(name, ambient, diffuse, specular, shininess, v, texture);
+    }
+
+    public Material withTexture(Optional<TextureMap> v) {
+        return new Material(name, ambient, diffuse, specular, shininess, reflective, v);
+    }
 }

@@ -3,12 +3,18 @@ package lightning.scene;
 /**
  * The picture that a scene asks for.
  *
- * @param width  pixels
- * @param height pixels
- * @param depth  how many mirror bounces are followed, 0 to 10
+ * @param width    pixels
+ * @param height   pixels
+ * @param depth    how many mirror bounces are followed, 0 to 10
+ * @param sampling how many samples its pixels have
  */
-public record Picture(int width, int height, int depth) {
+public record Picture(int width, int height, int depth, Sampling sampling) {
     public static final Picture DEFAULT = new Picture(200, 200, 3);
+
+    /** One sample a pixel. */
+    public Picture(int width, int height, int depth) {
+        this(width, height, depth, Sampling.DEFAULT);
+    }
 
     public Picture {
         Limits.range("size: width", width, 1, Limits.MAX_SIZE);
@@ -17,10 +23,14 @@ public record Picture(int width, int height, int depth) {
     }
 
     public Picture withSize(int newWidth, int newHeight) {
-        return new Picture(newWidth, newHeight, depth);
+        return new Picture(newWidth, newHeight, depth, sampling);
     }
 
     public Picture withDepth(int newDepth) {
-        return new Picture(width, height, newDepth);
+        return new Picture(width, height, newDepth, sampling);
+    }
+
+    public Picture withSampling(Sampling newSampling) {
+        return new Picture(width, height, depth, newSampling);
     }
 }

@@ -66,12 +66,17 @@ public record Scene(Picture picture, Camera camera, World world, List<Material> 
 
     /** All shapes, in the order of the file, with materials and groups resolved. */
     public List<PlacedShape> placedShapes() {
+        List<PlacedShape> placed = new ArrayList<>();
+        place(nodes, Transform.IDENTITY, Transform.IDENTITY, materialsByName(), placed);
+        return placed;
+    }
+
+    /** Every material that a shape may name, {@code default} included. */
+    public Map<String, Material> materialsByName() {
         Map<String, Material> byName = new HashMap<>();
         byName.put(Material.DEFAULT.name(), Material.DEFAULT);
         materials.forEach(m -> byName.put(m.name(), m));
-        List<PlacedShape> placed = new ArrayList<>();
-        place(nodes, Transform.IDENTITY, Transform.IDENTITY, byName, placed);
-        return placed;
+        return byName;
     }
 
     private static void place(List<Node> nodes, Transform outer, Transform back, Map<String, Material> byName,
@@ -109,6 +114,32 @@ public record Scene(Picture picture, Camera camera, World world, List<Material> 
 
     public Scene withLights(List<Light> v) {
         return new Scene(picture, camera, world, materials, nodes, v);
+    }
+
+    public Optional<Material> material(String name) {
+        return materials.stream().filter(m -> m.name().equals(name)).findFirst();
+    }
+
+    /**
+     * This scene with the material of the same name replaced; the first of the name {@code default}, which shapes without a
+     * material have, is added as the last.
+     *
+     * @throws IllegalArgumentException if no material has that name
+     */
+    public Scene withMaterial(Material material) {
+        if (material(material.name()).isEmpty()) {
+            if (!material.name().equals(Material.DEFAULT.name())) {
+                throw new IllegalArgumentException("there is no material '" + material.name() + "'");
+            }
+            List<Material> more = new ArrayList<>(materials);
+            more.add(material);
+            return withMaterials(more);
+        }
+        return withMaterials(materials.stream().map(m -> m.name().equals(material.name()) ? material : m).toList());
+    }
+
+    public Scene withMaterials(List<Material> v) {
+        return new Scene(picture, camera, world, v, nodes, lights);
     }
 
     public Scene withPicture(Picture v) {

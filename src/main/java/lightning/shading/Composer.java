@@ -1,5 +1,6 @@
 package lightning.shading;
 
+import lightning.effects.ViewEffects;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
@@ -69,11 +70,11 @@ final class Composer {
             return;
         }
         boolean specular = sum != null && sum.hasSpecular;
-        close(rows, r, 0, ambience, textured ? rows.diffuseRed : null, sum == null ? ZEROS : sum.diffuseRed,
+        close(rows, r, 0, ambience, textured ? rows.texelRed : null, sum == null ? ZEROS : sum.diffuseRed,
                 specular ? sum.specularRed : null, mirrored[0], red);
-        close(rows, r, 1, ambience, textured ? rows.diffuseGreen : null, sum == null ? ZEROS : sum.diffuseGreen,
+        close(rows, r, 1, ambience, textured ? rows.texelGreen : null, sum == null ? ZEROS : sum.diffuseGreen,
                 specular ? sum.specularGreen : null, mirrored[1], green);
-        close(rows, r, 2, ambience, textured ? rows.diffuseBlue : null, sum == null ? ZEROS : sum.diffuseBlue,
+        close(rows, r, 2, ambience, textured ? rows.texelBlue : null, sum == null ? ZEROS : sum.diffuseBlue,
                 specular ? sum.specularBlue : null, mirrored[2], blue);
     }
 
@@ -81,9 +82,9 @@ final class Composer {
     private void emit(HitRows rows, int r, float ambience) {
         int m = rows.runMaterial[r];
         for (int i = rows.runStart(r); i < rows.runEnd[r]; i++) {
-            red[i] = materials.ambient(m, 0) * ambience + rows.diffuseRed[i];
-            green[i] = materials.ambient(m, 1) * ambience + rows.diffuseGreen[i];
-            blue[i] = materials.ambient(m, 2) * ambience + rows.diffuseBlue[i];
+            red[i] = materials.ambient(m, 0) * ambience + materials.diffuse(m, 0) * rows.texelRed[i];
+            green[i] = materials.ambient(m, 1) * ambience + materials.diffuse(m, 1) * rows.texelGreen[i];
+            blue[i] = materials.ambient(m, 2) * ambience + materials.diffuse(m, 2) * rows.texelBlue[i];
         }
     }
 
@@ -102,7 +103,8 @@ final class Composer {
         for (int i = rows.runStart(r); i < to; i += F.length()) {
             VectorMask<Float> in = F.indexInRange(i, to);
             FloatVector light = FloatVector.fromArray(F, diffuse, i, in);
-            light = texture == null ? light.mul(kd) : light.mul(FloatVector.fromArray(F, texture, i, in));
+            // kd·texel first, as where a point carries its diffuse colour.
+            light = texture == null ? light.mul(kd) : light.mul(FloatVector.fromArray(F, texture, i, in).mul(kd));
             FloatVector color = light.add(emitted);
             if (kr != 0) {
                 color = color.mul(1 - kr);

@@ -8,8 +8,9 @@ public record IntensityRatio(float red, float green, float blue) {
     public static final IntensityRatio NONE = new IntensityRatio(1, 1, 1);
 
     /**
-     * The ratio between two weights; not usable, see {@link #isUsable}, where an old weight is 0 or so
-     * small that contributions made with it have lost digits.
+     * The ratio between two weights; not usable, see {@link #isUsable}, where an old weight is 0 and the new is not, or
+     * so small that contributions made with it have lost digits: these are not even scaled by falloffs, though their
+     * weight stays.
      */
     public static IntensityRatio between(Lamp before, Lamp after) {
         return new IntensityRatio(ratio(before.red(), after.red()), ratio(before.green(), after.green()),
@@ -18,7 +19,7 @@ public record IntensityRatio(float red, float green, float blue) {
 
     /** NaN where there is no usable ratio. */
     private static float ratio(float before, float after) {
-        if (before == after) {
+        if (before == 0 && after == 0) {
             return 1;
         }
         float ratio = after / before;

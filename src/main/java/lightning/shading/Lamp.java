@@ -25,6 +25,11 @@ public record Lamp(Light light, Vec3 source, Vec3 axis, double cosAngle, float r
         return of(light, scene.camera().from(), scene.shines(light) ? light.intensity() : 0);
     }
 
+    /** Prepares all lights of a scene, in its order. */
+    public static Lamp[] all(Scene scene) {
+        return scene.lights().stream().map(light -> of(light, scene)).toArray(Lamp[]::new);
+    }
+
     /** Prepares a light as if it were on and no other were solo. */
     public static Lamp shining(Light light, Scene scene) {
         return of(light, scene.camera().from(), light.intensity());

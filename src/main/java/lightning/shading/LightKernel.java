@@ -1,9 +1,12 @@
 package lightning.shading;
 
+import lightning.effects.ViewEffects;
 import java.util.Arrays;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
+import lightning.trace.MaterialSet;
 import lightning.trace.PacketTracer;
+import lightning.trace.RowSplice;
 
 /**
  * The second stage for one tile: fills a light's layer over the hit rows, in full or in part. Holds
@@ -24,8 +27,8 @@ public final class LightKernel {
     private long rowsTouched;
 
     public LightKernel(Geometry geometry, PacketTracer tracer, ViewEffects view) {
-        shadows = new ShadowCaster(geometry, tracer, view.shadows());
-        terms = new TermColumns(geometry.materials(), lanes);
+        shadows = new ShadowCaster(geometry, tracer, view);
+        terms = new TermColumns(geometry.materials(), lanes, view);
     }
 
     /** Shadow rays cast since the start. */
@@ -133,6 +136,79 @@ public final class LightKernel {
         lanes.cosines(rows, cosine);
         RowBits.inState(before.states(), rows.count, LightRows.LIT, lit);
         return layer(rows, lamp, before.states(), null, columns);
+    }
+
+    /**
+     * The layer after an edit of materials: of the rows of those that changed the specular term anew, without a ray; the
+     * column comes and goes with the first and last material that has one.
+     *
+     * @param lamp    the light that the layer was computed for
+     * @param changed materials whose shininess changed, or that got or lost their highlights
+     */
+    public LightRows speculars(HitRows rows, Lamp lamp, LightRows before, MaterialSet changed, Columns columns) {
+        if (before.lit == 0 || !changed.isIn(rows)) {
+            return before;
+        }
+        if (!terms.hasSpecular(rows)) {
+            return before.specular == null ? before : new LightRows(before.state, before.cosine, null, before.falloff, before.lit);
+        }
+        RowBits.inState(before.state, rows.count, LightRows.LIT, lit);
+        System.arraycopy(lit, 0, litBefore, 0, RowBits.words(rows.count));
+        for (int r = 0; r < rows.runs; r++) {
+            if (changed.contains(rows.runMaterial[r])) {
+                rowsTouched += terms.isSpecular(rows.runMaterial[r]) ? RowBits.count(lit, rows.runStart(r), rows.runEnd[r]) : 0;
+                RowBits.remove(litBefore, rows.runStart(r), rows.runEnd[r]);
+            }
+        }
+        lanes.aim(rows, lamp);
+        float[] column = terms.speculars(rows, lit, before.specular == null ? null : litBefore, before.specular, columns);
+        return new LightRows(before.state, before.cosine, column, before.falloff, before.lit);
+    }
+
+    /**
+     * The layer over rows that were put together anew.
+     *
+     * @param before over the old rows
+     * @param added  over the added rows; null where there are none
+     * @param lamp   the light that both were computed for; unread where no rows were added
+     */
+    public LightRows spliced(RowSplice splice, LightRows before, LightRows added, Lamp lamp) {
+        HitRows rows = splice.rows();
+        byte[] state = Columns.FRESH.states(rows.count);
+        splice.copy(before.state, added == null ? null : added.state, state);
+        RowBits.inState(state, rows.count, LightRows.LIT, lit);
+        int count = RowBits.count(lit, rows.count);
+        if (count == 0) {
+            return new LightRows(state, null, null, null, 0);
+        }
+        float[] specular = terms.hasSpecular(rows) ? spliced(splice, before.specular, added == null ? null : added.specular) : null;
+        return new LightRows(state, spliced(splice, before.cosine, added == null ? null : added.cosine), specular,
+                falloffs(splice, before, added, lamp), count);
+    }
+
+    private float[] falloffs(RowSplice splice, LightRows before, LightRows added, Lamp lamp) {
+        if (added == null) {
+            return before.falloff == null ? null : spliced(splice, before.falloff, null);
+        }
+        if (before.falloff != null && added.falloff != null) {
+            return spliced(splice, before.falloff, added.falloff);
+        }
+        // The light does not fall off, or one of the two has no lit row and therefore no falloffs.
+        if (lamp.fallsOff()) {
+            aim(splice.rows(), lamp);
+        }
+        return terms.falloffs(splice.rows(), lamp, Columns.FRESH);
+    }
+
+    private static float[] spliced(RowSplice splice, float[] before, float[] added) {
+        float[] column = Columns.FRESH.floats(splice.rows().count);
+        splice.copy(before, added, column);
+        return column;
+    }
+
+    /** Whether any of the rows' materials has a highlight. */
+    boolean hasSpecular(HitRows rows) {
+        return terms.hasSpecular(rows);
     }
 
     private static int looksAt(HitRows rows, LightRows before, ConeChange cone) {

@@ -1,6 +1,8 @@
 package lightning.shading;
 
 import lightning.trace.HitRows;
+import lightning.trace.MaterialSet;
+import lightning.trace.RowSplice;
 
 /**
  * The second stage for one tile as the paper has it (§4): contributions are stored with everything
@@ -42,6 +44,12 @@ public final class RatioKernel {
     public RatioRows again(HitRows rows, Lamp lamp, RatioRows before) {
         scratch.reset();
         return contributions(rows, lamp, exact.again(rows, lamp, before, scratch), Columns.FRESH.states(rows.count));
+    }
+
+    /** The terms of rows whose states are known, in columns that are valid until the next call; no shadow ray is cast. */
+    public LightRows terms(HitRows rows, Lamp lamp, RatioRows layer) {
+        scratch.reset();
+        return exact.again(rows, lamp, layer, scratch);
     }
 
     /** All contributions from terms that are known: the same as {@link #full} would give, and no ray is cast. */
@@ -142,6 +150,55 @@ public final class RatioKernel {
             }
         }
         return entered;
+    }
+
+    /**
+     * The layer after an edit of materials: of the rows of those that changed the specular contribution anew, without a
+     * ray.
+     *
+     * @param lamp    the light that the layer was computed for
+     * @param changed materials whose shininess changed, or that got or lost their highlights
+     */
+    public RatioRows speculars(HitRows rows, Lamp lamp, RatioRows before, MaterialSet changed) {
+        if (before.lit() == 0 || !changed.isIn(rows)) {
+            return before;
+        }
+        scratch.reset();
+        LightRows known = new LightRows(before.states(), ZEROS, before.specular == null ? null : ZEROS, null, before.lit());
+        LightRows now = exact.speculars(rows, lamp, known, changed, scratch);
+        if (now.specular == null) {
+            return new RatioRows(before.states(), before.diffuse, null, before.lit());
+        }
+        LightRows faded = exact.partial(rows, lamp, now, ConeChange.NONE, true, scratch);
+        float[][] specular = weighted(rows, lamp, faded.specular, faded.falloff);
+        for (int r = 0; r < rows.runs && before.specular != null; r++) {
+            for (int i = rows.runStart(r); i < rows.runEnd[r] && !changed.contains(rows.runMaterial[r]); i++) {
+                take(before.specular, specular, i);
+            }
+        }
+        return new RatioRows(before.states(), before.diffuse, specular, before.lit());
+    }
+
+    /** The layer over rows that were put together anew: as {@link LightKernel#spliced}. */
+    public RatioRows spliced(RowSplice splice, RatioRows before, RatioRows added) {
+        HitRows rows = splice.rows();
+        byte[] states = Columns.FRESH.states(rows.count);
+        splice.copy(before.states(), added == null ? null : added.states(), states);
+        int lit = 0;
+        for (byte state : states) {
+            lit += (state & LightRows.STATE) == LightRows.LIT ? 1 : 0;
+        }
+        return new RatioRows(states, lit == 0 ? null : spliced(splice, before.diffuse, added == null ? null : added.diffuse),
+                lit == 0 || !exact.hasSpecular(rows) ? null : spliced(splice, before.specular, added == null ? null : added.specular),
+                lit);
+    }
+
+    private static float[][] spliced(RowSplice splice, float[][] before, float[][] added) {
+        float[][] out = columns(splice.rows());
+        for (int c = 0; c < 3; c++) {
+            splice.copy(before == null ? null : before[c], added == null ? null : added[c], out[c]);
+        }
+        return out;
     }
 
     private static void take(float[][] from, float[][] to, int row) {

@@ -1,11 +1,14 @@
 package lightning.shading;
 
+import java.util.Arrays;
 import lightning.image.Film;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.scene.Picture;
 import lightning.scene.Scene;
 import lightning.trace.Eye;
 import lightning.trace.Geometry;
+import lightning.trace.HitCode;
 import lightning.trace.MaterialTable;
 import lightning.trace.Ray;
 import lightning.trace.SurfacePoint;
@@ -29,33 +32,52 @@ public final class ReferenceTracer {
 
     /**
      * A trace of {@code scene} whose mirrors show {@code mirrored}: what a picture with stale reflections
-     * must be (paper §4.8). The two may differ in lights and world.
+     * must be (paper §4.8). The two may differ in lights, world and materials.
      */
     public ReferenceTracer(Scene scene, Scene mirrored) {
         this.scene = scene;
         mirrors = scene == mirrored ? this : new ReferenceTracer(mirrored);
         geometry = new Geometry(scene);
         materials = geometry.materials();
-        lamps = scene.lights().stream().map(light -> Lamp.of(light, scene)).toArray(Lamp[]::new);
+        lamps = Lamp.all(scene);
     }
 
     /** The whole picture. */
     public Film trace() {
+        return trace(this);
+    }
+
+    /** The whole picture over the samples that another picture of the same size has. */
+    public Film trace(ReferenceTracer sampled) {
+        boolean[] fine = sampled.finePixels();
         int width = scene.picture().width();
         int height = scene.picture().height();
         float[] rgb = new float[3 * width * height];
         for (int y = 0; y < height; y++) {
             for (int x = 0; x < width; x++) {
-                float[] color = pixel(x, y);
+                float[] color = fine[y * width + x] ? mean(x, y, sampled.scene.picture().sampling().grid()) : pixel(x, y);
                 System.arraycopy(color, 0, rgb, 3 * (y * width + x), 3);
             }
         }
         return Film.ofScanlines(width, height, rgb);
     }
 
-    /** The linear colour of one pixel, {@code float[3]}. */
+    /** The linear colour at the centre of one pixel, {@code float[3]}. */
     public float[] pixel(int x, int y) {
         return color(new Eye(scene).through(x, y), scene.picture().depth());
+    }
+
+    /** The mean of a pixel's samples. */
+    private float[] mean(int x, int y, int grid) {
+        float[][] samples = new float[3][grid * grid];
+        for (int s = 0; s < grid * grid; s++) {
+            float[] color = color(new Eye(scene).through(x, y, s, grid), scene.picture().depth());
+            for (int c = 0; c < 3; c++) {
+                samples[c][s] = color[c];
+            }
+        }
+        return new float[] {SampleMean.of(samples[0], 0, grid * grid), SampleMean.of(samples[1], 0, grid * grid),
+            SampleMean.of(samples[2], 0, grid * grid)};
     }
 
     /** The colour that a ray brings; {@code depth} more mirrors may be followed. */
@@ -97,7 +119,7 @@ public final class ReferenceTracer {
             LightingEquation equation = new LightingEquation(lamps[l]);
             equation.at(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz());
             float cosine = equation.cosine(at.nx(), at.ny(), at.nz());
-            if (cosine > 0 && equation.insideCone() && isVisible(lamps[l], at)) {
+            if (state(l, at, equation, cosine) == LightRows.LIT) {
                 terms[l][0] = cosine;
                 terms[l][1] = equation.specular(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(),
                         materials.shininess(at.material()));
@@ -107,12 +129,78 @@ public final class ReferenceTracer {
         return terms;
     }
 
+    private int state(int light, SurfacePoint at, LightingEquation equation, float cosine) {
+        return !(cosine > 0) ? LightRows.AWAY
+                : !equation.insideCone() ? LightRows.OUTSIDE
+                        : isVisible(lamps[light], at) ? LightRows.LIT : LightRows.SHADOWED;
+    }
+
     /** Whether nothing stands between a point and a light. */
     private boolean isVisible(Lamp lamp, SurfacePoint at) {
         Vec3 point = new Vec3(at.px(), at.py(), at.pz());
         return lamp.type().hasPosition()
                 ? !geometry.blockedByAny(new Ray(point, lamp.source().minus(point)), 1)
                 : !geometry.blockedByAny(new Ray(point, lamp.source()), Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * Adds what anti-aliasing sees along a ray ({@link EdgeCodes}).
+     *
+     * @param level in how many mirrors it was seen
+     * @param sums  the code of shapes and that of lights, {@code int[2]}
+     */
+    private void look(Ray ray, int depth, int level, int[] sums) {
+        int shape = geometry.nearestOfAll(ray);
+        if (shape < 0) {
+            return;
+        }
+        SurfacePoint at = geometry.surface(shape, ray);
+        int hit = HitCode.of(shape, at.nx(), at.ny(), at.nz());
+        sums[0] += HitCode.seen(materials.isTextured(at.material())
+                ? HitCode.textured(hit, at.texel()[0], at.texel()[1], at.texel()[2]) : hit, level);
+        for (int l = 0; l < lamps.length; l++) {
+            if (!lamps[l].isDark()) {
+                int code = look(l, at);
+                sums[1] += level == 0 ? code : HitCode.seen(code, level);
+            }
+        }
+        if (materials.isReflective(at.material()) && depth > 0) {
+            mirrors.look(at.mirrored(), depth - 1, level + 1, sums);
+        }
+    }
+
+    private int look(int light, SurfacePoint at) {
+        LightingEquation equation = new LightingEquation(lamps[light]);
+        equation.at(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz());
+        float specular = equation.specular(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(),
+                materials.shininess(at.material()));
+        return EdgeCoder.code(light, state(light, at, equation, equation.cosine(at.nx(), at.ny(), at.nz())),
+                materials.isSpecular(at.material()), specular);
+    }
+
+    /** The pixels that have several samples: {@code boolean[width * height]}, line by line. */
+    private boolean[] finePixels() {
+        Picture picture = scene.picture();
+        boolean[] fine = new boolean[picture.width() * picture.height()];
+        switch (picture.sampling().antialias()) {
+            case OFF -> Arrays.fill(fine, false);
+            case EVERY -> Arrays.fill(fine, true);
+            case EDGES -> {
+                Eye eye = new Eye(scene);
+                int[][] codes = new int[fine.length][2];
+                for (int i = 0; i < fine.length; i++) {
+                    look(eye.through(i % picture.width(), i / picture.width()), picture.depth(), 0, codes[i]);
+                }
+                for (int i = 0; i < fine.length; i++) {
+                    int x = i % picture.width();
+                    fine[i] = x > 0 && !Arrays.equals(codes[i], codes[i - 1])
+                            || x + 1 < picture.width() && !Arrays.equals(codes[i], codes[i + 1])
+                            || i >= picture.width() && !Arrays.equals(codes[i], codes[i - picture.width()])
+                            || i + picture.width() < fine.length && !Arrays.equals(codes[i], codes[i + picture.width()]);
+                }
+            }
+        }
+        return fine;
     }
 
     private static float weight(Lamp lamp, int channel) {

@@ -38,6 +38,22 @@ final class RowBits {
         return count;
     }
 
+    /** How many of rows {@code from … to − 1} are in the set. */
+    static int count(int[] bits, int from, int to) {
+        int count = 0;
+        for (int i = from; i < to; i++) {
+            count += contains(bits, i) ? 1 : 0;
+        }
+        return count;
+    }
+
+    /** Takes rows {@code from … to − 1} out of the set. */
+    static void remove(int[] bits, int from, int to) {
+        for (int i = from; i < to; i++) {
+            bits[i / WIDTH] &= ~(1 << i % WIDTH);
+        }
+    }
+
     static boolean contains(int[] bits, int row) {
         return (bits[row / WIDTH] >>> row % WIDTH & 1) != 0;
     }

@@ -2,6 +2,8 @@ package lightning.shading;
 
 import java.util.Arrays;
 import jdk.incubator.vector.DoubleVector;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
 import lightning.trace.Beam;
 import lightning.trace.Candidates;
 import lightning.trace.Geometry;
@@ -17,11 +19,13 @@ final class ShadowCaster {
     private final Candidates blockers = new Candidates();
     private final RayPacket packet = new RayPacket();
     private final boolean casts;
+    private final boolean forced;
     private long rays;
 
-    /** @param casts whether any shape blocks a light; else all ways are free */
-    ShadowCaster(Geometry geometry, PacketTracer tracer, boolean casts) {
-        this.casts = casts;
+    /** @param view whether any shape blocks a light, else all ways are free; and whether rays are cast that cannot meet one */
+    ShadowCaster(Geometry geometry, PacketTracer tracer, ViewEffects view) {
+        casts = view.shows(Effect.SHADOWS);
+        forced = view.forces(Effect.SHADOWS);
         this.geometry = geometry;
         this.tracer = tracer;
     }
@@ -49,7 +53,7 @@ final class ShadowCaster {
         }
         for (int b = 0; b < RowBits.words(rows.count); b++) {
             blocked[b] = 0;
-            if (chosen[b] != 0 && !blockers.isEmpty()) {
+            if (chosen[b] != 0 && (forced || !blockers.isEmpty())) {
                 load(rows, lamp, b * RayPacket.WIDTH, chosen[b]);
                 blocked[b] = tracer.blocked(packet, RayPacket.WIDTH, blockers) & chosen[b];
             }

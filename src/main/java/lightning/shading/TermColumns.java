@@ -4,6 +4,8 @@ import java.util.Arrays;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
 import lightning.trace.RayPacket;
@@ -18,8 +20,13 @@ final class TermColumns {
     private final MaterialTable materials;
     private final LightLanes lanes;
     private final float[] specular = new float[LightLanes.ROWS];
+    private final boolean everySpecular;
+    private final boolean everyFalloff;
 
-    TermColumns(MaterialTable materials, LightLanes lanes) {
+    /** @param view whether columns are written that hold nothing but what changes no picture */
+    TermColumns(MaterialTable materials, LightLanes lanes, ViewEffects view) {
+        everySpecular = view.forces(Effect.SPECULAR);
+        everyFalloff = view.forces(Effect.ATTENUATION) || view.forces(Effect.DROPOFF);
         this.materials = materials;
         this.lanes = lanes;
     }
@@ -46,20 +53,25 @@ final class TermColumns {
         float[] column = columns.floats(rows.count);
         Arrays.fill(column, 0, rows.count, 0);
         for (int r = 0; r < rows.runs; r++) {
-            if (materials.isSpecular(rows.runMaterial[r])) {
+            if (isSpecular(rows.runMaterial[r])) {
                 run(rows, r, lit, known, before, column);
             }
         }
         return column;
     }
 
-    private boolean hasSpecular(HitRows rows) {
+    /** Whether any of the rows' materials has a specular term. */
+    boolean hasSpecular(HitRows rows) {
         for (int r = 0; r < rows.runs; r++) {
-            if (materials.isSpecular(rows.runMaterial[r])) {
+            if (isSpecular(rows.runMaterial[r])) {
                 return true;
             }
         }
         return false;
+    }
+
+    boolean isSpecular(int material) {
+        return everySpecular || materials.isSpecular(material);
     }
 
     private void run(HitRows rows, int r, int[] lit, int[] known, float[] before, float[] column) {
@@ -104,7 +116,7 @@ final class TermColumns {
 
     /** The falloff of all rows, lit or not; null where it is 1 everywhere. */
     float[] falloffs(HitRows rows, Lamp lamp, Columns columns) {
-        if (!lamp.fallsOff()) {
+        if (!lamp.fallsOff() && !(everyFalloff && lamp.type().hasPosition())) {
             return null;
         }
         float[] column = columns.floats(rows.count);

@@ -1,5 +1,6 @@
 package lightning.shading;
 
+import lightning.effects.ViewEffects;
 import java.util.Arrays;
 import lightning.math.Rgb;
 import lightning.scene.World;

@@ -3,11 +3,9 @@ package lightning.shading;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import lightning.image.Film;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
-import lightning.trace.HitRows;
-import lightning.trace.PacketTracer;
-import lightning.trace.TileVisibility;
 
 /**
  * The yardstick of every saving: a full trace by the fastest code there is, tile by tile, which keeps
@@ -15,10 +13,11 @@ import lightning.trace.TileVisibility;
  */
 public final class TraditionalTracer {
     private final Geometry geometry;
+    private final Geometry mirroredGeometry;
     private final Scene scene;
     private final Scene mirrored;
-    private final Lamp[] lamps;
-    private final Lamp[] mirroredLamps;
+    private final Sampling sampling;
+    private final TraditionalTracer sampled;
 
     /** Prepares a trace, the tree of boxes included. */
     public TraditionalTracer(Scene scene) {
@@ -28,7 +27,7 @@ public final class TraditionalTracer {
     /**
      * Prepares a trace over geometry that is there already.
      *
-     * @throws IllegalArgumentException if it is not the scene's
+     * @throws IllegalArgumentException if it does not serve the scene
      */
     public TraditionalTracer(Scene scene, Geometry geometry) {
         this(scene, scene, geometry);
@@ -36,23 +35,27 @@ public final class TraditionalTracer {
 
     /**
      * Prepares a trace of {@code scene} whose mirrors show {@code mirrored}: what a picture with stale
-     * reflections must be (paper §4.8). The two may differ in lights and world.
+     * reflections must be (paper §4.8). The two may differ in lights, world and materials.
      *
-     * @throws IllegalArgumentException if the geometry is not that of both
+     * @throws IllegalArgumentException if the geometry does not serve both
      */
     public TraditionalTracer(Scene scene, Scene mirrored, Geometry geometry) {
-        if (!geometry.serves(scene) || !geometry.serves(mirrored)) {
-            throw new IllegalArgumentException("the geometry is another scene's");
-        }
-        this.scene = scene;
-        this.mirrored = mirrored;
-        this.geometry = geometry;
-        lamps = lamps(scene);
-        mirroredLamps = lamps(mirrored);
+        this(new Sight(scene, mirrored), null, geometry);
     }
 
-    private static Lamp[] lamps(Scene scene) {
-        return scene.lights().stream().map(light -> Lamp.of(light, scene)).toArray(Lamp[]::new);
+    /**
+     * Prepares a trace over the samples that another picture has: what a picture must be whose samples stay (level ratio).
+     *
+     * @param sampled the picture whose samples are taken; null for the picture's own
+     * @throws IllegalArgumentException if the geometry is not that of all scenes
+     */
+    public TraditionalTracer(Sight sight, Sight sampled, Geometry geometry) {
+        scene = sight.scene();
+        mirrored = sight.mirrored();
+        this.sampled = sampled == null || sampled.equals(sight) ? this : new TraditionalTracer(sampled, null, geometry);
+        sampling = this.sampled.scene.picture().sampling();
+        this.geometry = geometry.of(scene);
+        mirroredGeometry = geometry.of(mirrored);
     }
 
     /** A finished picture and the rays it took. */
@@ -81,65 +84,48 @@ public final class TraditionalTracer {
      */
     public Result trace(Workers workers, int[] tiles, Progress progress) {
         Film film = Film.black(scene.picture().width(), scene.picture().height());
-        PerThread[] threads = new PerThread[workers.count()];
-        Arrays.setAll(threads, _ -> new PerThread());
-        workers.run(tiles.length, (worker, i) -> threads[worker].tile(film, tiles[i], progress), progress);
+        TileTracer[] threads = threads(workers);
+        switch (sampling.antialias()) {
+            case OFF -> workers.run(tiles.length, (worker, i) -> threads[worker].centers(film, tiles[i], progress), progress);
+            case EVERY -> workers.run(tiles.length,
+                    (worker, i) -> threads[worker].fine(film, tiles[i], EdgeMap.all(film.width(), film.height(), tiles[i]), progress), progress);
+            case EDGES -> edges(film, workers, threads, tiles, progress);
+        }
         TraceCounts rays = TraceCounts.NONE;
-        for (PerThread thread : threads) {
-            rays = rays.plus(new TraceCounts(thread.eye, thread.reflected, thread.lights.shadowRays()));
+        for (TileTracer thread : threads) {
+            rays = rays.plus(thread.rays());
         }
         return new Result(film, rays);
     }
 
-    /** What one thread needs. */
-    private final class PerThread {
-        private final PacketTracer tracer = new PacketTracer(geometry);
-        private final TileVisibility visibility = new TileVisibility(geometry, scene, tracer);
-        private final LightKernel lights = new LightKernel(geometry, tracer, ViewEffects.ALL);
-        private final TileComposer composer = new TileComposer(geometry.materials(), ViewEffects.ALL);
-        private final ScratchColumns columns = new ScratchColumns();
-        private final HitRows[] levels = new HitRows[scene.picture().depth() + 1];
-        private final LightLayer[] layers = new LightLayer[Math.max(lamps.length, mirroredLamps.length)];
-        private long eye;
-        private long reflected;
-
-        void tile(Film film, int tile, Progress progress) {
-            int x0 = tile % film.tilesX() * Film.TILE;
-            int y0 = tile / film.tilesX() * Film.TILE;
-            HitRows rows = visibility.eye(x0, y0, Film.TILE, (count, textured) -> level(0));
-            eye += (long) Math.min(Film.TILE, film.width() - x0) * Math.min(Film.TILE, film.height() - y0);
-            int deepest = 0;
-            while (deepest < scene.picture().depth() && rows.reflective > 0) {
-                int next = deepest + 1;
-                reflected += rows.reflective;
-                rows = visibility.mirrored(rows, null, (count, textured) -> level(next));
-                deepest = next;
-            }
-            for (int k = deepest; k >= 0; k--) {
-                Lamp[] shining = k == 0 ? lamps : mirroredLamps;
-                light(levels[k], shining, progress);
-                if (progress.isCancelled()) {
-                    return;
-                }
-                float[][] cr = k == deepest ? composer.unfollowed(levels[k])
-                        : composer.followed(levels[k], levels[k + 1], mirrored.world());
-                composer.level(levels[k], shining, layers, null, k == 0 ? scene.world() : mirrored.world(), cr);
-            }
-            composer.toFilm(levels[0], scene.world(), film.red(tile), film.green(tile), film.blue(tile));
+    /** First all centres, the neighbours' too, for the edges between them; then the pixels on an edge again, finer. */
+    private void edges(Film film, Workers workers, TileTracer[] threads, int[] tiles, Progress progress) {
+        int[] seen = EdgeMap.withNeighbours(film, tiles);
+        boolean[] wanted = new boolean[film.tileCount()];
+        for (int tile : tiles) {
+            wanted[tile] = true;
         }
-
-        private HitRows level(int k) {
-            if (levels[k] == null) {
-                levels[k] = new HitRows(Film.TILE_PIXELS, true);
+        EdgeCodes[] codes = new EdgeCodes[film.tileCount()];
+        TileTracer[] coders = sampled == this ? threads : sampled.threads(workers);
+        // What is traced for its codes alone goes to a film that nobody sees.
+        Film beside = seen.length == tiles.length && sampled == this ? film : Film.black(film.width(), film.height());
+        Film aside = sampled == this ? film : beside;
+        workers.run(seen.length, (worker, i) -> {
+            int tile = seen[i];
+            codes[tile] = coders[worker].coded(wanted[tile] ? aside : beside, tile, progress);
+        }, progress.part(0, seen.length + tiles.length));
+        EdgeMap map = new EdgeMap(film.width(), film.height(), codes);
+        workers.run(tiles.length, (worker, i) -> {
+            if (sampled != this) {
+                threads[worker].centers(film, tiles[i], progress);
             }
-            return levels[k];
-        }
+            threads[worker].fine(film, tiles[i], map.edges(tiles[i]), progress);
+        }, progress.part(seen.length, seen.length + tiles.length));
+    }
 
-        private void light(HitRows rows, Lamp[] lamps, Progress progress) {
-            columns.reset();
-            for (int l = 0; l < lamps.length && !progress.isCancelled(); l++) {
-                layers[l] = lamps[l].isDark() ? null : lights.full(rows, lamps[l], columns);
-            }
-        }
+    private TileTracer[] threads(Workers workers) {
+        TileTracer[] threads = new TileTracer[workers.count()];
+        Arrays.setAll(threads, _ -> new TileTracer(geometry, mirroredGeometry, new Sight(scene, mirrored), sampling));
+        return threads;
     }
 }

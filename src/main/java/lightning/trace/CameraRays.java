@@ -6,7 +6,7 @@ import lightning.scene.Camera;
 import lightning.scene.Picture;
 
 /**
- * The rays from the eye, which is the origin of render space, through the pixel centres.
+ * The rays from the eye, which is the origin of render space, through points of the picture.
  *
  * <p>The direction through picture coordinates x, y (pixels from the left and from the top) is
  * {@code corner + x·right + y·down}, at length 1.
@@ -30,8 +30,11 @@ final class CameraRays {
 
     /** The ray through the centre of pixel {@code column, row}; its direction has length 1. */
     Ray through(int column, int row) {
-        double x = column + 0.5;
-        double y = row + 0.5;
+        return at(column + 0.5, row + 0.5);
+    }
+
+    /** The ray through picture coordinates x, y; its direction has length 1. */
+    Ray at(double x, double y) {
         double dx = corner.x() + x * right.x() + y * down.x();
         double dy = corner.y() + x * right.y() + y * down.y();
         double dz = corner.z() + x * right.z() + y * down.z();

@@ -91,6 +91,19 @@ public final class Candidates {
         System.arraycopy(bvh.shapeBoxes, 6 * s, boxes, 6 * at, 6);
     }
 
+    /** Leaves out the shapes of all materials but one; does nothing where there are too many. */
+    void keepMaterial(ShapeTable shapes, int material) {
+        int kept = 0;
+        for (int c = 0; c < count; c++) {
+            if (shapes.material[shape[c]] == material) {
+                since[kept] = since[c];
+                shape[kept] = shape[c];
+                System.arraycopy(boxes, 6 * c, boxes, 6 * kept++, 6);
+            }
+        }
+        count = kept;
+    }
+
     /** Moves a shape that blocks rays to the front: the next packet is likely to be blocked by it too. */
     void promote(int c) {
         for (int i = 6 * c - 1; i >= 0; i--) {

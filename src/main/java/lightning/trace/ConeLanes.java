@@ -64,7 +64,7 @@ final class ConeLanes {
             DoubleVector bound = t0.blend(low.blend(high, down), steep);
             DoubleVector in = low.blend(miss.neg().blend(bound, forwards), open);
             DoubleVector out = high.blend(bound.blend(miss, forwards), open);
-            VectorMask<Double> none = root.compare(GE, 0).not().or(c.mul(a).abs().compare(GT, q.mul(2).mul(q))).or(open.andNot(bound.compare(EQ, bound)));
+            VectorMask<Double> none = c.mul(a).abs().compare(GT, q.mul(2).mul(q));
             in.blend(miss, none).intoArray(slab.sideIn, h);
             out.blend(miss.neg(), none).intoArray(slab.sideOut, h);
         }

@@ -2,7 +2,7 @@ package lightning.trace;
 
 import lightning.scene.Scene;
 
-/** The eye of a scene: which ray belongs to which pixel. */
+/** The eye of a scene: which rays belong to which pixel. */
 public final class Eye {
     private final CameraRays rays;
 
@@ -13,5 +13,13 @@ public final class Eye {
     /** The ray, of length 1, through the centre of a pixel: {@code x} from the left, {@code y} from the top. */
     public Ray through(int x, int y) {
         return rays.through(x, y);
+    }
+
+    /**
+     * The ray, of length 1, through sample {@code sample} of a pixel that has {@code grid} × {@code grid} of them, each in
+     * the middle of its cell, counted along the lines from the upper left.
+     */
+    public Ray through(int x, int y, int sample, int grid) {
+        return rays.at(x + SamplePlaces.offset(sample % grid, grid), y + SamplePlaces.offset(sample / grid, grid));
     }
 }

@@ -29,4 +29,22 @@ final class EyeLanes {
             dz.div(length).intoArray(p.dz, h);
         }
     }
+
+    /** Puts the rays through the picture coordinates {@code x[i], y[i]} into the packet; both arrays as long as its lanes. */
+    static void at(CameraRays camera, double[] x, double[] y, RayPacket p) {
+        Arrays.fill(p.ox, 0);
+        Arrays.fill(p.oy, 0);
+        Arrays.fill(p.oz, 0);
+        for (int h = 0; h < RayPacket.WIDTH; h += Lanes.COUNT) {
+            DoubleVector across = DoubleVector.fromArray(Lanes.SPECIES, x, h);
+            DoubleVector along = DoubleVector.fromArray(Lanes.SPECIES, y, h);
+            DoubleVector dx = across.mul(camera.right.x()).add(camera.corner.x()).add(along.mul(camera.down.x()));
+            DoubleVector dy = across.mul(camera.right.y()).add(camera.corner.y()).add(along.mul(camera.down.y()));
+            DoubleVector dz = across.mul(camera.right.z()).add(camera.corner.z()).add(along.mul(camera.down.z()));
+            DoubleVector length = dx.mul(dx).add(dy.mul(dy)).add(dz.mul(dz)).sqrt();
+            dx.div(length).intoArray(p.dx, h);
+            dy.div(length).intoArray(p.dy, h);
+            dz.div(length).intoArray(p.dz, h);
+        }
+    }
 }

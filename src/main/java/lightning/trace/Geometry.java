@@ -1,6 +1,8 @@
 package lightning.trace;
 
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import lightning.math.Vec3;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
@@ -8,11 +10,13 @@ import lightning.scene.Scene;
 /**
  * What rays can meet: a scene's shapes and materials in render space, without its lights.
  *
- * <p>Built once for all scenes that differ in their lights only; shared between threads.
+ * <p>Shapes and their tree of boxes are built once for all scenes that differ in lights and materials only. Shared
+ * between threads.
  */
 public final class Geometry {
     private final Scene scene;
     private final List<PlacedShape> placed;
+    private final List<String> names;
     private final ShapeTable shapes;
     private final MaterialTable materials;
     private final Bvh bvh;
@@ -21,17 +25,42 @@ public final class Geometry {
     public Geometry(Scene scene) {
         this.scene = scene;
         placed = scene.placedShapes();
-        int[] materialOf = new int[placed.size()];
-        materials = MaterialTable.of(placed, materialOf);
-        shapes = new ShapeTable(placed, materialOf, scene.camera().from());
+        names = MaterialTable.names(placed);
+        materials = new MaterialTable(names, scene);
+        shapes = new ShapeTable(placed, materialOf(), scene.camera().from());
         bvh = new Bvh(shapes);
     }
 
-    /** Whether this geometry also serves {@code other}: same shapes, materials and camera position. */
+    private Geometry(Geometry shared, Scene scene) {
+        this.scene = scene;
+        placed = shared.placed;
+        names = shared.names;
+        materials = new MaterialTable(names, scene);
+        shapes = shared.shapes;
+        bvh = shared.bvh;
+    }
+
+    private int[] materialOf() {
+        Map<String, Integer> index = new HashMap<>();
+        names.forEach(name -> index.put(name, index.size()));
+        return placed.stream().mapToInt(s -> index.get(s.shape().material())).toArray();
+    }
+
+    /** Whether the shapes of {@code other} are these, seen from here; its materials may be others. */
     public boolean serves(Scene other) {
-        return scene.nodes().equals(other.nodes())
-                && scene.materials().equals(other.materials())
-                && scene.camera().equals(other.camera());
+        return scene.nodes().equals(other.nodes()) && scene.camera().equals(other.camera());
+    }
+
+    /**
+     * The same shapes with the materials of another scene, each at the same index as here.
+     *
+     * @throws IllegalArgumentException if this geometry does not serve that scene
+     */
+    public Geometry of(Scene other) {
+        if (!serves(other)) {
+            throw new IllegalArgumentException("the geometry is another scene's");
+        }
+        return scene.materials().equals(other.materials()) ? this : new Geometry(this, other);
     }
 
     public MaterialTable materials() {
@@ -44,7 +73,13 @@ public final class Geometry {
 
     /** The shape with the given index. */
     public PlacedShape shape(int index) {
-        return placed.get(index);
+        PlacedShape shape = placed.get(index);
+        return new PlacedShape(shape.shape(), materials.material(shapes.material[index]), shape.toWorld(), shape.directionsBack());
+    }
+
+    /** The index of the material of the shape with the given index. */
+    public int materialOf(int shape) {
+        return shapes.material[shape];
     }
 
     ShapeTable shapes() {
@@ -126,14 +161,14 @@ public final class Geometry {
         surface.at(shapes, shape, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
         int material = shapes.material[shape];
         float[] diffuse = {materials.diffuse(material, 0), materials.diffuse(material, 1), materials.diffuse(material, 2)};
+        float[] texel = {1, 1, 1};
         if (materials.isTextured(material)) {
-            float[] texel = new float[3];
             TextureLookup.sample(materials.texture(material), shapes.kind[shape], surface.ownX, surface.ownY, surface.ownZ, texel);
             for (int c = 0; c < 3; c++) {
                 diffuse[c] *= texel[c];
             }
         }
         return new SurfacePoint(shape, material, surface.px, surface.py, surface.pz, surface.nx, surface.ny, surface.nz,
-                (float) d.x(), (float) d.y(), (float) d.z(), diffuse);
+                (float) d.x(), (float) d.y(), (float) d.z(), diffuse, texel);
     }
 }

@@ -23,12 +23,14 @@ public final class HitRows {
     public final float[] vx;
     public final float[] vy;
     public final float[] vz;
-    /** k<sub>diffuse</sub> with the texture in it, for rows of textured materials; null where the tile has none. */
-    public final float[] diffuseRed;
-    public final float[] diffuseGreen;
-    public final float[] diffuseBlue;
+    /** The texture's colour, 0…1, for rows of textured materials; null where the tile has none. */
+    public final float[] texelRed;
+    public final float[] texelGreen;
+    public final float[] texelBlue;
     /** Where the row's colour goes: a pixel of the tile at the first level, a row of the level above at others. */
     public final short[] parent;
+    /** What anti-aliasing sees of each hit, its texture left out ({@link HitCode}); null where nobody asks. */
+    public final int[] code;
     /** How many runs there are. */
     public int runs;
     /** The material of each run. */
@@ -38,8 +40,13 @@ public final class HitRows {
     /** How many rows, the first ones, are of reflective materials. */
     public int reflective;
 
-    /** Makes room for {@code rows} rows. */
+    /** Makes room for {@code rows} rows without codes. */
     public HitRows(int rows, boolean textured) {
+        this(rows, textured, false);
+    }
+
+    /** Makes room for {@code rows} rows. */
+    public HitRows(int rows, boolean textured, boolean coded) {
         int length = padded(rows);
         px = new float[length];
         py = new float[length];
@@ -50,10 +57,46 @@ public final class HitRows {
         vx = new float[length];
         vy = new float[length];
         vz = new float[length];
-        diffuseRed = textured ? new float[length] : null;
-        diffuseGreen = textured ? new float[length] : null;
-        diffuseBlue = textured ? new float[length] : null;
+        texelRed = textured ? new float[length] : null;
+        texelGreen = textured ? new float[length] : null;
+        texelBlue = textured ? new float[length] : null;
         parent = new short[length];
+        code = coded ? new int[length] : null;
+    }
+
+    /** The same rows with other texels; all three null for none. */
+    private HitRows(HitRows o, float[] red, float[] green, float[] blue) {
+        count = o.count;
+        px = o.px;
+        py = o.py;
+        pz = o.pz;
+        nx = o.nx;
+        ny = o.ny;
+        nz = o.nz;
+        vx = o.vx;
+        vy = o.vy;
+        vz = o.vz;
+        texelRed = red;
+        texelGreen = green;
+        texelBlue = blue;
+        parent = o.parent;
+        code = o.code;
+        runs = o.runs;
+        runMaterial = o.runMaterial;
+        runEnd = o.runEnd;
+        reflective = o.reflective;
+    }
+
+    /** These rows without texels. */
+    HitRows withoutTexels() {
+        return new HitRows(this, null, null, null);
+    }
+
+    /** These rows with texels of their own, copies of these. */
+    HitRows withOwnTexels() {
+        int length = parent.length;
+        return texelRed == null ? new HitRows(this, new float[length], new float[length], new float[length])
+                : new HitRows(this, texelRed.clone(), texelGreen.clone(), texelBlue.clone());
     }
 
     /** The length of a column of {@code rows} rows: a multiple of 16. */
@@ -66,9 +109,9 @@ public final class HitRows {
         return r == 0 ? 0 : runEnd[r - 1];
     }
 
-    /** The bytes of the columns, array headers left out: 38 for each row, 50 where the tile is textured. */
+    /** The bytes of the columns, array headers left out: 38 for each row, 12 more where the tile is textured, 4 with codes. */
     public long bytes() {
-        return (diffuseRed == null ? 38L : 50L) * parent.length;
+        return (38L + (texelRed == null ? 0 : 12) + (code == null ? 0 : 4)) * parent.length;
     }
 
     void addRun(int material, int end) {

@@ -1,37 +1,47 @@
 package lightning.trace;
 
-import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import lightning.math.Rgb;
 import lightning.scene.Material;
 import lightning.scene.PlacedShape;
+import lightning.scene.Scene;
 import lightning.scene.TextureMap;
 
 /**
  * The materials in use as plain columns: the place where the file's doubles become the floats of
  * the lighting equation. Colours are {@code float[3 * count]}: r g b of material 0, then of 1, ….
  *
- * <p>Reflective materials come first, so that the rows of a tile that cast reflected rays are a
- * prefix of its rows.
+ * <p>A material keeps its index however it is edited: indices follow the shapes that name the materials. The rows of a
+ * tile are sorted by {@link #rank} instead, reflective materials first, so that the rows that cast reflected rays are
+ * a prefix.
  */
 public final class MaterialTable {
     private final List<Material> materials;
     private final int reflectiveCount;
+    private final int[] rank;
+    private final int[] ranked;
     private final float[] ambient;
     private final float[] diffuse;
     private final float[] specular;
     private final float[] reflective;
 
-    private MaterialTable(List<Material> materials) {
-        this.materials = materials;
-        ambient = new float[3 * materials.size()];
-        diffuse = new float[3 * materials.size()];
-        specular = new float[3 * materials.size()];
-        reflective = new float[3 * materials.size()];
+    /**
+     * @param names the materials' names, each once: material {@code m} is that of name {@code m}
+     * @param scene says what they are
+     */
+    MaterialTable(List<String> names, Scene scene) {
+        Map<String, Material> byName = scene.materialsByName();
+        materials = names.stream().map(byName::get).toList();
+        int count = materials.size();
+        ambient = new float[3 * count];
+        diffuse = new float[3 * count];
+        specular = new float[3 * count];
+        reflective = new float[3 * count];
+        rank = new int[count];
+        ranked = new int[count];
         int mirrors = 0;
-        for (int m = 0; m < materials.size(); m++) {
+        for (int m = 0; m < count; m++) {
             Material material = materials.get(m);
             store(material.ambient(), ambient, 3 * m);
             store(material.diffuse(), diffuse, 3 * m);
@@ -40,25 +50,17 @@ public final class MaterialTable {
             mirrors += mirrors(material) ? 1 : 0;
         }
         reflectiveCount = mirrors;
+        int first = 0;
+        int last = mirrors;
+        for (int m = 0; m < count; m++) {
+            rank[m] = mirrors(materials.get(m)) ? first++ : last++;
+            ranked[rank[m]] = m;
+        }
     }
 
-    /** The materials that the shapes use, each once; and for each shape its index in them. */
-    static MaterialTable of(List<PlacedShape> shapes, int[] materialOf) {
-        Map<Material, Integer> index = new HashMap<>();
-        List<Material> used = new ArrayList<>();
-        for (boolean mirror : new boolean[] {true, false}) {
-            for (PlacedShape shape : shapes) {
-                Material m = shape.material();
-                if (mirrors(m) == mirror && !index.containsKey(m)) {
-                    index.put(m, used.size());
-                    used.add(m);
-                }
-            }
-        }
-        for (int s = 0; s < materialOf.length; s++) {
-            materialOf[s] = index.get(shapes.get(s).material());
-        }
-        return new MaterialTable(used);
+    /** The names of the materials that shapes use, each once, in the order of their first use. */
+    static List<String> names(List<PlacedShape> shapes) {
+        return shapes.stream().map(s -> s.shape().material()).distinct().toList();
     }
 
     private static boolean mirrors(Material m) {
@@ -81,12 +83,22 @@ public final class MaterialTable {
 
     /** Whether material {@code m} casts reflected rays. */
     public boolean isReflective(int m) {
-        return m < reflectiveCount;
+        return rank[m] < reflectiveCount;
     }
 
-    /** How many materials cast reflected rays: those with the lowest indices. */
+    /** How many materials cast reflected rays: those with the lowest ranks. */
     public int reflectiveCount() {
         return reflectiveCount;
+    }
+
+    /** The place of material {@code m} in the order of a tile's rows: 0 … {@code count() − 1}. */
+    public int rank(int m) {
+        return rank[m];
+    }
+
+    /** The material of a rank. */
+    public int ranked(int r) {
+        return ranked[r];
     }
 
     public boolean isSpecular(int m) {
@@ -121,5 +133,15 @@ public final class MaterialTable {
 
     public float reflective(int m, int channel) {
         return reflective[3 * m + channel];
+    }
+
+    @Override
+    public boolean equals(Object o) {
+        return o instanceof MaterialTable t && materials.equals(t.materials);
+    }
+
+    @Override
+    public int hashCode() {
+        return materials.hashCode();
     }
 }

@@ -96,8 +96,8 @@ final class Solids {
         double bound = steep ? (dh > 0 ? high : low) : t0;
         double sideIn = steep || generator ? (forwards ? bound : -MISS) : low;
         double sideOut = steep || generator ? (forwards ? MISS : bound) : high;
-        // A NaN bound (no real root) must survive both choices above.
-        boolean none = !(root >= 0) || Math.abs(c * a) > 2 * q * q || (steep || generator) && !(bound == bound);
+        // Where there is no real root, one end of the interval at least is NaN: a miss by itself.
+        boolean none = Math.abs(c * a) > 2 * q * q;
         return withinSlab(none ? MISS : sideIn, none ? -MISS : sideOut, oy, dy);
     }
 

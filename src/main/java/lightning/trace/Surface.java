@@ -9,7 +9,7 @@ package lightning.trace;
  * the error of the hit in double, which grows with the coordinates of the shape and of the ray's origin. Rays
  * that leave from it need no further care. The normal has length 1 and faces the incoming ray.
  */
-public final class Surface {
+final class Surface {
     /** The share of a point's coordinates, seen along the normal, by which it is moved: two float roundings. */
     static final double OFFSET = 0x1p-23;
     /** The error of a hit in double, as a share of the coordinates of the ray's origin and of the shape. */
@@ -101,29 +101,5 @@ public final class Surface {
     static boolean onCylinderSide(double x, double y, double z) {
         double cap = Math.abs(y) < Math.abs(1 - y) ? Math.abs(y) : Math.abs(1 - y);
         return Math.abs(Math.sqrt(x * x + z * z) - 1) <= cap;
-    }
-
-    public float px() {
-        return px;
-    }
-
-    public float py() {
-        return py;
-    }
-
-    public float pz() {
-        return pz;
-    }
-
-    public float nx() {
-        return nx;
-    }
-
-    public float ny() {
-        return ny;
-    }
-
-    public float nz() {
-        return nz;
     }
 }

@@ -11,9 +11,10 @@ import lightning.math.Vec3;
  * @param nx       the unit normal that faces the ray; likewise {@code ny}, {@code nz}
  * @param vx       the unit direction of the ray; likewise {@code vy}, {@code vz}
  * @param diffuse  k<sub>diffuse</sub> with the texture in it, linear RGB, {@code float[3]}
+ * @param texel    the texture's colour alone, linear RGB, {@code float[3]}; white where there is none
  */
 public record SurfacePoint(int shape, int material, float px, float py, float pz, float nx, float ny, float nz,
-        float vx, float vy, float vz, float[] diffuse) {
+        float vx, float vy, float vz, float[] diffuse, float[] texel) {
 
     /** The mirrored ray, V + 2|N·V|N at length 1: away from the surface whatever the rounding. */
     public Ray mirrored() {

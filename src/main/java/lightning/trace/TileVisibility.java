@@ -34,8 +34,10 @@ public final class TileVisibility {
     private final int[] shape = new int[ROWS];
     private final short[] slot = new short[ROWS];
     private final short[] order = new short[ROWS];
+    private final double[] sampleX = new double[RayPacket.WIDTH];
+    private final double[] sampleY = new double[RayPacket.WIDTH];
     private final int[] starts;
-    private final float[] texel = new float[3];
+    private final TexelColumns texels;
 
     public TileVisibility(Geometry geometry, Scene scene, PacketTracer tracer) {
         this.geometry = geometry;
@@ -46,6 +48,7 @@ public final class TileVisibility {
         height = scene.picture().height();
         this.tracer = tracer;
         starts = new int[materials.count() + 1];
+        texels = new TexelColumns(geometry);
     }
 
     /**
@@ -76,6 +79,30 @@ public final class TileVisibility {
     }
 
     /**
+     * Traces finer samples of some pixels of a tile.
+     *
+     * @param places of all of them, at most 1024
+     * @return the rows of the samples that hit something; {@code parent} is the sample's number
+     */
+    public HitRows fine(SamplePlaces places, Allocator allocator) {
+        int rays = places.count();
+        places.bound(beam, camera);
+        candidates.collect(geometry, beam);
+        for (int ray = 0; ray < rays; ray += RayPacket.WIDTH) {
+            int live = Math.min(RayPacket.WIDTH, rays - ray);
+            for (int i = 0; i < live; i++) {
+                sampleX[i] = places.x(ray + i);
+                sampleY[i] = places.y(ray + i);
+                slot[ray + i] = (short) (ray + i);
+            }
+            EyeLanes.at(camera, sampleX, sampleY, packet);
+            tracer.nearest(packet, live, candidates);
+            keep(ray, live);
+        }
+        return rows(null, rays, allocator);
+    }
+
+    /**
      * Traces the mirrored rays of the reflective rows of a level.
      *
      * @param known the shape that each ray hits, −1 for none, where that is known; else null
@@ -84,12 +111,38 @@ public final class TileVisibility {
     public HitRows mirrored(HitRows from, int[] known, Allocator allocator) {
         int rays = from.reflective;
         for (int i = 0; i < rays; i++) {
-            mirror(from, i);
             slot[i] = (short) i;
         }
+        return mirrored(from, rays, known, allocator);
+    }
+
+    /**
+     * Traces the mirrored rays of some reflective rows of a level.
+     *
+     * @param which those rows, ascending
+     * @return as {@link #mirrored(HitRows, int[], Allocator)}
+     */
+    public HitRows mirroredFrom(HitRows from, int[] which, Allocator allocator) {
+        for (int i = 0; i < which.length; i++) {
+            slot[i] = (short) which[i];
+        }
+        return mirrored(from, which.length, null, allocator);
+    }
+
+    /** Traces the mirrored rays of the rows in the first {@code rays} slots. */
+    private HitRows mirrored(HitRows from, int rays, int[] known, Allocator allocator) {
+        beam.clear();
+        for (int i = 0; i < rays; i++) {
+            MirrorRays.direction(from, slot[i], dx, dy, dz, i);
+        }
         if (known == null && rays > 0) {
-            beam.clear();
-            beam.origins(from.px, from.py, from.pz, rays);
+            if (rays == from.reflective) {
+                beam.origins(from.px, from.py, from.pz, rays);
+            } else {
+                for (int i = 0; i < rays; i++) {
+                    beam.origin(from.px[slot[i]], from.py[slot[i]], from.pz[slot[i]]);
+                }
+            }
             beam.directions(dx, dy, dz, rays);
             candidates.collect(geometry, beam);
         }
@@ -113,31 +166,17 @@ public final class TileVisibility {
         return Arrays.copyOf(shape, rays);
     }
 
-    /** The direction of a row's mirrored ray, as {@link SurfacePoint#mirrored}. */
-    private void mirror(HitRows from, int r) {
-        double nx = from.nx[r];
-        double ny = from.ny[r];
-        double nz = from.nz[r];
-        double twice = 2 * Math.abs(nx * from.vx[r] + ny * from.vy[r] + nz * from.vz[r]);
-        double rx = from.vx[r] + twice * nx;
-        double ry = from.vy[r] + twice * ny;
-        double rz = from.vz[r] + twice * nz;
-        double length = Math.sqrt(rx * rx + ry * ry + rz * rz);
-        dx[r] = rx / length;
-        dy[r] = ry / length;
-        dz[r] = rz / length;
-    }
-
-    /** Puts the mirrored rays of rows {@code row …} into the packet. */
-    private void load(HitRows from, int row, int live) {
+    /** Puts rays {@code ray …}, from the rows of a level in their slots, into the packet. */
+    private void load(HitRows from, int ray, int live) {
         for (int i = 0; i < live; i++) {
-            packet.ox[i] = from.px[row + i];
-            packet.oy[i] = from.py[row + i];
-            packet.oz[i] = from.pz[row + i];
+            int row = slot[ray + i];
+            packet.ox[i] = from.px[row];
+            packet.oy[i] = from.py[row];
+            packet.oz[i] = from.pz[row];
         }
-        System.arraycopy(dx, row, packet.dx, 0, live);
-        System.arraycopy(dy, row, packet.dy, 0, live);
-        System.arraycopy(dz, row, packet.dz, 0, live);
+        System.arraycopy(dx, ray, packet.dx, 0, live);
+        System.arraycopy(dy, ray, packet.dy, 0, live);
+        System.arraycopy(dz, ray, packet.dz, 0, live);
     }
 
     private void keep(int at, int live) {
@@ -153,27 +192,27 @@ public final class TileVisibility {
         Arrays.fill(starts, 0);
         for (int i = 0; i < rays; i++) {
             if (shape[i] >= 0) {
-                starts[shapes.material[shape[i]] + 1]++;
+                starts[rank(i) + 1]++;
             }
         }
         boolean textured = false;
-        for (int m = 0; m < materials.count(); m++) {
-            textured |= starts[m + 1] > 0 && materials.isTextured(m);
-            starts[m + 1] += starts[m];
+        for (int r = 0; r < materials.count(); r++) {
+            textured |= starts[r + 1] > 0 && materials.isTextured(materials.ranked(r));
+            starts[r + 1] += starts[r];
         }
         int hits = starts[materials.count()];
         HitRows rows = allocator.rows(hits, textured);
         rows.count = hits;
         rows.runs = 0;
         rows.reflective = starts[materials.reflectiveCount()];
-        for (int m = 0; m < materials.count(); m++) {
-            if (starts[m + 1] > starts[m]) {
-                rows.addRun(m, starts[m + 1]);
+        for (int r = 0; r < materials.count(); r++) {
+            if (starts[r + 1] > starts[r]) {
+                rows.addRun(materials.ranked(r), starts[r + 1]);
             }
         }
         for (int i = 0; i < rays; i++) {
             if (shape[i] >= 0) {
-                order[starts[shapes.material[shape[i]]]++] = (short) i;
+                order[starts[rank(i)]++] = (short) i;
             }
         }
         for (int row = 0; row < hits; row += RayPacket.WIDTH) {
@@ -182,12 +221,17 @@ public final class TileVisibility {
         return rows;
     }
 
+    /** The place in the order of rows of the material that a ray hit. */
+    private int rank(int ray) {
+        return materials.rank(shapes.material[shape[ray]]);
+    }
+
     private void loadSorted(HitRows from, int row, int live) {
         for (int i = 0; i < live; i++) {
             int ray = order[row + i];
-            packet.ox[i] = from == null ? 0 : from.px[ray];
-            packet.oy[i] = from == null ? 0 : from.py[ray];
-            packet.oz[i] = from == null ? 0 : from.pz[ray];
+            packet.ox[i] = from == null ? 0 : from.px[slot[ray]];
+            packet.oy[i] = from == null ? 0 : from.py[slot[ray]];
+            packet.oz[i] = from == null ? 0 : from.pz[slot[ray]];
             packet.dx[i] = dx[ray];
             packet.dy[i] = dy[ray];
             packet.dz[i] = dz[ray];
@@ -212,20 +256,10 @@ public final class TileVisibility {
             rows.parent[row + i] = slot[order[row + i]];
         }
         if (textured) {
-            textures(rows, row, live);
+            texels.write(rows, row, live, packet, surface);
         }
-    }
-
-    private void textures(HitRows rows, int row, int live) {
-        for (int i = 0; i < live; i++) {
-            int material = shapes.material[packet.shape[i]];
-            if (materials.isTextured(material)) {
-                TextureLookup.sample(materials.texture(material), shapes.kind[packet.shape[i]],
-                        surface.ownX[i], surface.ownY[i], surface.ownZ[i], texel);
-                rows.diffuseRed[row + i] = materials.diffuse(material, 0) * texel[0];
-                rows.diffuseGreen[row + i] = materials.diffuse(material, 1) * texel[1];
-                rows.diffuseBlue[row + i] = materials.diffuse(material, 2) * texel[2];
-            }
+        for (int i = 0; rows.code != null && i < live; i++) {
+            rows.code[row + i] = HitCode.of(packet.shape[i], rows.nx[row + i], rows.ny[row + i], rows.nz[row + i]);
         }
     }
 }

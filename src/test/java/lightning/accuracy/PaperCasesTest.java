@@ -3,7 +3,12 @@ package lightning.accuracy;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
@@ -40,7 +45,8 @@ class PaperCasesTest {
         assertThat(PaperCases.of(SceneFiles.read("bird"))).extracting(PaperCase::name).containsExactly("color",
                 "intensity", "attenuation", "angle-smaller", "angle-larger", "dropoff", "position", "direction", "type",
                 "delete", "add", "ambience", "position-feet", "composite-1", "composite-2", "off", "on", "solo", "rename",
-                "undo", "depth-less", "depth-more", "spot-turned", "point-to-spot");
+                "undo", "depth-less", "depth-more", "spot-turned", "point-to-spot", "material-color", "shininess", "reflectivity",
+                "mirror-off", "mirror-on", "texture-off", "texture-on");
     }
 
     @Test
@@ -155,6 +161,20 @@ class PaperCasesTest {
                 .allMatch(c -> !c.after().equals(c.before()) && c.paperSaving() > 0);
     }
 
+    @ParameterizedTest
+    @MethodSource("sceneNames")
+    void everyPrintedCase_hasThreeDifferentValues(String name) {
+        Scene scene = SceneFiles.read(name);
+        Map<String, Set<String>> values = new HashMap<>();
+        for (int value = 0; value < PaperCases.VALUES; value++) {
+            for (PaperCase edit : PaperCases.of(scene, value)) {
+                values.computeIfAbsent(edit.name(), _ -> new HashSet<>()).add(edit.value());
+            }
+        }
+        assertThat(PaperCases.of(scene)).filteredOn(PaperCase::isPrinted).allSatisfy(edit ->
+                assertThat(values.get(edit.name())).as(edit.name()).hasSize(PaperCases.VALUES).doesNotContain(""));
+    }
+
     @Test
     void missingLightTypes_leaveTheirCasesOut() {
         Scene bird = SceneFiles.read("bird");
@@ -162,9 +182,33 @@ class PaperCasesTest {
 
         assertThat(PaperCases.of(pointOnly)).extracting(PaperCase::name).containsExactlyInAnyOrder("attenuation", "position",
                 "add", "ambience", "position-feet", "composite-1", "off", "on", "solo", "rename", "undo", "depth-less", "depth-more",
-                "point-to-spot");
-        assertThat(PaperCases.of(bird.withLights(List.of()))).extracting(PaperCase::name)
-                .containsExactlyInAnyOrder("add", "ambience", "depth-less", "depth-more");
+                "point-to-spot", "material-color", "shininess", "reflectivity", "mirror-off", "mirror-on", "texture-off", "texture-on");
+        assertThat(PaperCases.of(bird.withLights(List.of()))).extracting(PaperCase::name).containsExactlyInAnyOrder("add", "ambience",
+                "depth-less", "depth-more", "material-color", "shininess", "reflectivity", "mirror-off", "mirror-on", "texture-off", "texture-on");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"material-color", "shininess", "reflectivity", "mirror-off", "texture-off", "texture-on"})
+    void editOfAMaterial_castsNoRay(String name) {
+        assertThat(lastUpdate(bird(name)).rays()).isEqualTo(TraceCounts.NONE);
+    }
+
+    @Test
+    void mirrorThatComes_castsNoEyeRay() {
+        TraceCounts rays = lastUpdate(bird("mirror-on")).rays();
+
+        assertThat(rays.mirrored()).isPositive();
+        assertThat(rays.eye()).isZero();
+    }
+
+    @Test
+    void scenesWithoutMirrorsAndTextures_leaveTheirCasesOut() {
+        Scene plain = SceneFiles.read("bird");
+        plain = plain.withMaterials(plain.materials().stream().map(m -> m.withReflective(Rgb.BLACK).withTexture(Optional.empty())
+                .withSpecular(Rgb.BLACK)).toList());
+
+        assertThat(PaperCases.of(plain)).extracting(PaperCase::name).contains("material-color").doesNotContain("shininess",
+                "reflectivity", "mirror-off", "mirror-on", "texture-off", "texture-on");
     }
 
     @Test

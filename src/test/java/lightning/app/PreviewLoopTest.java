@@ -15,7 +15,7 @@ import lightning.relight.Options;
 import lightning.relight.Renderer;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
-import lightning.shading.ViewEffects;
+import lightning.effects.ViewEffects;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

@@ -14,6 +14,8 @@ import javafx.scene.input.MouseButton;
 import lightning.edit.Command;
 import lightning.edit.Dial;
 import lightning.edit.LightEdits;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
 import lightning.image.DisplayCurve;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
@@ -22,7 +24,6 @@ import lightning.relight.LightShare;
 import lightning.shading.LightReport;
 import lightning.shading.PixelExplainer;
 import lightning.shading.ReferenceTracer;
-import lightning.shading.ViewEffects;
 import org.junit.jupiter.api.Test;
 
 class TracedPaneTest extends EditorDesk {
@@ -206,7 +207,7 @@ class TracedPaneTest extends EditorDesk {
         choose("view-reflections");
         waitFor("it is shown", () -> isShown("look"));
         assertThat(text("look")).isEqualTo("View: No reflections");
-        assertCanvasShows(new ReferenceTracer(new ViewEffects(true, false, true).of(model().scene())).trace());
+        assertCanvasShows(new ReferenceTracer(ViewEffects.ALL.with(Effect.REFLECTION, false).of(model().scene())).trace());
         assertFilmIs(new ReferenceTracer(model().scene()).trace());
         assertThat(robot.lookup("#region").query().isDisabled()).isTrue();
     }

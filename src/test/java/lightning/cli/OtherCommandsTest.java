@@ -61,6 +61,11 @@ class OtherCommandsTest {
     }
 
     @Test
+    void compareDifferentDisplays_tellsWhatAPersonSees() throws Exception {
+        assertThat(Cli.run("compare", picture("a.png", 0), picture("b.png", 1)).out()).containsPattern("PSNR \\d.*, SSIM 0\\.\\d+, FLIP 0\\.\\d+\n");
+    }
+
+    @Test
     void compareTrouble_endsWith2() throws Exception {
         Path a = picture("a.pfm", 0);
         Cli.run("compare", a, folder.resolve("no.png")).isRefusedSaying("no.png: no such file");

@@ -120,7 +120,26 @@ class RelightCommandTest {
     }
 
     @ParameterizedTest
+    @ValueSource(strings = {"--accuracy=exact", "--accuracy=ratio"})
+    void materials_areEditedWithoutAPass(String accuracy) {
+        String out = Cli.run("relight", "scenes/balls.jen", "--size", "60x40", "-o", picture, accuracy, "--verify", "--set", "material:gold.shininess=5",
+                "--then", "--set", "material:gold.reflective=0 0 0", "--set", "key.intensity=1", "--then", "--set",
+                "material:jade.texture=\"wood.png\"", "--set", "material:gold.reflective=0.1 0.1 0.1", "--update-reflections").isDone().out();
+        assertThat(out.lines().filter(line -> line.matches("\\d\\. .*")).map(line -> line.replaceAll(": \\d+ rows.*", ""))).containsExactly(
+                "1. gold: specular term", "2. key: weight, gold: ceases to mirror", "3. gold: begins to mirror, jade: texture");
+        assertThat(out).contains("verified: ").doesNotContain("NOT KEPT");
+    }
+
+    @Test
+    void save_writesAnEditedMaterialIntoItsBlock() throws Exception {
+        Path saved = folder.resolve("saved.jen");
+        Cli.run("relight", "scenes/balls.jen", "--size", "20x20", "-o", picture, "--set", "material:gold.shininess=91", "--save", saved).isDone();
+        assertThat(Files.readString(saved)).isEqualTo(Files.readString(Path.of("scenes/balls.jen")).replace("shininess 90 ", "shininess 91 "));
+    }
+
+    @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
+        "--set | material:moon.shininess=1 | --set material:moon.shininess=1: there is no material 'moon'",
         "--set | moon.intensity=1 | --set moon.intensity=1: the scene has nothing named 'moon'",
         "--set | sun.intensity | must be written as NAME.PROPERTY=VALUE",
         "--set | sun.intensity=-1 | intensity must be ≥ 0, was -1",

@@ -80,6 +80,15 @@ class RenderCommandTest {
                 .contains("48 x 32 pixels, depth 2", "1536 eye rays", "shadow rays");
     }
 
+    /** 2⁻⁴⁰ of it is below white everywhere, 2⁴⁰ of it above wherever there is any light. */
+    @Test
+    void report_tellsWhatTheDisplayCutsOff() {
+        assertThat(Cli.run("render", scene, "-o", folder.resolve("a.png"), "--exposure", "40").isDone().out())
+                .containsPattern("a.png: \\d+ of 1536 pixels \\([\\d.]+ %\\) are cut off at white, the brightest is .+ times as bright");
+        assertThat(Cli.run("render", scene, "-o", folder.resolve("a.png"), "--exposure", "-40").isDone().out()).doesNotContain("cut off");
+        assertThat(Cli.run("render", scene, "-o", folder.resolve("a.pfm"), "--exposure", "40").isDone().out()).doesNotContain("cut off");
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
         "--size | 3 | expected WIDTHxHEIGHT",

@@ -3,6 +3,9 @@ package lightning.edit;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Optional;
+import java.util.Set;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
 import lightning.image.Film;
 import lightning.relight.Accuracy;
 import lightning.relight.LightShare;
@@ -14,7 +17,6 @@ import lightning.scene.Scene;
 import lightning.shading.ReferenceTracer;
 import lightning.shading.TraceCounts;
 import lightning.shading.TraditionalTracer;
-import lightning.shading.ViewEffects;
 import lightning.shading.Progress;
 import lightning.shading.Workers;
 import lightning.trace.Geometry;
@@ -227,7 +229,7 @@ class RenderLoopTest {
     void hiddenEffects_areGoneFromTheLookAlone() throws Exception {
         go(scene);
         go(key(2));
-        ViewEffects dull = new ViewEffects(false, false, true);
+        ViewEffects dull = ViewEffects.ALL.hiding(Set.of(Effect.SHADOWS, Effect.REFLECTION));
         loop.setLook(Look.PLAIN.withEffects(dull));
         Frame frame = ear.next(LoopEar.Shown.class).frame();
         assertThat(frame.seen().sameBits(without(dull, key(2)))).isTrue();
@@ -247,7 +249,7 @@ class RenderLoopTest {
     void hiddenShadows_leaveTheMirrorsAsOldAsThePictures() throws Exception {
         go(scene);
         go(key(2));
-        loop.setLook(Look.PLAIN.withEffects(new ViewEffects(true, true, false)));
+        loop.setLook(Look.PLAIN.withEffects(ViewEffects.ALL.withLitTextures(false)));
         Frame frame = ear.next(LoopEar.Shown.class).frame();
         assertThat(frame.seen().sameBits(stale(key(2), scene))).as("there are no textures").isTrue();
     }

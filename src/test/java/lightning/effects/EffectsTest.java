@@ -81,7 +81,13 @@ class EffectsTest {
     }
 
     @Test
-    void bird_callsForAllButNothing() throws Exception {
-        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).isEmpty();
+    void finerSamples_areCalledForByThePicture() throws Exception {
+        assertThat(of(PLAIN, "picture { antialias edges }").callers(Effect.ANTIALIASING)).containsExactly("picture");
+        assertThat(of(PLAIN, "picture { antialias off  samples 8 }").has(Effect.ANTIALIASING)).isFalse();
+    }
+
+    @Test
+    void bird_callsForAllButSeveralSamples() throws Exception {
+        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.ANTIALIASING);
     }
 }

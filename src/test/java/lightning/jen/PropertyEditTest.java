@@ -11,6 +11,7 @@ import lightning.scene.Attenuation;
 import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Material;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
@@ -65,6 +66,43 @@ class PropertyEditTest {
     }
 
     @Test
+    void everyPropertyOfAMaterial_canBeSet() {
+        Material floor = scene.materials().getFirst();
+        assertThat(floor("ambient=1 2 3")).isEqualTo(floor.withAmbient(new Rgb(1, 2, 3)));
+        assertThat(floor("diffuse=1 0.5 0")).isEqualTo(floor.withDiffuse(new Rgb(1, 0.5, 0)));
+        assertThat(floor("specular=0.1 0.2 0.3")).isEqualTo(floor.withSpecular(new Rgb(0.1, 0.2, 0.3)));
+        assertThat(floor("shininess=30")).isEqualTo(floor.withShininess(30));
+        assertThat(floor("reflective=0.5 0.5 0.5")).isEqualTo(floor.withReflective(Rgb.grey(0.5)));
+    }
+
+    @Test
+    void prefix_meansTheMaterialWhereALightHasItsName() {
+        Scene twins = scene.withLights(List.of(key.withName("floor")));
+        assertThat(PropertyEdit.apply(twins, "material:floor.shininess=7").materials().getFirst().shininess()).isEqualTo(7);
+        assertThat(PropertyEdit.apply(twins, "floor.intensity=7").lights().getFirst().intensity()).isEqualTo(7);
+    }
+
+    @Test
+    void textures_comeFromTheFolderRepeatAndGo() {
+        Scene wood = PropertyEdit.apply(scene, "material:floor.texture=\"wood.png\"", Path.of("scenes"));
+        assertThat(wood.materials().getFirst().texture().orElseThrow().file()).isEqualTo("wood.png");
+        Scene repeated = PropertyEdit.apply(wood, "material:floor.repeat=2 -3");
+        assertThat(repeated.materials().getFirst().texture().orElseThrow().repeatV()).isEqualTo(-3);
+        // What the scene holds needs no folder.
+        assertThat(PropertyEdit.apply(repeated, "material:floor.texture=\"wood.png\"")).isEqualTo(repeated);
+        assertThat(PropertyEdit.apply(repeated, "material:floor.texture=none")).isEqualTo(scene);
+        assertThatThrownBy(() -> PropertyEdit.apply(scene, "material:floor.texture=\"wod.png\"", Path.of("scenes")))
+                .hasMessage("material 'floor': there is no texture 'wod.png' in the folder 'scenes' or the folder 'textures'");
+    }
+
+    @Test
+    void theDefaultMaterial_isWrittenOnceItIsEdited() {
+        Scene edited = PropertyEdit.apply(scene, "material:default.diffuse=1 0 0");
+        assertThat(edited.materials()).endsWith(Material.DEFAULT.withDiffuse(new Rgb(1, 0, 0)));
+        assertThat(JenDocument.of(scene).with(edited).text()).contains("material default { diffuse 1 0 0 }");
+    }
+
+    @Test
     void lightIsAdded_fromBothForms() {
         Light rim = Light.of("rim", LightType.POINT).withIntensity(0.5).withPosition(new Vec3(0, 1, 2));
         assertThat(PropertyEdit.add(scene, "rim point intensity=0.5 at=0 1 2").lights()).endsWith(rim).hasSize(3);
@@ -97,6 +135,11 @@ class PropertyEditTest {
         "ball.material=flor | shape 'ball': there is no material 'flor'",
         "floor.repeat=2 2 | material 'floor': repeat needs a texture, found none",
         "floor.texture=\"a.png\" | material 'floor': texture must be one that the scene already has, was 'a.png'",
+        "material:flor.shininess=1 | there is no material 'flor', did you mean 'floor'?",
+        "material:key.shininess=1 | there is no material 'key'",
+        "material:floor.shinines=1 | material 'floor': unknown property 'shinines', expected one of ambient, diffuse, texture, repeat, specular, shininess, reflective, did you mean 'shininess'?",
+        "material:floor.shininess=-1 | material 'floor': shininess must be ≥ 0, was -1",
+        "material:floor.diffuse=1 1 2 | material 'floor': diffuse blue must be from 0 to 1, was 2",
         "camera.from=0 0 0 | camera: from and to must be two different points",
         "picture.depth=1.5 | picture: depth must be a whole number, was 1.5",
     })
@@ -124,6 +167,10 @@ class PropertyEditTest {
             assertThat(PropertyEdit.set(scene, "key", p.name(), value)).as(p.name()).isEqualTo(scene);
         }
         assertThat(List.of("color", "at", "solo")).isSubsetOf(Blocks.LIGHT.propertyNames());
+    }
+
+    private Material floor(String edit) {
+        return PropertyEdit.apply(scene, "material:floor." + edit).materials().getFirst();
     }
 
     private Light key(String edit) {

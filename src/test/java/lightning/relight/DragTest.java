@@ -73,6 +73,21 @@ class DragTest {
         }
     }
 
+    /** Adding seven lights anew reads less memory than their sums would take. */
+    @Test
+    void sumsAreKept_fromEightLightsOn() {
+        for (int lights : new int[] {Drag.LEAST_LIGHTS - 1, Drag.LEAST_LIGHTS}) {
+            Scene scene = NIGHT.withLights(NIGHT.lights().subList(0, lights));
+            try (Renderer renderer = new Renderer(Options.DEFAULT)) {
+                renderer.render(scene, Progress.NONE);
+                for (double intensity : new double[] {0.5, 0.6}) {
+                    renderer.render(scene.withLight(scene.lights().getFirst().withIntensity(intensity)), Progress.NONE);
+                }
+                assertThat(tilesWithSums(renderer.cache()) > 0).as(lights + " lights").isEqualTo(lights >= Drag.LEAST_LIGHTS);
+            }
+        }
+    }
+
     @Test
     void sumsAreKept_fromTheSecondEditOfALightUntilAnotherIsEdited() {
         try (Renderer renderer = new Renderer(Options.DEFAULT)) {

@@ -42,8 +42,7 @@ class RatioTest {
             boolean differs = false;
             for (int step = 0; step < session.scenes().size(); step++) {
                 Update update = renderer.render(session.scenes().get(step), Progress.NONE);
-                Scene mirrored = renderer.cache().mirroredScene();
-                double error = FilmErrors.largestError(renderer.film(), new ReferenceTracer(renderer.scene(), mirrored).trace());
+                double error = FilmErrors.largestError(renderer.film(), Oracle.of(renderer.cache()));
                 assertThat(error).as("after edit " + step + ": " + update.plan().text())
                         .isLessThanOrEqualTo(update.errorBound());
                 differs |= error > 0;

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 
 /** Going back to what was kept of an earlier picture. */
 class RestoreTest {
-    private final Scene before = OrdinaryEdits.studio(40, 30);
+    private final Scene before = StudioScene.withFourLights(40, 30);
     private final Scene after = before.withLight(before.lights().getFirst().withAngle(10).withIntensity(0.2));
 
     @Test

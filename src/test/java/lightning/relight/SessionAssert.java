@@ -1,12 +1,9 @@
 package lightning.relight;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import lightning.image.Film;
 import lightning.image.FilmAssert;
 import lightning.jen.JenWriter;
+import lightning.sample.FailedScene;
 import lightning.sample.Session;
 import lightning.scene.Scene;
 
@@ -23,20 +20,10 @@ final class SessionAssert {
             FilmAssert.assertSameBits(actual, expected, name);
         } catch (AssertionError e) {
             Scene scene = session.scenes().get(step);
-            save(name, "session.txt", session.toString());
-            save(name, "scene.jen", JenWriter.write(scene));
+            FailedScene.save(name, "session.txt", session.toString());
+            FailedScene.save(name, "scene.jen", JenWriter.write(scene));
             throw new AssertionError("after edit " + step + " (" + plan + "): " + e.getMessage()
                     + "\nthe scene was\n" + JenWriter.write(scene) + "\nand the session" + session, e);
-        }
-    }
-
-    private static void save(String name, String file, String text) {
-        try {
-            Path folder = Path.of("target", "failures", name);
-            Files.createDirectories(folder);
-            Files.writeString(folder.resolve(file), text);
-        } catch (IOException e) {
-            throw new UncheckedIOException("the scene of a failed test could not be written", e);
         }
     }
 }

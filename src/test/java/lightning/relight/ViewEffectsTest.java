@@ -2,11 +2,14 @@ package lightning.relight;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import lightning.image.Film;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.sample.Session;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -19,7 +22,15 @@ import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 import lightning.scene.World;
 import lightning.shading.Progress;
-import lightning.shading.ViewEffects;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
+import lightning.shading.ReferenceTracer;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.constraints.Size;
 import org.junit.jupiter.api.Test;
 
 class ViewEffectsTest {
@@ -43,13 +54,49 @@ class ViewEffectsTest {
         }
     }
 
+    @Property(edgeCases = EdgeCasesMode.NONE, tries = 200)
+    void hiddenEffects_areAReRenderOfTheSceneWithoutThem(@ForAll("sessions") Session session,
+            @ForAll @Size(13) List<Set<Effect>> hidden) {
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.CURRENT).withThreads(1))) {
+            for (int step = 0; step < session.scenes().size(); step++) {
+                Set<Effect> hides = EnumSet.noneOf(Effect.class);
+                hides.addAll(hidden.get(step));
+                hides.remove(Effect.SHADOWS);
+                ViewEffects view = ViewEffects.ALL.hiding(hides);
+                renderer.change(renderer.options().withView(view));
+                Scene scene = session.scenes().get(step);
+                String plan = renderer.render(scene, Progress.NONE).plan().text();
+                SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(view.of(scene)).trace(), "hidden", session, step,
+                        plan + ", without " + hides);
+            }
+        }
+    }
+
+    @Provide
+    Arbitrary<Session> sessions() {
+        return Session.sessions();
+    }
+
+    @Test
+    void hiddenShadows_areShownAgain() {
+        Scene scene = floor(Rgb.BLACK, Optional.empty());
+        try (Renderer renderer = new Renderer(Options.DEFAULT)) {
+            renderer.change(renderer.options().withView(ViewEffects.ALL.hiding(Set.of(Effect.SHADOWS))));
+            renderer.render(scene, Progress.NONE);
+            assertThat(renderer.film().green(4, 4)).isEqualTo(0.5f);
+            renderer.change(renderer.options().withView(ViewEffects.ALL));
+            renderer.render(scene, Progress.NONE);
+            assertThat(renderer.film().green(4, 4)).isZero();
+        }
+    }
+
     @Test
     void withoutShadows_blockedRowsAreLitAndNoRayIsCast() {
         Film[] film = new Film[1];
         Scene scene = floor(Rgb.BLACK, Optional.empty());
         render(scene, ViewEffects.ALL, film);
         assertThat(film[0].green(4, 4)).isZero();
-        Update update = render(scene, new ViewEffects(false, true, true), film);
+        Update update = render(scene, ViewEffects.ALL.hiding(Set.of(Effect.SHADOWS)), film);
         assertThat(film[0].green(4, 4)).isEqualTo(0.5f);
         assertThat(update.rays().shadow()).isZero();
     }
@@ -58,7 +105,7 @@ class ViewEffectsTest {
     void withoutReflections_reflectivityCountsAsZero() {
         Film[] film = new Film[1];
         Scene scene = floor(Rgb.grey(0.5), Optional.empty());
-        Update update = render(scene, new ViewEffects(false, false, true), film);
+        Update update = render(scene, ViewEffects.ALL.hiding(Set.of(Effect.SHADOWS, Effect.REFLECTION)), film);
         assertThat(film[0].green(0, 0)).isEqualTo(0.5f);
         assertThat(film[0].red(0, 0)).isZero();
         assertThat(update.rays().mirrored()).isZero();

@@ -2,13 +2,18 @@ package lightning.sample;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Camera;
+import lightning.scene.Group;
 import lightning.scene.Light;
+import lightning.scene.Material;
 import lightning.scene.Node;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
+import lightning.scene.Shape;
 import lightning.scene.World;
 
 /** One edit of a scene; in a scene where it makes no sense it changes nothing. Lights are told by their place in the list. */
@@ -137,6 +142,13 @@ public sealed interface Edit {
         }
     }
 
+    record Sample(Sampling to) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            return history.getLast().withPicture(history.getLast().picture().withSampling(to));
+        }
+    }
+
     /** The camera goes around what it looks at. */
     record Orbit(double side) implements Edit {
         @Override
@@ -157,6 +169,64 @@ public sealed interface Edit {
             }
             List<Node> nodes = new ArrayList<>(s.nodes());
             nodes.remove(index % nodes.size());
+            return new Scene(s.picture(), s.camera(), s.world(), s.materials(), nodes, s.lights());
+        }
+    }
+
+    /** A property of one material. */
+    record OfMaterial(int index, MaterialChange change) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene scene = history.getLast();
+            return scene.materials().isEmpty() ? scene
+                    : scene.withMaterial(change.on(scene.materials().get(index % scene.materials().size())));
+        }
+    }
+
+    /** A material that no shape has comes, or goes, and the others stand in another order. */
+    record UnusedMaterial() implements Edit {
+        private static final String NAME = "unused";
+
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene scene = history.getLast();
+            List<Material> materials = new ArrayList<>(scene.materials());
+            if (!materials.removeIf(m -> m.name().equals(NAME))) {
+                materials.add(new Material(NAME, Rgb.WHITE, Rgb.WHITE, Rgb.WHITE, 3, Rgb.WHITE, Optional.empty()));
+            }
+            return scene.withMaterials(materials.reversed());
+        }
+    }
+
+    /** The scene's own material of the name that shapes without one have, or none again. */
+    record OwnDefault(MaterialChange change) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene scene = history.getLast();
+            List<Material> materials = new ArrayList<>(scene.materials());
+            if (!materials.removeIf(m -> m.name().equals(Material.DEFAULT.name()))) {
+                materials.add(change.on(Material.DEFAULT));
+            }
+            return scene.withMaterials(materials);
+        }
+    }
+
+    /** One shape of the first level of nodes gets another material. */
+    record Assign(int index, String material) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene s = history.getLast();
+            if (s.nodes().isEmpty()) {
+                return s;
+            }
+            List<Node> nodes = new ArrayList<>(s.nodes());
+            nodes.set(index % nodes.size(), switch (nodes.get(index % nodes.size())) {
+                case Shape.Sphere n -> new Shape.Sphere(n.name(), material, n.placement());
+                case Shape.Cone n -> new Shape.Cone(n.name(), material, n.placement());
+                case Shape.Cylinder n -> new Shape.Cylinder(n.name(), material, n.placement());
+                case Shape.Plane n -> new Shape.Plane(n.name(), material, n.placement());
+                case Group n -> n;
+            });
             return new Scene(s.picture(), s.camera(), s.world(), s.materials(), nodes, s.lights());
         }
     }

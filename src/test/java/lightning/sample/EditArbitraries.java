@@ -23,6 +23,7 @@ public final class EditArbitraries {
     private static Arbitrary<Edit> single() {
         return Arbitraries.frequencyOf(
                 Tuple.of(24, ofLights()),
+                Tuple.of(14, ofMaterials()),
                 Tuple.of(8, ofTheList()),
                 Tuple.of(6, ofTheWorld()),
                 Tuple.of(4, Arbitraries.integers().between(1, 6).map(Edit.Undo::new)),
@@ -50,6 +51,14 @@ public final class EditArbitraries {
                 Arbitraries.of(0.5, 2.0, 1e3).map(LightChange.Lengthen::new)));
     }
 
+    private static Arbitrary<Edit> ofMaterials() {
+        return Arbitraries.frequencyOf(
+                Tuple.of(12, Combinators.combine(Arbitraries.integers().between(0, 3).withoutEdgeCases(), MaterialArbitraries.changes())
+                        .as(Edit.OfMaterial::new)),
+                Tuple.of(1, Arbitraries.of(new Edit.UnusedMaterial())),
+                Tuple.of(1, MaterialArbitraries.changes().map(Edit.OwnDefault::new)));
+    }
+
     private static Arbitrary<Edit> ofTheList() {
         return Arbitraries.oneOf(List.of(
                 Combinators.combine(lights(), LightArbitraries.lights()).as(Edit.Add::new),
@@ -71,8 +80,10 @@ public final class EditArbitraries {
     private static Arbitrary<Edit> ofTheGeometry() {
         return Arbitraries.oneOf(List.of(
                 Combinators.combine(sides(), sides()).as(Edit.Size::new),
+                SceneArbitraries.samplings().map(Edit.Sample::new),
                 Numbers.between(-0.3, 0.3).map(Edit.Orbit::new),
-                Arbitraries.integers().between(0, 9).map(Edit.RemoveNode::new)));
+                Arbitraries.integers().between(0, 9).map(Edit.RemoveNode::new),
+                Combinators.combine(Arbitraries.integers().between(0, 9), Arbitraries.of(NodeArbitraries.MATERIALS)).as(Edit.Assign::new)));
     }
 
     private static Arbitrary<Integer> sides() {

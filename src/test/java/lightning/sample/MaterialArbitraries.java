@@ -1,5 +1,6 @@
 package lightning.sample;
 
+import java.util.List;
 import java.util.Optional;
 import lightning.math.Rgb;
 import lightning.scene.Material;
@@ -20,6 +21,23 @@ final class MaterialArbitraries {
                         new Material(name, ambient, diffuse, specular, shininess, reflective, texture));
     }
 
+    /** Colours, shininess and textures that come, go and change. */
+    static Arbitrary<MaterialChange> changes() {
+        return Arbitraries.oneOf(List.of(
+                ambient().map(MaterialChange.Ambient::new),
+                Numbers.colors().map(MaterialChange.Diffuse::new),
+                sometimesBlack().map(MaterialChange.Specular::new),
+                sometimesBlack().map(MaterialChange.Specular::new),
+                shininess().map(MaterialChange.Shininess::new),
+                shininess().map(MaterialChange.Shininess::new),
+                sometimesBlack().map(MaterialChange.Reflective::new),
+                sometimesBlack().map(MaterialChange.Reflective::new),
+                Arbitraries.of(Rgb.BLACK).map(MaterialChange.Reflective::new),
+                maps().map(Optional::of).map(MaterialChange.Textured::new),
+                Arbitraries.of(new MaterialChange.Textured(Optional.empty())),
+                materials("any").map(MaterialChange.Everything::new)));
+    }
+
     private static Arbitrary<Rgb> ambient() {
         return Arbitraries.frequencyOf(Tuple.of(6, Numbers.colors()),
                 Tuple.of(1, Numbers.colors().map(c -> c.times(1e6))));
@@ -37,11 +55,13 @@ final class MaterialArbitraries {
     }
 
     private static Arbitrary<Optional<TextureMap>> textures() {
-        Arbitrary<TextureMap> maps = Combinators.combine(images(), repeats(), repeats())
-                .as((image, u, v) -> new TextureMap("sample.png", u, v, image));
         return Arbitraries.frequencyOf(
                 Tuple.of(4, Arbitraries.of(Optional.<TextureMap>empty())),
-                Tuple.of(1, maps.map(Optional::of)));
+                Tuple.of(1, maps().map(Optional::of)));
+    }
+
+    private static Arbitrary<TextureMap> maps() {
+        return Combinators.combine(images(), repeats(), repeats()).as((image, u, v) -> new TextureMap("sample.png", u, v, image));
     }
 
     private static Arbitrary<Double> repeats() {

@@ -8,8 +8,10 @@ import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.Material;
 import lightning.scene.Node;
+import lightning.scene.Antialias;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.World;
@@ -81,7 +83,14 @@ public final class SceneArbitraries {
 
     static Arbitrary<Picture> pictures() {
         Arbitrary<Integer> side = Arbitraries.integers().between(8, 40).withoutEdgeCases();
-        return Combinators.combine(side, side, depths()).as(Picture::new);
+        return Combinators.combine(side, side, depths(), samplings()).as(Picture::new);
+    }
+
+    static Arbitrary<Sampling> samplings() {
+        Arbitrary<Integer> grids = Arbitraries.frequencyOf(Tuple.of(5, Arbitraries.of(2, 3)), Tuple.of(1, Arbitraries.of(4, 5, 8)));
+        return Arbitraries.frequencyOf(Tuple.of(6, Arbitraries.of(Sampling.DEFAULT)),
+                Tuple.of(3, grids.map(grid -> new Sampling(Antialias.EDGES, grid))),
+                Tuple.of(1, grids.map(grid -> new Sampling(Antialias.EVERY, grid))));
     }
 
     static Arbitrary<Integer> depths() {

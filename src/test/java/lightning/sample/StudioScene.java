@@ -1,5 +1,6 @@
 package lightning.sample;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import lightning.math.Rgb;
@@ -27,6 +28,16 @@ public final class StudioScene {
     public static Scene of(LightType type) {
         return new Scene(new Picture(30, 24, 2), new Camera(new Vec3(0, 2, 7), Vec3.ZERO, Vec3.Y, 40), World.DEFAULT,
                 List.of(material("matt", Rgb.BLACK), material("glass", Rgb.grey(0.5))), nodes(), List.of(key(type)));
+    }
+
+    /** The studio with a spot, two point lights and a directional one, at a size. */
+    public static Scene withFourLights(int width, int height) {
+        Scene scene = of(LightType.SPOT);
+        List<Light> lights = new ArrayList<>(scene.lights());
+        lights.add(key(LightType.POINT).withName("fill").withPosition(new Vec3(-3, 3, 3)));
+        lights.add(key(LightType.POINT).withName("back").withPosition(new Vec3(0, 2, -4)).withIntensity(0.3));
+        lights.add(key(LightType.DIRECTIONAL).withName("sun").withColor(new Rgb(1, 0.9, 0.7)));
+        return scene.withLights(lights).withPicture(scene.picture().withSize(width, height));
     }
 
     /** A light with rows of every state: lit and shadowed ones, and a spot's outside its cone. */

@@ -29,7 +29,11 @@ class GrazingLightTest {
     private static final Material WHITE = new Material("white", Rgb.BLACK, Rgb.WHITE, Rgb.BLACK, 1, Rgb.BLACK, Optional.empty());
 
     private static Scene scene(Node node, Camera camera, Light light) {
-        return new Scene(new Picture(48, 40, 0), camera, World.DEFAULT, List.of(WHITE), List.of(node), List.of(light));
+        return scene(WHITE, node, camera, light);
+    }
+
+    private static Scene scene(Material white, Node node, Camera camera, Light light) {
+        return new Scene(new Picture(48, 40, 0), camera, World.DEFAULT, List.of(white), List.of(node), List.of(light));
     }
 
     private static Node floor(Vec3 at, Vec3 rotate) {
@@ -48,6 +52,17 @@ class GrazingLightTest {
         for (float value : film.toScanlines()) {
             assertThat((double) value).isBetween(Math.max(cosine, 0) * (1 - 0x1p-22), Math.max(cosine, 0) * (1 + 0x1p-22));
         }
+    }
+
+    /** N·L is 0 exactly: the mirror direction looks along the floor, and still nothing shines. */
+    @Test
+    void lightAtTheHorizon_leavesNoHighlight() {
+        Material shiny = new Material("white", Rgb.BLACK, Rgb.WHITE, Rgb.WHITE, 1, Rgb.BLACK, Optional.empty());
+        Light sun = Light.of("sun", LightType.DIRECTIONAL).withDirection(new Vec3(0, 0, 1));
+        Camera camera = new Camera(new Vec3(0, 1, 0), new Vec3(0, 0.9, -1), Vec3.Y, 5);
+        Scene scene = scene(shiny, floor(Vec3.ZERO, Vec3.ZERO), camera, sun);
+        assertThat(new ReferenceTracer(scene).trace().toScanlines()).containsOnly(0);
+        assertThat(new ReferenceTracer(scene.withLight(sun.withDirection(new Vec3(0, -1e-3, 1)))).pixel(24, 20)[0]).isGreaterThan(0.9f);
     }
 
     /** A tilted floor's normal is rounded; lights more than that above it reach all of it. */

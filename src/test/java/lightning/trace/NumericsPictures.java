@@ -3,7 +3,6 @@ package lightning.trace;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Random;
 import java.util.function.ToDoubleFunction;
 import lightning.image.Film;
 import lightning.image.PictureFile;
@@ -11,7 +10,7 @@ import lightning.image.ViewTransform;
 import lightning.math.Vec3;
 import lightning.scene.Placement;
 
-/** Draws the pictures of docs/numerics.md, the textbook's formula on the left and Lightning's on the right, and times both. */
+/** Draws the pictures of docs/numerics.md, the textbook's formula on the left and Lightning's on the right. */
 final class NumericsPictures {
     private static final int SIZE = 160;
     private static final Vec3 TO_LIGHT = new Vec3(-0.5, 0.7, 0.6).normalized();
@@ -19,7 +18,7 @@ final class NumericsPictures {
 
     private NumericsPictures() {}
 
-    /** Run it from the project's folder. */
+    /** {@code mvn -q test-compile exec:exec@test-main -Dlightning.main=lightning.trace.NumericsPictures}. */
     public static void main(String[] args) throws IOException {
         Files.createDirectories(FOLDER);
         write("far-sphere", panel(x -> fromAfar(ShapeTable.SPHERE, x, 3e7, new Vec3(0, 0, -1), true)),
@@ -32,7 +31,6 @@ final class NumericsPictures {
         write("epsilon", panel(x -> shadowed(x, new Vec3(0, 0, -4e-4), 1e-4, Leaving.BY_EPSILON)),
                 panel(x -> shadowed(x, new Vec3(0, 0, -4e-4), 1e-4, Leaving.LIGHTNING)));
         write("far-scene", panel(x -> normalFromFloats(x, new Vec3(4e6, 2e6, -3e6))), panel(x -> normalFromFloats(x, Vec3.ZERO)));
-        time();
     }
 
     private static float[] panel(ToDoubleFunction<double[]> shade) {
@@ -106,46 +104,5 @@ final class NumericsPictures {
         Vec3 light = eye.plus(new Vec3(0.3, 0.2, -2.6));
         Vec3 to = light.minus(p);
         return 0.3 * to.normalized().z() / to.dot(to);
-    }
-
-    private static void time() {
-        String[] names = {"sphere", "cone", "cylinder"};
-        for (int kind = 0; kind < 3; kind++) {
-            double[][] rays = new double[4096][];
-            Random random = new Random(kind);
-            for (int i = 0; i < rays.length; i++) {
-                Ray ray = HardRay.FROM_AFAR.make(kind, random);
-                Vec3 o = ray.origin();
-                Vec3 d = ray.direction();
-                rays[i] = new double[] {o.x(), o.y(), o.z(), d.x(), d.y(), d.z()};
-            }
-            double naive = Double.MAX_VALUE;
-            double robust = Double.MAX_VALUE;
-            for (int run = 0; run < 400; run++) {
-                naive = Math.min(naive, nanos(rays, kind, true));
-                robust = Math.min(robust, nanos(rays, kind, false));
-            }
-            System.out.printf("%s: textbook %.1f ns, Lightning %.1f ns%n", names[kind], naive, robust);
-        }
-    }
-
-    private static double sink;
-
-    private static double nanos(double[][] rays, int kind, boolean naive) {
-        long start = System.nanoTime();
-        double sum = 0;
-        for (double[] r : rays) {
-            sum += naive ? switch (kind) {
-                case 0 -> NaiveSolids.sphere(r[0], r[1], r[2], r[3], r[4], r[5]);
-                case 1 -> NaiveSolids.cone(r[0], r[1], r[2], r[3], r[4], r[5]);
-                default -> NaiveSolids.cylinder(r[0], r[1], r[2], r[3], r[4], r[5]);
-            } : switch (kind) {
-                case 0 -> Solids.sphere(r[0], r[1], r[2], r[3], r[4], r[5]);
-                case 1 -> Solids.cone(r[0], r[1], r[2], r[3], r[4], r[5]);
-                default -> Solids.cylinder(r[0], r[1], r[2], r[3], r[4], r[5]);
-            };
-        }
-        sink += sum;
-        return (System.nanoTime() - start) / (double) rays.length;
     }
 }

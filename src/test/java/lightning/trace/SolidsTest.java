@@ -2,13 +2,18 @@ package lightning.trace;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
+import java.util.Random;
 import lightning.math.Vec3;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.Scale;
+import org.assertj.core.data.Percentage;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Distances worked out on paper. */
 class SolidsTest {
@@ -33,6 +38,64 @@ class SolidsTest {
     void sphereFromItsSurface_isMetOnTheOtherSideOnly() {
         assertThat(Solids.sphere(0, 1, 0, 0, -1, 0)).isEqualTo(2);
         assertThat(Solids.sphere(0, 1, 0, 0, 1, 0)).isEqualTo(MISS);
+    }
+
+    /** Points of which c = |o|² − 1 is 0 to the last bit: the first root is then 0 itself, and the second the chord −2·o·d. */
+    @Test
+    void sphereFromExactlyItsSurface_isNotMetThere() {
+        Random random = new Random(1);
+        for (int n = 0; n < 1000; n++) {
+            Vec3 o = HardRay.direction(random).normalized();
+            Vec3 d = HardRay.direction(random).normalized();
+            if (o.dot(o) == 1) {
+                double chord = -2 * o.dot(d);
+                double t = Solids.sphere(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+                assertThat(t).as("%s %s", o, d).isCloseTo(chord > 0 ? chord : MISS, within(1e-15 / Math.min(1, Math.abs(chord))));
+            }
+        }
+    }
+
+    @Test
+    void cylinderFromExactlyItsSide_isNotMetThere() {
+        Random random = new Random(1);
+        for (int n = 0; n < 1000; n++) {
+            double angle = 2 * Math.PI * random.nextDouble();
+            double x = Math.cos(angle);
+            double z = Math.sin(angle);
+            double along = 2 * Math.PI * random.nextDouble();
+            double dx = Math.cos(along);
+            double dz = Math.sin(along);
+            if (x * x + z * z == 1) {
+                double chord = -2 * (x * dx + z * dz);
+                assertThat(Solids.cylinder(x, 0.5, z, dx, 0, dz)).as("%s %s along %s %s", x, z, dx, dz)
+                        .isCloseTo(chord > 0 ? chord : MISS, within(1e-15 / Math.min(1, Math.abs(chord))));
+            }
+        }
+    }
+
+    /** Such a ray is outside for good, but for roundings: both roots are, and what they are divided by. */
+    @Test
+    void tangentFromTheSurface_meetsNothingInTheOpen() {
+        Random random = new Random(2);
+        for (int n = 0; n < 300_000; n++) {
+            Vec3 o = HardRay.direction(random).normalized();
+            Vec3 d = o.cross(HardRay.direction(random)).normalized();
+            assertMetHereOrNever(Solids.sphere(o.x(), o.y(), o.z(), d.x(), d.y(), d.z()), o, d);
+            Vec3 out = new Vec3(o.x(), 0, o.z()).normalized();
+            Vec3 around = new Vec3(-out.z(), 0, out.x());
+            double h = random.nextDouble();
+            Vec3 up = around.plus(new Vec3(0, random.nextDouble() - 0.5, 0)).normalized();
+            assertMetHereOrNever(Solids.cylinder(out.x(), h, out.z(), up.x(), up.y(), up.z()), out, up);
+            Vec3 side = out.times(1 - h).plus(new Vec3(0, h, 0));
+            Vec3 slanted = around.plus(Vec3.Y.minus(out).times(random.nextDouble() - 0.5)).normalized();
+            assertMetHereOrNever(Solids.cone(side.x(), side.y(), side.z(), slanted.x(), slanted.y(), slanted.z()), side, slanted);
+        }
+    }
+
+    private static void assertMetHereOrNever(double t, Vec3 o, Vec3 d) {
+        if (t > 1e-5 && t < MISS) {
+            assertThat(t).as("from %s along %s", o, d).isEqualTo(MISS);
+        }
     }
 
     @Property
@@ -124,6 +187,18 @@ class SolidsTest {
         assertThat(Solids.plane(0, 0, 0, 1, 0, 0)).isEqualTo(MISS);
         assertThat(Solids.plane(0, 0, 0, 1, -1, 0)).isEqualTo(MISS);
         assertThat(Solids.plane(0, 1, 0, 1, 0, 0)).isEqualTo(MISS);
+    }
+
+    /** A distance counts in lengths of the direction, however short or long that is. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-60, 1e-40, 1e-30, 1, 1e30, 1e60})
+    void solids_areMetWhateverTheLengthOfTheDirection(double length) {
+        Percentage rounding = withinPercentage(1e-12);
+        assertThat(Solids.sphere(0, 0, 5, 0, 0, -length) * length).isCloseTo(4, rounding);
+        assertThat(Solids.cylinder(3, 0.5, 0, -length, 0.1 * length, 0) * length).isCloseTo(2, rounding);
+        assertThat(Solids.cylinder(0.5, 3, 0, 0, -length, 0) * length).isCloseTo(2, rounding);
+        assertThat(Solids.cone(3, 0.25, 0, -length, 0, 0) * length).isCloseTo(2.25, rounding);
+        assertThat(Solids.plane(0.1, 2, 0.1, 0, -length, 0) * length).isCloseTo(2, rounding);
     }
 
     @Test

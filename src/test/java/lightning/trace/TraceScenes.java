@@ -146,6 +146,41 @@ final class TraceScenes {
         return s.seenFrom(0, 1, 8);
     }
 
+    /** Shapes of all kinds, equal ones and their mirror images, all in one place. */
+    static Scene mixedHeap(int count) {
+        TraceScenes s = new TraceScenes();
+        for (int i = 0; i < count; i++) {
+            s.add(i / 2 % 4, 0, 1, 0, i % 3 == 0 ? -1 : 1, 1, i % 5 == 0 ? -1 : 1);
+        }
+        return s.seenFrom(0, 1, 8);
+    }
+
+    /** Shapes within shapes that share a cap, a rim, a base or a line of contact; the inner ones first and last. */
+    static Scene nested() {
+        TraceScenes s = new TraceScenes();
+        for (double scale : new double[] {0.5, 1, 0.25, 1, 0.5}) {
+            s.add(ShapeTable.CONE, 0, 0, 0, scale, scale, scale)
+                    .add(ShapeTable.CYLINDER, 0, 0, 0, scale, scale, scale)
+                    .add(ShapeTable.SPHERE, 0, 0, 0, scale, scale, scale)
+                    .add(ShapeTable.PLANE, 0, 0, 0, 2 * scale, scale, 2 * scale);
+        }
+        return s.seenFrom(0, 1, 8);
+    }
+
+    /** Shapes whose boxes are flat, or as thin as a shape may be: in one plane, on each other and crossing. */
+    static Scene flat() {
+        TraceScenes s = new TraceScenes();
+        for (int i = 0; i < 4; i++) {
+            s.add(ShapeTable.PLANE, 0.25 * i, 1, 0, 1, 1, 1)
+                    .add(ShapeTable.PLANE, new Vec3(0, 1, 0.25 * i), new Vec3(90, 0, 0), Vec3.ONE)
+                    .add(ShapeTable.PLANE, new Vec3(0, 1, 0), new Vec3(0, 0, 90 * i), Vec3.ONE)
+                    .add(ShapeTable.CYLINDER, 0.25 * i, 1, 0, 0.5, 1e-9, 0.5)
+                    .add(ShapeTable.SPHERE, 0, 1, 0.25 * i, 0.5, 1e-9, 1)
+                    .add(ShapeTable.CONE, 0.25 * i, 1, 0, 1e-9, 1, 1e-9);
+        }
+        return s.seenFrom(0, 1, 8);
+    }
+
     /** Shapes in turned groups that stretch one axis and squeeze another, more and more. */
     static Scene skewed(int count, long seed) {
         Random random = new Random(seed);

@@ -5,14 +5,17 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import lightning.image.Film;
+import lightning.image.PictureFile;
 
-/** Runs the installed POV-Ray to learn how long it traces. */
+/** Runs the installed POV-Ray to learn how long it traces, and what it shows. */
 public final class PovRay {
     private static final Pattern TRACE_TIME = Pattern.compile("Trace Time:.*\\(([0-9.]+) seconds\\)");
 
@@ -42,11 +45,40 @@ public final class PovRay {
      * @throws InterruptedException if this thread was interrupted; POV-Ray is then ended
      */
     public double traceMs(PovScene scene, int width, int height, int threads) throws IOException, InterruptedException {
+        return inFolder(scene, folder -> traceMs(folder, command(width, height, threads, "-F")));
+    }
+
+    /**
+     * Traces a scene, without anti-aliasing.
+     *
+     * @return the picture that POV-Ray wrote, in the linear values that its 8-bit codes display
+     * @throws IOException          as {@link #traceMs}
+     * @throws InterruptedException as {@link #traceMs}
+     */
+    public Film picture(PovScene scene, int width, int height, int threads) throws IOException, InterruptedException {
+        return inFolder(scene, folder -> {
+            traceMs(folder, command(width, height, threads, "+FN8", "+Opicture.png"));
+            return PictureFile.read(folder.resolve("picture.png"));
+        });
+    }
+
+    private List<String> command(int width, int height, int threads, String... output) {
+        List<String> words = new ArrayList<>(List.of(program.toString(), "+Iscene.pov", "+W" + width, "+H" + height, "-A",
+                "+WT" + threads, "-D"));
+        words.addAll(List.of(output));
+        return words;
+    }
+
+    /** What is done with a folder that holds a scene. */
+    private interface Work<T> {
+        T in(Path folder) throws IOException, InterruptedException;
+    }
+
+    private static <T> T inFolder(PovScene scene, Work<T> work) throws IOException, InterruptedException {
         Path folder = Files.createTempDirectory("lightning-pov");
         try {
             scene.write(folder.resolve("scene.pov"));
-            return traceMs(folder, List.of(program.toString(), "+Iscene.pov", "+W" + width, "+H" + height, "-A", "+WT" + threads,
-                    "-D", "-F"));
+            return work.in(folder);
         } finally {
             try (Stream<Path> files = Files.walk(folder)) {
                 for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {

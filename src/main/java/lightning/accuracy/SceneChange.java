@@ -1,0 +1,88 @@
+package lightning.accuracy;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.scene.Attenuation;
+import lightning.scene.Light;
+import lightning.scene.Limits;
+import lightning.scene.Scene;
+
+/** Says in the words of the {@code .jen} file what differs between two scenes: lights, ambience and depth. */
+final class SceneChange {
+    private final List<String> words = new ArrayList<>();
+
+    private SceneChange() {}
+
+    /** What must be set in the one scene to get the other, as in {@code sun.color = 1 0 0, sun.intensity = 0.3}. */
+    static String text(Scene before, Scene after) {
+        SceneChange change = new SceneChange();
+        change.lights(before, after);
+        change.set("world.ambience", number(before.world().ambience()), number(after.world().ambience()));
+        change.set("picture.depth", number(before.picture().depth()), number(after.picture().depth()));
+        return String.join(", ", change.words);
+    }
+
+    private void lights(Scene before, Scene after) {
+        for (int i = 0; i < before.lights().size(); i++) {
+            Light light = before.lights().get(i);
+            if (after.light(light.name()).isEmpty()) {
+                // A light of a new name in its place, and else the same, was renamed.
+                boolean renamed = before.lights().size() == after.lights().size()
+                        && after.lights().get(i).withName(light.name()).equals(light);
+                words.add(renamed ? light.name() + " is named " + after.lights().get(i).name() : light.name() + " is deleted");
+            }
+        }
+        for (Light light : after.lights()) {
+            before.light(light.name()).ifPresentOrElse(old -> light(old, light), () -> added(before, after, light));
+        }
+    }
+
+    private void added(Scene before, Scene after, Light light) {
+        if (before.lights().size() < after.lights().size()) {
+            words.add(light.name() + " is added, " + light.type().name().toLowerCase(Locale.ROOT));
+        }
+    }
+
+    private void light(Light old, Light light) {
+        String name = light.name() + ".";
+        set(name + "type", old.type().name().toLowerCase(Locale.ROOT), light.type().name().toLowerCase(Locale.ROOT));
+        set(name + "color", text(old.color()), text(light.color()));
+        set(name + "intensity", number(old.intensity()), number(light.intensity()));
+        set(name + "at", text(old.position()), text(light.position()));
+        set(name + "direction", text(old.direction()), text(light.direction()));
+        set(name + "attenuation", text(old.attenuation()), text(light.attenuation()));
+        set(name + "angle", number(old.angle()), number(light.angle()));
+        set(name + "dropoff", number(old.dropoff()), number(light.dropoff()));
+        set(name + "on", old.on() ? "yes" : "no", light.on() ? "yes" : "no");
+        set(name + "solo", old.solo() ? "yes" : "no", light.solo() ? "yes" : "no");
+    }
+
+    private void set(String what, String before, String after) {
+        if (!before.equals(after)) {
+            words.add(what + " = " + after);
+        }
+    }
+
+    private static String text(Rgb c) {
+        return number(c.r()) + " " + number(c.g()) + " " + number(c.b());
+    }
+
+    private static String text(Vec3 v) {
+        return number(v.x()) + " " + number(v.y()) + " " + number(v.z());
+    }
+
+    private static String text(Attenuation a) {
+        return number(a.constant()) + " " + number(a.linear()) + " " + number(a.quadratic());
+    }
+
+    /** Four digits: these words are for reading. */
+    private static String number(double value) {
+        double rounded = new BigDecimal(value).round(new MathContext(4)).doubleValue();
+        return Limits.text(rounded);
+    }
+}

@@ -1,0 +1,78 @@
+package lightning.bench;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import lightning.accuracy.PictureError;
+
+/**
+ * One measurement. What a kind of measurement does not have is NaN, 0 or empty.
+ *
+ * @param kind  {@code first-pass}, {@code full-trace}, {@code edit}, {@code peer}, {@code growth} or {@code drift}
+ * @param edit  the edit's name; of growth, what grows and the edit
+ * @param value the varying value; of growth and drift, how many pixels, lights, …, edits
+ * @param level the level of accuracy
+ * @param n     how many samples the median and the quartiles are of
+ */
+record CsvRow(String kind, String scene, int width, int height, String edit, String value, String level, int n, double medianMs,
+        double lowerQuartileMs, double upperQuartileMs, double savingPercent, double capPercent, double paperPercent, String plan,
+        long rowsTouched, long shadowRays, long shadowRaysAvoided, long bytesMoved, double floorMs, double timesFloor,
+        long valuesThatDiffer, long maxUlp, double maxAbsolute, double meanAbsolute, double rmse, double linearPsnrDb,
+        double displayPsnrDb, double ssim, double flip, double bound) {
+
+    private static final double NONE = Double.NaN;
+    private static final Work NO_WORK = new Work("", 0, 0, 0, 0, 0, NONE, NONE, NONE, NONE);
+    private static final PictureError NO_ERROR = new PictureError(0, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE);
+    private static final Samples NO_SAMPLES = new Samples(NONE, NONE, NONE, List.of());
+
+    /** The rows of results, in their order. */
+    static List<CsvRow> of(Results results) {
+        List<CsvRow> rows = new ArrayList<>();
+        for (SceneResult scene : results.scenes()) {
+            if (scene.firstPass() != null) {
+                rows.add(trace("first-pass", scene, "", scene.firstPass().time()));
+                rows.add(trace("full-trace", scene, "", scene.firstPass().fullTrace()));
+            }
+            if (scene.peer() != null) {
+                rows.add(trace("peer", scene, scene.peer().program(), scene.peer().time()));
+            }
+            for (EditResult edit : scene.edits()) {
+                edit.values().forEach(value -> value.rungs().forEach(rung -> rows.add(edit(scene, edit, value, rung))));
+            }
+        }
+        results.growth().forEach(growth -> growth.points().forEach(point -> {
+            rows.add(growth(growth, point, "full-trace", point.fullTrace()));
+            point.edits().forEach(edit -> rows.add(growth(growth, point, edit.edit(), edit.time())));
+        }));
+        results.drift().forEach(drift -> drift.points().forEach(point -> rows.add(drift(drift, point))));
+        return rows;
+    }
+
+    private static CsvRow trace(String kind, SceneResult scene, String value, Samples time) {
+        return row(kind, scene.scene(), scene.width(), scene.height(), "", value, "", time, NONE, NONE, NO_WORK, NO_ERROR);
+    }
+
+    private static CsvRow edit(SceneResult scene, EditResult edit, ValueResult value, RungResult rung) {
+        return row("edit", scene.scene(), scene.width(), scene.height(), edit.edit(), value.value(), rung.level().label(), rung.time(),
+                rung.saving(), edit.paperSaving(), rung.work() == null ? NO_WORK : rung.work(), rung.error());
+    }
+
+    private static CsvRow growth(Growth growth, GrowthPoint point, String edit, Samples time) {
+        return row("growth", growth.scene(), 0, 0, growth.along() + ": " + edit, Long.toString(point.at()), "", time, NONE, NONE,
+                NO_WORK, NO_ERROR);
+    }
+
+    private static CsvRow drift(Drift drift, DriftPoint point) {
+        Work bound = new Work("", 0, 0, 0, 0, 0, NONE, NONE, NONE, point.bound());
+        return row("drift", drift.scene(), drift.width(), drift.height(), "", Integer.toString(point.edits()),
+                point.accuracy().name().toLowerCase(Locale.ROOT), NO_SAMPLES, NONE, NONE, bound, point.error());
+    }
+
+    private static CsvRow row(String kind, String scene, int width, int height, String edit, String value, String level, Samples time,
+            double saving, double paper, Work work, PictureError e) {
+        return new CsvRow(kind, scene, width, height, edit, value, level, time.samples().size(), time.median(), time.lowerQuartile(),
+                time.upperQuartile(), saving, work.cap(), paper, work.plan(), work.rowsTouched(), work.shadowRays(),
+                work.shadowRaysAvoided(), work.bytesMoved(), work.floorMs(), work.timesFloor(), e.values(), e.maxUlp(), e.maxAbsolute(),
+                e.meanAbsolute(), e.rmse(), e.linearPsnr(), e.displayPsnr(), e.ssim(), e.flip(), work.errorBound());
+    }
+}

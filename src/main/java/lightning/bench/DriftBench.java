@@ -1,0 +1,62 @@
+package lightning.bench;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.accuracy.OrdinaryEdits;
+import lightning.accuracy.PictureError;
+import lightning.image.Film;
+import lightning.relight.Accuracy;
+import lightning.relight.Options;
+import lightning.relight.Reflections;
+import lightning.relight.Renderer;
+import lightning.relight.Update;
+import lightning.scene.Scene;
+import lightning.shading.Progress;
+import lightning.shading.TraditionalTracer;
+import lightning.shading.Workers;
+
+/** Measures what becomes of a picture after 1, 10, 100, … edits, at the levels ratio and exact. */
+final class DriftBench {
+    private static final Options CURRENT = Options.DEFAULT.withReflections(Reflections.CURRENT);
+
+    private final NamedScene named;
+    private final Scene scene;
+    private final int threads;
+    private final long seed;
+
+    DriftBench(NamedScene named, PictureSize size, int threads, long seed) {
+        this.named = named;
+        scene = size.of(named.scene());
+        this.threads = threads;
+        this.seed = seed;
+    }
+
+    /** @param most the number of edits at the end */
+    Drift measure(int most, Progress progress) {
+        OrdinaryEdits edits = new OrdinaryEdits(seed);
+        List<DriftPoint> points = new ArrayList<>();
+        Scene wanted = scene;
+        int refreshes = 0;
+        try (Workers workers = new Workers(threads);
+                Renderer ratio = new Renderer(CURRENT.withAccuracy(Accuracy.RATIO).withThreads(threads));
+                Renderer exact = new Renderer(CURRENT.withAccuracy(Accuracy.EXACT).withThreads(threads))) {
+            ratio.render(wanted, progress.silent());
+            exact.render(wanted, progress.silent());
+            int next = 1;
+            for (int n = 1; n <= most; n++) {
+                wanted = edits.next(wanted);
+                Update update = ratio.render(wanted, progress.silent());
+                exact.render(wanted, progress.silent());
+                refreshes += update.refreshed() ? 1 : 0;
+                if (n == next) {
+                    Film full = new TraditionalTracer(wanted, exact.cache().geometry()).trace(workers, progress.silent()).film();
+                    points.add(new DriftPoint(Accuracy.RATIO, n, PictureError.of(ratio.film(), full), update.errorBound(), refreshes));
+                    points.add(new DriftPoint(Accuracy.EXACT, n, PictureError.of(exact.film(), full), 0, 0));
+                    next *= 10;
+                }
+                progress.tiles(n, most);
+            }
+        }
+        return new Drift(named.name(), scene.picture().width(), scene.picture().height(), seed, points);
+    }
+}

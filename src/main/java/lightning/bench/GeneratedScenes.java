@@ -1,0 +1,66 @@
+package lightning.bench;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.scene.Attenuation;
+import lightning.scene.Camera;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Material;
+import lightning.scene.Node;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.World;
+
+/**
+ * Scenes of any number of shapes and lights, for curves of growth: balls that fill a block over a floor, every second
+ * one a mirror, under lights of all types. The same seed makes the same scene.
+ */
+final class GeneratedScenes {
+    private static final Camera CAMERA = new Camera(new Vec3(0, 3, 9), new Vec3(0, 1.5, 0), Vec3.Y, 40);
+    /** The block that balls fill, scene units. */
+    private static final double WIDTH = 6;
+    private static final double HEIGHT = 3;
+
+    private GeneratedScenes() {}
+
+    /**
+     * @param shapes the floor included, ≥ 1
+     * @param lights a point light first, then a directional, then a spot, again and again; ≥ 1
+     * @param depth  how many mirror bounces are followed
+     */
+    static Scene of(long seed, PictureSize size, int shapes, int lights, int depth) {
+        Random random = new Random(seed);
+        List<Node> nodes = new ArrayList<>();
+        nodes.add(new Shape.Plane("floor", "matt", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(20, 1, 20))));
+        // So many balls of this radius take a tenth of the block, whatever their number.
+        double radius = Math.cbrt(0.1 * WIDTH * WIDTH * HEIGHT / (Math.max(shapes - 1, 1) * 4 / 3.0 * Math.PI));
+        for (int i = 1; i < shapes; i++) {
+            Vec3 at = new Vec3(WIDTH * (random.nextDouble() - 0.5), radius + HEIGHT * random.nextDouble(), WIDTH * (random.nextDouble() - 0.5));
+            nodes.add(new Shape.Sphere("ball" + i, i % 2 == 0 ? "mirror" : "matt", new Placement(at, Vec3.ZERO, Vec3.ONE.times(radius))));
+        }
+        List<Light> shining = new ArrayList<>();
+        for (int i = 0; i < lights; i++) {
+            shining.add(light(i, lights, random));
+        }
+        return new Scene(new Picture(size.width(), size.height(), depth), CAMERA, World.DEFAULT,
+                List.of(material("matt", Rgb.BLACK), material("mirror", Rgb.grey(0.5))), nodes, shining);
+    }
+
+    private static Light light(int i, int lights, Random random) {
+        LightType type = List.of(LightType.POINT, LightType.DIRECTIONAL, LightType.SPOT).get(i % 3);
+        Vec3 at = new Vec3(10 * (random.nextDouble() - 0.5), 4 + 4 * random.nextDouble(), 10 * (random.nextDouble() - 0.3));
+        return new Light("light" + i, type, Rgb.WHITE, 2.0 / lights, at, new Vec3(0, 1, 0).minus(at), new Attenuation(0.5, 0.05, 0.01),
+                30, 2, true, false);
+    }
+
+    private static Material material(String name, Rgb reflective) {
+        return new Material(name, Rgb.grey(0.1), Rgb.grey(0.7), Rgb.grey(0.2), 16, reflective, Optional.empty());
+    }
+}

@@ -1,0 +1,21 @@
+package lightning.bench;
+
+import java.util.List;
+
+/**
+ * All that a run of the harness measured. Times are milliseconds; where a number does not exist it is NaN.
+ *
+ * @param run      how it was made
+ * @param scenes   one for each scene and size, in the order in which they were measured
+ * @param drift    what becomes of pictures after many edits
+ * @param growth   how times grow, one curve for each thing that grows
+ * @param problems what could not be measured
+ */
+public record Results(Run run, List<SceneResult> scenes, List<Drift> drift, List<Growth> growth, List<Problem> problems) {
+    public Results {
+        scenes = List.copyOf(scenes);
+        drift = List.copyOf(drift);
+        growth = List.copyOf(growth);
+        problems = List.copyOf(problems);
+    }
+}

@@ -1,0 +1,66 @@
+package lightning.bench;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import lightning.file.SafeFile;
+import tools.jackson.core.JacksonException;
+import tools.jackson.databind.DeserializationFeature;
+import tools.jackson.databind.MapperFeature;
+import tools.jackson.databind.SerializationFeature;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.dataformat.csv.CsvMapper;
+
+/**
+ * Results as files: JSON, which holds everything and can be read again, and CSV, a row for each measurement.
+ *
+ * <p>In both, numbers that do not exist are the string {@code NaN}, and infinite ones {@code Infinity}.
+ */
+public final class ResultsFile {
+    private static final JsonMapper JSON = JsonMapper.builder()
+            .disable(MapperFeature.SORT_PROPERTIES_ALPHABETICALLY)
+            .enable(SerializationFeature.INDENT_OUTPUT)
+            .enable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
+            .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
+            .build();
+    private static final CsvMapper CSV = CsvMapper.builder().disable(MapperFeature.SORT_PROPERTIES_ALPHABETICALLY).build();
+
+    private ResultsFile() {}
+
+    /**
+     * Writes results as JSON.
+     *
+     * @throws IOException if the file cannot be written
+     */
+    public static void writeJson(Path file, Results results) throws IOException {
+        byte[] text = JSON.writeValueAsBytes(results);
+        SafeFile.write(file, out -> out.write(text));
+    }
+
+    /**
+     * Reads results that {@link #writeJson} wrote.
+     *
+     * @throws IOException if the file cannot be read, or holds no results; the message says where and why
+     */
+    public static Results readJson(Path file) throws IOException {
+        try {
+            return JSON.readValue(Files.readAllBytes(file), Results.class);
+        } catch (JacksonException e) {
+            var at = e.getLocation();
+            throw new IOException(file + (at == null ? "" : ":" + at.getLineNr() + ":" + at.getColumnNr())
+                    + ": no results of 'lightning bench': " + e.getOriginalMessage(), e);
+        }
+    }
+
+    /**
+     * Writes a row for each measurement as CSV, with a line of column names.
+     *
+     * @throws IOException if the file cannot be written
+     */
+    public static void writeCsv(Path file, Results results) throws IOException {
+        List<CsvRow> rows = CsvRow.of(results);
+        byte[] text = CSV.writer(CSV.schemaFor(CsvRow.class).withHeader()).writeValueAsBytes(rows);
+        SafeFile.write(file, out -> out.write(text));
+    }
+}

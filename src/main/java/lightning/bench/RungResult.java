@@ -1,0 +1,16 @@
+package lightning.bench;
+
+import lightning.accuracy.Level;
+import lightning.accuracy.PictureError;
+
+/**
+ * One level of accuracy for one edit.
+ *
+ * @param saving     percent of the full trace's time; negative where it takes longer
+ * @param error      how far its picture is from the full trace
+ * @param work       what it did; null for the full trace
+ * @param picture    the file of its picture, relative to the results; null where none was written
+ * @param difference the file of the false-colour picture of its difference to the full trace; null where none was
+ *                   written or there is none
+ */
+public record RungResult(Level level, Samples time, double saving, PictureError error, Work work, String picture, String difference) {}

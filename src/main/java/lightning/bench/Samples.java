@@ -1,0 +1,22 @@
+package lightning.bench;
+
+import java.util.List;
+import lightning.accuracy.Timing;
+
+/**
+ * One work's times, milliseconds.
+ *
+ * @param median        of all samples
+ * @param lowerQuartile a quarter of the samples are below it
+ * @param upperQuartile a quarter of the samples are above it
+ * @param samples       every sample in the order in which it was taken
+ */
+public record Samples(double median, double lowerQuartile, double upperQuartile, List<Double> samples) {
+    public Samples {
+        samples = List.copyOf(samples);
+    }
+
+    static Samples of(Timing timing) {
+        return new Samples(timing.median(), timing.lowerQuartile(), timing.upperQuartile(), timing.milliseconds());
+    }
+}

@@ -1,0 +1,130 @@
+package lightning.bench;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+import lightning.accuracy.Ladder;
+import lightning.accuracy.LadderMeter;
+import lightning.accuracy.Level;
+import lightning.accuracy.PaperCase;
+import lightning.accuracy.PaperCases;
+import lightning.accuracy.Rung;
+import lightning.accuracy.SavingMeter;
+import lightning.image.Film;
+import lightning.relight.Options;
+import lightning.scene.Scene;
+import lightning.shading.Progress;
+
+/** Measures one scene at one size: its first pass, and the ladder of each edit with each value. */
+final class SceneBench implements AutoCloseable {
+    private final Settings settings;
+    private final Ledger.Page page;
+    private final String name;
+    private final Scene scene;
+    private final double bytesPerMs;
+    /** Null where no pictures are written. */
+    private final Pictures pictures;
+    private LadderMeter meter;
+
+    SceneBench(Settings settings, Ledger.Page page, NamedScene named, PictureSize size, double bytesPerMs, Pictures pictures) {
+        this.settings = settings;
+        this.page = page;
+        this.bytesPerMs = bytesPerMs;
+        this.pictures = pictures;
+        name = named.name();
+        scene = size.of(named.scene());
+    }
+
+    /** What is to be measured. */
+    List<Part> parts(Pace pace, PictureSize size) {
+        String where = name + " at " + size;
+        List<Part> parts = new ArrayList<>();
+        parts.add(new Part(where + ", first pass", pace.firstPassMs(size, settings.repetitions()), this::firstPass));
+        cases().forEach((edit, values) -> parts.add(new Part(where + ", " + edit,
+                pace.ladderMs(size, settings.repetitions()) * values.size(), progress -> edit(values, progress))));
+        return parts;
+    }
+
+    /** The cases by name, with each value that changes the scene. */
+    private Map<String, List<PaperCase>> cases() {
+        Map<String, List<PaperCase>> cases = new LinkedHashMap<>();
+        for (int value = 0; value < settings.values(); value++) {
+            for (PaperCase edit : PaperCases.of(scene, value)) {
+                if (settings.includes(edit)) {
+                    cases.computeIfAbsent(edit.name(), _ -> new ArrayList<>()).add(edit);
+                }
+            }
+        }
+        // A value that says the same again is the same edit: a scene of depth 0 or 10 has fewer depths to change to.
+        cases.values().forEach(values -> {
+            List<String> seen = new ArrayList<>();
+            values.removeIf(edit -> seen.contains(edit.value()) || !seen.add(edit.value()));
+        });
+        return cases;
+    }
+
+    private void firstPass(Progress progress) throws IOException {
+        try (SavingMeter first = new SavingMeter(Options.DEFAULT.withThreads(settings.threads()), settings.repetitions(),
+                settings.patienceMs(), bytesPerMs)) {
+            page.firstPass(first.firstPass(scene, progress.silent()));
+            if (pictures != null) {
+                page.before(pictures.picture(name + "-before", first.renderer().film()));
+            }
+        }
+    }
+
+    private void edit(List<PaperCase> values, Progress progress) throws IOException {
+        if (meter == null) {
+            meter = new LadderMeter(settings.threads(), settings.repetitions(), settings.patienceMs());
+        }
+        List<ValueResult> results = new ArrayList<>();
+        for (PaperCase edit : values) {
+            List<Scene> scenes = edit.scenes();
+            Ladder ladder = meter.measure(scenes.get(scenes.size() - 2), scenes.getLast(), progress.silent());
+            results.add(new ValueResult(edit.value(), rungs(ladder, results.isEmpty() ? name + "-" + edit.name() : null)));
+            progress.tiles(results.size(), values.size());
+        }
+        PaperCase first = values.getFirst();
+        page.edit(new EditResult(first.name(), first.figure(), first.paperSaving(), average(results, RungResult::saving),
+                average(results, rung -> rung.work().cap()), results));
+    }
+
+    private static double average(List<ValueResult> values, ToDoubleFunction<RungResult> what) {
+        return values.stream().mapToDouble(value -> what.applyAsDouble(value.rungs().get(Level.EXACT.ordinal()))).average()
+                .orElse(Double.NaN);
+    }
+
+    /** @param picture how the names of its pictures begin, or null where none are written */
+    private List<RungResult> rungs(Ladder ladder, String picture) throws IOException {
+        Rung full = ladder.rung(Level.FULL_TRACE);
+        double fullMs = full.time().median();
+        String reference = picture == null || pictures == null ? null : pictures.picture(picture + "-full", full.film());
+        List<RungResult> results = new ArrayList<>();
+        for (Rung rung : ladder.rungs()) {
+            Work work = rung.update() == null ? null
+                    : Work.of(rung.update(), rung.time().median(), fullMs, ladder.fullRays(), bytesPerMs);
+            String level = picture + "-" + rung.level().name().toLowerCase(Locale.ROOT).replace('_', '-');
+            results.add(new RungResult(rung.level(), Samples.of(rung.time()), ladder.saving(rung.level()), rung.error(), work,
+                    reference == null ? null : shown(level, rung.film(), full.film(), reference),
+                    reference == null ? null : pictures.difference(level + "-difference", rung.film(), full.film())));
+        }
+        return results;
+    }
+
+    /** A picture equal to the reference needs no file of its own. */
+    private String shown(String level, Film film, Film full, String reference) throws IOException {
+        return film.sameBits(full) ? reference : pictures.picture(level, film);
+    }
+
+    @Override
+    public void close() {
+        if (meter != null) {
+            meter.close();
+            meter = null;
+        }
+    }
+}

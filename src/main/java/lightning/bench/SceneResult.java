@@ -1,0 +1,22 @@
+package lightning.bench;
+
+import java.util.List;
+
+/**
+ * What was measured on one scene at one size.
+ *
+ * @param scene     the scene's name: its file's without the ending
+ * @param width     pixels
+ * @param height    pixels
+ * @param depth     how many mirror bounces are followed
+ * @param before    the file of the picture before all edits, relative to the results; null where none was written
+ * @param firstPass what keeping the picture costs; null where it was not measured
+ * @param edits     in the paper's order
+ * @param peer      the same trace by another program; null where there is none
+ */
+public record SceneResult(String scene, int width, int height, int depth, int shapes, int lights, String before,
+        FirstPass firstPass, List<EditResult> edits, Peer peer) {
+    public SceneResult {
+        edits = List.copyOf(edits);
+    }
+}

@@ -1,0 +1,72 @@
+package lightning.bench.report;
+
+import de.erichseifert.vectorgraphics2d.VectorGraphics2D;
+import de.erichseifert.vectorgraphics2d.svg.SVGProcessor;
+import de.erichseifert.vectorgraphics2d.util.PageSize;
+import java.awt.Font;
+import java.awt.font.FontRenderContext;
+import java.awt.geom.Rectangle2D;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.jfree.chart.JFreeChart;
+
+/**
+ * A chart as SVG inside the page: colours become variables of the style sheet, and every text is given the width for which
+ * the chart was laid out, whatever font the reader has.
+ */
+final class ChartSvg {
+    static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 11);
+
+    private static final Pattern HEAD = Pattern.compile("(?s)^.*?<svg[^>]*>");
+    private static final Pattern CLIPS = Pattern.compile("(?s)<defs>.*?</defs>|<defs/>|\\sclip-path=\"[^\"]*\"");
+    private static final Pattern COLOR = Pattern.compile("rgb\\((\\d+),(\\d+),(\\d+)\\)");
+    private static final Pattern TEXT = Pattern.compile("<text ([^>]*)>([^<]*)</text>");
+    private static final Pattern LONG_NUMBER = Pattern.compile("(\\d+\\.\\d\\d)\\d+");
+    private static final Pattern NOISE = Pattern.compile("stroke:none;|stroke-miterlimit:10;|stroke-linecap:square;|(?<=\\n) +");
+    private static final FontRenderContext METRICS = new FontRenderContext(null, true, true);
+
+    private ChartSvg() {}
+
+    /**
+     * Draws a chart.
+     *
+     * @param width  in the units in which text is 11 high
+     * @param label  what it shows, for those who cannot see it
+     */
+    static String of(JFreeChart chart, int width, int height, String label) {
+        VectorGraphics2D graphics = new VectorGraphics2D();
+        chart.draw(graphics, new Rectangle2D.Double(0, 0, width, height));
+        var out = new ByteArrayOutputStream();
+        try {
+            new SVGProcessor().getDocument(graphics.getCommands(), new PageSize(width, height)).writeTo(out);
+        } catch (IOException e) {
+            throw new UncheckedIOException("memory cannot be written", e);
+        }
+        String svg = HEAD.matcher(out.toString(StandardCharsets.UTF_8)).replaceFirst("");
+        svg = CLIPS.matcher(svg).replaceAll("");
+        svg = COLOR.matcher(svg).replaceAll(ChartSvg::variable);
+        svg = TEXT.matcher(svg).replaceAll(m -> Matcher.quoteReplacement(fitted(m)));
+        svg = LONG_NUMBER.matcher(NOISE.matcher(svg).replaceAll("")).replaceAll("$1");
+        return String.format("<svg class=\"chart\" viewBox=\"0 0 %d %d\" style=\"max-width:%dpx\" role=\"img\" aria-label=\"%s\">%s",
+                width, height, width, Markup.escaped(label), svg);
+    }
+
+    static double widthOf(String text) {
+        return FONT.getStringBounds(text, METRICS).getWidth();
+    }
+
+    private static String variable(MatchResult color) {
+        return Ink.variable(Integer.parseInt(color.group(1)), Integer.parseInt(color.group(2)), Integer.parseInt(color.group(3)));
+    }
+
+    private static String fitted(MatchResult text) {
+        String shown = text.group(2).replace("&amp;", "&").replace("&lt;", "<").replace("&gt;", ">");
+        return String.format(java.util.Locale.ROOT, "<text %s textLength=\"%.1f\" lengthAdjust=\"spacingAndGlyphs\">%s</text>",
+                text.group(1), widthOf(shown), text.group(2));
+    }
+}

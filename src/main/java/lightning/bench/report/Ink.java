@@ -1,0 +1,67 @@
+package lightning.bench.report;
+
+import java.awt.Color;
+import java.util.Arrays;
+import java.util.Map;
+import java.util.stream.Collectors;
+import lightning.accuracy.Level;
+
+/**
+ * The colours of charts. In the page each is a variable of the style sheet, {@code --paper} and so on, so that they change
+ * with the theme; {@link #color} is only what a chart is drawn with. Hues are those of Okabe and Ito, "Color Universal
+ * Design", 2008, which stay apart without colour vision.
+ */
+enum Ink {
+    TEXT(0x1A1D21),
+    MUTED(0x5F6770),
+    GRID(0xDFE3E8),
+    PAPER(0xA3ABB5),
+    OURS(0x0072B2),
+    SKY(0x56B4E9),
+    GREEN(0x009E73),
+    ORANGE(0xE69F00),
+    RED(0xD55E00),
+    PURPLE(0xB8609A);
+
+    private static final Map<Integer, Ink> BY_COLOR =
+            Arrays.stream(values()).collect(Collectors.toMap(ink -> ink.color.getRGB() & 0xFFFFFF, ink -> ink));
+
+    private final Color color;
+
+    Ink(int rgb) {
+        color = new Color(rgb);
+    }
+
+    Color color() {
+        return color;
+    }
+
+    /** As the style sheet knows it: {@code var(--ours)}. */
+    String variable() {
+        return "var(--" + name().toLowerCase(java.util.Locale.ROOT) + ")";
+    }
+
+    /** What the page calls a colour of a chart; the colour itself if it is none of these. */
+    static String variable(int red, int green, int blue) {
+        Ink ink = BY_COLOR.get(red << 16 | green << 8 | blue);
+        return ink == null ? String.format("rgb(%d,%d,%d)", red, green, blue) : ink.variable();
+    }
+
+    static Ink of(Level level) {
+        return switch (level) {
+            case HALF_RESOLUTION -> ORANGE;
+            case FAST_SHADING -> RED;
+            case RATIO -> PURPLE;
+            case EXACT -> SKY;
+            case EXACT_UPDATED -> GREEN;
+            case EXACT_CURRENT -> OURS;
+            case FULL_TRACE -> TEXT;
+        };
+    }
+
+    /** Colours of lines that have no meaning of their own. */
+    static Ink of(int line) {
+        Ink[] inks = {OURS, RED, GREEN, PURPLE, ORANGE, SKY, TEXT, MUTED};
+        return inks[line % inks.length];
+    }
+}

@@ -1,0 +1,62 @@
+package lightning.bench.report;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import lightning.accuracy.Level;
+import lightning.bench.EditResult;
+import lightning.bench.Results;
+import lightning.bench.RungResult;
+import lightning.bench.SceneResult;
+
+/** The run in four numbers. */
+final class KeyNumbers {
+    private KeyNumbers() {}
+
+    static void write(Markup page, Results results) {
+        List<EditResult> edits = results.scenes().stream().flatMap(scene -> scene.edits().stream()).toList();
+        if (edits.isEmpty()) {
+            return;
+        }
+        double[] savings = sorted(edits.stream().mapToDouble(EditResult::saving));
+        List<RungResult> current = edits.stream().flatMap(edit -> edit.values().stream()).flatMap(value -> value.rungs().stream())
+                .filter(rung -> rung.level() == Level.EXACT_CURRENT).toList();
+        long equal = current.stream().filter(rung -> rung.error().values() == 0).count();
+        double[] first = sorted(results.scenes().stream().map(SceneResult::firstPass).filter(f -> f != null)
+                .mapToDouble(f -> f.percentSlower()));
+        page.open("dl", "class", "key");
+        number(page, Numbers.percent(median(savings)), "of a full trace is saved by the median edit at level exact, "
+                + "the full trace being the fastest that the program can make");
+        worst(page, results);
+        number(page, Numbers.grouped(equal) + " of " + Numbers.grouped(current.size()),
+                "pictures of level exact with current mirrors equal the full trace in every bit");
+        number(page, Numbers.percent(median(first)), "is what the median first pass takes beyond a full trace, to keep what edits need");
+        page.close();
+    }
+
+    private static void worst(Markup page, Results results) {
+        double least = Double.POSITIVE_INFINITY;
+        String which = "";
+        for (SceneResult scene : results.scenes()) {
+            for (EditResult edit : scene.edits()) {
+                if (edit.saving() < least) {
+                    least = edit.saving();
+                    which = edit.edit() + " on " + SceneSection.title(scene);
+                }
+            }
+        }
+        number(page, Numbers.percent(least), "is saved by the edit that saves least: " + which);
+    }
+
+    private static void number(Markup page, String value, String meaning) {
+        page.open("div").leaf("dt", value).leaf("dd", meaning).close();
+    }
+
+    private static double[] sorted(DoubleStream values) {
+        return values.filter(Double::isFinite).sorted().toArray();
+    }
+
+    private static double median(double[] sorted) {
+        return Arrays.stream(sorted).skip((sorted.length - 1) / 2).limit(sorted.length % 2 == 0 ? 2 : 1).average().orElse(Double.NaN);
+    }
+}

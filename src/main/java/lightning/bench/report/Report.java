@@ -1,0 +1,58 @@
+package lightning.bench.report;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import lightning.bench.Results;
+import lightning.file.SafeFile;
+
+/** Writes the report of a run as one HTML file that needs nothing else, no network either. */
+public final class Report {
+    /** The name of the report. */
+    public static final String FILE = "report.html";
+
+    private static final String TITLE = "Lightning: what re-rendering saves, and what accuracy costs";
+
+    private Report() {}
+
+    /**
+     * Writes {@value #FILE}.
+     *
+     * @param results of a whole run or of part of one
+     * @param folder  where to; the pictures' names in the results are relative to it, and what is not there is left out
+     * @throws IOException if the file cannot be written
+     */
+    public static void write(Results results, Path folder) throws IOException {
+        byte[] page = html(results, folder).getBytes(StandardCharsets.UTF_8);
+        SafeFile.write(folder.resolve(FILE), out -> out.write(page));
+    }
+
+    /** The page itself, well-formed XML. */
+    static String html(Results results, Path pictures) {
+        PictureBook book = new PictureBook(pictures);
+        Markup body = new Markup();
+        RunSection.write(body, TITLE, results);
+        for (int i = 0; i < results.scenes().size(); i++) {
+            SceneSection.write(body, "scene-" + (i + 1), results.scenes().get(i), book);
+        }
+        CurveSections.write(body, results);
+        RunSection.writeMethod(body, results.run());
+        Markup page = new Markup();
+        page.open("html", "xmlns", "http://www.w3.org/1999/xhtml", "lang", "en").open("head");
+        page.empty("meta", "charset", "utf-8").empty("meta", "name", "viewport", "content", "width=device-width, initial-scale=1");
+        page.leaf("title", TITLE);
+        page.open("style").ready(resource("report.css")).ready(book.styles()).close();
+        page.close().open("body").ready(body.finish());
+        page.open("script").ready(resource("report.js")).close();
+        return "<!DOCTYPE html>\n" + page.close().close().finish();
+    }
+
+    private static String resource(String name) {
+        try (var in = Report.class.getResourceAsStream(name)) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException("the program misses its file " + name, e);
+        }
+    }
+}

@@ -1,0 +1,111 @@
+package lightning.bench.report;
+
+import lightning.bench.FirstPass;
+import lightning.bench.Machine;
+import lightning.bench.Results;
+import lightning.bench.Run;
+import lightning.bench.SceneResult;
+
+/** The head of the report: what ran where, what went wrong, all scenes at a glance; and its foot: how it was measured. */
+final class RunSection {
+    private RunSection() {}
+
+    static void write(Markup page, String title, Results results) {
+        page.open("header");
+        page.leaf("h1", title);
+        facts(page, results.run());
+        links(page, results);
+        page.close();
+        problems(page, results);
+        KeyNumbers.write(page, results);
+        if (!results.scenes().isEmpty()) {
+            glance(page, results);
+        }
+    }
+
+    private static void facts(Markup page, Run run) {
+        Machine machine = run.machine();
+        page.leaf("p", run.date() + " · commit " + run.commit() + " · " + machine.system() + ", " + machine.processors()
+                + " processors, " + machine.vectorBits() + "-bit vectors, " + Numbers.bytes(machine.memoryBytes()) + " · "
+                + machine.java() + " · " + run.threads() + " threads · memory " + Numbers.plain(run.triadGBs()) + " GB/s", "class", "facts");
+        if (run.quick()) {
+            page.leaf("p", "A quick run: few scenes, sizes and repetitions. Its numbers show the way, no more.", "class", "note");
+        }
+        if (!run.complete()) {
+            page.leaf("p", "The run was cancelled after " + Numbers.plain(run.actualSeconds())
+                    + " s. Below is what had been measured until then.", "class", "note");
+        }
+    }
+
+    private static void links(Markup page, Results results) {
+        page.open("nav");
+        for (int i = 0; i < results.scenes().size(); i++) {
+            SceneResult scene = results.scenes().get(i);
+            page.leaf("a", SceneSection.title(scene), "href", "#scene-" + (i + 1));
+        }
+        if (!results.drift().isEmpty()) {
+            page.leaf("a", "Drift", "href", "#drift");
+        }
+        if (!results.growth().isEmpty()) {
+            page.leaf("a", "Growth", "href", "#growth");
+        }
+        page.leaf("a", "How it was measured", "href", "#method");
+        page.close();
+    }
+
+    private static void problems(Markup page, Results results) {
+        if (results.problems().isEmpty()) {
+            return;
+        }
+        page.open("section", "class", "problems", "id", "problems");
+        page.leaf("h2", "What could not be measured");
+        page.open("ul");
+        results.problems().forEach(problem -> page.open("li").leaf("b", problem.where()).text(" " + problem.what()).close());
+        page.close().close();
+    }
+
+    private static void glance(Markup page, Results results) {
+        page.open("section", "id", "glance");
+        page.leaf("h2", "All scenes at a glance");
+        try (Table table = new Table(page, null, "Medians. The first pass keeps what edits need; the full trace keeps nothing.", "scene",
+                "pixels", "lights", "shapes", "full trace", "first pass", "slower by", "bytes a pixel", "paid for after",
+                "edits save, median", "least", "most")) {
+            for (SceneResult scene : results.scenes()) {
+                FirstPass first = scene.firstPass();
+                double[] savings = scene.edits().stream().mapToDouble(e -> e.saving()).filter(Double::isFinite).sorted().toArray();
+                int n = savings.length;
+                table.row(scene.scene(), scene.width() + " × " + scene.height(), "" + scene.lights(), "" + scene.shapes(),
+                        first == null ? "–" : Numbers.ms(first.fullTrace().median()),
+                        first == null ? "–" : Numbers.ms(first.time().median()),
+                        first == null ? "–" : Numbers.percent(first.percentSlower()),
+                        first == null ? "–" : Numbers.plain(first.bytesPerPixel()),
+                        first == null ? "–" : edits(first.editsToPayOff()), n == 0 ? "–" : Numbers.percent(savings[n / 2]),
+                        n == 0 ? "–" : Numbers.percent(savings[0]), n == 0 ? "–" : Numbers.percent(savings[n - 1]));
+            }
+        }
+        page.close();
+    }
+
+    private static String edits(double count) {
+        return count == 0 ? "at once" : Double.isFinite(count) ? Numbers.grouped(Math.round(count)) + (count == 1 ? " edit" : " edits") : "never";
+    }
+
+    static void writeMethod(Markup page, Run run) {
+        page.open("section", "id", "method");
+        page.leaf("h2", "How it was measured");
+        page.leaf("p", "Each edit's levels of accuracy and the full trace run in turns, again and again, so that whatever slows the "
+                + "machine for a while slows all of them; " + run.repetitions() + " samples each, after warming up until no work "
+                + "becomes faster. Times are medians, whiskers quartiles. No level is timed before its picture was compared with a "
+                + "trace from nothing. A saving is what an edit spares of the time of the traditional full trace, the fastest that "
+                + "the program can make, which keeps nothing; the paper's are of its own scene on a computer of 1998.");
+        page.leaf("p", "The cap is what an edit could save if it cast its rays as fast as the full trace casts its own and moved its "
+                + "bytes at the speed of memory; the floor is the time of those bytes at the bandwidth measured in this run. Errors "
+                + "are taken against the full trace: RMSE and the largest difference of linear values, ulp in floats between two "
+                + "values, PSNR, SSIM and ꟻLIP of the picture as displayed (ꟻLIP at 67 pixels per degree; 0 is no visible "
+                + "difference, 1 the worst).");
+        page.leaf("p", "Seed " + run.seed() + ", arguments: " + (run.arguments().isEmpty() ? "none" : String.join(" ", run.arguments()))
+                + ". Predicted " + Numbers.plain(run.predictedSeconds()) + " s, took " + Numbers.plain(run.actualSeconds())
+                + " s. Every raw sample is in results.json.");
+        page.close();
+    }
+}

@@ -1,0 +1,110 @@
+package lightning.bench.report;
+
+import java.awt.BasicStroke;
+import java.util.List;
+import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.axis.NumberTickUnit;
+import org.jfree.chart.labels.CategoryItemLabelGenerator;
+import org.jfree.chart.labels.ItemLabelAnchor;
+import org.jfree.chart.labels.ItemLabelPosition;
+import org.jfree.chart.labels.StandardCategoryItemLabelGenerator;
+import org.jfree.chart.plot.CategoryPlot;
+import org.jfree.chart.plot.ValueMarker;
+import org.jfree.chart.renderer.category.BarRenderer;
+import org.jfree.chart.renderer.category.LevelRenderer;
+import org.jfree.chart.renderer.category.StandardBarPainter;
+import org.jfree.chart.ui.TextAnchor;
+import org.jfree.data.category.CategoryDataset;
+import org.jfree.data.category.DefaultCategoryDataset;
+
+/** The paper's bar charts, redrawn: the time of each edit as a share of the full trace's, the paper's beside ours. */
+final class ShareChart {
+    private static final int WIDTH = 550;
+    private static final int ROW = 44;
+    private static final int AXIS = 26;
+    private static final double MOST = 250;
+
+    /**
+     * One edit. Shares are percent of the full trace's time; NaN where there is none.
+     *
+     * @param paper   the paper's
+     * @param ours    with mirrors as they were
+     * @param updated with mirrors updated
+     * @param least   what ray counts and memory allow
+     */
+    record Bar(String name, double paper, double ours, double updated, double least) {}
+
+    private ShareChart() {}
+
+    static String svg(String label, List<Bar> bars) {
+        DefaultCategoryDataset shares = new DefaultCategoryDataset();
+        DefaultCategoryDataset least = new DefaultCategoryDataset();
+        double most = 100;
+        for (Bar bar : bars) {
+            put(shares, bar.paper, "paper", bar.name);
+            put(shares, bar.ours, "ours", bar.name);
+            put(shares, bar.updated, "updated", bar.name);
+            put(least, Double.NaN, "paper", bar.name);
+            put(least, bar.least, "ours", bar.name);
+            put(least, Double.NaN, "updated", bar.name);
+            most = Math.max(most, Math.max(nonNaN(bar.paper), Math.max(nonNaN(bar.ours), nonNaN(bar.updated))));
+        }
+        NumberAxis axis = new NumberAxis();
+        axis.setRange(0, Math.min(most, MOST) * 1.2);
+        axis.setTickUnit(new NumberTickUnit(most > 150 ? 50 : 20));
+        CategoryPlot plot = PlotLook.rows(axis);
+        plot.setDataset(0, shares);
+        plot.setRenderer(0, bars());
+        plot.setDataset(1, least);
+        plot.setRenderer(1, ticks());
+        plot.setDatasetRenderingOrder(org.jfree.chart.plot.DatasetRenderingOrder.FORWARD);
+        plot.addRangeMarker(new ValueMarker(100, Ink.MUTED.color(), PlotLook.HAIRLINE));
+        return ChartSvg.of(PlotLook.chart(plot), WIDTH, AXIS + ROW * bars.size(), label);
+    }
+
+    private static BarRenderer bars() {
+        BarRenderer renderer = new BarRenderer();
+        renderer.setBarPainter(new StandardBarPainter());
+        renderer.setShadowVisible(false);
+        renderer.setItemMargin(0.08);
+        renderer.setSeriesPaint(0, Ink.PAPER.color());
+        renderer.setSeriesPaint(1, Ink.OURS.color());
+        renderer.setSeriesPaint(2, Ink.SKY.color());
+        renderer.setDefaultItemLabelGenerator(new ShareLabels());
+        renderer.setDefaultItemLabelFont(ChartSvg.FONT);
+        renderer.setDefaultItemLabelPaint(Ink.TEXT.color());
+        renderer.setDefaultItemLabelsVisible(true);
+        renderer.setDefaultPositiveItemLabelPosition(new ItemLabelPosition(ItemLabelAnchor.OUTSIDE3, TextAnchor.CENTER_LEFT));
+        return renderer;
+    }
+
+    /** A line across the bar of ours at its least. */
+    private static LevelRenderer ticks() {
+        LevelRenderer renderer = new LevelRenderer();
+        renderer.setItemMargin(0.08);
+        renderer.setDefaultPaint(Ink.TEXT.color());
+        renderer.setAutoPopulateSeriesPaint(false);
+        renderer.setDefaultStroke(new BasicStroke(1.5f));
+        renderer.setAutoPopulateSeriesStroke(false);
+        return renderer;
+    }
+
+    private static void put(DefaultCategoryDataset to, double value, String series, String name) {
+        to.addValue(Double.isFinite(value) ? value : null, series, name);
+    }
+
+    private static double nonNaN(double value) {
+        return Double.isNaN(value) ? 0 : value;
+    }
+
+    /** The share with one digit. */
+    private static final class ShareLabels extends StandardCategoryItemLabelGenerator implements CategoryItemLabelGenerator {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        public String generateLabel(CategoryDataset shares, int series, int edit) {
+            Number share = shares.getValue(series, edit);
+            return share == null ? null : Numbers.percent(share.doubleValue());
+        }
+    }
+}

@@ -1,0 +1,38 @@
+package lightning.cache;
+
+import java.util.Arrays;
+import java.util.function.Function;
+import lightning.shading.SampleMean;
+
+/**
+ * The samples of some pixels of a tile.
+ *
+ * @param pixels the pixels' indices in the tile, ascending
+ * @param blocks the samples, those of as many pixels in each block as have room in 1024 rows
+ */
+public record FineSamples(short[] pixels, CachedTile[] blocks) {
+    // Arrays in a record: written once by their maker, never after.
+
+    /** Whether these are the same samples in the same colours. */
+    boolean isAlike(FineSamples o) {
+        boolean alike = pixels == o.pixels;
+        for (int b = 0; alike && b < blocks.length; b++) {
+            alike = blocks[b].film == o.blocks[b].film;
+        }
+        return alike;
+    }
+
+    /** Makes the pixels of their samples, whose colours {@code colors} tells for each block. */
+    void write(Function<CachedTile, float[][]> colors, int perPixel, float[][] film) {
+        int together = SampleMean.pixelsTogether(perPixel);
+        for (int b = 0; b < blocks.length; b++) {
+            int to = Math.min(pixels.length, (b + 1) * together);
+            SampleMean.write(pixels, b * together, to, perPixel, colors.apply(blocks[b]), film);
+        }
+    }
+
+    /** The same samples with other blocks. */
+    FineSamples map(Function<CachedTile, CachedTile> change) {
+        return new FineSamples(pixels, Arrays.stream(blocks).map(change).toArray(CachedTile[]::new));
+    }
+}

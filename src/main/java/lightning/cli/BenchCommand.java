@@ -1,0 +1,159 @@
+package lightning.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
+import lightning.bench.Baseline;
+import lightning.bench.Figures;
+import lightning.bench.Harness;
+import lightning.bench.PictureSize;
+import lightning.bench.Reporter;
+import lightning.bench.Results;
+import lightning.bench.ResultsFile;
+import lightning.bench.Settings;
+import lightning.bench.report.Report;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Measures what re-rendering saves and what accuracy costs. */
+@Command(name = "bench", header = "Measure what re-rendering saves, and what accuracy costs in time.", abbreviateSynopsis = true,
+        description = {
+            "Makes the paper's edits, and a few more, on every scene, each with three values, at each level of accuracy, from a picture",
+            "of half the resolution to the full trace, and measures time and error of each. Also measures the first pass, how times",
+            "grow with pixels, lights, shapes and mirror bounces, how errors drift over 10 000 edits, the bandwidth of memory, and",
+            "POV-Ray where it is installed. Works are measured in turns; no picture is timed before it was compared.",
+            "",
+            "Writes results.json (everything, with every sample), results.csv (a row for each measurement) and pictures into the",
+            "folder. A run that is cancelled keeps what it has. The exit code is 1 if a picture was not what its level promises, or",
+            "something became worse than the baseline; 2 if a scene could not be read (the others are measured)."},
+        footer = {
+            "Examples:",
+            "  lightning bench -o results --quick",
+            "  lightning bench scenes/bird.jen -o fig24 --figure 24",
+            "  lightning bench -o new --baseline old/results.json"})
+final class BenchCommand implements Callable<Integer> {
+    private static final int MOST_REPETITIONS = 1000;
+    private static final double MINUTE = 60;
+
+    private final Console console;
+    /** What makes a page of the results. */
+    private final Reporter reporter = Report::write;
+
+    @Spec
+    private CommandSpec command;
+    @Parameters(arity = "0..*", paramLabel = "scene.jen", description = "The scenes; all in scenes/ where none is named.")
+    private List<Path> scenes = List.of();
+    @Option(names = {"-o", "--output"}, paramLabel = "DIR", required = true, description = "The folder for the results, made if it is not there.")
+    private Path folder;
+    @Option(names = "--quick", description = "A small selection, in under a minute on two processors.")
+    private boolean quick;
+    @Option(names = "--size", paramLabel = "WxH", converter = Size.Converter.class,
+            description = "Pixels, more than once for several sizes; 300x300 and 1920x1080 without it.")
+    private List<Size> sizes = List.of();
+    @Option(names = "--baseline", paramLabel = "OLD.json",
+            description = "Prints what became slower (quartiles apart, and by more than 10 %%) or less accurate than these results.")
+    private Path baseline;
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "What everything random starts from; 1 without it.")
+    private long seed;
+    @Mixin
+    private ThreadsOption threads;
+    private int figure;
+    private Integer repetitions;
+
+    @Option(names = "--figure", paramLabel = "N", description = "The edits of one of the paper's figures alone, on bird where no scene is named.")
+    private void setFigure(int value) {
+        if (!Figures.isMeasured(value)) {
+            throw new ParameterException(command.commandLine(),
+                    "--figure must be one that shows measured edits (" + Figures.measured() + "), was " + value);
+        }
+        figure = value;
+    }
+
+    @Option(names = "--repetitions", paramLabel = "N", description = "How many samples each work has; 5 without it, 3 with --quick. 1 is for a look: nothing is warmed up.")
+    private void setRepetitions(int value) {
+        if (value < 1 || value > MOST_REPETITIONS) {
+            throw new ParameterException(command.commandLine(), "--repetitions must be from 1 to " + MOST_REPETITIONS + ", was " + value);
+        }
+        repetitions = value;
+    }
+
+    BenchCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() throws Exception {
+        Results old = baseline == null ? null : ResultsFile.readJson(baseline);
+        BenchScenes read = BenchScenes.read(scenes, figure > 0);
+        read.problems().forEach(problem -> console.remark("%s", problem.what()));
+        if (read.scenes().isEmpty()) {
+            throw new BadInput("there is no scene to measure");
+        }
+        Files.createDirectories(folder);
+        Results results = measure(read);
+        console.line("%s: results.json, results.csv and pictures", folder);
+        return exit(results, old, !read.problems().isEmpty());
+    }
+
+    private Settings settings() {
+        Settings settings = quick ? Settings.quick(threads.count(), seed) : Settings.full(threads.count(), seed);
+        if (!sizes.isEmpty()) {
+            settings = settings.withSizes(sizes.stream().map(size -> new PictureSize(size.width(), size.height())).distinct().toList());
+        }
+        if (figure > 0) {
+            settings = settings.withFigure(figure);
+        }
+        return repetitions == null ? settings : settings.withRepetitions(repetitions);
+    }
+
+    private Results measure(BenchScenes read) throws IOException, InterruptedException {
+        BenchTable table = new BenchTable(console);
+        BenchFolder files = new BenchFolder(folder, reporter);
+        try (ProgressBar bar = new ProgressBar(console, "bench")) {
+            List<String> arguments = new ArrayList<>(command.commandLine().getParseResult().originalArgs());
+            Harness harness = new Harness(settings(), read.scenes(), read.problems(), folder, arguments, bar);
+            console.line("%d scenes; this will take about %s", read.scenes().size(), duration(harness.predictedSeconds()));
+            try {
+                Results results = harness.run((_, until) -> {
+                    bar.erase();
+                    table.print(until);
+                    files.writeNowAndThen(until);
+                }, bar);
+                files.write(results);
+                bar.erase();
+                table.foot(results);
+                return results;
+            } catch (CancellationException | InterruptedException | IOException e) {
+                files.keep(harness.results(false));
+                throw e;
+            }
+        }
+    }
+
+    private static String duration(double seconds) {
+        return seconds < 2 * MINUTE ? Console.text("%.0f s", Math.ceil(seconds)) : Console.text("%.0f min", Math.ceil(seconds / MINUTE));
+    }
+
+    private int exit(Results results, Results old, boolean unread) throws BadInput {
+        int broken = results.problems().size() - (int) results.problems().stream().filter(BenchScenes::isUnread).count();
+        if (old != null) {
+            Baseline compared = Baseline.compare(old, results);
+            if (compared.compared() == 0) {
+                throw new BadInput(baseline + ": holds none of the edits that were measured now");
+            }
+            compared.worse().forEach(line -> console.line("%s", line));
+            console.line("baseline: %d measurements compared, %d worse", compared.compared(), compared.worse().size());
+            broken += compared.worse().size();
+        }
+        return broken > 0 ? ExitCode.CHECK_FAILED : unread ? ExitCode.BAD_INPUT : ExitCode.DONE;
+    }
+}

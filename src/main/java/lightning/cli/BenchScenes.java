@@ -1,0 +1,77 @@
+package lightning.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lightning.bench.NamedScene;
+import lightning.bench.Problem;
+import lightning.jen.JenException;
+
+/**
+ * The scenes of a benchmark that could be read, and why others could not.
+ *
+ * @param problems one for each file that could not be read
+ */
+record BenchScenes(List<NamedScene> scenes, List<Problem> problems) {
+    private static final Path FOLDER = Path.of("scenes");
+    private static final String ENDING = ".jen";
+    /** How the place of such a problem begins. */
+    private static final String UNREAD = "scene ";
+
+    /**
+     * Reads scenes.
+     *
+     * @param files where none is named, all of the project's own scenes are read
+     * @param one   whether then bird alone is meant
+     */
+    static BenchScenes read(List<Path> files, boolean one) throws IOException {
+        List<NamedScene> scenes = new ArrayList<>();
+        List<Problem> problems = new ArrayList<>();
+        Set<String> names = new HashSet<>();
+        for (Path file : files.isEmpty() ? own(one) : files) {
+            try {
+                scenes.add(new NamedScene(name(file, names), SceneFile.read(file).scene()));
+            } catch (JenException e) {
+                problems.add(new Problem(UNREAD + file, e.problems().stream().map(Object::toString).collect(Collectors.joining("\n"))));
+            } catch (BadInput e) {
+                problems.add(new Problem(UNREAD + file, e.getMessage()));
+            } catch (IOException e) {
+                problems.add(new Problem(UNREAD + file, Complaint.sentence(e)));
+            }
+        }
+        return new BenchScenes(scenes, problems);
+    }
+
+    /** Whether a problem is that of a file that could not be read. */
+    static boolean isUnread(Problem problem) {
+        return problem.where().startsWith(UNREAD);
+    }
+
+    private static List<Path> own(boolean one) throws IOException {
+        String home = System.getProperty("lightning.home");
+        Path folder = Files.isDirectory(FOLDER) || home == null ? FOLDER : Path.of(home).resolve(FOLDER);
+        if (one) {
+            return List.of(folder.resolve("bird" + ENDING));
+        }
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.filter(file -> file.toString().endsWith(ENDING)).sorted().toList();
+        }
+    }
+
+    /** The file's name without its ending, with a number where that was taken. */
+    private static String name(Path file, Set<String> taken) {
+        String name = String.valueOf(file.getFileName());
+        String plain = name.endsWith(ENDING) ? name.substring(0, name.length() - ENDING.length()) : name;
+        String unique = plain;
+        for (int i = 2; !taken.add(unique); i++) {
+            unique = plain + "-" + i;
+        }
+        return unique;
+    }
+}

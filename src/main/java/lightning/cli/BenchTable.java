@@ -1,0 +1,98 @@
+package lightning.cli;
+
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+import lightning.accuracy.Level;
+import lightning.bench.DriftPoint;
+import lightning.bench.EditResult;
+import lightning.bench.FirstPass;
+import lightning.bench.Results;
+import lightning.bench.RungResult;
+import lightning.bench.SceneResult;
+
+/** The table of a benchmark, printed as it grows. */
+final class BenchTable {
+    private static final String COLUMNS = "%-15s %8s %7s %6s %6s | %8s %8s %8s %8s %8s %8s | %6s %6s";
+
+    private final Console console;
+    /** How many edits of each scene and size were printed. */
+    private final Map<String, Integer> printed = new HashMap<>();
+
+    BenchTable(Console console) {
+        this.console = console;
+    }
+
+    /** Prints what was not printed yet. */
+    void print(Results results) {
+        for (SceneResult scene : results.scenes()) {
+            String name = Console.text("%s at %d x %d", scene.scene(), scene.width(), scene.height());
+            int known = printed.getOrDefault(name, 0);
+            if (known == 0 && !scene.edits().isEmpty()) {
+                head(name, scene);
+            }
+            scene.edits().stream().skip(known).forEach(this::row);
+            printed.put(name, scene.edits().size());
+        }
+    }
+
+    private void head(String name, SceneResult scene) {
+        console.line("");
+        console.line("%s, depth %d, %d shapes, %d lights%s", name, scene.depth(), scene.shapes(), scene.lights(), firstPass(scene.firstPass()));
+        console.line(COLUMNS, "edit", "full ms", "saves %", "paper", "cap", "half", "fast", "ratio", "exact", "updated", "current", "half", "fast");
+    }
+
+    private static String firstPass(FirstPass first) {
+        return first == null ? "" : Console.text(": first pass %.1f ms, %+.1f %%; %.1f bytes a pixel", first.time().median(),
+                first.percentSlower(), first.bytesPerPixel());
+    }
+
+    private void row(EditResult edit) {
+        console.line(COLUMNS, edit.edit(), ms(edit, Level.FULL_TRACE), number(edit.saving(), 1), number(edit.paperSaving(), 0),
+                number(edit.cap(), 1), ms(edit, Level.HALF_RESOLUTION), ms(edit, Level.FAST_SHADING), ms(edit, Level.RATIO),
+                ms(edit, Level.EXACT), ms(edit, Level.EXACT_UPDATED), ms(edit, Level.EXACT_CURRENT),
+                flip(edit, Level.HALF_RESOLUTION), flip(edit, Level.FAST_SHADING));
+    }
+
+    private static String flip(EditResult edit, Level level) {
+        return number(average(edit, rung -> rung.error().flip(), level), 3);
+    }
+
+    /** The average over all values of the medians. */
+    private static String ms(EditResult edit, Level level) {
+        return number(average(edit, rung -> rung.time().median(), level), 2);
+    }
+
+    private static double average(EditResult edit, ToDoubleFunction<RungResult> what, Level level) {
+        return edit.values().stream().mapToDouble(value -> what.applyAsDouble(value.rungs().get(level.ordinal()))).average()
+                .orElse(Double.NaN);
+    }
+
+    private static String number(double value, int digits) {
+        return Double.isNaN(value) ? "" : Console.text("%." + digits + "f", value);
+    }
+
+    /** Says what all of it means, and what is not in the table. */
+    void foot(Results results) {
+        console.line("");
+        console.line("saves: level exact, of a full trace's time; paper: on its own scene and machine of 1998; cap: what ray counts and memory allow;");
+        console.line("then milliseconds of each level, and the mean FLIP error (0 to 1) of the two roughest");
+        for (SceneResult scene : results.scenes()) {
+            if (scene.peer() != null) {
+                console.line("%s at %d x %d: %.1f times as fast as %s; %.2f %% of the pixels show the same shape", scene.scene(), scene.width(),
+                        scene.height(), scene.peer().ratio(), scene.peer().program(), 100 * scene.peer().agreement());
+            }
+        }
+        results.drift().forEach(drift -> drift.points().stream().reduce((_, last) -> last).ifPresent(last -> drift.points().stream()
+                .filter(point -> point.edits() == last.edits()).forEach(point -> console.line("%s", drift(point)))));
+        results.problems().forEach(problem -> console.line("PROBLEM %s: %s", problem.where(), problem.what()));
+        console.line("memory: %.0f GB/s; took %.0f s, predicted were %.0f", results.run().triadGBs(), results.run().actualSeconds(),
+                results.run().predictedSeconds());
+    }
+
+    private static String drift(DriftPoint point) {
+        return Console.text("after %d edits, level %s: %d values differ, by at most %.2g of %.2g allowed", point.edits(),
+                point.accuracy().name().toLowerCase(Locale.ROOT), point.error().values(), point.error().maxAbsolute(), point.bound());
+    }
+}

@@ -1,0 +1,102 @@
+package lightning.edit;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import lightning.jen.PropertyEdit;
+import lightning.math.Rgb;
+import lightning.scene.Group;
+import lightning.scene.Material;
+import lightning.scene.Node;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.TextureMap;
+
+/**
+ * The edits of materials. Each is refused if there is no material of the name given, or if a value is out of its range.
+ * Shapes that name none have the material {@code default}, which an edit adds to the scene where it has none of its own.
+ */
+public final class MaterialEdits {
+    private MaterialEdits() {}
+
+    /** The material of a shape, also one in a group; empty if there is no such shape. */
+    public static Optional<Material> ofShape(Scene scene, String shape) {
+        return find(scene.nodes(), shape).map(s -> scene.materialsByName().get(s.material()));
+    }
+
+    private static Optional<Shape> find(List<Node> nodes, String name) {
+        for (Node node : nodes) {
+            Optional<Shape> found = switch (node) {
+                case Group g -> find(g.children(), name);
+                case Shape s -> Optional.of(s).filter(shape -> shape.name().equals(name));
+            };
+            if (found.isPresent()) {
+                return found;
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** Any edit of one material that keeps its name. */
+    public static Change with(Scene scene, String name, UnaryOperator<Material> edit) {
+        return Change.of(() -> scene.withMaterial(edit.apply(material(scene, name))));
+    }
+
+    private static Material material(Scene scene, String name) {
+        Material material = scene.materialsByName().get(name);
+        if (material == null) {
+            throw new IllegalArgumentException("there is no material '" + name + "'");
+        }
+        return material;
+    }
+
+    /** @param color linear, 0…1000000 per channel: also what the surface emits */
+    public static Change ambient(Scene scene, String name, Rgb color) {
+        return with(scene, name, m -> m.withAmbient(color));
+    }
+
+    /** @param color linear, 0…1 per channel; multiplied by the texture where there is one */
+    public static Change diffuse(Scene scene, String name, Rgb color) {
+        return with(scene, name, m -> m.withDiffuse(color));
+    }
+
+    /** @param color linear, 0…1 per channel; black for no highlights */
+    public static Change specular(Scene scene, String name, Rgb color) {
+        return with(scene, name, m -> m.withSpecular(color));
+    }
+
+    /** @param shininess the exponent of the highlight, 0…1000000 */
+    public static Change shininess(Scene scene, String name, double shininess) {
+        return with(scene, name, m -> m.withShininess(shininess));
+    }
+
+    /** @param color linear, 0…1 per channel; black for no mirror */
+    public static Change reflective(Scene scene, String name, Rgb color) {
+        return with(scene, name, m -> m.withReflective(color));
+    }
+
+    /**
+     * Puts a picture on the surface; how often it repeats is kept.
+     *
+     * @param file   as a scene file names it
+     * @param folder the folder of the scene file
+     */
+    public static Change texture(Scene scene, String name, String file, Path folder) {
+        return Change.of(() -> PropertyEdit.texture(scene, name, file, folder));
+    }
+
+    /** Takes the picture off the surface. */
+    public static Change noTexture(Scene scene, String name) {
+        return with(scene, name, m -> m.withTexture(Optional.empty()));
+    }
+
+    /** How often the picture repeats; refused where there is none. */
+    public static Change repeat(Scene scene, String name, double u, double v) {
+        return with(scene, name, m -> {
+            TextureMap map = m.texture().orElseThrow(() -> new IllegalArgumentException(
+                    "material '" + name + "': repeat needs a texture, found none"));
+            return m.withTexture(Optional.of(new TextureMap(map.file(), u, v, map.image())));
+        });
+    }
+}

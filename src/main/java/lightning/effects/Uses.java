@@ -1,0 +1,58 @@
+package lightning.effects;
+
+import java.util.List;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+import lightning.scene.Light;
+import lightning.scene.Material;
+import lightning.scene.PlacedShape;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+
+/**
+ * What of a scene takes part in its picture.
+ *
+ * @param scene  all of it
+ * @param shapes the shapes
+ * @param lights the lights that shine on any
+ */
+record Uses(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
+
+    static Uses of(Scene scene) {
+        List<PlacedShape> shapes = scene.placedShapes();
+        return new Uses(scene, shapes, shapes.isEmpty() ? List.of() : scene.lights().stream().filter(l -> shines(scene, l)).toList());
+    }
+
+    private static boolean shines(Scene scene, Light light) {
+        return scene.shines(light) && light.intensity() > 0 && !light.color().isBlack();
+    }
+
+    /** The names of such lights. */
+    Stream<String> lights(Predicate<Light> which) {
+        return lights.stream().filter(which).map(Light::name);
+    }
+
+    /** The names of such materials on shapes that are lit. */
+    Stream<String> litMaterials(Predicate<Material> which) {
+        return lights.isEmpty() ? Stream.empty() : materials(which);
+    }
+
+    private Stream<String> materials(Predicate<Material> which) {
+        return shapes.stream().map(PlacedShape::material).filter(which).map(Material::name);
+    }
+
+    /** The names of materials that mirror, where mirrors are followed. */
+    Stream<String> mirrors() {
+        return scene.picture().depth() == 0 ? Stream.empty() : materials(m -> !m.reflective().isBlack());
+    }
+
+    /** The picture, where its pixels have several samples. */
+    Stream<String> fineSamples() {
+        return scene.picture().sampling().isFine() ? Stream.of("picture") : Stream.empty();
+    }
+
+    /** The names of such shapes. */
+    Stream<String> shapes(Class<? extends Shape> type) {
+        return shapes.stream().map(PlacedShape::shape).filter(type::isInstance).map(Shape::name);
+    }
+}

@@ -1,0 +1,34 @@
+package lightning.effects;
+
+import java.util.List;
+import java.util.function.UnaryOperator;
+import lightning.scene.Group;
+import lightning.scene.Light;
+import lightning.scene.Material;
+import lightning.scene.Node;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+
+/** Scenes with something taken away. */
+final class Without {
+    private Without() {}
+
+    static Scene materials(Scene s, UnaryOperator<Material> change) {
+        return s.withMaterials(s.materials().stream().map(change).toList());
+    }
+
+    static Scene lights(Scene s, UnaryOperator<Light> change) {
+        return s.withLights(s.lights().stream().map(change).toList());
+    }
+
+    static Scene shapes(Scene s, Class<? extends Shape> type) {
+        return new Scene(s.picture(), s.camera(), s.world(), s.materials(), nodes(s.nodes(), type), s.lights());
+    }
+
+    private static List<Node> nodes(List<Node> nodes, Class<? extends Shape> type) {
+        return nodes.stream().filter(node -> !type.isInstance(node)).map(node -> switch (node) {
+            case Group group -> new Group(group.name(), group.placement(), nodes(group.children(), type));
+            case Shape shape -> shape;
+        }).toList();
+    }
+}

@@ -1,0 +1,31 @@
+package lightning.shading;
+
+/** Makes pixels of their samples: the mean, added as a balanced tree in the order of the samples. */
+public final class SampleMean {
+    private SampleMean() {}
+
+    /** The mean of {@code perPixel} values from {@code from} on. */
+    static float of(float[] samples, int from, int perPixel) {
+        return LightingEquation.sum(samples, from, from + perPixel) / perPixel;
+    }
+
+    /**
+     * Writes some pixels of a tile.
+     *
+     * @param pixels  indices in the tile; those from {@code from} to before {@code to} are written
+     * @param samples red, green and blue columns: the samples of the first of these pixels, then of the next
+     * @param film    red, green and blue of the tile
+     */
+    public static void write(short[] pixels, int from, int to, int perPixel, float[][] samples, float[][] film) {
+        for (int c = 0; c < 3; c++) {
+            for (int i = from; i < to; i++) {
+                film[c][pixels[i]] = of(samples[c], (i - from) * perPixel, perPixel);
+            }
+        }
+    }
+
+    /** How many pixels of {@code perPixel} samples each are traced together. */
+    public static int pixelsTogether(int perPixel) {
+        return LightLanes.ROWS / perPixel;
+    }
+}

@@ -1,0 +1,169 @@
+package lightning.trace;
+
+import java.util.Arrays;
+
+/**
+ * How the rows of a tile's level come from rows that are there already, some of which may go, and from rows that were
+ * traced since: what it takes to let a material begin or cease to mirror without tracing what is known.
+ *
+ * <p>The result has the order of a fresh trace: by material, mirrors first, and by parent.
+ */
+public final class RowSplice {
+    private final HitRows old;
+    private final HitRows added;
+    private final HitRows rows;
+    /** Of each row of the result the old row, or {@code ~i} for row i of those added. */
+    private final int[] source;
+    /** Of each old row its row in the result, or −1. */
+    private final int[] now;
+
+    /** @param sequence rows in the order that rows of one material keep, as {@link #source} */
+    private RowSplice(HitRows old, HitRows added, int[] sequence, MaterialTable materials) {
+        this.old = old;
+        this.added = added;
+        int[] oldMaterials = materials(old);
+        int[] addedMaterials = added == null ? new int[0] : materials(added);
+        int[] starts = new int[materials.count() + 1];
+        for (int s : sequence) {
+            starts[materials.rank(s < 0 ? addedMaterials[~s] : oldMaterials[s]) + 1]++;
+        }
+        boolean textured = false;
+        for (int r = 0; r < materials.count(); r++) {
+            textured |= starts[r + 1] > 0 && materials.isTextured(materials.ranked(r));
+            starts[r + 1] += starts[r];
+        }
+        boolean texels = old.texelRed != null || added != null && added.texelRed != null;
+        rows = new HitRows(sequence.length, textured && texels, old.code != null);
+        rows.count = sequence.length;
+        rows.reflective = starts[materials.reflectiveCount()];
+        for (int r = 0; r < materials.count(); r++) {
+            if (starts[r + 1] > starts[r]) {
+                rows.addRun(materials.ranked(r), starts[r + 1]);
+            }
+        }
+        source = new int[sequence.length];
+        now = new int[old.count];
+        Arrays.fill(now, -1);
+        for (int s : sequence) {
+            int row = starts[materials.rank(s < 0 ? addedMaterials[~s] : oldMaterials[s])]++;
+            source[row] = s;
+            if (s >= 0) {
+                now[s] = row;
+            }
+        }
+    }
+
+    private static int[] materials(HitRows rows) {
+        int[] materials = new int[rows.count];
+        for (int r = 0; r < rows.runs; r++) {
+            Arrays.fill(materials, rows.runStart(r), rows.runEnd[r], rows.runMaterial[r]);
+        }
+        return materials;
+    }
+
+    /** The same rows in the order that other materials ask for. */
+    public static RowSplice sorted(HitRows old, MaterialTable materials) {
+        int[] all = new int[old.count];
+        Arrays.setAll(all, i -> i);
+        var splice = new RowSplice(old, null, all, materials);
+        splice.copy(old.parent);
+        return splice;
+    }
+
+    /**
+     * The rows that are seen from the reflective rows of the level above.
+     *
+     * @param above what became of that level's rows; null if all of them are what they were
+     * @param rays  how many reflective rows that level has now
+     * @param added rows traced from some of them; null for none
+     */
+    public static RowSplice seenFrom(RowSplice above, int rays, HitRows old, HitRows added, MaterialTable materials) {
+        int[] hit = new int[rays];
+        Arrays.fill(hit, Integer.MIN_VALUE);
+        short[] parents = new short[old.count];
+        for (int i = 0; i < old.count; i++) {
+            int parent = above == null ? old.parent[i] : above.now[old.parent[i]];
+            parents[i] = (short) parent;
+            if (parent >= 0 && parent < rays) {
+                hit[parent] = i;
+            }
+        }
+        for (int i = 0; added != null && i < added.count; i++) {
+            hit[added.parent[i]] = ~i;
+        }
+        var splice = new RowSplice(old, added, Arrays.stream(hit).filter(s -> s != Integer.MIN_VALUE).toArray(), materials);
+        splice.copy(parents);
+        return splice;
+    }
+
+    private void copy(short[] oldParents) {
+        for (int i = 0; i < source.length; i++) {
+            rows.parent[i] = source[i] < 0 ? added.parent[~source[i]] : oldParents[source[i]];
+        }
+        copy(old.px, added == null ? null : added.px, rows.px);
+        copy(old.py, added == null ? null : added.py, rows.py);
+        copy(old.pz, added == null ? null : added.pz, rows.pz);
+        copy(old.nx, added == null ? null : added.nx, rows.nx);
+        copy(old.ny, added == null ? null : added.ny, rows.ny);
+        copy(old.nz, added == null ? null : added.nz, rows.nz);
+        copy(old.vx, added == null ? null : added.vx, rows.vx);
+        copy(old.vy, added == null ? null : added.vy, rows.vy);
+        copy(old.vz, added == null ? null : added.vz, rows.vz);
+        for (int i = 0; rows.code != null && i < source.length; i++) {
+            rows.code[i] = source[i] < 0 ? added.code[~source[i]] : old.code[source[i]];
+        }
+        if (rows.texelRed != null) {
+            copy(old.texelRed, added == null ? null : added.texelRed, rows.texelRed);
+            copy(old.texelGreen, added == null ? null : added.texelGreen, rows.texelGreen);
+            copy(old.texelBlue, added == null ? null : added.texelBlue, rows.texelBlue);
+        }
+    }
+
+    /** The rows as they are now. */
+    public HitRows rows() {
+        return rows;
+    }
+
+    /** The old rows that are left, with all rows added since, as one step. */
+    public RowSplice then(RowSplice next) {
+        return new RowSplice(this, next);
+    }
+
+    private RowSplice(RowSplice first, RowSplice second) {
+        old = first.old;
+        added = second.added;
+        rows = second.rows;
+        source = new int[second.source.length];
+        Arrays.setAll(source, i -> second.source[i] < 0 ? second.source[i] : first.source[second.source[i]]);
+        now = new int[first.now.length];
+        Arrays.setAll(now, i -> first.now[i] < 0 ? -1 : second.now[first.now[i]]);
+    }
+
+    /** The reflective rows whose mirrored ray is not known, because they are new or did not mirror before. */
+    public int[] unfollowed() {
+        int[] found = new int[rows.reflective];
+        int count = 0;
+        for (int i = 0; i < rows.reflective; i++) {
+            if (source[i] < 0 || source[i] >= old.reflective) {
+                found[count++] = i;
+            }
+        }
+        return Arrays.copyOf(found, count);
+    }
+
+    /** Fills a column from those of the old rows and the added ones; 0 where the one that is asked is null. */
+    public void copy(float[] ofOld, float[] ofAdded, float[] to) {
+        for (int i = 0; i < source.length; i++) {
+            int s = source[i];
+            float[] from = s < 0 ? ofAdded : ofOld;
+            to[i] = from == null ? 0 : from[s < 0 ? ~s : s];
+        }
+    }
+
+    /** The same for a column of bytes, none of them null but that of rows that there are none of. */
+    public void copy(byte[] ofOld, byte[] ofAdded, byte[] to) {
+        for (int i = 0; i < source.length; i++) {
+            to[i] = source[i] < 0 ? ofAdded[~source[i]] : ofOld[source[i]];
+        }
+    }
+}

@@ -1,0 +1,37 @@
+package lightning.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import lightning.relight.Accuracy;
+import lightning.shading.Progress;
+import org.junit.jupiter.api.Test;
+
+class DriftBenchTest {
+    private static Drift drift(long seed, int most) {
+        NamedScene scene = new NamedScene("generated", GeneratedScenes.of(1, new PictureSize(300, 200), 10, 3, 2));
+        return new DriftBench(scene, new PictureSize(24, 20), 1, seed).measure(most, Progress.NONE);
+    }
+
+    @Test
+    void points_areThePowersOfTen() {
+        Drift drift = drift(7, 150);
+        assertThat(drift.points()).extracting(DriftPoint::edits).containsExactly(1, 1, 10, 10, 100, 100);
+        assertThat(drift.points()).extracting(DriftPoint::accuracy).containsExactly(Accuracy.RATIO, Accuracy.EXACT, Accuracy.RATIO,
+                Accuracy.EXACT, Accuracy.RATIO, Accuracy.EXACT);
+        assertThat(drift.width()).isEqualTo(24);
+    }
+
+    @Test
+    void exactHasNone_andRatioStaysWithinItsBound() {
+        Drift drift = drift(7, 100);
+        assertThat(drift.points()).filteredOn(p -> p.accuracy() == Accuracy.EXACT).allSatisfy(p -> assertThat(p.error().values()).isZero());
+        assertThat(drift.points()).filteredOn(p -> p.accuracy() == Accuracy.RATIO).allSatisfy(
+                p -> assertThat(p.error().maxAbsolute()).isLessThanOrEqualTo(p.bound()));
+        assertThat(drift.points().get(4).error().values()).isPositive();
+    }
+
+    @Test
+    void seed_makesTheSameDriftAgain() {
+        assertThat(drift(2, 10)).isEqualTo(drift(2, 10));
+    }
+}

@@ -1,0 +1,199 @@
+package lightning.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import lightning.accuracy.FirstPassCost;
+import lightning.accuracy.Level;
+import lightning.accuracy.Timing;
+import lightning.image.Film;
+import lightning.image.PictureFile;
+import lightning.shading.Progress;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class HarnessTest {
+    private static final PictureSize SMALL = new PictureSize(24, 16);
+    private static final PictureSize LARGE = new PictureSize(40, 30);
+
+    @TempDir
+    Path folder;
+
+    private final NamedScene scene = new NamedScene("generated", GeneratedScenes.of(1, SMALL, 8, 3, 1));
+
+    private static Settings settings(int values, int figure, PictureSize... sizes) {
+        return new Settings(List.of(sizes), figure, values, true, 1, 0, 2, 5, false, false, true);
+    }
+
+    private Harness harness(Settings settings) {
+        return new Harness(settings, List.of(scene), List.of(new Problem("other.jen", "was not read")), folder, List.of("--x"),
+                Progress.NONE);
+    }
+
+    private Results run(Settings settings) throws Exception {
+        return harness(settings).run((_, _) -> { }, Progress.NONE);
+    }
+
+    @Test
+    void run_writesDownHowItWasMade() throws Exception {
+        Run run = run(settings(1, 13, SMALL)).run();
+        assertThat(run.complete()).isTrue();
+        assertThat(run.seed()).isEqualTo(5);
+        assertThat(run.arguments()).containsExactly("--x");
+        assertThat(run.threads()).isEqualTo(2);
+        assertThat(run.repetitions()).isEqualTo(1);
+        assertThat(run.predictedSeconds()).isPositive();
+        assertThat(run.actualSeconds()).isPositive();
+        assertThat(run.triadGBs()).isEqualTo(run.triadSamples().stream().mapToDouble(d -> d).max().orElseThrow());
+        assertThat(run.date()).matches("\\d{4}-\\d\\d-\\d\\dT\\d\\d:\\d\\d:\\d\\dZ");
+        assertThat(run.commit()).isNotBlank();
+        assertThat(run.machine().processors()).isEqualTo(Runtime.getRuntime().availableProcessors());
+        assertThat(run.machine().memoryBytes()).isPositive();
+        assertThat(run.machine().vectorBits()).isGreaterThanOrEqualTo(64);
+    }
+
+    @Test
+    void figure_isMeasuredWithItsValuesAtEachSize() throws Exception {
+        Results results = run(settings(3, 24, SMALL, LARGE));
+        assertThat(results.scenes()).extracting(SceneResult::width).containsExactly(24, 40);
+        for (SceneResult measured : results.scenes()) {
+            assertThat(measured.scene()).isEqualTo("generated");
+            assertThat(measured.shapes()).isEqualTo(8);
+            assertThat(measured.lights()).isEqualTo(3);
+            assertThat(measured.firstPass().rows()).isPositive();
+            assertThat(measured.edits()).extracting(EditResult::edit).containsExactly("composite-1", "composite-2");
+            assertThat(measured.edits()).extracting(EditResult::figure).containsOnly("Fig. 24");
+            assertThat(measured.edits()).extracting(EditResult::paperSaving).containsExactly(98.0, 82.0);
+            assertThat(measured.edits()).allSatisfy(edit -> assertThat(edit.values()).hasSize(3).extracting(ValueResult::value)
+                    .doesNotHaveDuplicates());
+        }
+    }
+
+    @Test
+    void rungs_tellTheWorkOfTheirLevel() throws Exception {
+        EditResult edit = run(settings(1, 15, LARGE)).scenes().getFirst().edits().getFirst();
+        List<RungResult> rungs = edit.values().getFirst().rungs();
+        assertThat(edit.edit()).isEqualTo("position");
+        assertThat(rungs).extracting(RungResult::level).containsExactly(Level.values());
+        RungResult exact = rungs.get(Level.EXACT.ordinal());
+        assertThat(exact.work().plan()).isEqualTo("light0: full recompute");
+        assertThat(exact.work().shadowRays()).isPositive();
+        assertThat(exact.work().shadowRaysAvoided()).isPositive();
+        assertThat(exact.work().floorMs()).isPositive();
+        assertThat(exact.work().timesFloor()).isEqualTo(exact.time().median() / exact.work().floorMs());
+        assertThat(edit.saving()).isEqualTo(exact.saving());
+        assertThat(edit.cap()).isEqualTo(exact.work().cap());
+        assertThat(rungs.get(Level.EXACT_CURRENT.ordinal()).error().values()).isZero();
+        assertThat(rungs.getLast().work()).isNull();
+        assertThat(rungs.getLast().saving()).isZero();
+    }
+
+    @Test
+    void pictures_areWrittenOfTheFirstSizeAndValue() throws Exception {
+        Results results = run(settings(2, 21, SMALL, LARGE));
+        SceneResult first = results.scenes().getFirst();
+        assertThat(first.before()).isEqualTo("pictures/generated-before.png");
+        List<RungResult> rungs = first.edits().getFirst().values().getFirst().rungs();
+        RungResult full = rungs.getLast();
+        RungResult fast = rungs.get(Level.FAST_SHADING.ordinal());
+        RungResult current = rungs.get(Level.EXACT_CURRENT.ordinal());
+        assertThat(full.picture()).isEqualTo("pictures/generated-ambience-full.png");
+        assertThat(full.difference()).isNull();
+        assertThat(current.picture()).isEqualTo(full.picture());
+        assertThat(current.difference()).isNull();
+        assertThat(fast.picture()).isEqualTo("pictures/generated-ambience-fast-shading.png");
+        assertThat(fast.difference()).isEqualTo("pictures/generated-ambience-fast-shading-difference.png");
+        for (String file : List.of(first.before(), full.picture(), fast.picture(), fast.difference())) {
+            Film film = PictureFile.read(folder.resolve(file));
+            assertThat(film.width()).isEqualTo(24);
+        }
+        assertThat(first.edits().getFirst().values().get(1).rungs()).extracting(RungResult::picture).containsOnlyNulls();
+        assertThat(results.scenes().get(1).before()).isNull();
+    }
+
+    @Test
+    void unprintedEdits_areMeasuredToo() throws Exception {
+        assertThat(run(settings(1, 0, SMALL)).scenes().getFirst().edits()).extracting(EditResult::edit).contains("color", "undo",
+                "depth-more").hasSizeGreaterThan(20);
+    }
+
+    @Test
+    void problems_areKept() throws Exception {
+        assertThat(run(settings(1, 13, SMALL)).problems()).containsExactly(new Problem("other.jen", "was not read"));
+    }
+
+    @Test
+    void cancelledRun_keepsWhatItHas() {
+        Harness harness = harness(settings(1, 24, SMALL));
+        List<String> heard = new ArrayList<>();
+        Progress stop = new Progress() {
+            @Override
+            public void tiles(int done, int total) {}
+
+            @Override
+            public boolean isCancelled() {
+                return heard.size() == 2;
+            }
+        };
+        assertThatThrownBy(() -> harness.run((part, _) -> heard.add(part), stop)).isInstanceOf(CancellationException.class);
+        assertThat(heard).containsExactly("generated at 24x16, first pass", "generated at 24x16, composite-1");
+        Results results = harness.results(false);
+        assertThat(results.run().complete()).isFalse();
+        assertThat(results.scenes().getFirst().edits()).extracting(EditResult::edit).containsExactly("composite-1");
+    }
+
+    @Test
+    void progress_risesToTheEnd() throws Exception {
+        List<Integer> heard = new ArrayList<>();
+        harness(settings(1, 24, SMALL)).run((_, _) -> { }, new Progress() {
+            @Override
+            public void tiles(int done, int total) {
+                heard.add(done);
+                assertThat(total).isEqualTo(1000);
+            }
+
+            @Override
+            public boolean isCancelled() {
+                return false;
+            }
+        });
+        assertThat(heard).isSorted();
+        assertThat(heard.getLast()).isBetween(990, 1000);
+    }
+
+    @Test
+    void growth_hasAPointForEachPart() throws Exception {
+        Ledger ledger = new Ledger();
+        GrowthBench growth = new GrowthBench(settings(1, 0, SMALL), ledger, 1e7);
+        List<Part> parts = growth.parts(new Pace(1e-4));
+        assertThat(parts).extracting(Part::where).contains("growth with pixels, 2500", "growth with lights, 16",
+                "growth with shapes, 1000", "growth with depth, 0");
+        for (Part part : List.of(parts.getFirst(), parts.stream().filter(p -> p.where().contains("depth, 2")).findFirst().orElseThrow())) {
+            part.work().measure(Progress.NONE);
+        }
+        List<Growth> curves = ledger.results(Sample.RUN).growth();
+        assertThat(curves).extracting(Growth::along).containsExactly("pixels", "depth");
+        assertThat(curves.getFirst().points().getFirst().at()).isEqualTo(2500);
+        assertThat(curves.getFirst().points().getFirst().edits()).extracting(GrowthPoint.EditTime::edit).contains("color", "add");
+        assertThat(curves.getLast().points().getFirst().edits()).extracting(GrowthPoint.EditTime::edit)
+                .endsWith("mirrors updated after position");
+        assertThat(ledger.results(Sample.RUN).problems()).isEmpty();
+    }
+
+    @Test
+    void payOff_isCountedInEdits() {
+        var cost = new FirstPassCost(ms(30), ms(20), 100, 5000, 1);
+        assertThat(FirstPass.of(cost, 50, 4).editsToPayOff()).isEqualTo(3);
+        assertThat(FirstPass.of(cost, 50, -1).editsToPayOff()).isNaN();
+        assertThat(FirstPass.of(cost, 50, 4).bytesPerPixel()).isEqualTo(100);
+        assertThat(FirstPass.of(cost, 50, 4).bytesPerRow()).isEqualTo(50);
+    }
+
+    private static Timing ms(double ms) {
+        return new Timing(List.of(ms));
+    }
+}

@@ -1,0 +1,146 @@
+package lightning.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.StringReader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.xml.parsers.DocumentBuilderFactory;
+import lightning.accuracy.Level;
+import lightning.accuracy.PictureError;
+import lightning.bench.report.Report;
+import lightning.image.Film;
+import lightning.image.PictureFile;
+import lightning.image.ViewTransform;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Document;
+import org.w3c.dom.Element;
+import org.w3c.dom.NodeList;
+import org.xml.sax.InputSource;
+
+class ReportTest {
+    @TempDir
+    private Path folder;
+
+    @Property(tries = 15)
+    void anyResults_areAPageThatNeedsNothingElse(@ForAll long seed) throws Exception {
+        Path place = Files.createTempDirectory("report");
+        try {
+            assertIsWhole(write(ResultsArbitraries.of(seed), place));
+        } finally {
+            Files.deleteIfExists(place.resolve(Report.FILE));
+            Files.delete(place);
+        }
+    }
+
+    @Test
+    void noResults_areAPageToo() throws Exception {
+        Document page = write(new Results(Sample.RUN, List.of(), List.of(), List.of(), List.of()), folder);
+
+        assertIsWhole(page);
+        assertThat(page.getDocumentElement().getTextContent()).contains("Seed 1", "Java 25");
+    }
+
+    @Test
+    void cancelledRun_saysSo() throws Exception {
+        Results part = new Results(Sample.RUN.after(5, false), List.of(Sample.scene(10)), List.of(), List.of(), List.of());
+
+        assertThat(write(part, folder).getDocumentElement().getTextContent()).contains("cancelled after 5.00 s", "bird, 300 × 200");
+    }
+
+    @Test
+    void whatFailed_isALineOfItsOwn() throws Exception {
+        Results results = new Results(Sample.RUN, List.of(Sample.scene(10)), List.of(), List.of(),
+                List.of(new Problem("a.jen:12:8", "intensity must be ≥ 0, was -3"), new Problem("b.jen", "no such file")));
+        Element problems = byId(write(results, folder), "problems");
+
+        assertThat(texts(problems, "li")).hasSize(2).first().asString().contains("a.jen:12:8", "intensity must be ≥ 0, was -3");
+    }
+
+    @Test
+    void namesWithMarkup_areShownAsTheyAre() throws Exception {
+        String name = "<script>alert('\"&')</script>";
+        SceneResult scene = Sample.scene(10);
+        Document page = write(new Results(Sample.RUN, List.of(new SceneResult(name, 300, 200, 3, 10, 3, null, null, scene.edits(), null)),
+                List.of(), List.of(), List.of()), folder);
+
+        assertThat(byId(page, "scene-1").getElementsByTagName("h2").item(0).getTextContent()).isEqualTo(name + ", 300 × 200");
+        assertThat(page.getElementsByTagName("script").getLength()).isEqualTo(1);
+    }
+
+    @Test
+    void pictures_canBeWipedAndStandSideBySideForPaper() throws Exception {
+        for (String picture : List.of("before.png", "after.png", "full.png", "difference.png")) {
+            PictureFile.write(folder.resolve(picture), Film.ofScanlines(1, 1, new float[] {picture.length() / 20f, 0, 0}), ViewTransform.DEFAULT);
+        }
+        var error = new PictureError(1, 3, 1, 0.1, 0.1, 0.1, 20, 20, 0.9, 0.1);
+        var none = new PictureError(0, 3, 0, 0, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 1, 0);
+        var rungs = List.of(new RungResult(Level.EXACT, Sample.samples(2, 3), 70, error, null, "after.png", "difference.png"),
+                new RungResult(Level.FULL_TRACE, Sample.samples(9, 10), 0, none, null, "full.png", null));
+        var edit = new EditResult("color", "Fig. 6", 98, 70, 90, List.of(new ValueResult("sun.color = 1, 0, 0", rungs)));
+        var scene = new SceneResult("bird", 1, 1, 3, 10, 3, "before.png", null, List.of(edit), null);
+        Document page = write(new Results(Sample.RUN, List.of(scene), List.of(), List.of(), List.of()), folder);
+
+        assertIsWhole(page);
+        assertThat(texts(byClass(page, "wipe").getFirst(), "option")).containsExactly("before", "exact", "full trace",
+                "before", "exact", "full trace", "exact");
+        assertThat(texts(byClass(page, "side").getFirst(), "figcaption")).containsExactly("before", "exact", "full trace",
+                "difference, false colours");
+    }
+
+    @Test
+    void missingPictures_costThePicturesAlone() throws Exception {
+        SceneResult scene = Sample.scene(10);
+        Document page = write(new Results(Sample.RUN, List.of(new SceneResult("bird", 300, 200, 3, 10, 3, "gone.png", null, scene.edits(),
+                null)), List.of(), List.of(), List.of()), folder);
+
+        assertThat(byClass(page, "wipe")).isEmpty();
+        assertThat(page.getDocumentElement().getTextContent()).contains("sun.color = 1, 0, 0");
+    }
+
+    private static void assertIsWhole(Document page) {
+        List<String> ids = attributes(page, "id");
+        assertThat(ids).doesNotHaveDuplicates();
+        assertThat(attributes(page, "href")).allSatisfy(link -> assertThat(ids).contains(link.substring(1)));
+        assertThat(attributes(page, "src")).isEmpty();
+        for (String part : List.of("style", "script")) {
+            assertThat(page.getElementsByTagName(part).item(0).getTextContent()).doesNotContain("//www", "http:", "https:", "@import")
+                    .doesNotContainPattern("url\\((?!data:|#)");
+        }
+    }
+
+    private static Document write(Results results, Path folder) throws Exception {
+        Report.write(results, folder);
+        String text = Files.readString(folder.resolve(Report.FILE));
+        return DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(new InputSource(new StringReader(text)));
+    }
+
+    private static Element byId(Document page, String id) {
+        return elements(page.getElementsByTagName("*")).stream().filter(e -> e.getAttribute("id").equals(id)).findFirst().orElseThrow();
+    }
+
+    private static List<Element> byClass(Document page, String name) {
+        return elements(page.getElementsByTagName("*")).stream().filter(e -> e.getAttribute("class").equals(name)).toList();
+    }
+
+    private static List<String> texts(Element in, String tag) {
+        return elements(in.getElementsByTagName(tag)).stream().map(Element::getTextContent).toList();
+    }
+
+    private static List<String> attributes(Document page, String name) {
+        return elements(page.getElementsByTagName("*")).stream().filter(e -> e.hasAttribute(name)).map(e -> e.getAttribute(name)).toList();
+    }
+
+    private static List<Element> elements(NodeList nodes) {
+        List<Element> elements = new ArrayList<>();
+        for (int i = 0; i < nodes.getLength(); i++) {
+            elements.add((Element) nodes.item(i));
+        }
+        return elements;
+    }
+}

@@ -1,0 +1,84 @@
+package lightning.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import lightning.accuracy.Level;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.lifecycle.AfterContainer;
+import net.jqwik.api.lifecycle.BeforeContainer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ResultsFileTest {
+    private static Path shared;
+
+    @TempDir
+    Path folder;
+
+    @BeforeContainer
+    static void makeFolder() throws IOException {
+        shared = Files.createTempDirectory("results");
+    }
+
+    @AfterContainer
+    static void removeFolder() throws IOException {
+        Files.deleteIfExists(shared.resolve("results.json"));
+        Files.delete(shared);
+    }
+
+    @Property(tries = 100)
+    void json_readsBackAsWritten(@ForAll long seed) throws IOException {
+        Results results = ResultsArbitraries.of(seed);
+        Path file = shared.resolve("results.json");
+        ResultsFile.writeJson(file, results);
+        assertThat(ResultsFile.readJson(file)).isEqualTo(results);
+    }
+
+    @Property(tries = 30)
+    void csv_hasARowForEachMeasurementWithEveryColumn(@ForAll long seed) {
+        Results results = ResultsArbitraries.of(seed);
+        int rows = results.scenes().stream().mapToInt(s -> (s.firstPass() == null ? 0 : 2) + (s.peer() == null ? 0 : 1)
+                + s.edits().stream().flatMap(e -> e.values().stream()).mapToInt(v -> v.rungs().size()).sum()).sum()
+                + results.growth().stream().flatMap(g -> g.points().stream()).mapToInt(p -> 1 + p.edits().size()).sum()
+                + results.drift().stream().mapToInt(d -> d.points().size()).sum();
+        assertThat(CsvRow.of(results)).hasSize(rows);
+    }
+
+    @Test
+    void csv_namesItsColumnsAndQuotesWhatHoldsCommas() throws IOException {
+        Path file = folder.resolve("results.csv");
+        ResultsFile.writeCsv(file, new Results(Sample.RUN, List.of(Sample.scene(5)), List.of(), List.of(), List.of()));
+        List<String> lines = Files.readAllLines(file);
+        assertThat(lines.getFirst()).startsWith("kind,scene,width,height,edit,value,level,n,medianMs,lowerQuartileMs,upperQuartileMs,");
+        assertThat(lines).hasSize(2);
+        assertThat(lines.get(1)).startsWith("edit,bird,300,200,color,\"sun.color = 1, 0, 0\",exact,3,5.0,4.0,6.0,75.0,90.0,98.0,"
+                + "\"sun: weight\",");
+    }
+
+    @Test
+    void json_holdsWhatAReaderLooksFor() throws IOException {
+        Path file = folder.resolve("results.json");
+        ResultsFile.writeJson(file, new Results(Sample.RUN, List.of(Sample.scene(5)), List.of(), List.of(), List.of()));
+        assertThat(Files.readString(file)).contains("\"scene\" : \"bird\"", "\"level\" : \"" + Level.EXACT + "\"", "\"median\" : 5.0",
+                "\"samples\" : [ 5.0, 3.0, 7.0 ]").doesNotContain("\"empty\"");
+    }
+
+    @Test
+    void otherFiles_areRefusedWithTheirPlace() throws IOException {
+        Path file = folder.resolve("old.json");
+        Files.writeString(file, "{\n  \"run\": 5 oops }");
+        assertThatThrownBy(() -> ResultsFile.readJson(file)).isInstanceOf(IOException.class)
+                .hasMessageStartingWith(file + ":2:").hasMessageContaining("no results of 'lightning bench'");
+        Files.writeString(file, "{\"scenes\": []}");
+        assertThatThrownBy(() -> ResultsFile.readJson(file)).isInstanceOf(IOException.class).hasMessageContaining("run");
+        Files.writeString(file, "");
+        assertThatThrownBy(() -> ResultsFile.readJson(file)).isInstanceOf(IOException.class).hasMessageContaining("no results");
+        assertThatThrownBy(() -> ResultsFile.readJson(folder.resolve("none.json"))).isInstanceOf(IOException.class);
+    }
+}

@@ -1,0 +1,34 @@
+package lightning.bench;
+
+import java.util.Arrays;
+import java.util.List;
+import lightning.accuracy.Level;
+import lightning.accuracy.PictureError;
+import lightning.accuracy.Timing;
+
+/** Results made by hand. */
+final class Sample {
+    static final Run RUN = new Run("2026-01-31T12:00:00Z", "abc", List.of("--quick"),
+            new Machine("Linux, amd64", 2, 512, 16_000_000_000L, 4_000_000_000L, "Java 25"), 1, 2, 3, true, 10, 12, true, 40,
+            List.of(39.0, 40.0));
+
+    private Sample() {}
+
+    static Samples samples(double... ms) {
+        return Samples.of(new Timing(Arrays.stream(ms).boxed().toList()));
+    }
+
+    /** A scene with one edit at level exact, which took about {@code ms} milliseconds. */
+    static SceneResult scene(double ms) {
+        return scene(0, ms, ms - 2, ms + 2);
+    }
+
+    /** A scene with one edit at level exact, its samples, and its largest error. */
+    static SceneResult scene(double error, double... ms) {
+        var none = new PictureError(error > 0 ? 1 : 0, 180_000, 0, error, error / 180_000, error / 424, 60, 70, 1, 0);
+        var work = new Work("sun: weight", 0, 0, 100, 0, 1000, 0.5, 10, 90, 0);
+        var rung = new RungResult(Level.EXACT, samples(ms), 75, none, work, null, null);
+        var edit = new EditResult("color", "Fig. 6", 98, 75, 90, List.of(new ValueResult("sun.color = 1, 0, 0", List.of(rung))));
+        return new SceneResult("bird", 300, 200, 3, 10, 3, null, null, List.of(edit), null);
+    }
+}

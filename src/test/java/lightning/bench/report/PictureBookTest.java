@@ -1,0 +1,72 @@
+package lightning.bench.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Base64;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import javax.imageio.ImageIO;
+import lightning.image.DifferencePicture;
+import lightning.image.Film;
+import lightning.image.PictureFile;
+import lightning.image.ViewTransform;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class PictureBookTest {
+    @TempDir
+    private Path folder;
+
+    @Test
+    void equalPictures_areInThePageOnce() throws IOException {
+        write("a.png", grey(0.5f));
+        write("b.png", grey(0.5f));
+        write("c.png", grey(0.6f));
+        PictureBook book = new PictureBook(folder);
+
+        assertThat(book.picture("a.png")).isEqualTo(book.picture("b.png")).isNotEqualTo(book.picture("c.png"));
+        assertThat(book.styles().lines()).hasSize(2);
+    }
+
+    @Test
+    void aPictureThatIsNotThere_isLeftOut() throws IOException {
+        Files.writeString(folder.resolve("text.png"), "no picture");
+        PictureBook book = new PictureBook(folder);
+
+        assertThat(book.picture(null)).isNull();
+        assertThat(book.picture("missing.png")).isNull();
+        assertThat(book.picture("text.png")).isNull();
+        assertThat(book.picture("no\0path")).isNull();
+        assertThat(book.styles()).isEmpty();
+    }
+
+    @Test
+    void falseColours_stayAsTheyAreToTheEye() throws IOException {
+        Film film = DifferencePicture.of(grey(0.5f), grey(0.6f));
+        write("d.png", film);
+        PictureBook book = new PictureBook(folder);
+        String style = book.difference("d.png");
+        Matcher data = Pattern.compile("\\." + style + "\\{background-image:url\\(data:image/png;base64,([^)]*)\\)}").matcher(book.styles());
+
+        assertThat(data.find()).isTrue();
+        int shown = ImageIO.read(new ByteArrayInputStream(Base64.getDecoder().decode(data.group(1)))).getRGB(3, 2);
+        int written = ViewTransform.DEFAULT.toPixels(film)[0];
+        for (int shift = 0; shift < 24; shift += 8) {
+            assertThat((written >> shift & 0xFF) - (shown >> shift & 0xFF)).isBetween(0, 7);
+        }
+    }
+
+    private void write(String name, Film film) throws IOException {
+        PictureFile.write(folder.resolve(name), film, ViewTransform.DEFAULT);
+    }
+
+    private static Film grey(float value) {
+        float[] rgb = new float[3 * 8 * 6];
+        java.util.Arrays.fill(rgb, value);
+        return Film.ofScanlines(8, 6, rgb);
+    }
+}

@@ -1,0 +1,145 @@
+package lightning.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import lightning.bench.EditResult;
+import lightning.bench.Reporter;
+import lightning.bench.Results;
+import lightning.bench.ResultsFile;
+import lightning.bench.SceneResult;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class BenchCommandTest {
+    @TempDir
+    Path folder;
+    private Path scene;
+    private Path out;
+
+    @BeforeEach
+    void write() throws Exception {
+        scene = Cli.scene(folder);
+        out = folder.resolve("new/results");
+    }
+
+    /** A quick run of few samples. */
+    private Cli bench(Object... more) {
+        List<Object> words = new ArrayList<>(List.of("bench", "-o", out, "--quick", "--repetitions", 1, "--size", "24x16", "--threads", 2));
+        words.addAll(Arrays.asList(more));
+        return Cli.run(words.toArray());
+    }
+
+    private Results results() throws Exception {
+        return ResultsFile.readJson(out.resolve("results.json"));
+    }
+
+    @Test
+    void run_leavesResultsTablesAndPictures() throws Exception {
+        Cli run = bench(scene, "--figure", 6, "--seed", 9).isDone();
+        assertThat(run.out()).contains("1 scenes; this will take about", "a at 24 x 16, depth 2, 3 shapes, 3 lights", "color ", "intensity ",
+                "memory: ", "results.json");
+        assertThat(results().scenes().getFirst().edits()).extracting(EditResult::edit).containsExactly("color", "intensity");
+        assertThat(results().run().complete()).isTrue();
+        assertThat(results().run().seed()).isEqualTo(9);
+        assertThat(results().run().arguments()).contains("--figure", "6");
+        assertThat(Files.readAllLines(out.resolve("results.csv"))).hasSize(1 + 2 + 2 * 7);
+        assertThat(out.resolve("pictures/a-color-full.png")).exists();
+    }
+
+    @Test
+    void wholeQuickRun_hasCurvesAndPrintedEdits() throws Exception {
+        bench(scene).isDone();
+        assertThat(results().scenes().getFirst().edits()).hasSize(15);
+        assertThat(results().growth()).hasSize(4);
+        assertThat(results().drift()).hasSize(1);
+    }
+
+    @Test
+    void sizes_areEachMeasured() throws Exception {
+        bench(scene, "--figure", 13, "--size", "30x20").isDone();
+        assertThat(results().scenes()).extracting(SceneResult::width).containsExactly(24, 30);
+    }
+
+    @Test
+    void unreadableScene_costsThatSceneOnly() throws Exception {
+        Path bad = Files.writeString(folder.resolve("bad.jen"), "jen 1\nlight b laser {}\n");
+        Cli run = bench(bad, scene, folder.resolve("none.jen"), "--figure", 21);
+        assertThat(run.exit()).isEqualTo(2);
+        assertThat(run.err()).contains(bad + ":2:9: light 'b': type", "none.jen: there is no such file").doesNotContain("Exception");
+        assertThat(results().scenes()).extracting(SceneResult::scene).containsExactly("a");
+        assertThat(results().problems()).hasSize(2);
+        assertThat(results().problems().getFirst().what()).contains("light 'b': type");
+    }
+
+    @Test
+    void scenesOfOneName_areTold() throws Exception {
+        Path other = Files.createDirectory(folder.resolve("other"));
+        bench(scene, Cli.scene(other), "--figure", 21).isDone();
+        assertThat(results().scenes()).extracting(SceneResult::scene).containsExactly("a", "a-2");
+    }
+
+    @Test
+    void figureWithoutAScene_isBirds() throws Exception {
+        bench("--figure", 21).isDone();
+        assertThat(results().scenes()).extracting(SceneResult::scene).containsExactly("bird");
+    }
+
+    @Test
+    void baselineOfOtherErrors_endsWith1() throws Exception {
+        bench(scene, "--figure", 21).isDone();
+        Path old = out.resolve("results.json");
+        // As if half resolution had shown every value right.
+        Files.writeString(old, Files.readString(old).replaceFirst("\"values\" : \\d+", "\"values\" : 0"));
+        Path kept = Files.copy(old, folder.resolve("old.json"));
+        Cli run = bench(scene, "--figure", 21, "--baseline", kept);
+        assertThat(run.exit()).isEqualTo(1);
+        assertThat(run.out()).contains("less accurate: a at 24x16, ambience, world.ambience = 0.05, half resolution: values that differ",
+                "baseline: 7 measurements compared");
+    }
+
+    @Test
+    void baselineOfOtherEdits_isRefused() throws Exception {
+        bench(scene, "--figure", 21).isDone();
+        Path kept = Files.copy(out.resolve("results.json"), folder.resolve("old.json"));
+        Cli run = bench(scene, "--figure", 13, "--baseline", kept);
+        assertThat(run.exit()).isEqualTo(2);
+        assertThat(run.err()).contains("old.json: holds none of the edits that were measured now");
+    }
+
+    @Test
+    void badArguments_areRefused() throws Exception {
+        Cli.run("bench", scene).isRefusedSaying("--output");
+        bench(scene, "--figure", 12).isRefusedSaying("--figure must be one that shows measured edits (6 to 11, 13 to 26), was 12");
+        bench(scene, "--repetitions", 0).isRefusedSaying("repetitions");
+        bench(scene, "--size", "0x5").isRefusedSaying("width and height must be from 1");
+        bench(scene, "--baseline", folder.resolve("no.json")).isRefusedSaying("no.json: there is no such file");
+        bench(scene, "--baseline", scene).isRefusedSaying("no results of 'lightning bench'");
+        bench(folder.resolve("no.jen")).isRefusedSaying("no.jen: there is no such file", "there is no scene to measure");
+    }
+
+    @Test
+    void interruptedThread_stillKeepsResults() throws Exception {
+        bench(scene, "--figure", 21).isDone();
+        Results results = results();
+        Path kept = Files.createDirectory(folder.resolve("kept"));
+        Thread.currentThread().interrupt();
+        new BenchFolder(kept, Reporter.NONE).keep(results);
+        assertThat(Thread.interrupted()).isTrue();
+        assertThat(ResultsFile.readJson(kept.resolve("results.json"))).isEqualTo(results);
+    }
+
+    @Test
+    void cancelledRun_saysSo() {
+        Thread.currentThread().interrupt();
+        Cli run = bench(scene);
+        assertThat(Thread.interrupted()).isTrue();
+        assertThat(run.exit()).isEqualTo(130);
+        assertThat(run.err()).isEqualTo("lightning: cancelled\n");
+    }
+}
