@@ -17,6 +17,7 @@ import lightning.scene.Limits;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignL;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
 
 /** The buttons of the canvas window (paper §3.3 to §3.7), grouped by what they are for. */
@@ -40,6 +41,8 @@ final class EditorToolBar extends ToolBar {
         add(Command.MAKE_ANIMATION);
         getItems().add(panel("accuracy-panel", "What Accuracy Costs", "F9", "Each level's time and error for the edit made last",
                 MaterialDesignC.CHART_SCATTER_PLOT, panels::accuracy));
+        getItems().add(panel("effects-panel", "Effects", "Shift+F9", "What the scene calls for, and who calls for it; hide an effect from the view",
+                MaterialDesignL.LAYERS_OUTLINE, panels::effects));
     }
 
     private static Button panel(String id, String title, String keys, String help, Ikon icon, Runnable open) {

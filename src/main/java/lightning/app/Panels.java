@@ -9,6 +9,7 @@ final class Panels implements AutoCloseable {
     private final EditorModel model;
     private final Supplier<Window> owner;
     private Stage accuracy;
+    private Stage effects;
 
     /** @param owner the editor's window, once there is one */
     Panels(EditorModel model, Supplier<Window> owner) {
@@ -16,11 +17,22 @@ final class Panels implements AutoCloseable {
         this.owner = owner;
     }
 
+    /** What each level of accuracy costs for the edit made last. */
     void accuracy() {
         if (accuracy == null) {
-            accuracy = new AccuracyWindow(model, owner.get());
+            var pane = new AccuracyPane(model);
+            accuracy = new PanelWindow(owner.get(), "What Accuracy Costs", pane, 860, 760);
+            accuracy.setOnHidden(_ -> pane.stop());
         }
         open(accuracy);
+    }
+
+    /** What the scene calls for. */
+    void effects() {
+        if (effects == null) {
+            effects = new PanelWindow(owner.get(), "Effects", new EffectsPane(model), 560, 620);
+        }
+        open(effects);
     }
 
     private static void open(Stage stage) {
@@ -30,8 +42,10 @@ final class Panels implements AutoCloseable {
 
     @Override
     public void close() {
-        if (accuracy != null) {
-            accuracy.close();
+        for (Stage stage : new Stage[] {accuracy, effects}) {
+            if (stage != null) {
+                stage.close();
+            }
         }
     }
 }

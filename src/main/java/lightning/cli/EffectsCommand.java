@@ -1,6 +1,5 @@
 package lightning.cli;
 
-import java.util.List;
 import java.util.concurrent.Callable;
 import lightning.cache.PixelCache;
 import lightning.effects.Effect;
@@ -22,8 +21,6 @@ import picocli.CommandLine.Mixin;
             "Example:",
             "  lightning effects scenes/bird.jen --size 1920x1080"})
 final class EffectsCommand implements Callable<Integer> {
-    private static final int NAMES_SHOWN = 6;
-
     private final Console console;
 
     @Mixin
@@ -42,7 +39,7 @@ final class EffectsCommand implements Callable<Integer> {
         Scene scene = picture.apply(input.read().scene());
         Effects effects = Effects.of(scene);
         for (Effect effect : Effect.values()) {
-            console.line("%-20s %s", effect.title(), effects.has(effect) ? called(effects, effect) : "-");
+            console.line("%-20s %s", effect.title(), effects.has(effect) ? effects.why(effect) : "-");
         }
         try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(threads.count()));
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
@@ -50,13 +47,6 @@ final class EffectsCommand implements Callable<Integer> {
             print(effects, renderer.cache(), update);
         }
         return ExitCode.DONE;
-    }
-
-    private static String called(Effects effects, Effect effect) {
-        List<String> names = effects.callers(effect);
-        String shown = String.join(", ", names.subList(0, Math.min(names.size(), NAMES_SHOWN)));
-        String more = names.size() > NAMES_SHOWN ? " and " + (names.size() - NAMES_SHOWN) + " more" : "";
-        return (effect == Effect.REFLECTION ? "up to " + effects.depth() + " bounces: " : "") + shown + more;
     }
 
     private void print(Effects effects, PixelCache cache, Update update) {

@@ -126,7 +126,7 @@ class OtherCommandsTest {
     void effects_namesWhoCallsForThemAndTheirBytes() {
         String out = Cli.run("effects", scene).isDone().out();
         assertThat(out.lines().map(line -> line.replaceAll(" +", " ")))
-                .contains("shadows lamp, sun, stage", "textures -", "reflection up to 2 bounces: floor", "dropoff stage", "cylinders -")
+                .contains("shadows lamp, sun, stage", "textures -", "reflections up to 2 bounces: floor", "dropoff stage", "cylinders -")
                 .anyMatch(line -> line.startsWith(" in all ")).anyMatch(line -> line.matches(" textures \\d+ bytes saved at most, .*"));
     }
 
