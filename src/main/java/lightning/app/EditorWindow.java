@@ -1,6 +1,8 @@
 package lightning.app;
 
 import java.io.File;
+import java.util.List;
+import java.util.Optional;
 import javafx.geometry.Orientation;
 import javafx.scene.control.SplitPane;
 import javafx.scene.input.DragEvent;
@@ -63,9 +65,15 @@ public final class EditorWindow extends BorderPane implements AutoCloseable {
     }
 
     private void dropped(DragEvent e) {
-        e.getDragboard().getFiles().stream().filter(EditorWindow::isScene).findFirst().ifPresent(f -> files.load(f.toPath()));
-        e.setDropCompleted(true);
+        e.setDropCompleted(drop(e.getDragboard().getFiles()));
         e.consume();
+    }
+
+    /** Opens the first scene among files; returns whether there is one. */
+    boolean drop(List<File> dropped) {
+        Optional<File> scene = dropped.stream().filter(EditorWindow::isScene).findFirst();
+        scene.ifPresent(f -> files.load(f.toPath()));
+        return scene.isPresent();
     }
 
     @Override

@@ -76,6 +76,7 @@ final class EffectsPane extends VBox {
         VBox.setVgrow(scroll, Priority.ALWAYS);
         var all = new Button("Show All");
         all.setId("show-all-effects");
+        all.setMinWidth(Region.USE_PREF_SIZE);
         all.setOnAction(_ -> view.set(ViewEffects.ALL));
         var allBox = new StackPane(all);
         nothingHidden = new Obstacle(allBox, all, "Show the picture with everything that the scene calls for");

@@ -9,6 +9,9 @@ import javafx.stage.Window;
 
 /** A window beside the editor's, which stays in use; Escape closes it. */
 final class PanelWindow extends Stage {
+    /** From the corner of the editor's window, pixels. */
+    private static final double MARGIN = 16;
+
     /** @param width pixels; likewise {@code height} */
     PanelWindow(Window owner, String title, Parent pane, double width, double height) {
         initOwner(owner);
@@ -21,5 +24,10 @@ final class PanelWindow extends Stage {
         });
         Looks.dress(content);
         setScene(content);
+        setOnShown(_ -> {
+            // Over the properties, so that the traced picture can be seen.
+            setX(Math.max(owner.getX(), owner.getX() + owner.getWidth() - getWidth() - MARGIN));
+            setY(Math.max(owner.getY(), owner.getY() + owner.getHeight() - getHeight() - MARGIN));
+        });
     }
 }
