@@ -8,6 +8,7 @@ import lightning.accuracy.EffectCosts;
 import lightning.accuracy.PaperCase;
 import lightning.accuracy.PaperCases;
 import lightning.cache.PixelCache;
+import lightning.effects.Effects;
 import lightning.relight.Options;
 import lightning.relight.Renderer;
 import lightning.scene.Scene;
@@ -33,7 +34,6 @@ import picocli.CommandLine.Spec;
             "  lightning effects scenes/bird.jen --size 1920x1080",
             "  lightning effects scenes/house.jen --case attenuation --repetitions 9"})
 final class EffectsCommand implements Callable<Integer> {
-    private static final int NAMES_SHOWN = 4;
     private static final int MOST_REPETITIONS = 1000;
 
     private final Console console;
@@ -71,7 +71,7 @@ final class EffectsCommand implements Callable<Integer> {
             EffectCosts costs = EffectCosts.of(scene, after, options, repetitions, bar);
             renderer.render(scene, bar.silent());
             bar.erase();
-            print(costs, renderer.cache());
+            print(Effects.of(scene), costs, renderer.cache());
         }
         return ExitCode.DONE;
     }
@@ -91,12 +91,12 @@ final class EffectsCommand implements Callable<Integer> {
                 + String.join(", ", cases.stream().map(PaperCase::name).toList()) + ", which this scene allows");
     }
 
-    private void print(EffectCosts costs, PixelCache cache) {
+    private void print(Effects effects, EffectCosts costs, PixelCache cache) {
         console.line("first pass %.1f ms, %d bytes; update %.2f ms: %s", costs.first().median(), costs.bytes(),
                 costs.update().median(), costs.plan());
         console.line("");
         console.line("%-20s %10s %10s %12s %12s  %s", "in use", "first ms", "update ms", "bytes", "rays", "called for by");
-        costs.effects().stream().filter(EffectCost::inUse).forEach(c -> line(c, callers(c)));
+        costs.effects().stream().filter(EffectCost::inUse).forEach(c -> line(c, effects.why(c.effect())));
         console.line("");
         console.line("%-20s %10s %10s %12s %12s", "absent, saves", "first ms", "update ms", "bytes", "rays");
         costs.effects().stream().filter(c -> !c.inUse()).forEach(c -> line(c, ""));
@@ -112,12 +112,6 @@ final class EffectsCommand implements Callable<Integer> {
         String near = Math.abs(cost.firstMs()) <= cost.firstNoise() ? "~" : "";
         console.line("%-20s %10s %10.2f %12d %12d  %s", cost.effect().title(),
                 near + String.format(Locale.ROOT, "%.1f", cost.firstMs()), cost.updateMs(), cost.bytes(), cost.rays().all(), callers);
-    }
-
-    private static String callers(EffectCost cost) {
-        List<String> names = cost.callers();
-        String shown = String.join(", ", names.subList(0, Math.min(names.size(), NAMES_SHOWN)));
-        return names.size() > NAMES_SHOWN ? shown + " and " + (names.size() - NAMES_SHOWN) + " more" : shown;
     }
 
     private void columns(ColumnBytes bytes, PixelCache cache) {

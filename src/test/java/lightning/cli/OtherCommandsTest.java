@@ -127,7 +127,7 @@ class OtherCommandsTest {
         String out = Cli.run("effects", scene, "--size", "20x15", "--repetitions", "1").isDone().out();
         assertThat(out.lines().map(line -> line.replaceAll(" +", " ")))
                 .anyMatch(line -> line.matches("shadows( ~?-?[0-9.]+){4} lamp, sun, stage"))
-                .anyMatch(line -> line.matches("reflections( ~?-?[0-9.]+){4} floor"))
+                .anyMatch(line -> line.matches("reflections( ~?-?[0-9.]+){4} up to 2 bounces: floor"))
                 .anyMatch(line -> line.matches("textures( ~?-?[0-9.]+){4} ?"))
                 .contains("cylinders - - - -")
                 .anyMatch(line -> line.startsWith(" in all "));
