@@ -11,6 +11,7 @@ import lightning.bench.Baseline;
 import lightning.bench.Figures;
 import lightning.bench.Harness;
 import lightning.bench.PictureSize;
+import lightning.bench.Problem;
 import lightning.bench.Reporter;
 import lightning.bench.Results;
 import lightning.bench.ResultsFile;
@@ -150,7 +151,7 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     private int exit(Results results, Results old, boolean unread) throws BadInput {
-        int broken = results.problems().size() - (int) results.problems().stream().filter(BenchScenes::isUnread).count();
+        long broken = results.problems().stream().filter(problem -> problem.kind() == Problem.Kind.BROKEN).count();
         if (old != null) {
             Baseline compared = Baseline.compare(old, results);
             if (compared.compared() == 0) {
