@@ -63,7 +63,7 @@ public final class Harness {
             Progress progress) {
         this.settings = settings;
         this.scenes = List.copyOf(scenes);
-        problems.forEach(problem -> ledger.problem(problem.where(), problem.what()));
+        problems.forEach(ledger::problem);
         List<Pace> paces = new ArrayList<>();
         try (Workers workers = new Workers(settings.threads())) {
             triad = Bandwidth.triad(workers, settings.isWarm() ? Bandwidth.REPETITIONS : 1);
@@ -147,9 +147,9 @@ public final class Harness {
         try {
             part.work().measure(progress);
         } catch (BrokenPromise e) {
-            ledger.problem(part.where(), e.getMessage());
+            ledger.problem(new Problem(Problem.Kind.BROKEN, part.where(), e.getMessage()));
         } catch (OutOfMemoryError e) {
-            ledger.problem(part.where(), "there is not enough memory for it");
+            ledger.problem(new Problem(Problem.Kind.UNMEASURED, part.where(), "there is not enough memory for it"));
         }
     }
 

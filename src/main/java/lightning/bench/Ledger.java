@@ -73,8 +73,8 @@ final class Ledger {
         growths.put(along, new Growth(along, scene, points));
     }
 
-    void problem(String where, String what) {
-        problems.add(new Problem(where, what));
+    void problem(Problem problem) {
+        problems.add(problem);
     }
 
     /** Everything, as a run's results. */

@@ -11,6 +11,7 @@ import lightning.bench.Baseline;
 import lightning.bench.Figures;
 import lightning.bench.Harness;
 import lightning.bench.PictureSize;
+import lightning.bench.Problem;
 import lightning.bench.Reporter;
 import lightning.bench.Results;
 import lightning.bench.ResultsFile;
@@ -53,7 +54,8 @@ final class BenchCommand implements Callable<Integer> {
     private CommandSpec command;
     @Parameters(arity = "0..*", paramLabel = "scene.jen", description = "The scenes; all in scenes/ where none is named.")
     private List<Path> scenes = List.of();
-    @Option(names = {"-o", "--output"}, paramLabel = "DIR", required = true, description = "The folder for the results, made if it is not there.")
+    @Option(names = {"-o", "--output"}, paramLabel = "DIR", required = true,
+            description = "The folder for the results, made if it is not there.")
     private Path folder;
     @Option(names = "--quick", description = "A small selection, in under a minute on two processors.")
     private boolean quick;
@@ -70,7 +72,8 @@ final class BenchCommand implements Callable<Integer> {
     private int figure;
     private Integer repetitions;
 
-    @Option(names = "--figure", paramLabel = "N", description = "The edits of one of the paper's figures alone, on bird where no scene is named.")
+    @Option(names = "--figure", paramLabel = "N",
+            description = "The edits of one of the paper's figures alone, on bird where no scene is named.")
     private void setFigure(int value) {
         if (!Figures.isMeasured(value)) {
             throw new ParameterException(command.commandLine(),
@@ -79,7 +82,8 @@ final class BenchCommand implements Callable<Integer> {
         figure = value;
     }
 
-    @Option(names = "--repetitions", paramLabel = "N", description = "How many samples each work has; 5 without it, 3 with --quick. 1 is for a look: nothing is warmed up.")
+    @Option(names = "--repetitions", paramLabel = "N",
+            description = "How many samples each work has; 5 without it, 3 with --quick. 1 is for a look: nothing is warmed up.")
     private void setRepetitions(int value) {
         if (value < 1 || value > MOST_REPETITIONS) {
             throw new ParameterException(command.commandLine(), "--repetitions must be from 1 to " + MOST_REPETITIONS + ", was " + value);
@@ -147,7 +151,7 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     private int exit(Results results, Results old, boolean unread) throws BadInput {
-        int broken = results.problems().size() - (int) results.problems().stream().filter(BenchScenes::isUnread).count();
+        long broken = results.problems().stream().filter(problem -> problem.kind() == Problem.Kind.BROKEN).count();
         if (old != null) {
             Baseline compared = Baseline.compare(old, results);
             if (compared.compared() == 0) {
