@@ -82,7 +82,7 @@ class DispatcherTest {
             assertThat(renderer.plan(STUDIO.withPicture(STUDIO.picture().withSize(30, 25)))).isEqualTo(new UpdatePlan.FirstPass("another size"));
             assertThat(renderer.plan(STUDIO.withCamera(new Camera(c.from(), c.to(), c.up(), 41)))).isEqualTo(new UpdatePlan.FirstPass("another camera"));
             Scene fewer = new Scene(STUDIO.picture(), c, STUDIO.world(), STUDIO.materials(), STUDIO.nodes().subList(0, 2), STUDIO.lights());
-            assertThat(renderer.plan(fewer)).isEqualTo(new UpdatePlan.FirstPass("other shapes or materials"));
+            assertThat(renderer.plan(fewer)).isEqualTo(new UpdatePlan.FirstPass("other shapes"));
             renderer.forget();
             assertThat(renderer.plan(STUDIO)).isEqualTo(new UpdatePlan.FirstPass("no picture yet"));
         }

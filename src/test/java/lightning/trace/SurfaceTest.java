@@ -133,7 +133,7 @@ class SurfaceTest {
     @ParameterizedTest
     @CsvSource({"-1,0,0, -41,12,24", "0,-1,0, 12,-31,36", "0,0,-1, 24,36,23"})
     void mirroredRay_isThatOnPaper(float vx, float vy, float vz, double rx, double ry, double rz) {
-        SurfacePoint p = new SurfacePoint(0, 0, 0, 0, 0, 2 / 7f, 3 / 7f, 6 / 7f, vx, vy, vz, new float[3]);
+        SurfacePoint p = new SurfacePoint(0, 0, 0, 0, 0, 2 / 7f, 3 / 7f, 6 / 7f, vx, vy, vz, new float[3], new float[3]);
         assertThat(p.mirrored().direction().minus(new Vec3(rx, ry, rz).times(1 / 49.0)).maxAbs()).isLessThan(1e-6);
     }
 
