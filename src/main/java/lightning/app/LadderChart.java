@@ -2,6 +2,7 @@ package lightning.app;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import javafx.scene.chart.NumberAxis;
 import javafx.scene.chart.ScatterChart;
@@ -17,7 +18,7 @@ import lightning.accuracy.Rung;
  */
 final class LadderChart extends ScatterChart<Number, Number> {
     /** Levels nearer than this share of the chart hide each other. */
-    private static final double NEAR = 0.05;
+    private static final double NEAR = 0.1;
     /** The part of the chart, beyond the largest values, that is left free. */
     private static final double FREE = 1.12;
     /** How far a label stands above its place, pixels. */
@@ -47,12 +48,13 @@ final class LadderChart extends ScatterChart<Number, Number> {
         var points = new XYChart.Series<Number, Number>();
         for (List<Rung> group : groups(ladder.rungs(), NEAR * longest, NEAR * largest)) {
             var label = new Label(group.stream().map(r -> String.valueOf(r.level().ordinal() + 1)).collect(Collectors.joining(" ")));
-            label.getStyleClass().add("ladder-point");
             label.setMinWidth(Region.USE_PREF_SIZE);
             label.setTranslateY(RISE);
-            points.getData().add(point(time(group.getFirst()), error(group.getFirst()), label));
+            points.getData().add(point(mean(group, LadderChart::time), mean(group, LadderChart::error), label));
         }
-        points.getData().add(point(FREE * longest, FREE * largest, new Region()));
+        var corner = new Region();
+        corner.setVisible(false);
+        points.getData().add(point(FREE * longest, FREE * largest, corner));
         getData().setAll(List.of(points));
     }
 
@@ -71,6 +73,10 @@ final class LadderChart extends ScatterChart<Number, Number> {
                     .ifPresentOrElse(g -> g.add(rung), () -> groups.add(new ArrayList<>(List.of(rung))));
         }
         return groups;
+    }
+
+    private static double mean(List<Rung> rungs, ToDoubleFunction<Rung> value) {
+        return rungs.stream().mapToDouble(value).average().orElseThrow();
     }
 
     private static double time(Rung rung) {

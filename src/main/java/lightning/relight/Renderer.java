@@ -223,7 +223,8 @@ public final class Renderer implements AutoCloseable {
         Job.Shown shown = Job.Shown.of(old.geometry(), wanted);
         Job.Shown mirrored = mirrors ? shown : Job.Shown.of(old.geometry(), old.mirroredScene());
         boolean seeksEdges = wanted.picture().sampling().antialias() == Antialias.EDGES;
-        boolean coding = seeksEdges && (refreshed || options.accuracy() == Accuracy.EXACT || plan.depthFrom() != plan.depthTo());
+        boolean coding = seeksEdges && (refreshed || options.accuracy() == Accuracy.EXACT || plan.resampled()
+                || plan.depthFrom() != plan.depthTo());
         Job job = new Job(shown, mirrored, options, Job.Level.of(plan.top(), old.scene(), shown.lamps(), drag),
                 mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), shown.lamps(), mirroredDrag) : null, coding,
                 coding && (mirrors || mirrorsMovedUnder(old)), progress);

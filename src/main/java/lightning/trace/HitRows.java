@@ -65,7 +65,7 @@ public final class HitRows {
     }
 
     /** The same rows with other texels; all three null for none. */
-    private HitRows(HitRows o, float[] red, float[] green, float[] blue) {
+    private HitRows(HitRows o, float[] red, float[] green, float[] blue, int[] code) {
         count = o.count;
         px = o.px;
         py = o.py;
@@ -80,7 +80,7 @@ public final class HitRows {
         texelGreen = green;
         texelBlue = blue;
         parent = o.parent;
-        code = o.code;
+        this.code = code;
         runs = o.runs;
         runMaterial = o.runMaterial;
         runEnd = o.runEnd;
@@ -89,14 +89,19 @@ public final class HitRows {
 
     /** These rows without texels. */
     HitRows withoutTexels() {
-        return new HitRows(this, null, null, null);
+        return new HitRows(this, null, null, null, code);
     }
 
     /** These rows with texels of their own, copies of these. */
     HitRows withOwnTexels() {
         int length = parent.length;
-        return texelRed == null ? new HitRows(this, new float[length], new float[length], new float[length])
-                : new HitRows(this, texelRed.clone(), texelGreen.clone(), texelBlue.clone());
+        return texelRed == null ? new HitRows(this, new float[length], new float[length], new float[length], code)
+                : new HitRows(this, texelRed.clone(), texelGreen.clone(), texelBlue.clone(), code);
+    }
+
+    /** These rows with other codes, or null for none. */
+    public HitRows withCode(int[] to) {
+        return new HitRows(this, texelRed, texelGreen, texelBlue, to);
     }
 
     /** The length of a column of {@code rows} rows: a multiple of 16. */

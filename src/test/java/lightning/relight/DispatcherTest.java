@@ -85,7 +85,7 @@ class DispatcherTest {
             assertThat(renderer.plan(STUDIO.withCamera(new Camera(c.from(), c.to(), c.up(), 41)))).isEqualTo(new UpdatePlan.FirstPass("another camera"));
             Scene fewer = new Scene(STUDIO.picture(), c, STUDIO.world(), STUDIO.materials(), STUDIO.nodes().subList(0, 2), STUDIO.lights());
             assertThat(renderer.plan(fewer)).isEqualTo(new UpdatePlan.FirstPass("other shapes"));
-            Scene finer = STUDIO.withPicture(STUDIO.picture().withSampling(new Sampling(Antialias.EDGES, 2)));
+            Scene finer = STUDIO.withPicture(STUDIO.picture().withSampling(new Sampling(Antialias.EVERY, 2)));
             assertThat(renderer.plan(finer)).isEqualTo(new UpdatePlan.FirstPass("other samples"));
             renderer.forget();
             assertThat(renderer.plan(STUDIO)).isEqualTo(new UpdatePlan.FirstPass("no picture yet"));
