@@ -36,6 +36,6 @@ final class Sample {
         var same = new PictureError(0, 180_000, 0, 0, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 1, 0);
         var traced = new RungResult(Level.FULL_TRACE, full, 0, same, null, null, null);
         var edit = new EditResult("color", "Fig. 6", 98, 75, 90, List.of(new ValueResult("sun.color = 1, 0, 0", List.of(rung, traced))));
-        return new SceneResult("bird", 300, 200, 3, 10, 3, null, null, List.of(edit), null);
+        return new SceneResult("bird", 300, 200, 3, 10, 3, null, null, List.of(edit), List.of(), null);
     }
 }
