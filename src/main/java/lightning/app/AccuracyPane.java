@@ -14,6 +14,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.accuracy.Ladder;
+import lightning.accuracy.LadderMeter;
 import lightning.accuracy.Level;
 import lightning.accuracy.Rung;
 import lightning.app.widget.Obstacle;
@@ -21,12 +22,17 @@ import lightning.edit.LastEdit;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
+import lightning.shading.Progress;
+import lightning.shading.Workers;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
 
 /** What accuracy costs: each level's time and error for the edit made last, measured when the artist asks for it. */
 final class AccuracyPane extends BorderPane {
+    private static final int REPETITIONS = 5;
+    private static final double PATIENCE_MS = 1500;
+
     private final EditorModel model;
     private final Label edit = new Label();
     private final Label note = new Label();
@@ -38,7 +44,7 @@ final class AccuracyPane extends BorderPane {
     private final LadderChart chart = new LadderChart();
     private final PictureView picture = new PictureView();
     private Ladder ladder;
-    private LadderTask task;
+    private MeasureTask<Ladder> task;
     /** The edit that was measured last, and what came of it. */
     private Optional<LastEdit> told = Optional.empty();
     private String outcome = "";
@@ -137,13 +143,19 @@ final class AccuracyPane extends BorderPane {
 
     private void begin() {
         told = last();
-        task = new LadderTask(told.orElseThrow());
+        task = new MeasureTask<>(progress -> measure(told.orElseThrow(), progress));
         task.setOnSucceeded(_ -> finished(task.getValue()));
         task.setOnFailed(e -> ended(Sentence.of(e.getSource().getException())));
         task.setOnCancelled(_ -> ended("Cancelled"));
         bar.progressProperty().bind(task.progressProperty());
         task.begin();
         update();
+    }
+
+    private static Ladder measure(LastEdit edit, Progress progress) {
+        try (var meter = new LadderMeter(Workers.available(), REPETITIONS, PATIENCE_MS)) {
+            return meter.measure(edit.before(), edit.after(), progress);
+        }
     }
 
     private void finished(Ladder measured) {

@@ -3,7 +3,9 @@ package lightning.app;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import javafx.scene.Node;
+import javafx.scene.control.Label;
 import lightning.edit.Command;
+import lightning.edit.Dial;
 import lightning.effects.Effect;
 import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.Test;
@@ -22,6 +24,18 @@ class EffectsPaneTest extends EditorDesk {
         assertThat(robot.lookup("up to 2 bounces: mirror").tryQuery()).isPresent();
         assertThat(isListed("effect-textures")).isFalse();
         assertThat(text("effects-absent")).contains("textures").contains("cylinders").doesNotContain("spheres");
+    }
+
+    @Test
+    void measured_everyEffectTellsWhatItTakesAndTheAbsentOnesWhatTheySave() {
+        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
+        click("effects-panel");
+        assertThat(robot.lookup("#cancel-effects").<Node>query().isDisabled()).isTrue();
+        click("measure-effects");
+        waitFor("it is measured", () -> text("effects-summary").contains("update (lamp: weight)"));
+        assertThat(robot.lookup(n -> n instanceof Label l && l.getText().matches(".* of the first pass, .* ms of the update, .* [kM]B"))
+                .queryAll()).hasSizeGreaterThanOrEqualTo(8);
+        assertThat(text("effects-absent")).contains("textures would take ");
     }
 
     @Test
