@@ -5,7 +5,6 @@ import static jdk.incubator.vector.DoubleVector.fromArray;
 import static jdk.incubator.vector.VectorOperators.EQ;
 import static jdk.incubator.vector.VectorOperators.GE;
 import static jdk.incubator.vector.VectorOperators.GT;
-import static jdk.incubator.vector.VectorOperators.LE;
 import static jdk.incubator.vector.VectorOperators.LT;
 import static lightning.trace.Lanes.SPECIES;
 
@@ -48,8 +47,7 @@ final class ConeLanes {
             DoubleVector u = x.mul(dh).sub(height.mul(dx));
             DoubleVector v = z.mul(dh).sub(height.mul(dz));
             DoubleVector w = x.mul(dz).sub(z.mul(dx));
-            DoubleVector square = u.mul(u).add(v.mul(v)).sub(w.mul(w));
-            DoubleVector root = square.blend(0, a.compare(LE, 0).and(square.compare(LT, 0))).sqrt();
+            DoubleVector root = u.mul(u).add(v.mul(v)).sub(w.mul(w)).sqrt();
             VectorMask<Double> ahead = b.compare(GE, 0);
             DoubleVector q = b.sub(root).blend(b.add(root), ahead);
             DoubleVector t1 = shift.add(q.div(a));

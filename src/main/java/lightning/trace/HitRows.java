@@ -64,8 +64,8 @@ public final class HitRows {
         code = coded ? new int[length] : null;
     }
 
-    /** The same rows with other texels, all three null for none, and other parents. */
-    private HitRows(HitRows o, float[] red, float[] green, float[] blue, short[] parents, int mirrors) {
+    /** The same rows with other texels, all three null for none, other codes, other parents and other mirrors. */
+    private HitRows(HitRows o, float[] red, float[] green, float[] blue, int[] codes, short[] parents, int mirrors) {
         count = o.count;
         px = o.px;
         py = o.py;
@@ -80,7 +80,7 @@ public final class HitRows {
         texelGreen = green;
         texelBlue = blue;
         parent = parents;
-        code = o.code;
+        code = codes;
         runs = o.runs;
         runMaterial = o.runMaterial;
         runEnd = o.runEnd;
@@ -89,20 +89,25 @@ public final class HitRows {
 
     /** These rows without texels. */
     HitRows withoutTexels() {
-        return new HitRows(this, null, null, null, parent, reflective);
+        return new HitRows(this, null, null, null, code, parent, reflective);
     }
 
     /** These rows with texels of their own, copies of these. */
     HitRows withOwnTexels() {
         int length = parent.length;
         return texelRed == null
-                ? new HitRows(this, new float[length], new float[length], new float[length], parent, reflective)
-                : new HitRows(this, texelRed.clone(), texelGreen.clone(), texelBlue.clone(), parent, reflective);
+                ? new HitRows(this, new float[length], new float[length], new float[length], code, parent, reflective)
+                : new HitRows(this, texelRed.clone(), texelGreen.clone(), texelBlue.clone(), code, parent, reflective);
+    }
+
+    /** These rows with other codes, or null for none. */
+    public HitRows withCode(int[] codes) {
+        return new HitRows(this, texelRed, texelGreen, texelBlue, codes, parent, reflective);
     }
 
     /** These rows, in this order, seen from other parents, with other materials that mirror. */
     HitRows seenFrom(short[] parents, int mirrors) {
-        return new HitRows(this, texelRed, texelGreen, texelBlue, parents, mirrors);
+        return new HitRows(this, texelRed, texelGreen, texelBlue, code, parents, mirrors);
     }
 
     /** The length of a column of {@code rows} rows: a multiple of 16. */

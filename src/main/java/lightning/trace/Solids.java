@@ -62,7 +62,8 @@ final class Solids {
      * <p>The origin is first moved along the ray to its point nearest to the apex. Otherwise the terms of a ray
      * from far away that runs along a generator cancel, and the error grows with the square of the distance
      * (Haines et al., Ray Tracing Gems, ch. 7, do so for the sphere). The discriminant is Lagrange's identity for
-     * that form, which needs no difference of squares of large numbers.
+     * that form. A ray steeper than the side always crosses the double cone, and for a point at a right angle to it this
+     * discriminant is a sum of squares, w²·(dh²/side − 1) among them; b² − ac rounds to either side of 0 at the apex.
      */
     static double cone(double ox, double oy, double oz, double dx, double dy, double dz) {
         double top = 1 - oy;
@@ -79,10 +80,7 @@ final class Solids {
         double u = x * dh - h * dx;
         double v = z * dh - h * dz;
         double w = x * dz - z * dx;
-        double square = u * u + v * v - w * w;
-        // A ray as steep as the side, or steeper, always crosses the double cone: below 0 it goes through the apex.
-        square = a <= 0 && square < 0 ? 0 : square;
-        double root = Math.sqrt(square);
+        double root = Math.sqrt(u * u + v * v - w * w);
         double q = b >= 0 ? b + root : b - root;
         double t1 = shift + q / a;
         double t0 = q == 0 ? t1 : shift + c / q;

@@ -49,8 +49,6 @@ final class Surface {
                 ax = side ? ownX : 0;
                 ay = side ? 1 - ownY : -1;
                 az = side ? ownZ : 0;
-                // At the apex itself the side has no normal; the axis stands in.
-                ay = ax == 0 && ay == 0 && az == 0 ? 1 : ay;
             }
             case ShapeTable.CYLINDER -> {
                 boolean side = onCylinderSide(ownX, ownY, ownZ);
@@ -70,7 +68,7 @@ final class Surface {
         double bz = m[i + 2] * ax + m[i + 6] * ay + m[i + 10] * az;
         double square = bx * bx + by * by + bz * bz;
         if (!(square > 0)) {
-            // A shape smaller than the spacing of doubles where it stands: it faces whoever sees it.
+            // A cone's apex, or a shape smaller than the spacing of doubles where it stands: it faces whoever sees it.
             bx = -dx;
             by = -dy;
             bz = -dz;

@@ -108,13 +108,9 @@ final class SurfaceLanes {
         DoubleVector oz = fromArray(SPECIES, ownZ, h);
         DoubleVector height = ONE.sub(oy);
         VectorMask<Double> side = ox.mul(ox).add(oz.mul(oz)).sqrt().sub(height).abs().compare(LE, oy.abs());
-        DoubleVector sx = ZERO.blend(ox, side);
-        DoubleVector sy = broadcast(SPECIES, -1).blend(height, side);
-        DoubleVector sz = ZERO.blend(oz, side);
-        VectorMask<Double> apex = sx.compare(EQ, 0).and(sy.compare(EQ, 0)).and(sz.compare(EQ, 0));
-        sx.intoArray(ax, h);
-        sy.blend(ONE, apex).intoArray(ay, h);
-        sz.intoArray(az, h);
+        ZERO.blend(ox, side).intoArray(ax, h);
+        broadcast(SPECIES, -1).blend(height, side).intoArray(ay, h);
+        ZERO.blend(oz, side).intoArray(az, h);
     }
 
     private void outOfCylinder(int h) {

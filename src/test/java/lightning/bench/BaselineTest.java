@@ -54,9 +54,9 @@ class BaselineTest {
     void otherScenes_areNotCompared() {
         SceneResult bird = Sample.scene(5);
         SceneResult other = new SceneResult("house", bird.width(), bird.height(), bird.depth(), bird.shapes(), bird.lights(), null, null,
-                bird.edits(), null);
+                bird.edits(), List.of(), null);
         SceneResult larger = new SceneResult("bird", 301, bird.height(), bird.depth(), bird.shapes(), bird.lights(), null, null,
-                bird.edits(), null);
+                bird.edits(), List.of(), null);
         assertThat(Baseline.compare(results(other, larger), results(bird)).compared()).isZero();
         assertThat(Baseline.compare(results(other, bird), results(bird)).compared()).isEqualTo(1);
     }

@@ -43,7 +43,7 @@ class ResultsFileTest {
     @Property(tries = 30)
     void csv_hasARowForEachMeasurementWithEveryColumn(@ForAll long seed) {
         Results results = ResultsArbitraries.of(seed);
-        int rows = results.scenes().stream().mapToInt(s -> (s.firstPass() == null ? 0 : 2) + (s.peer() == null ? 0 : 1)
+        int rows = results.scenes().stream().mapToInt(s -> (s.firstPass() == null ? 0 : 2) + (s.peer() == null ? 0 : 1) + s.effects().size()
                 + s.edits().stream().flatMap(e -> e.values().stream()).mapToInt(v -> v.rungs().size()).sum()).sum()
                 + results.growth().stream().flatMap(g -> g.points().stream()).mapToInt(p -> 1 + p.edits().size()).sum()
                 + results.drift().stream().mapToInt(d -> d.points().size()).sum();

@@ -29,6 +29,6 @@ final class Sample {
         var work = new Work("sun: weight", 0, 0, 100, 0, 1000, 0.5, 10, 90, 0);
         var rung = new RungResult(Level.EXACT, samples(ms), 75, none, work, null, null);
         var edit = new EditResult("color", "Fig. 6", 98, 75, 90, List.of(new ValueResult("sun.color = 1, 0, 0", List.of(rung))));
-        return new SceneResult("bird", 300, 200, 3, 10, 3, null, null, List.of(edit), null);
+        return new SceneResult("bird", 300, 200, 3, 10, 3, null, null, List.of(edit), List.of(), null);
     }
 }

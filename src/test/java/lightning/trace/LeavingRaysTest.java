@@ -105,6 +105,28 @@ class LeavingRaysTest {
         assertThat(acne).as("acne among %s rays", rays).isZero();
     }
 
+    /** The point has the small coordinates of what is near, and the error of a shape with large ones. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 1e-3, 1e-6})
+    void raysFromAHugeBallSeenFromNear_leave(double height) {
+        Vec3 up = new Vec3(0.48, 0.6, 0.64);
+        double radius = 1e8;
+        Geometry geometry = new Geometry(TraceScenes.one(ShapeTable.SPHERE,
+                new Placement(up.times(-radius - height), new Vec3(11, 23, 7), Vec3.ONE.times(radius)), Vec3.ZERO, new Vec3(0, 0, -1)));
+        for (int n = 0; n < POINTS; n++) {
+            Vec3 d = HardRay.direction(random).normalized();
+            Ray ray = new Ray(Vec3.ZERO, d.dot(up) > 0 ? d.negated() : d);
+            if (geometry.distance(0, ray) < Solids.MISS) {
+                SurfacePoint p = geometry.surface(0, ray);
+                Ray leaving = new Ray(new Vec3(p.px(), p.py(), p.pz()), away(new Vec3(p.nx(), p.ny(), p.nz())));
+                acne += geometry.distance(0, leaving) < Solids.MISS ? 1 : 0;
+                rays++;
+            }
+        }
+        assertThat(rays).isGreaterThan(POINTS / 2);
+        assertThat(acne).as("acne among %s rays", rays).isZero();
+    }
+
     private void lookFromOutside(Vec3 scale, Vec3 at) {
         for (int kind : KINDS) {
             for (double turn : new double[] {0, 37}) {

@@ -84,10 +84,11 @@ class SolidsTest {
             Vec3 out = new Vec3(o.x(), 0, o.z()).normalized();
             Vec3 around = new Vec3(-out.z(), 0, out.x());
             double h = random.nextDouble();
-            Vec3 up = around.plus(new Vec3(0, random.nextDouble() - 0.5, 0)).normalized();
+            double slope = n % 2 == 0 ? 0 : random.nextDouble() - 0.5;
+            Vec3 up = around.plus(new Vec3(0, slope, 0)).normalized();
             assertMetHereOrNever(Solids.cylinder(out.x(), h, out.z(), up.x(), up.y(), up.z()), out, up);
             Vec3 side = out.times(1 - h).plus(new Vec3(0, h, 0));
-            Vec3 slanted = around.plus(Vec3.Y.minus(out).times(random.nextDouble() - 0.5)).normalized();
+            Vec3 slanted = around.plus(Vec3.Y.minus(out).times(slope)).normalized();
             assertMetHereOrNever(Solids.cone(side.x(), side.y(), side.z(), slanted.x(), slanted.y(), slanted.z()), side, slanted);
         }
     }
@@ -146,6 +147,24 @@ class SolidsTest {
         assertThat(Solids.cone(0.5, 3, 0, 0, -1, 0)).isEqualTo(2.5);
         assertThat(Solids.cone(0.5, -3, 0, 0, 1, 0)).isEqualTo(3);
         assertThat(Solids.cone(1.5, -3, 0, 0, 1, 0)).isEqualTo(MISS);
+    }
+
+    /** The discriminant is 0, and its rounding either side of it: the base must not be missed for that. */
+    @Test
+    void coneFromBelowTowardsItsApex_isMetAtItsBase() {
+        Random random = new Random(3);
+        for (int n = 0; n < 100_000; n++) {
+            // Up to 45° off the axis, and far less.
+            double tilt = Math.scalb(1.0, -random.nextInt(100));
+            Vec3 d = new Vec3(tilt * (random.nextDouble() - 0.5), 1, tilt * (random.nextDouble() - 0.5)).normalized();
+            double far = 2 + random.nextInt(50);
+            Vec3 o = Vec3.Y.minus(d.times(far));
+            double expected = far - 1 / d.y();
+            double t = Solids.cone(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+            if (!(Math.abs(t - expected) < 1e-15 * far * far)) {
+                assertThat(t).as("%s %s", o, d).isCloseTo(expected, within(1e-15 * far * far));
+            }
+        }
     }
 
     @Test

@@ -71,10 +71,11 @@ class SurfaceTest {
         }
     }
 
-    /** The side has no normal there; the axis stands in. */
+    /** The side has no normal there. */
     @Test
-    void apexOfACone_pointsUp() {
+    void apexOfACone_facesTheRay() {
         assertNormal(hit(ShapeTable.CONE, Placement.IDENTITY, new Ray(new Vec3(0, 3, 0), new Vec3(0, -1, 0))), Vec3.Y);
+        assertNormal(hit(ShapeTable.CONE, Placement.IDENTITY, new Ray(new Vec3(1, 3, 0), new Vec3(-0.5, -1, 0))), new Vec3(0.5, 1, 0).normalized());
     }
 
     /** Where side and cap are equally near, the side counts: the rim of a cylinder, the edge of a cone. */
@@ -126,6 +127,14 @@ class SurfaceTest {
         assertThat(mirrored.origin()).isEqualTo(new Vec3(2, 3, 5));
         assertThat(mirrored.direction().minus(u.times(s).plus(new Vec3(0, c, 0))).maxAbs()).isLessThan(1e-6);
         assertThat(mirrored.direction().length()).isCloseTo(1, within(1e-15));
+    }
+
+    /** N = (2, 3, 6)/7 and V against each axis: V + 2·|N·V|·N in forty-ninths. */
+    @ParameterizedTest
+    @CsvSource({"-1,0,0, -41,12,24", "0,-1,0, 12,-31,36", "0,0,-1, 24,36,23"})
+    void mirroredRay_isThatOnPaper(float vx, float vy, float vz, double rx, double ry, double rz) {
+        SurfacePoint p = new SurfacePoint(0, 0, 0, 0, 0, 2 / 7f, 3 / 7f, 6 / 7f, vx, vy, vz, new float[3], new float[3]);
+        assertThat(p.mirrored().direction().minus(new Vec3(rx, ry, rz).times(1 / 49.0)).maxAbs()).isLessThan(1e-6);
     }
 
     /** A normal that by rounding does not face the ray must not send it into the surface. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import lightning.accuracy.Level;
@@ -75,7 +76,7 @@ record LevelSummary(Level level, List<RungResult> rungs) {
     }
 
     static String similarity(double value) {
-        return Double.isNaN(value) ? "–" : value == 1 ? "1" : String.format(java.util.Locale.ROOT, "%.5f", value);
+        return Double.isNaN(value) ? "–" : value == 1 ? "1" : String.format(Locale.ROOT, "%.5f", value);
     }
 
     private double median(ToDoubleFunction<RungResult> of) {
