@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Random;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
@@ -108,6 +109,17 @@ class LightingEquationTest {
         assertThat(at(sideways).insideCone()).as("at a right angle").isTrue();
         Light away = spot(0).withDirection(new Vec3(0, 1, 0)).withAngle(180);
         assertThat(at(away).insideCone()).as("behind a cone of 180°").isTrue();
+    }
+
+    /** Rounding makes the cosine less than −1 for some of these, which is the cosine of 180°. */
+    @Test
+    void rowStraightBehindACone_isInsideAtAnAngleOf180() {
+        Random random = new Random(1);
+        for (int n = 0; n < 1000; n++) {
+            Vec3 away = new Vec3(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
+            Light light = spot(0).withPosition(away).withDirection(away).withAngle(180);
+            assertThat(at(light).insideCone()).as("%s", away).isTrue();
+        }
     }
 
     @ParameterizedTest
