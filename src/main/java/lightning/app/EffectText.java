@@ -12,7 +12,7 @@ final class EffectText {
 
     /** {@code 3.2 ms of the first pass, 0.4 ms of the update, 1.2 MB}. */
     static String of(EffectCost cost) {
-        String first = Math.abs(cost.firstMs()) <= cost.firstNoise() ? "no time to tell" : milliseconds(cost.firstMs());
+        String first = Math.abs(cost.firstMs()) <= cost.firstNoise() ? "≈ 0 ms" : milliseconds(cost.firstMs());
         return first + " of the first pass, " + milliseconds(cost.updateMs()) + " of the update, " + bytes(cost.bytes());
     }
 

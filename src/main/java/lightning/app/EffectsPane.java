@@ -162,7 +162,7 @@ final class EffectsPane extends VBox {
         for (EffectCost cost : costs.effects()) {
             rows.get(cost.effect()).cost.setText(cost.inUse() ? EffectText.of(cost) : "");
             if (!cost.inUse() && cost.measured()) {
-                saved.append("\n").append(cost.effect().title()).append(" would take ").append(EffectText.of(cost));
+                saved.append("\n").append(Row.title(cost.effect())).append(" would take ").append(EffectText.of(cost));
             }
         }
         absent.setText(absentText + saved);

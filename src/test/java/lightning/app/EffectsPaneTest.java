@@ -35,7 +35,7 @@ class EffectsPaneTest extends EditorDesk {
         waitFor("it is measured", () -> text("effects-summary").contains("update (lamp: weight)"));
         assertThat(robot.lookup(n -> n instanceof Label l && l.getText().matches(".* of the first pass, .* ms of the update, .* [kM]B"))
                 .queryAll()).hasSizeGreaterThanOrEqualTo(8);
-        assertThat(text("effects-absent")).contains("textures would take ");
+        assertThat(text("effects-absent")).contains("Textures would take ");
     }
 
     @Test
