@@ -88,8 +88,8 @@ final class ReadableRows {
             }
         }
         MaterialTable m = geometry.materials();
-        float kd = !m.isTextured(material) ? m.diffuse(material, c)
-                : c == 0 ? rows.diffuseRed[i] : c == 1 ? rows.diffuseGreen[i] : rows.diffuseBlue[i];
+        float texel = !m.isTextured(material) ? 1 : c == 0 ? rows.texelRed[i] : c == 1 ? rows.texelGreen[i] : rows.texelBlue[i];
+        float kd = m.diffuse(material, c) * texel;
         return LightingEquation.color(m.ambient(material, c), kernels.ambience(), kd,
                 LightingEquation.sum(diffuse, 0, lamps.length), m.specular(material, c),
                 LightingEquation.sum(specular, 0, lamps.length), m.reflective(material, c), kernels.mirrored()[c][i]);

@@ -2,6 +2,7 @@ package lightning.shading;
 
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
+import lightning.effects.ViewEffects;
 import lightning.jen.JenReader;
 import lightning.math.Power;
 import lightning.scene.Light;

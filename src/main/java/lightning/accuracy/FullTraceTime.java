@@ -10,8 +10,7 @@ import lightning.trace.Geometry;
 
 /** How long a full trace takes once Java has warmed up to it: what savings are savings of. */
 public final class FullTraceTime {
-    private static final int REPETITIONS = 3;
-    private static final double PATIENCE_MS = 300;
+    private static final int REPETITIONS = 5;
 
     private FullTraceTime() {}
 
@@ -25,6 +24,6 @@ public final class FullTraceTime {
     public static Timing measure(Scene scene, Geometry geometry, Workers workers, Progress progress) {
         var tracer = new TraditionalTracer(scene, geometry);
         Turns.Turn<RuntimeException> trace = () -> Turns.time(() -> tracer.trace(workers, progress.silent()));
-        return new Turns(REPETITIONS, PATIENCE_MS).take(List.of(trace), progress).getFirst();
+        return new Turns(REPETITIONS).take(List.of(trace), progress).getFirst();
     }
 }

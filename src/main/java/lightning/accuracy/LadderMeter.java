@@ -55,6 +55,10 @@ public final class LadderMeter implements AutoCloseable {
         }
         var tracer = new TraditionalTracer(after, levels.getLast().geometry());
         TraditionalTracer.Result full = tracer.trace(workers, silent);
+        // What shows the scene as it is must be the very picture that it is measured beside.
+        Promise same = new Promise(full.film(), 0);
+        levels.stream().filter(level -> level.level() == Level.EXACT_UPDATED || level.level() == Level.EXACT_CURRENT)
+                .forEach(level -> same.require(level.film(), level.level()));
         List<Turns.Turn<RuntimeException>> works = new ArrayList<>();
         levels.forEach(level -> works.add(() -> level.edit(after, silent)));
         works.add(() -> Turns.time(() -> tracer.trace(workers, silent)));

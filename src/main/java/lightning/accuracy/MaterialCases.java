@@ -13,7 +13,7 @@ import lightning.scene.Scene;
 
 /**
  * Edits of materials, which the paper leaves as future work (§5.2). Each edits the first material on a shape that has
- * what it needs, and is left out where none has.
+ * what it needs (switches, of another value, the next), and is left out where none has.
  */
 final class MaterialCases {
     private static final Predicate<Material> ANY = m -> true;
@@ -23,34 +23,39 @@ final class MaterialCases {
     private final Scene scene;
     private final List<Material> used;
 
-    private MaterialCases(Scene scene) {
+    /** Which of the {@link PaperCases#VALUES} values edits take. */
+    private final int value;
+
+    private MaterialCases(Scene scene, int value) {
         this.scene = scene;
+        this.value = value;
         used = scene.placedShapes().stream().map(shape -> shape.material()).distinct().toList();
     }
 
-    static List<PaperCase> of(Scene scene) {
-        var builder = new MaterialCases(scene);
+    /** @param value 0 to {@link PaperCases#VALUES} − 1 */
+    static List<PaperCase> of(Scene scene, int value) {
+        var builder = new MaterialCases(scene, value);
+        double share = new double[] {0.5, 0.8, 0.25}[value];
         Predicate<Material> mirrors = m -> scene.picture().depth() > 0 && !m.reflective().isBlack();
-        builder.edit("material-color", ANY, m -> m.withDiffuse(m.diffuse().times(0.5)));
-        builder.edit("shininess", m -> !m.specular().isBlack(), m -> m.withShininess(Math.min(m.shininess() * 2 + 1, Limits.MAX_SHININESS)));
-        builder.edit("reflectivity", mirrors, m -> m.withReflective(m.reflective().times(0.5)));
-        builder.edit("mirror-off", mirrors, m -> m.withReflective(Rgb.BLACK));
-        builder.backFrom("mirror-on", mirrors, m -> m.withReflective(Rgb.BLACK));
-        builder.edit("texture-off", TEXTURED, m -> m.withTexture(Optional.empty()));
-        builder.backFrom("texture-on", TEXTURED, m -> m.withTexture(Optional.empty()));
+        builder.edit("material-color", ANY, m -> m.withDiffuse(m.diffuse().times(share)));
+        builder.edit("shininess", m -> !m.specular().isBlack(),
+                m -> m.withShininess(Math.min(m.shininess() / share + 1, Limits.MAX_SHININESS)));
+        builder.edit("reflectivity", mirrors, m -> m.withReflective(m.reflective().times(share)));
+        builder.offAndOn("mirror", mirrors, m -> m.withReflective(Rgb.BLACK));
+        builder.offAndOn("texture", TEXTURED, m -> m.withTexture(Optional.empty()));
         return builder.cases;
     }
 
     private void edit(String name, Predicate<Material> needed, UnaryOperator<Material> edit) {
-        edited(needed, edit).ifPresent(after -> add(name, after));
+        used.stream().filter(needed).findFirst().ifPresent(m -> add(name, scene.withMaterial(edit.apply(m))));
     }
 
-    private void backFrom(String name, Predicate<Material> needed, UnaryOperator<Material> edit) {
-        edited(needed, edit).ifPresent(between -> add(name, between, scene));
-    }
-
-    private Optional<Scene> edited(Predicate<Material> needed, UnaryOperator<Material> edit) {
-        return used.stream().filter(needed).findFirst().map(m -> scene.withMaterial(edit.apply(m)));
+    /** Something taken from a material, and given back; another value is another material. */
+    private void offAndOn(String what, Predicate<Material> has, UnaryOperator<Material> off) {
+        used.stream().filter(has).skip(value).findFirst().map(m -> scene.withMaterial(off.apply(m))).ifPresent(without -> {
+            add(what + "-off", without);
+            add(what + "-on", without, scene);
+        });
     }
 
     private void add(String name, Scene... steps) {

@@ -62,7 +62,7 @@ public final class PaperCases {
         PaperCases builder = new PaperCases(scene, value);
         builder.printed();
         builder.further();
-        builder.cases.addAll(MaterialCases.of(scene));
+        builder.cases.addAll(MaterialCases.of(scene, value));
         return List.copyOf(builder.cases);
     }
 

@@ -10,9 +10,11 @@ import lightning.math.Vec3;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.Limits;
+import lightning.scene.Material;
 import lightning.scene.Scene;
+import lightning.scene.TextureMap;
 
-/** Says in the words of the {@code .jen} file what differs between two scenes: lights, ambience and depth. */
+/** Says in the words of the {@code .jen} file what differs between two scenes: lights, materials, ambience and depth. */
 final class SceneChange {
     private final List<String> words = new ArrayList<>();
 
@@ -22,6 +24,7 @@ final class SceneChange {
     static String text(Scene before, Scene after) {
         SceneChange change = new SceneChange();
         change.lights(before, after);
+        after.materials().forEach(material -> change.material(known(before, material), material));
         change.set("world.ambience", number(before.world().ambience()), number(after.world().ambience()));
         change.set("picture.depth", number(before.picture().depth()), number(after.picture().depth()));
         return String.join(", ", change.words);
@@ -60,6 +63,25 @@ final class SceneChange {
         set(name + "dropoff", number(old.dropoff()), number(light.dropoff()));
         set(name + "on", old.on() ? "yes" : "no", light.on() ? "yes" : "no");
         set(name + "solo", old.solo() ? "yes" : "no", light.solo() ? "yes" : "no");
+    }
+
+    /** The material as it was; one that no line of the file makes is the default. */
+    private static Material known(Scene before, Material material) {
+        return before.materials().stream().filter(m -> m.name().equals(material.name())).findFirst().orElse(Material.DEFAULT);
+    }
+
+    private void material(Material old, Material material) {
+        String name = material.name() + ".";
+        set(name + "ambient", text(old.ambient()), text(material.ambient()));
+        set(name + "diffuse", text(old.diffuse()), text(material.diffuse()));
+        set(name + "specular", text(old.specular()), text(material.specular()));
+        set(name + "shininess", number(old.shininess()), number(material.shininess()));
+        set(name + "reflective", text(old.reflective()), text(material.reflective()));
+        set(name + "texture", texture(old), texture(material));
+    }
+
+    private static String texture(Material material) {
+        return material.texture().map(TextureMap::file).orElse("none");
     }
 
     private void set(String what, String before, String after) {

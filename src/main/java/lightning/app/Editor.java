@@ -10,6 +10,7 @@ import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
 import lightning.edit.OpenDocument;
 import lightning.edit.Recovery;
+import lightning.image.DisplayCurve;
 import lightning.jen.JenException;
 
 /** The editor of one document in one window, from opening to closing. */
@@ -37,6 +38,7 @@ final class Editor implements AutoCloseable {
         notices = new Notices(stage);
         model = new EditorModel(document, recovery, hops);
         model.precisionProperty().set(precision());
+        model.viewProperty().set(model.viewProperty().get().withCurve(curve()));
         files = new FileActions(model, prompt, notices, preferences, this::closeWindow);
         window = new EditorWindow(model, files, notices);
         var scene = new Scene(window, Math.min(mostWidth, preferences.number("width", WIDTH)),
@@ -103,6 +105,10 @@ final class Editor implements AutoCloseable {
         }
     }
 
+    private DisplayCurve curve() {
+        return preferences.text("curve", "").equals(DisplayCurve.LINEAR.name()) ? DisplayCurve.LINEAR : DisplayCurve.SRGB;
+    }
+
     private Looks looks() {
         return preferences.text("theme", "").equals(Looks.LIGHT.name()) ? Looks.LIGHT : Looks.DARK;
     }
@@ -115,6 +121,7 @@ final class Editor implements AutoCloseable {
         preferences.set("width", stage.getScene().getWidth());
         preferences.set("height", stage.getScene().getHeight());
         preferences.set("theme", Looks.worn().name());
+        preferences.set("curve", model.viewProperty().get().curve().name());
         preferences.set("precision", model.precisionProperty().get().name());
         preferences.save();
     }

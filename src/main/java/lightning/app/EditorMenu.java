@@ -20,7 +20,7 @@ final class EditorMenu extends MenuBar {
 
     private final EditorModel model;
 
-    EditorMenu(EditorModel model, FileActions files, TracedPane traced, PreviewPane preview, Notices notices) {
+    EditorMenu(EditorModel model, FileActions files, TracedPane traced, PreviewPane preview, Notices notices, Panels windows) {
         this.model = model;
         var recent = new Menu("Load Recent");
         recent.setId("recent");
@@ -40,7 +40,7 @@ final class EditorMenu extends MenuBar {
         live.setAccelerator(KeyCombination.valueOf("F8"));
         live.selectedProperty().bindBidirectional(model.liveProperty());
         var render = menu("Render", item(Command.GO), live, item(Command.UPDATE_REFLECTIONS), item(Command.VERIFY),
-                item(Command.CANCEL), new SeparatorMenuItem(), precision(), sizes());
+                item(Command.CANCEL), new SeparatorMenuItem(), item("What Accuracy Costs…", "F9", windows::accuracy), item("Effects…", "Shift+F9", windows::effects), precision(), sizes());
         var help = menu("Help", item("Mouse and Keyboard", "F1", () -> About.showKeys(notices)),
                 item("About Lightning", "", () -> About.show(notices)));
         getMenus().setAll(file, edit, light, render, view(traced, preview), help);

@@ -2,6 +2,7 @@ package lightning.app;
 
 import javafx.geometry.Orientation;
 import javafx.scene.Node;
+import javafx.scene.control.Button;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
@@ -13,7 +14,10 @@ import javafx.scene.control.Tooltip;
 import lightning.edit.Command;
 import lightning.edit.Dial;
 import lightning.scene.Limits;
+import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignL;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
 
 /** The buttons of the canvas window (paper §3.3 to §3.7), grouped by what they are for. */
@@ -22,7 +26,7 @@ final class EditorToolBar extends ToolBar {
 
     private final EditorModel model;
 
-    EditorToolBar(EditorModel model) {
+    EditorToolBar(EditorModel model, Panels panels) {
         this.model = model;
         setId("toolbar");
         add(Command.LOAD_FILE, Command.RELOAD, Command.SAVE_SCENE, Command.SAVE_IMAGE);
@@ -35,6 +39,20 @@ final class EditorToolBar extends ToolBar {
         add(Command.UPDATE_REFLECTIONS, Command.CANCEL, Command.VERIFY);
         getItems().addAll(gap(), precision(), size(), note("Depth"), depth(), gap());
         add(Command.MAKE_ANIMATION);
+        getItems().add(panel("accuracy-panel", "What Accuracy Costs", "F9", "Each level's time and error for the edit made last",
+                MaterialDesignC.CHART_SCATTER_PLOT, panels::accuracy));
+        getItems().add(panel("effects-panel", "Effects", "Shift+F9", "What the scene calls for, and who calls for it; hide an effect from the view",
+                MaterialDesignL.LAYERS_OUTLINE, panels::effects));
+    }
+
+    private static Button panel(String id, String title, String keys, String help, Ikon icon, Runnable open) {
+        var button = new Button("", new FontIcon(icon));
+        button.setId(id);
+        button.setAccessibleText(title);
+        button.setTooltip(new Tooltip(title + "  (" + keys + ")\n" + help + "."));
+        button.getStyleClass().add("button-icon");
+        button.setOnAction(_ -> open.run());
+        return button;
     }
 
     private void add(Command... commands) {

@@ -1,6 +1,8 @@
 package lightning.app;
 
 import java.io.File;
+import java.util.List;
+import java.util.Optional;
 import javafx.geometry.Orientation;
 import javafx.scene.control.SplitPane;
 import javafx.scene.input.DragEvent;
@@ -18,6 +20,7 @@ public final class EditorWindow extends BorderPane implements AutoCloseable {
     private final PreviewPane preview;
     private final TracedPane traced;
     private final FileActions files;
+    private final Panels panels;
 
     EditorWindow(EditorModel model, FileActions files, Notices notices) {
         this.files = files;
@@ -32,7 +35,8 @@ public final class EditorWindow extends BorderPane implements AutoCloseable {
         var all = new SplitPane(canvases, side);
         all.setDividerPositions(CANVASES);
         SplitPane.setResizableWithParent(side, false);
-        setTop(new VBox(new EditorMenu(model, files, traced, preview, notices), new EditorToolBar(model)));
+        panels = new Panels(model, this::window);
+        setTop(new VBox(new EditorMenu(model, files, traced, preview, notices, panels), new EditorToolBar(model, panels)));
         setCenter(all);
         setBottom(new StatusLine(model));
         model.setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, window()).show());
@@ -61,13 +65,20 @@ public final class EditorWindow extends BorderPane implements AutoCloseable {
     }
 
     private void dropped(DragEvent e) {
-        e.getDragboard().getFiles().stream().filter(EditorWindow::isScene).findFirst().ifPresent(f -> files.load(f.toPath()));
-        e.setDropCompleted(true);
+        e.setDropCompleted(drop(e.getDragboard().getFiles()));
         e.consume();
+    }
+
+    /** Opens the first scene among files; returns whether there is one. */
+    boolean drop(List<File> dropped) {
+        Optional<File> scene = dropped.stream().filter(EditorWindow::isScene).findFirst();
+        scene.ifPresent(f -> files.load(f.toPath()));
+        return scene.isPresent();
     }
 
     @Override
     public void close() {
+        panels.close();
         files.close();
         preview.close();
         traced.close();

@@ -33,9 +33,10 @@ enum Looks {
     /** What the theme lacks. */
     static void dress(Scene scene) {
         List<String> sheets = new ArrayList<>();
-        if (worn == DARK) {
-            sheets.add(url("dark.css"));
-        }
+        sheets.add(url(switch (worn) {
+            case DARK -> "dark.css";
+            case LIGHT -> "light.css";
+        }));
         SHEETS.forEach(sheet -> sheets.add(url(sheet)));
         scene.getStylesheets().setAll(sheets);
     }

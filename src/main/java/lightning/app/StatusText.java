@@ -38,7 +38,7 @@ final class StatusText {
         return frame.mirrorsAreCurrent() ? level : level + ", reflections of an older light";
     }
 
-    private static String saving(double share) {
+    static String saving(double share) {
         return share >= 0 ? String.format(Locale.ROOT, "%.1f %% saved", Math.floor(1000 * share) / 10)
                 : String.format(Locale.ROOT, "%.0f %% slower", -100 * share);
     }
@@ -56,7 +56,7 @@ final class StatusText {
                 + ", PSNR " + String.format(Locale.ROOT, "%.1f dB", d.displayPsnr()) + kept + time;
     }
 
-    private static String milliseconds(double v) {
+    static String milliseconds(double v) {
         return String.format(Locale.ROOT, v < 10 ? "%.1f ms" : "%.0f ms", v);
     }
 

@@ -41,6 +41,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private final Label card = new Label();
     private final ToggleButton difference = new ToggleButton("Difference");
     private final ToggleButton compare = new ToggleButton("", new FontIcon(MaterialDesignC.COMPARE));
+    private final StackPane compareBox = new StackPane(compare);
+    private final Obstacle comparing = new Obstacle(compareBox, compare, "Compare: the snapshot on the left, the picture on the right; drag to wipe");
     private final TracedMouse mouse;
     private final LightPlacer placer;
     private TracedRaster.Pixels shown;
@@ -122,7 +124,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         var regionBox = new StackPane(region);
         var obstacle = new Obstacle(regionBox, region, REGION_HINT);
         model.renderingProperty().subscribe(_ -> obstacle.set(isPlain() ? Optional.empty() : Optional.of(NOT_PLAIN)));
-        var box = new HBox(title, space, difference, only(), snapshot(), compare, new ExposureSlider(model, MOST_STOPS), viewMenu(),
+        var box = new HBox(title, space, difference, only(), snapshot(), compareBox, new ExposureSlider(model, MOST_STOPS), viewMenu(),
                 regionBox, ZoomButtons.of(picture, "traced"));
         box.getStyleClass().add("pane-header");
         return box;
@@ -158,8 +160,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         compare.setId("compare");
         compare.setAccessibleText("Compare");
         compare.getStyleClass().add("button-icon");
-        compare.setDisable(true);
-        compare.setTooltip(new Tooltip("Compare\nThe snapshot on the left, the picture on the right; drag to wipe."));
+        comparing.set(Optional.of("no snapshot is kept yet"));
         compare.selectedProperty().subscribe(on -> {
             picture.wipe().setVisible(on);
             picture.requestLayout();
@@ -171,7 +172,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         TracedRaster.Pixels pixels = model.raster().pixels();
         if (pixels != null) {
             picture.wipe().store(pixels.width(), pixels.height(), pixels.pixels());
-            compare.setDisable(false);
+            comparing.set(Optional.empty());
             picture.requestLayout();
             model.say("Snapshot kept");
         }

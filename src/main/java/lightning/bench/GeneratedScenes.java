@@ -42,7 +42,8 @@ final class GeneratedScenes {
         // So many balls of this radius take a tenth of the block, whatever their number.
         double radius = Math.cbrt(0.1 * WIDTH * WIDTH * HEIGHT / (Math.max(shapes - 1, 1) * 4 / 3.0 * Math.PI));
         for (int i = 1; i < shapes; i++) {
-            Vec3 at = new Vec3(WIDTH * (random.nextDouble() - 0.5), radius + HEIGHT * random.nextDouble(), WIDTH * (random.nextDouble() - 0.5));
+            Vec3 at = new Vec3(WIDTH * (random.nextDouble() - 0.5), radius + HEIGHT * random.nextDouble(),
+                    WIDTH * (random.nextDouble() - 0.5));
             nodes.add(new Shape.Sphere("ball" + i, i % 2 == 0 ? "mirror" : "matt", new Placement(at, Vec3.ZERO, Vec3.ONE.times(radius))));
         }
         List<Light> shining = new ArrayList<>();

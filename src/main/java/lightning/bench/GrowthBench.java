@@ -89,7 +89,7 @@ final class GrowthBench {
         if (saving.kept()) {
             edits.add(new GrowthPoint.EditTime(name, Samples.of(saving.time())));
         } else {
-            ledger.problem(where + ", " + name, "the picture is not that of a full trace; not kept");
+            ledger.problem(new Problem(Problem.Kind.BROKEN, where + ", " + name, "the picture is not that of a full trace"));
         }
     }
 }

@@ -25,9 +25,9 @@ public final class Harness {
     private static final int DRIFT_EDITS = 10_000;
     private static final int QUICK_DRIFT_EDITS = 100;
     private static final PictureSize DRIFT_SIZE = new PictureSize(96, 96);
-    /** How long the first traces are waited for to become fast, at most; on a machine that is not busy it takes a fifth. */
-    private static final double COLD_MS = 10_000;
-    private static final double PACE_MS = 1000;
+    /** For how long the first scene is traced at least before anything is measured. */
+    private static final double COLD_MS = 2000;
+    private static final double PACE_MS = 250;
     private static final double WARM_UP_MS = 3000;
     private static final double QUICK_WARM_UP_MS = 1500;
 
@@ -63,13 +63,13 @@ public final class Harness {
             Progress progress) {
         this.settings = settings;
         this.scenes = List.copyOf(scenes);
-        problems.forEach(problem -> ledger.problem(problem.where(), problem.what()));
+        problems.forEach(ledger::problem);
         List<Pace> paces = new ArrayList<>();
         try (Workers workers = new Workers(settings.threads())) {
-            triad = Bandwidth.triad(workers);
+            triad = Bandwidth.triad(workers, settings.isWarm() ? Bandwidth.REPETITIONS : 1);
             warmUp(workers, progress.silent());
-            double patienceMs = settings.isWarm() ? PACE_MS : 0;
-            scenes.forEach(scene -> paces.add(Pace.of(scene.scene(), workers, patienceMs, progress.silent())));
+            double leastMs = settings.isWarm() ? PACE_MS : 0;
+            scenes.forEach(scene -> paces.add(Pace.of(scene.scene(), workers, leastMs, progress.silent())));
         }
         double best = triad.stream().mapToDouble(d -> d).max().orElseThrow();
         for (int i = 0; i < scenes.size(); i++) {
@@ -147,9 +147,9 @@ public final class Harness {
         try {
             part.work().measure(progress);
         } catch (BrokenPromise e) {
-            ledger.problem(part.where(), e.getMessage());
+            ledger.problem(new Problem(Problem.Kind.BROKEN, part.where(), e.getMessage()));
         } catch (OutOfMemoryError e) {
-            ledger.problem(part.where(), "there is not enough memory for it");
+            ledger.problem(new Problem(Problem.Kind.UNMEASURED, part.where(), "there is not enough memory for it"));
         }
     }
 

@@ -1,5 +1,6 @@
 package lightning.bench;
 
+import lightning.effects.Effect;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
 import lightning.shading.TraditionalTracer;
@@ -13,28 +14,31 @@ import lightning.shading.Workers;
  * @param msPerPixel milliseconds
  */
 record Pace(double msPerPixel) {
-    private static final PictureSize SMALL = new PictureSize(160, 120);
+    private static final PictureSize SMALL = new PictureSize(320, 240);
     /** It traces until so many traces were not notably faster than the best before: the compiler is done. */
     private static final int STEADY_TRACES = 12;
     private static final double NOTABLY = 0.9;
+    /** How many times the least time it waits for that. */
+    private static final double PATIENCE = 5;
     /** Warming up takes so many rounds, as a rule. */
-    private static final double WARM_UPS = 4;
-    /** One round of a ladder in full traces: the trace, and seven re-renders of all kinds. */
-    private static final double LADDER_ROUND = 2.2;
+    private static final double WARM_UPS = 3;
+    /** One round of a ladder in full traces: the trace, and re-renders of all kinds. */
+    private static final double LADDER_ROUND = 1.5;
     /** Comparing the levels with their oracles, in full traces. */
-    private static final double LADDER_CHECK = 8;
+    private static final double LADDER_CHECK = 6;
     /** Measuring how far a ladder's pictures are off, milliseconds a pixel. */
-    private static final double ERRORS = 1.6e-3;
+    private static final double ERRORS = 0.7e-3;
 
     /**
      * Traces small pictures until they are fast; in cold code that takes a while.
      *
-     * @param patienceMs how long at most, milliseconds
+     * @param leastMs for how long at least, milliseconds: the compiler takes its time
      */
-    static Pace of(Scene scene, Workers workers, double patienceMs, Progress progress) {
+    static Pace of(Scene scene, Workers workers, double leastMs, Progress progress) {
         var tracer = new TraditionalTracer(SMALL.of(scene));
         double best = Double.POSITIVE_INFINITY;
         long start = System.nanoTime();
+        double ran;
         int steady = 0;
         do {
             long from = System.nanoTime();
@@ -42,7 +46,8 @@ record Pace(double msPerPixel) {
             double ms = (System.nanoTime() - from) / 1e6;
             steady = ms < NOTABLY * best ? 0 : steady + 1;
             best = Math.min(best, ms);
-        } while (steady < STEADY_TRACES && (System.nanoTime() - start) / 1e6 < patienceMs);
+            ran = (System.nanoTime() - start) / 1e6;
+        } while (ran < leastMs || steady < STEADY_TRACES && ran < PATIENCE * leastMs);
         return new Pace(best / SMALL.pixels());
     }
 
@@ -56,6 +61,11 @@ record Pace(double msPerPixel) {
 
     double firstPassMs(PictureSize size, int repetitions) {
         return fullMs(size) * 2.2 * (WARM_UPS + repetitions);
+    }
+
+    /** Each effect in turns with the picture as it is, in the first pass and an update. */
+    double effectsMs(PictureSize size, int repetitions) {
+        return fullMs(size) * 2.5 * (WARM_UPS + repetitions) * Effect.values().length;
     }
 
     /** So many edits and a full trace in turns. */

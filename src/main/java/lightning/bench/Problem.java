@@ -6,4 +6,14 @@ package lightning.bench;
  * @param where the scene's file, its size and the edit, as far as known
  * @param what  a sentence
  */
-public record Problem(String where, String what) {}
+public record Problem(Kind kind, String where, String what) {
+    /** What a problem says about the program. */
+    public enum Kind {
+        /** A scene could not be read. */
+        UNREAD,
+        /** A picture is not what its level of accuracy promises. */
+        BROKEN,
+        /** Memory was too small, or another program failed. */
+        UNMEASURED
+    }
+}

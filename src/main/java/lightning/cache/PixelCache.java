@@ -43,8 +43,14 @@ public final class PixelCache {
         this.mirroredStamps = mirroredStamps;
     }
 
+    /** With the materials of the first level. */
     public Geometry geometry() {
         return geometry;
+    }
+
+    /** The same shapes with the materials that mirrors show. */
+    public Geometry mirroredGeometry() {
+        return geometry.of(sight.mirrored());
     }
 
     /** How many tiles of pixels' centres there are: none where all pixels have several samples. */

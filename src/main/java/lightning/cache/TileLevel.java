@@ -26,6 +26,11 @@ public record TileLevel(HitRows rows, LightLayer[] layers, BranchSums branches) 
         return new TileLevel(rows, layers, sums);
     }
 
+    /** This level with other codes for anti-aliasing, {@code int[rows]}, or none. */
+    public TileLevel withCode(int[] code) {
+        return new TileLevel(rows.withCode(code), layers, branches);
+    }
+
     /** The bytes of all columns, array headers and passing sums left out. */
     public long bytes() {
         long bytes = rows.bytes();

@@ -11,6 +11,7 @@ import lightning.bench.Baseline;
 import lightning.bench.Figures;
 import lightning.bench.Harness;
 import lightning.bench.PictureSize;
+import lightning.bench.Problem;
 import lightning.bench.Reporter;
 import lightning.bench.Results;
 import lightning.bench.ResultsFile;
@@ -32,9 +33,10 @@ import picocli.CommandLine.Spec;
             "grow with pixels, lights, shapes and mirror bounces, how errors drift over 10 000 edits, the bandwidth of memory, and",
             "POV-Ray where it is installed. Works are measured in turns; no picture is timed before it was compared.",
             "",
-            "Writes results.json (everything, with every sample), results.csv (a row for each measurement) and pictures into the",
-            "folder. A run that is cancelled keeps what it has. The exit code is 1 if a picture was not what its level promises, or",
-            "something became worse than the baseline; 2 if a scene could not be read (the others are measured)."},
+            "Writes report.html (a page with charts and pictures, which needs no network), results.json (everything, with every",
+            "sample), results.csv (a row for each measurement) and pictures into the folder. A run that is cancelled keeps what it",
+            "has. The exit code is 1 if a picture was not what its level promises, or something became worse than the baseline; 2 if",
+            "a scene could not be read (the others are measured)."},
         footer = {
             "Examples:",
             "  lightning bench -o results --quick",
@@ -52,7 +54,8 @@ final class BenchCommand implements Callable<Integer> {
     private CommandSpec command;
     @Parameters(arity = "0..*", paramLabel = "scene.jen", description = "The scenes; all in scenes/ where none is named.")
     private List<Path> scenes = List.of();
-    @Option(names = {"-o", "--output"}, paramLabel = "DIR", required = true, description = "The folder for the results, made if it is not there.")
+    @Option(names = {"-o", "--output"}, paramLabel = "DIR", required = true,
+            description = "The folder for the results, made if it is not there.")
     private Path folder;
     @Option(names = "--quick", description = "A small selection, in under a minute on two processors.")
     private boolean quick;
@@ -60,7 +63,8 @@ final class BenchCommand implements Callable<Integer> {
             description = "Pixels, more than once for several sizes; 300x300 and 1920x1080 without it.")
     private List<Size> sizes = List.of();
     @Option(names = "--baseline", paramLabel = "OLD.json",
-            description = "Prints what became slower (quartiles apart, and by more than 10 %%) or less accurate than these results.")
+            description = {"Prints what became slower (quartiles apart, and by more than 10 %%, also as a share of the full trace)",
+                "or less accurate than these results."})
     private Path baseline;
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "What everything random starts from; 1 without it.")
     private long seed;
@@ -69,7 +73,8 @@ final class BenchCommand implements Callable<Integer> {
     private int figure;
     private Integer repetitions;
 
-    @Option(names = "--figure", paramLabel = "N", description = "The edits of one of the paper's figures alone, on bird where no scene is named.")
+    @Option(names = "--figure", paramLabel = "N",
+            description = "The edits of one of the paper's figures alone, on bird where no scene is named.")
     private void setFigure(int value) {
         if (!Figures.isMeasured(value)) {
             throw new ParameterException(command.commandLine(),
@@ -78,7 +83,8 @@ final class BenchCommand implements Callable<Integer> {
         figure = value;
     }
 
-    @Option(names = "--repetitions", paramLabel = "N", description = "How many samples each work has; 5 without it, 3 with --quick. 1 is for a look: nothing is warmed up.")
+    @Option(names = "--repetitions", paramLabel = "N",
+            description = "How many samples each work has; 5 without it, 3 with --quick. 1 is for a look: nothing is warmed up.")
     private void setRepetitions(int value) {
         if (value < 1 || value > MOST_REPETITIONS) {
             throw new ParameterException(command.commandLine(), "--repetitions must be from 1 to " + MOST_REPETITIONS + ", was " + value);
@@ -100,7 +106,7 @@ final class BenchCommand implements Callable<Integer> {
         }
         Files.createDirectories(folder);
         Results results = measure(read);
-        console.line("%s: results.json, results.csv and pictures", folder);
+        console.line("%s: report.html, results.json, results.csv and pictures", folder);
         return exit(results, old, !read.problems().isEmpty());
     }
 
@@ -121,7 +127,8 @@ final class BenchCommand implements Callable<Integer> {
         try (ProgressBar bar = new ProgressBar(console, "bench")) {
             List<String> arguments = new ArrayList<>(command.commandLine().getParseResult().originalArgs());
             Harness harness = new Harness(settings(), read.scenes(), read.problems(), folder, arguments, bar);
-            console.line("%d scenes; this will take about %s", read.scenes().size(), duration(harness.predictedSeconds()));
+            int count = read.scenes().size();
+            console.line("%d scene%s; this will take about %s", count, count == 1 ? "" : "s", duration(harness.predictedSeconds()));
             try {
                 Results results = harness.run((_, until) -> {
                     bar.erase();
@@ -133,7 +140,8 @@ final class BenchCommand implements Callable<Integer> {
                 table.foot(results);
                 return results;
             } catch (CancellationException | InterruptedException | IOException e) {
-                files.keep(harness.results(false));
+                bar.erase();
+                files.keep(harness.results(false), () -> console.remark("%s: holds what was measured until now", folder));
                 throw e;
             }
         }
@@ -144,7 +152,7 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     private int exit(Results results, Results old, boolean unread) throws BadInput {
-        int broken = results.problems().size() - (int) results.problems().stream().filter(BenchScenes::isUnread).count();
+        long broken = results.problems().stream().filter(problem -> problem.kind() == Problem.Kind.BROKEN).count();
         if (old != null) {
             Baseline compared = Baseline.compare(old, results);
             if (compared.compared() == 0) {

@@ -34,11 +34,17 @@ final class BenchFolder {
         reporter.write(results, folder);
     }
 
-    /** Writes all files even where this thread is interrupted, which would not let it write; it stays interrupted. */
-    void keep(Results results) throws IOException {
+    /**
+     * Writes all files even where this thread is interrupted, which would not let it write; it stays interrupted.
+     *
+     * @param tables runs when everything but the page is written: an ended process may not be given the time for that
+     */
+    void keep(Results results, Runnable tables) throws IOException {
         boolean interrupted = Thread.interrupted();
         try {
-            write(results);
+            writeTables(results);
+            tables.run();
+            reporter.write(results, folder);
         } finally {
             if (interrupted) {
                 Thread.currentThread().interrupt();

@@ -21,8 +21,6 @@ import lightning.jen.JenException;
 record BenchScenes(List<NamedScene> scenes, List<Problem> problems) {
     private static final Path FOLDER = Path.of("scenes");
     private static final String ENDING = ".jen";
-    /** How the place of such a problem begins. */
-    private static final String UNREAD = "scene ";
 
     /**
      * Reads scenes.
@@ -38,19 +36,18 @@ record BenchScenes(List<NamedScene> scenes, List<Problem> problems) {
             try {
                 scenes.add(new NamedScene(name(file, names), SceneFile.read(file).scene()));
             } catch (JenException e) {
-                problems.add(new Problem(UNREAD + file, e.problems().stream().map(Object::toString).collect(Collectors.joining("\n"))));
+                problems.add(unread(file, e.problems().stream().map(Object::toString).collect(Collectors.joining("\n"))));
             } catch (BadInput e) {
-                problems.add(new Problem(UNREAD + file, e.getMessage()));
+                problems.add(unread(file, e.getMessage()));
             } catch (IOException e) {
-                problems.add(new Problem(UNREAD + file, Complaint.sentence(e)));
+                problems.add(unread(file, Complaint.sentence(e)));
             }
         }
         return new BenchScenes(scenes, problems);
     }
 
-    /** Whether a problem is that of a file that could not be read. */
-    static boolean isUnread(Problem problem) {
-        return problem.where().startsWith(UNREAD);
+    private static Problem unread(Path file, String what) {
+        return new Problem(Problem.Kind.UNREAD, file.toString(), what);
     }
 
     private static List<Path> own(boolean one) throws IOException {

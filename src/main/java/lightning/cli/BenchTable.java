@@ -39,8 +39,10 @@ final class BenchTable {
 
     private void head(String name, SceneResult scene) {
         console.line("");
-        console.line("%s, depth %d, %d shapes, %d lights%s", name, scene.depth(), scene.shapes(), scene.lights(), firstPass(scene.firstPass()));
-        console.line(COLUMNS, "edit", "full ms", "saves %", "paper", "cap", "half", "fast", "ratio", "exact", "updated", "current", "half", "fast");
+        console.line("%s, depth %d, %d shapes, %d lights%s", name, scene.depth(), scene.shapes(), scene.lights(),
+                firstPass(scene.firstPass()));
+        console.line(COLUMNS, "edit", "full ms", "saves %", "paper", "cap", "half", "fast", "ratio", "exact", "updated", "current",
+                "half", "fast");
     }
 
     private static String firstPass(FirstPass first) {
@@ -76,8 +78,9 @@ final class BenchTable {
     /** Says what all of it means, and what is not in the table. */
     void foot(Results results) {
         console.line("");
-        console.line("saves: level exact, of a full trace's time; paper: on its own scene and machine of 1998; cap: what ray counts and memory allow;");
-        console.line("then milliseconds of each level, and the mean FLIP error (0 to 1) of the two roughest");
+        console.line("saves: level exact, of a full trace's time; paper: on its own scene and machine of 1998;");
+        console.line("cap: what ray counts and memory allow; then milliseconds of each level, and the mean FLIP error (0 to 1) of the"
+                + " two roughest");
         for (SceneResult scene : results.scenes()) {
             if (scene.peer() != null) {
                 console.line("%s at %d x %d: %.1f times as fast as %s; %.2f %% of the pixels show the same shape", scene.scene(), scene.width(),

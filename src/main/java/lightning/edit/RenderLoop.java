@@ -170,7 +170,7 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     private void mirror(RenderQueue.Stop stop) {
-        if (rendered != null) {
+        if (rendered != null && !renderer.reflectionsAreCurrent()) {
             renderer.setView(view.exposure(), view.curve());
             show(renderer.updateReflections(stop), stop);
         }

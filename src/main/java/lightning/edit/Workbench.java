@@ -28,6 +28,7 @@ public final class Workbench implements AutoCloseable {
     private final Autosave autosave;
     private OpenDocument document;
     private Optional<Frame> frame = Optional.empty();
+    private Optional<Scene> previous = Optional.empty();
     private Optional<Scene> inWork = Optional.empty();
     private Optional<Light> copied = Optional.empty();
     private boolean verifying;
@@ -65,6 +66,17 @@ public final class Workbench implements AutoCloseable {
         return frame;
     }
 
+    private void take(Frame finished) {
+        Optional<Scene> shown = frame.map(Frame::scene);
+        previous = shown.filter(s -> !VisiblePart.same(s, finished.scene())).or(() -> previous);
+        frame = Optional.of(finished);
+    }
+
+    /** The edit made last; empty where there is none, or it made another picture of it. */
+    public Optional<LastEdit> lastEdit() {
+        return LastEdit.of(scene(), frame.map(Frame::scene), previous);
+    }
+
     /** What decides which commands are enabled. */
     public Situation situation() {
         return Situation.of(document, frame).withInWork(inWork).withVerifying(verifying).withCopied(copied)
@@ -77,9 +89,12 @@ public final class Workbench implements AutoCloseable {
         autosave.forget();
         document = other;
         frame = Optional.empty();
+        previous = Optional.empty();
         animating = false;
         autosave.changed(document);
         go();
+        // Shapes that the other document had too would mirror its lights.
+        loop.updateReflections();
     }
 
     /** Opens what a crash left unsaved: see {@link OpenDocument#recover}. Until it is saved it can be recovered again. */
@@ -311,7 +326,7 @@ public final class Workbench implements AutoCloseable {
         @Override
         public void rendered(Frame finished) {
             canvas.rendered(finished);
-            tell(() -> frame = Optional.of(finished));
+            tell(() -> take(finished));
         }
 
         @Override

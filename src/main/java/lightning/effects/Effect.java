@@ -21,13 +21,13 @@ public enum Effect {
     SPECULAR("specular highlights", uses -> uses.litMaterials(m -> !m.specular().isBlack()),
             scene -> Without.materials(scene, m -> m.withSpecular(Rgb.BLACK))),
     TEXTURES("textures", uses -> uses.litMaterials(m -> m.texture().isPresent() && !m.diffuse().isBlack()),
-            scene -> Without.materials(scene, m -> m.withTexture(Optional.empty()))),
+            scene -> Without.materials(scene, m -> m.withTexture(Optional.empty())), Forced::whiteTextures),
     REFLECTION("reflections", Uses::mirrors,
             scene -> Without.materials(scene, m -> m.withReflective(Rgb.BLACK)).withPicture(scene.picture().withDepth(0))),
     ATTENUATION("attenuation", uses -> uses.lights(l -> l.type().hasPosition() && !l.attenuation().isNone()),
             scene -> Without.lights(scene, l -> l.withAttenuation(Attenuation.NONE))),
     SPOT_CONE("cones of light", uses -> uses.lights(l -> l.type().hasCone() && l.angle() < 180),
-            scene -> Without.lights(scene, l -> l.withAngle(180))),
+            scene -> Without.lights(scene, l -> l.withAngle(180)), Forced::widestCones),
     DROPOFF("dropoff", uses -> uses.lights(l -> l.type().hasCone() && l.dropoff() != 0),
             scene -> Without.lights(scene, l -> l.withDropoff(0))),
     ANTIALIASING("anti-aliasing", Uses::fineSamples, scene -> scene.withPicture(scene.picture()
@@ -43,11 +43,17 @@ public enum Effect {
     private final String title;
     private final Function<Uses, Stream<String>> callers;
     private final UnaryOperator<Scene> without;
+    private final UnaryOperator<Scene> forced;
 
     Effect(String title, Function<Uses, Stream<String>> callers, UnaryOperator<Scene> without) {
+        this(title, callers, without, UnaryOperator.identity());
+    }
+
+    Effect(String title, Function<Uses, Stream<String>> callers, UnaryOperator<Scene> without, UnaryOperator<Scene> forced) {
         this.title = title;
         this.callers = callers;
         this.without = without;
+        this.forced = forced;
     }
 
     Effect(String title, LightType type) {
@@ -67,6 +73,14 @@ public enum Effect {
     /** The names of the lights, materials or shapes that call for it, in the order of the scene, perhaps repeatedly. */
     Stream<String> callers(Uses uses) {
         return callers.apply(uses);
+    }
+
+    /**
+     * A scene that calls for it and has the very same picture; the scene itself where there is none: then those who keep
+     * columns and cast rays force it ({@link ViewEffects#forces}), or nobody can.
+     */
+    Scene forced(Scene scene) {
+        return forced.apply(scene);
     }
 
     /** The scene without it; for shadows the scene itself, because nothing in a scene tells of them. */

@@ -16,6 +16,7 @@ import lightning.scene.Scene;
  * @param depth   how many mirror bounces a ray can make at most: 0 where nothing mirrors
  */
 public record Effects(Map<Effect, List<String>> callers, int depth) {
+    private static final int NAMES_SHOWN = 6;
 
     public Effects {
         var copy = new EnumMap<Effect, List<String>>(Effect.class);
@@ -44,6 +45,14 @@ public record Effects(Map<Effect, List<String>> callers, int depth) {
     /** Who calls for it; empty where nobody does. */
     public List<String> callers(Effect effect) {
         return callers.getOrDefault(effect, List.of());
+    }
+
+    /** Why the scene calls for it, in a line: {@code up to 3 bounces: floor, eye}; empty where it does not. */
+    public String why(Effect effect) {
+        List<String> names = callers(effect);
+        String shown = String.join(", ", names.subList(0, Math.min(names.size(), NAMES_SHOWN)));
+        String more = names.size() > NAMES_SHOWN ? " and " + (names.size() - NAMES_SHOWN) + " more" : "";
+        return (effect == Effect.REFLECTION && has(effect) ? "up to " + depth + " bounces: " : "") + shown + more;
     }
 
     /** What the scene does without. */

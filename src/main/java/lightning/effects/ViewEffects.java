@@ -76,6 +76,7 @@ public record ViewEffects(Set<Effect> hidden, Set<Effect> forced, boolean litTex
         Scene shown = scene;
         for (Effect effect : Effect.values()) {
             shown = shows(effect) ? shown : effect.without(shown);
+            shown = forces(effect) ? effect.forced(shown) : shown;
         }
         return shown;
     }

@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.function.IntFunction;
 import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
+import lightning.scene.Antialias;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.shading.ConeChange;
@@ -38,7 +39,8 @@ final class Dispatcher {
         if (known.picture().width() != wanted.picture().width() || known.picture().height() != wanted.picture().height()) {
             return new UpdatePlan.FirstPass("another size");
         }
-        if (!known.picture().sampling().samplesLike(wanted.picture().sampling())) {
+        boolean resampled = !known.picture().sampling().samplesLike(wanted.picture().sampling());
+        if (resampled && (hasNoCentres(known) || hasNoCentres(wanted))) {
             return new UpdatePlan.FirstPass("other samples");
         }
         if (!known.camera().equals(wanted.camera())) {
@@ -49,14 +51,23 @@ final class Dispatcher {
         }
         int depthFrom = known.picture().depth();
         int depthTo = wanted.picture().depth();
-        boolean refresh = depthFrom != depthTo || mirrors && !cache.mirroredScene().equals(wanted);
+        boolean refresh = resampled || depthFrom != depthTo || mirrors && !cache.mirroredScene().equals(wanted);
         if (known.equals(wanted) && !refresh) {
             return new UpdatePlan.Nothing();
         }
         Geometry geometry = cache.geometry().of(wanted);
-        return new UpdatePlan.Relight(level(cache.geometry(), known, cache::stamp, wanted, geometry, accuracy), refresh
-                ? level(cache.geometry().of(cache.mirroredScene()), cache.mirroredScene(), cache::mirroredStamp, wanted, geometry, accuracy)
-                : null, depthFrom, depthTo);
+        LevelPlan top = level(cache.geometry(), known, cache::stamp, wanted, geometry, accuracy);
+        LevelPlan mirrored = refresh
+                ? level(cache.mirroredGeometry(), cache.mirroredScene(), cache::mirroredStamp, wanted, geometry, accuracy) : null;
+        if (resampled && !(top.materials().mirrors().isEmpty() && mirrored.materials().mirrors().isEmpty())) {
+            return new UpdatePlan.FirstPass("other samples and mirrors");
+        }
+        return new UpdatePlan.Relight(top, mirrored, depthFrom, depthTo, resampled);
+    }
+
+    /** Whether all pixels have several samples, so that their centres are not traced. */
+    private static boolean hasNoCentres(Scene scene) {
+        return scene.picture().sampling().antialias() == Antialias.EVERY;
     }
 
     /** The update of the layers that show {@code known} and were computed for {@code stamps}. */

@@ -19,8 +19,10 @@ import lightning.trace.Geometry;
  * @param top      the update of the first level; null in a first pass
  * @param mirrors  the update of the mirror levels; null where they stay, and in a first pass
  * @param coding   whether anti-aliasing looks for edges anew
+ * @param codingMirrors whether it looks for them in all mirror images too, whether or not they change
  */
-record Job(Shown shown, Shown mirrored, Options options, Level top, Level mirrors, boolean coding, Progress progress) {
+record Job(Shown shown, Shown mirrored, Options options, Level top, Level mirrors, boolean coding, boolean codingMirrors,
+        Progress progress) {
 
     /**
      * What levels show.

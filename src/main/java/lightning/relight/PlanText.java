@@ -19,6 +19,9 @@ final class PlanText {
         if (plan.depthTo() != plan.depthFrom()) {
             steps.add("depth " + plan.depthFrom() + " → " + plan.depthTo());
         }
+        if (plan.resampled()) {
+            steps.add("samples");
+        }
         if (plan.mirrors() != null) {
             steps.add("reflections");
         }

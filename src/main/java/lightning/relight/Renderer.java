@@ -3,6 +3,7 @@ package lightning.relight;
 import java.util.concurrent.CancellationException;
 import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
+import lightning.effects.Effect;
 import lightning.image.DisplayCurve;
 import lightning.image.Film;
 import lightning.scene.Antialias;
@@ -201,14 +202,17 @@ public final class Renderer implements AutoCloseable {
     }
 
     private Work firstPass(Scene wanted, Progress progress) {
-        Geometry geometry = cache != null && cache.geometry().serves(wanted) ? cache.geometry() : new Geometry(wanted);
+        boolean coding = wanted.picture().sampling().antialias() == Antialias.EDGES;
+        // Anti-aliasing looks into mirrors for edges, so what mirrors nothing must not be followed then.
+        boolean everyMirror = options.view().forces(Effect.REFLECTION) && !coding;
+        Geometry geometry = cache != null && cache.geometry().serves(wanted) && cache.geometry().everyMirror() == everyMirror
+                ? cache.geometry() : new Geometry(wanted, everyMirror);
         Job.Shown shown = Job.Shown.of(geometry, wanted);
         LayerStamp[] stamps = new LayerStamp[shown.lamps().length];
         for (int l = 0; l < stamps.length; l++) {
             stamps[l] = shown.lamps()[l].isDark() ? null : LayerStamp.fresh(shown.lamps()[l].light());
         }
-        boolean coding = wanted.picture().sampling().antialias() == Antialias.EDGES;
-        TileRun run = new TileRun(new Job(shown, shown, options, null, null, coding, progress), workers, null);
+        TileRun run = new TileRun(new Job(shown, shown, options, null, null, coding, coding, progress), workers, null);
         cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), Sight.of(wanted), Sight.of(wanted), stamps, stamps);
         return run.work();
     }
@@ -219,15 +223,24 @@ public final class Renderer implements AutoCloseable {
         Job.Shown shown = Job.Shown.of(old.geometry(), wanted);
         Job.Shown mirrored = mirrors ? shown : Job.Shown.of(old.geometry(), old.mirroredScene());
         boolean seeksEdges = wanted.picture().sampling().antialias() == Antialias.EDGES;
-        boolean coding = seeksEdges && (refreshed || options.accuracy() == Accuracy.EXACT || plan.depthFrom() != plan.depthTo());
+        boolean coding = seeksEdges && (refreshed || options.accuracy() == Accuracy.EXACT || plan.resampled()
+                || plan.depthFrom() != plan.depthTo());
         Job job = new Job(shown, mirrored, options, Job.Level.of(plan.top(), old.scene(), shown.lamps(), drag),
-                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), shown.lamps(), mirroredDrag) : null, coding, progress);
+                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), shown.lamps(), mirroredDrag) : null, coding,
+                coding && (mirrors || mirrorsMovedUnder(old)), progress);
         TileRun run = new TileRun(job, workers, old);
-        Sight sampled = seeksEdges && !coding ? old.sampled() : new Sight(wanted, mirrors ? wanted : old.sampled().mirrored());
+        Sight sampled = seeksEdges && !coding ? old.sampled()
+                : new Sight(wanted, mirrors || job.codingMirrors() ? mirrored.scene() : old.sampled().mirrored());
         cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), new Sight(wanted, mirrored.scene()), sampled,
                 stamps(plan.top(), run.leastFalloff()),
                 mirrors ? stamps(plan.mirrors(), run.leastFalloff()) : old.mirroredStamps());
         return run.work();
+    }
+
+    /** Whether a material began or ceased to mirror while the samples stayed. */
+    private static boolean mirrorsMovedUnder(PixelCache cache) {
+        Geometry sampled = cache.geometry().of(cache.sampled().scene());
+        return !MaterialDifference.between(sampled.materials(), cache.geometry().materials()).mirrors().isEmpty();
     }
 
     private LayerStamp[] stamps(LevelPlan plan, double leastFalloff) {

@@ -42,11 +42,12 @@ final class TileRun {
 
     private void finer(int all) {
         EdgeMap edges = edges(tiles);
-        EdgeMap known = old == null ? null : edges(old.tiles());
+        boolean known = old != null && old.scene().picture().sampling().samplesLike(job.sampling());
+        EdgeMap edgesBefore = known ? edges(old.tiles()) : null;
         FineWorker[] finer = new FineWorker[threads.length];
-        Arrays.setAll(finer, worker -> new FineWorker(job, threads[worker], edges, known));
+        Arrays.setAll(finer, worker -> new FineWorker(job, threads[worker], edges, edgesBefore));
         workers.run(fine.length, (worker, tile) -> fine[tile] = finer[worker].tile(tile, tiles.length == 0 ? null : tiles[tile],
-                old == null || tiles.length == 0 ? null : old.tile(tile), old == null ? null : old.fine(tile)),
+                !known || tiles.length == 0 ? null : old.tile(tile), known ? old.fine(tile) : null),
                 job.progress().part(tiles.length, all));
     }
 

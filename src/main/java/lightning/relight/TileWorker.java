@@ -4,6 +4,7 @@ import java.util.Arrays;
 import lightning.cache.CachedTile;
 import lightning.cache.TileLevel;
 import lightning.image.Film;
+import lightning.scene.Antialias;
 import lightning.shading.EdgeCoder;
 import lightning.shading.EdgeCodes;
 import lightning.shading.TraceCounts;
@@ -78,11 +79,42 @@ final class TileWorker {
 
     /** Updates the centres of a tile's pixels as planned; null where the work was cancelled. */
     CachedTile relight(int tile, CachedTile old) {
-        return relight(SamplePlaces.centers(tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE), old);
+        SamplePlaces places = SamplePlaces.centers(tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE);
+        boolean seeksEdges = job.sampling().antialias() == Antialias.EDGES;
+        boolean codes = old.rows().code != null;
+        return relight(places, seeksEdges == codes ? old : seeksEdges ? withCodes(places, old) : withoutCodes(old), seeksEdges);
     }
 
-    /** Updates rows, whose rays go where they say, as planned; null where the work was cancelled. */
+    /**
+     * A tile that anti-aliasing begins to look at: what its rays hit is asked again, for the codes that were not kept; the
+     * rows and their light are those that are known.
+     */
+    private CachedTile withCodes(SamplePlaces places, CachedTile old) {
+        TileLevel[] levels = old.levels.clone();
+        HitRows seen = eye.visibility.eye(places.x0(), places.y0(), Film.TILE, rows(true));
+        eyeRays += (long) Math.min(Film.TILE, job.scene().picture().width() - places.x0())
+                * Math.min(Film.TILE, job.scene().picture().height() - places.y0());
+        levels[0] = levels[0].withCode(seen.code);
+        for (int k = 1; k < levels.length; k++) {
+            HitRows above = levels[k - 1].rows();
+            mirroredRays += above.reflective;
+            levels[k] = levels[k].withCode(mirror().visibility.mirrored(above, null, rows(true)).code);
+        }
+        return new CachedTile(levels, old.hitShapes, old.mirrored, old.film, null);
+    }
+
+    private static CachedTile withoutCodes(CachedTile old) {
+        TileLevel[] levels = Arrays.stream(old.levels).map(level -> level.withCode(null)).toArray(TileLevel[]::new);
+        return new CachedTile(levels, old.hitShapes, old.mirrored, old.film, null);
+    }
+
+    /** Updates finer samples as planned; null where the work was cancelled. */
     CachedTile relight(SamplePlaces places, CachedTile old) {
+        return relight(places, old, false);
+    }
+
+    /** @param codes whether anti-aliasing looks at these rows */
+    private CachedTile relight(SamplePlaces places, CachedTile old, boolean codes) {
         TileLevel known = old.levels[0];
         MaterialUpdate materials = job.top().plan().materials();
         RowSplice order = materials.mirrors().isIn(known.rows())
@@ -93,16 +125,16 @@ final class TileWorker {
         if (job.progress().isCancelled()) {
             return null;
         }
-        boolean mirrorsStay = job.mirrors() == null && order == null;
-        boolean coded = job.coding() && old.codes != null && (!mirrorsStay || job.top().recodes(sorted, top.layers()));
+        boolean mirrorsStay = job.mirrors() == null && order == null && !(job.codingMirrors() && codes);
+        boolean coded = job.coding() && codes && (!mirrorsStay || job.top().recodes(sorted, top.layers()));
         begin(coded, top);
         Mirrors mirrors = mirrorsStay ? new Mirrors(old.levels, old.hitShapes, old.mirrored) : updateMirrors(old, top, order, coded);
         if (job.progress().isCancelled()) {
             return null;
         }
         boolean same = order == null && mirrors.cr == old.mirrored && !job.top().recolors(sorted, top.layers());
-        EdgeCodes codes = !coded ? old.codes : (mirrorsStay ? coder.codes(old.codes) : coder.codes()).or(old.codes);
-        return finish(top, mirrors, same ? old.film : null, codes);
+        EdgeCodes seen = !coded ? old.codes : (mirrorsStay ? coder.codes(old.codes) : coder.codes()).or(old.codes);
+        return finish(top, mirrors, same ? old.film : null, seen);
     }
 
     private void begin(boolean coded, TileLevel top) {
@@ -155,7 +187,7 @@ final class TileWorker {
         return spliced(old, top, order, coded);
     }
 
-    /** Whether the rows that are seen in mirrors, known by their shapes alone, are of materials that begin or cease to mirror(). */
+    /** Whether the rows that are seen in mirrors, known by their shapes alone, are of materials that begin or cease to mirror. */
     private boolean crosses(int[][] hitShapes) {
         if (job.mirrors() == null || job.mirrors().plan().materials().mirrors().isEmpty()) {
             return false;

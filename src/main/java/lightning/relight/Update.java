@@ -5,7 +5,8 @@ import lightning.shading.TraceCounts;
 /**
  * What a renderer did.
  *
- * @param rowsTouched  rows of light layers that were looked at or written; a row counts once for each light
+ * @param rowsTouched  rows of light layers that were looked at or written, a row once for each light, and rows whose texture
+ *                     was looked up anew
  * @param rowsComposed rows, of all levels, for which the equation was closed
  * @param bytesMoved   bytes of columns and film that were read or written, each counted once for each use: what
  *                     memory must move if no cache helps; 0 for a first pass

@@ -18,8 +18,15 @@ public sealed interface UpdatePlan {
      * @param mirrors   the mirror levels, or null where they stay as they are
      * @param depthFrom how many mirror bounces are known
      * @param depthTo   how many are wanted
+     * @param resampled whether pixels get other finer samples, or none, whatever the edges
      */
-    record Relight(LevelPlan top, LevelPlan mirrors, int depthFrom, int depthTo) implements UpdatePlan {}
+    record Relight(LevelPlan top, LevelPlan mirrors, int depthFrom, int depthTo, boolean resampled) implements UpdatePlan {
+
+        /** An update that leaves it to the edges which finer samples there are. */
+        Relight(LevelPlan top, LevelPlan mirrors, int depthFrom, int depthTo) {
+            this(top, mirrors, depthFrom, depthTo, false);
+        }
+    }
 
     /** The plan in the words of the paper, one step a string. */
     default List<String> steps() {

@@ -13,9 +13,9 @@ import java.util.Arrays;
  */
 public record EdgeCodes(int[] shapes, int[] lights, int[] mirroredShapes, int[] mirroredLights) {
 
-    /** Where the two are alike, {@code known}, so that who compares them later need not look inside. */
+    /** Where the two are alike, {@code known}, which may be null, so that who compares them later need not look inside. */
     public EdgeCodes or(EdgeCodes known) {
-        boolean alike = Arrays.equals(shapes, known.shapes) && Arrays.equals(lights, known.lights)
+        boolean alike = known != null && Arrays.equals(shapes, known.shapes) && Arrays.equals(lights, known.lights)
                 && Arrays.equals(mirroredShapes, known.mirroredShapes) && Arrays.equals(mirroredLights, known.mirroredLights);
         return alike ? known : this;
     }

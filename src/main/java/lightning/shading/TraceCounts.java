@@ -17,4 +17,8 @@ public record TraceCounts(long eye, long mirrored, long shadow) {
     public TraceCounts plus(TraceCounts o) {
         return new TraceCounts(eye + o.eye, mirrored + o.mirrored, shadow + o.shadow);
     }
+
+    public TraceCounts minus(TraceCounts o) {
+        return new TraceCounts(eye - o.eye, mirrored - o.mirrored, shadow - o.shadow);
+    }
 }

@@ -20,13 +20,24 @@ public final class Geometry {
     private final ShapeTable shapes;
     private final MaterialTable materials;
     private final Bvh bvh;
+    private final boolean everyMirror;
 
     /** Prepares the shapes of a scene. */
     public Geometry(Scene scene) {
+        this(scene, false);
+    }
+
+    /**
+     * Prepares the shapes of a scene.
+     *
+     * @param everyMirror whether mirrored rays are cast from all of them, although most may mirror nothing
+     */
+    public Geometry(Scene scene, boolean everyMirror) {
         this.scene = scene;
         placed = scene.placedShapes();
         names = MaterialTable.names(placed);
-        materials = new MaterialTable(names, scene);
+        this.everyMirror = everyMirror;
+        materials = new MaterialTable(names, scene, everyMirror);
         shapes = new ShapeTable(placed, materialOf(), scene.camera().from());
         bvh = new Bvh(shapes);
     }
@@ -35,7 +46,8 @@ public final class Geometry {
         this.scene = scene;
         placed = shared.placed;
         names = shared.names;
-        materials = new MaterialTable(names, scene);
+        everyMirror = shared.everyMirror;
+        materials = new MaterialTable(names, scene, everyMirror);
         shapes = shared.shapes;
         bvh = shared.bvh;
     }
@@ -61,6 +73,11 @@ public final class Geometry {
             throw new IllegalArgumentException("the geometry is another scene's");
         }
         return scene.materials().equals(other.materials()) ? this : new Geometry(this, other);
+    }
+
+    /** Whether mirrored rays are cast from all shapes. */
+    public boolean everyMirror() {
+        return everyMirror;
     }
 
     public MaterialTable materials() {

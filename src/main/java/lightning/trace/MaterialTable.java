@@ -18,6 +18,7 @@ import lightning.scene.TextureMap;
  */
 public final class MaterialTable {
     private final List<Material> materials;
+    private final boolean everyMirror;
     private final int reflectiveCount;
     private final int[] rank;
     private final int[] ranked;
@@ -29,8 +30,10 @@ public final class MaterialTable {
     /**
      * @param names the materials' names, each once: material {@code m} is that of name {@code m}
      * @param scene says what they are
+     * @param everyMirror whether rays are followed from all of them, although most may mirror nothing
      */
-    MaterialTable(List<String> names, Scene scene) {
+    MaterialTable(List<String> names, Scene scene, boolean everyMirror) {
+        this.everyMirror = everyMirror;
         Map<String, Material> byName = scene.materialsByName();
         materials = names.stream().map(byName::get).toList();
         int count = materials.size();
@@ -63,8 +66,8 @@ public final class MaterialTable {
         return shapes.stream().map(s -> s.shape().material()).distinct().toList();
     }
 
-    private static boolean mirrors(Material m) {
-        return (float) m.reflective().max() > 0;
+    private boolean mirrors(Material m) {
+        return everyMirror || (float) m.reflective().max() > 0;
     }
 
     private static void store(Rgb c, float[] to, int at) {

@@ -4,15 +4,21 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.image.Film;
 import lightning.math.Vec3;
+import lightning.scene.Antialias;
 import lightning.scene.Light;
+import lightning.scene.Picture;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
 import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 class LadderMeterTest {
     private final LadderMeter meter = new LadderMeter(2, 2, 0);
@@ -68,6 +74,27 @@ class LadderMeterTest {
         assertThat(ladder.rung(Level.EXACT).error().values()).isZero();
         assertThat(ladder.rung(Level.RATIO).error().values()).isPositive();
         assertThat(ladder.rung(Level.RATIO).error().maxAbsolute()).isBetween(0.0, ladder.rung(Level.RATIO).update().errorBound());
+    }
+
+    @ParameterizedTest
+    @EnumSource(Antialias.class)
+    void smoothedPicture_hasItsLadderToo(Antialias antialias) {
+        Picture smooth = before.picture().withSampling(new Sampling(antialias, 2));
+        Ladder ladder = meter.measure(before.withPicture(smooth), moved.withPicture(smooth), Progress.NONE);
+        Film reference = new ReferenceTracer(moved.withPicture(smooth)).trace();
+        assertThat(ladder.rung(Level.FULL_TRACE).film().sameBits(reference)).isTrue();
+        assertThat(ladder.rung(Level.EXACT_CURRENT).film().sameBits(reference)).isTrue();
+        assertThat(ladder.rung(Level.EXACT_UPDATED).film().sameBits(reference)).isTrue();
+    }
+
+    @Test
+    void materials_haveTheirLadderToo() {
+        for (PaperCase edit : PaperCases.of(before).stream().filter(c -> c.name().matches("mirror-.*|texture-.*|material.*")).toList()) {
+            List<Scene> scenes = edit.scenes();
+            Ladder ladder = meter.measure(scenes.get(scenes.size() - 2), edit.after(), Progress.NONE);
+            assertThat(ladder.rung(Level.EXACT_CURRENT).error().values()).as(edit.name()).isZero();
+            assertThat(ladder.rung(Level.EXACT_UPDATED).error().values()).as(edit.name()).isZero();
+        }
     }
 
     @Test

@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import lightning.math.Rgb;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Material;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
@@ -26,6 +28,13 @@ class SceneChangeTest {
         assertThat(to(bird.withWorld(bird.world().withAmbience(0.1)))).isEqualTo("world.ambience = 0.1");
         assertThat(to(bird.withPicture(bird.picture().withDepth(9)))).isEqualTo("picture.depth = 9");
         assertThat(to(bird)).isEmpty();
+    }
+
+    @Test
+    void materials_areNamedAsInTheFile() {
+        Material textured = bird.materials().stream().filter(m -> m.texture().isPresent()).findFirst().orElseThrow();
+        assertThat(to(bird.withMaterial(textured.withReflective(Rgb.grey(0.25)).withTexture(Optional.empty()))))
+                .isEqualTo(textured.name() + ".reflective = 0.25 0.25 0.25, " + textured.name() + ".texture = none");
     }
 
     @Test

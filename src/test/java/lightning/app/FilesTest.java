@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import javafx.application.Platform;
 import javafx.scene.control.ListView;
 import javafx.stage.WindowEvent;
@@ -107,6 +108,40 @@ class FilesTest extends EditorDesk {
         waitForPicture();
         assertThat(model().raster().pixels().width()).isEqualTo(40);
         assertThat(text("traced-sizes")).isEqualTo("40 × 30");
+    }
+
+    @Test
+    void droppedScene_isOpenedAndAnythingElseIsNot() throws IOException {
+        Path small = Files.writeString(folder.resolve("small.jen"), Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 40 30"));
+        EditorWindow window = robot.lookup("#editor").query();
+        AtomicBoolean taken = new AtomicBoolean(true);
+        robot.interact(() -> taken.set(window.drop(List.of(folder.resolve("a.png").toFile()))));
+        assertThat(taken).isFalse();
+        robot.interact(() -> taken.set(window.drop(List.of(folder.resolve("a.png").toFile(), small.toFile()))));
+        assertThat(taken).isTrue();
+        waitFor("it is open", () -> model().document().name().equals("small.jen"));
+    }
+
+    @Test
+    void recentScene_isOpenedFromTheMenu() throws IOException {
+        answer = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
+        begin(Command.LOAD_FILE);
+        waitFor("it is open", () -> model().document().name().equals("other.jen"));
+        waitFor("the first is listed", () -> editor.files().recentItems().stream().anyMatch(i -> i.getText().endsWith("desk.jen")));
+        robot.interact(() -> editor.files().recentItems().stream().filter(i -> i.getText().equals(folder.resolve("desk.jen").toString()))
+                .findFirst().orElseThrow().fire());
+        waitFor("the first is open again", () -> model().document().name().equals("desk.jen"));
+    }
+
+    @Test
+    void unsavedEdits_canBeDiscardedForAnotherScene() throws IOException, JenException {
+        dim();
+        answer = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
+        begin(Command.LOAD_FILE);
+        waitFor("it asks", () -> says("Save the changes of desk.jen?"));
+        robot.clickOn("Don't Save");
+        waitFor("it is open", () -> model().document().name().equals("other.jen"));
+        assertThat(JenReader.read(folder.resolve("desk.jen")).scene().light("lamp").orElseThrow().intensity()).isEqualTo(1);
     }
 
     @Test

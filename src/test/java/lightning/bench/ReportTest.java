@@ -3,6 +3,7 @@ package lightning.bench;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.StringReader;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -17,6 +18,8 @@ import lightning.image.ViewTransform;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
@@ -56,7 +59,7 @@ class ReportTest {
     @Test
     void whatFailed_isALineOfItsOwn() throws Exception {
         Results results = new Results(Sample.RUN, List.of(Sample.scene(10)), List.of(), List.of(),
-                List.of(new Problem("a.jen:12:8", "intensity must be ≥ 0, was -3"), new Problem("b.jen", "no such file")));
+                List.of(new Problem(Problem.Kind.UNREAD, "a.jen:12:8", "intensity must be ≥ 0, was -3"), new Problem(Problem.Kind.UNREAD, "b.jen", "no such file")));
         Element problems = byId(write(results, folder), "problems");
 
         assertThat(texts(problems, "li")).hasSize(2).first().asString().contains("a.jen:12:8", "intensity must be ≥ 0, was -3");
@@ -66,7 +69,7 @@ class ReportTest {
     void namesWithMarkup_areShownAsTheyAre() throws Exception {
         String name = "<script>alert('\"&')</script>";
         SceneResult scene = Sample.scene(10);
-        Document page = write(new Results(Sample.RUN, List.of(new SceneResult(name, 300, 200, 3, 10, 3, null, null, scene.edits(), null)),
+        Document page = write(new Results(Sample.RUN, List.of(new SceneResult(name, 300, 200, 3, 10, 3, null, null, scene.edits(), List.of(), null)),
                 List.of(), List.of(), List.of()), folder);
 
         assertThat(byId(page, "scene-1").getElementsByTagName("h2").item(0).getTextContent()).isEqualTo(name + ", 300 × 200");
@@ -83,7 +86,7 @@ class ReportTest {
         var rungs = List.of(new RungResult(Level.EXACT, Sample.samples(2, 3), 70, error, null, "after.png", "difference.png"),
                 new RungResult(Level.FULL_TRACE, Sample.samples(9, 10), 0, none, null, "full.png", null));
         var edit = new EditResult("color", "Fig. 6", 98, 70, 90, List.of(new ValueResult("sun.color = 1, 0, 0", rungs)));
-        var scene = new SceneResult("bird", 1, 1, 3, 10, 3, "before.png", null, List.of(edit), null);
+        var scene = new SceneResult("bird", 1, 1, 3, 10, 3, "before.png", null, List.of(edit), List.of(), null);
         Document page = write(new Results(Sample.RUN, List.of(scene), List.of(), List.of(), List.of()), folder);
 
         assertIsWhole(page);
@@ -96,11 +99,36 @@ class ReportTest {
     @Test
     void missingPictures_costThePicturesAlone() throws Exception {
         SceneResult scene = Sample.scene(10);
-        Document page = write(new Results(Sample.RUN, List.of(new SceneResult("bird", 300, 200, 3, 10, 3, "gone.png", null, scene.edits(),
+        Document page = write(new Results(Sample.RUN, List.of(new SceneResult("bird", 300, 200, 3, 10, 3, "gone.png", null, scene.edits(), List.of(),
                 null)), List.of(), List.of(), List.of()), folder);
 
         assertThat(byClass(page, "wipe")).isEmpty();
         assertThat(page.getDocumentElement().getTextContent()).contains("sun.color = 1, 0, 0");
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void withoutFonts_aSentenceStandsForEachChart() throws Exception {
+        Path none = Files.writeString(folder.resolve("fonts.conf"), "<?xml version=\"1.0\"?><fontconfig></fontconfig>");
+        ProcessBuilder java = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+                System.getProperty("java.class.path"), "--add-modules", "jdk.incubator.vector", "-Duser.home=" + folder,
+                Fontless.class.getName(), folder.toString()).redirectErrorStream(true);
+        java.environment().put("FONTCONFIG_FILE", none.toString());
+        java.environment().put("HOME", folder.toString());
+        Process process = java.start();
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+
+        assertThat(process.waitFor()).as(said).isZero();
+        assertThat(Files.readString(folder.resolve(Report.FILE))).contains("Java finds no font", "sun.color = 1, 0, 0").doesNotContain("<svg class");
+    }
+
+    /** Writes a report in a process of its own. */
+    static final class Fontless {
+        private Fontless() {}
+
+        public static void main(String[] folder) throws Exception {
+            Report.write(new Results(Sample.RUN, List.of(Sample.scene(10)), List.of(), List.of(), List.of()), Path.of(folder[0]));
+        }
     }
 
     private static void assertIsWhole(Document page) {

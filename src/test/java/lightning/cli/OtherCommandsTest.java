@@ -124,10 +124,18 @@ class OtherCommandsTest {
 
     @Test
     void effects_namesWhoCallsForThemAndTheirBytes() {
-        String out = Cli.run("effects", scene).isDone().out();
+        String out = Cli.run("effects", scene, "--size", "20x15", "--repetitions", "1").isDone().out();
         assertThat(out.lines().map(line -> line.replaceAll(" +", " ")))
-                .contains("shadows lamp, sun, stage", "textures -", "reflection up to 2 bounces: floor", "dropoff stage", "cylinders -")
-                .anyMatch(line -> line.startsWith(" in all ")).anyMatch(line -> line.matches(" textures \\d+ bytes saved at most, .*"));
+                .anyMatch(line -> line.matches("shadows( ~?-?[0-9.]+){4} lamp, sun, stage"))
+                .anyMatch(line -> line.matches("reflections( ~?-?[0-9.]+){4} up to 2 bounces: floor"))
+                .anyMatch(line -> line.matches("textures( ~?-?[0-9.]+){4} ?"))
+                .contains("cylinders - - - -")
+                .anyMatch(line -> line.startsWith(" in all "));
+    }
+
+    @Test
+    void effectsOfAnUnknownCase_isRefused() {
+        Cli.run("effects", scene, "--case", "nothing").isRefusedSaying("--case nothing: expected one of color,");
     }
 
     @Test

@@ -178,13 +178,18 @@ class RenderLoopTest {
     }
 
     @Test
-    void fullTrace_isMeasuredOnceAfterThePicture() throws Exception {
-        go(scene);
-        assertThat(ear.next(LoopEar.Measured.class).fullTraceMs()).isPositive();
-        go(key(2));
+    void fullTrace_isMeasuredThriceForTheShortestTime() throws Exception {
+        double shortest = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < 3; i++) {
+            go(key(i));
+            double told = ear.next(LoopEar.Measured.class).fullTraceMs();
+            assertThat(told).isPositive().isLessThanOrEqualTo(shortest);
+            shortest = told;
+        }
+        go(key(4));
         ear.nextIs(LoopEar.Event.IDLE);
         go(sized(50, 40));
-        // The next size is measured too, and nothing was in between.
+        // The next size is measured anew, and nothing was in between.
         assertThat(ear.next(LoopEar.Measured.class).fullTraceMs()).isPositive();
         assertThat(ear.events).noneMatch(LoopEar.Measured.class::isInstance);
     }

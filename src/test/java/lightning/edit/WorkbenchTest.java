@@ -55,6 +55,25 @@ class WorkbenchTest {
         runUntil(() -> bench.situation().inWork().isEmpty() && !bench.situation().verifying());
     }
 
+    @Test
+    void lastEdit_isWhatIsPendingOrElseWhatTheLastUpdateShowed() throws InterruptedException {
+        Scene first = bench.scene();
+        bench.go();
+        settle();
+        assertThat(bench.lastEdit()).isEmpty();
+        dial(2);
+        Scene second = bench.scene();
+        assertThat(bench.lastEdit()).contains(new LastEdit(first, second, true));
+        bench.go();
+        settle();
+        assertThat(bench.lastEdit()).contains(new LastEdit(first, second, false));
+        bench.updateReflections();
+        settle();
+        assertThat(bench.lastEdit()).as("mirrors are no edit").contains(new LastEdit(first, second, false));
+        bench.edit(new Change.To(second.withPicture(second.picture().withSize(20, 10))));
+        assertThat(bench.lastEdit()).as("another picture").isEmpty();
+    }
+
     private void dial(double intensity) {
         assertThat(bench.edit(Dial.INTENSITY.set(bench.scene(), "key", intensity))).isEmpty();
     }
@@ -169,7 +188,7 @@ class WorkbenchTest {
     }
 
     @Test
-    void anotherAccuracy_tracesAnew() throws Exception {
+    void currentReflections_areThereWithoutGo() throws Exception {
         bench.go();
         settle();
         dial(2);
@@ -189,6 +208,7 @@ class WorkbenchTest {
         assertThat(bench.document().name()).isEqualTo("other.jen");
         settle();
         assertThat(shown().light("moon")).isPresent();
+        assertThat(bench.frame().orElseThrow().mirrorsAreCurrent()).as("its mirrors show nothing of the other document").isTrue();
     }
 
     @Test

@@ -115,6 +115,33 @@ class AntialiasTest {
     }
 
     @Test
+    void edgesAskedForLater_castNoShadowRayForTheCentres() {
+        Scene off = studio(Antialias.OFF);
+        Scene edges = studio(Antialias.EDGES);
+        try (Renderer renderer = renderer(off, Accuracy.EXACT); Renderer fresh = new Renderer(Options.DEFAULT)) {
+            Update later = renderer.render(edges, Progress.NONE);
+            Update first = fresh.render(edges, Progress.NONE);
+            assertThat(later.plan().text()).isEqualTo("samples, reflections");
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(edges).trace(), "antialias-later");
+            assertThat(renderer.cache().bytes()).isEqualTo(fresh.cache().bytes());
+            try (Renderer plain = new Renderer(Options.DEFAULT)) {
+                long centers = plain.render(off, Progress.NONE).rays().shadow();
+                assertThat(later.rays().shadow()).isEqualTo(first.rays().shadow() - centers);
+            }
+        }
+    }
+
+    @Test
+    void edgesGivenUp_freeTheirMemoryAndCastNoRay() {
+        Scene off = studio(Antialias.OFF);
+        try (Renderer renderer = renderer(studio(Antialias.EDGES), Accuracy.EXACT); Renderer plain = renderer(off, Accuracy.EXACT)) {
+            assertThat(renderer.render(off, Progress.NONE).rays().all()).isZero();
+            assertThat(renderer.cache().bytes()).isEqualTo(plain.cache().bytes());
+            FilmAssert.assertSameBits(renderer.film(), plain.film(), "antialias-given-up");
+        }
+    }
+
+    @Test
     void movedLight_followsItsShadowsEdgeAndNoMore() {
         Scene scene = studio(Antialias.EDGES);
         Scene moved = scene.withLight(key(scene).withPosition(new Vec3(-1, 4, 3)));

@@ -7,9 +7,11 @@ import java.util.function.UnaryOperator;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.sample.StudioScene;
+import lightning.scene.Antialias;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.shading.ConeChange;
 import lightning.shading.Progress;
@@ -83,6 +85,8 @@ class DispatcherTest {
             assertThat(renderer.plan(STUDIO.withCamera(new Camera(c.from(), c.to(), c.up(), 41)))).isEqualTo(new UpdatePlan.FirstPass("another camera"));
             Scene fewer = new Scene(STUDIO.picture(), c, STUDIO.world(), STUDIO.materials(), STUDIO.nodes().subList(0, 2), STUDIO.lights());
             assertThat(renderer.plan(fewer)).isEqualTo(new UpdatePlan.FirstPass("other shapes"));
+            Scene finer = STUDIO.withPicture(STUDIO.picture().withSampling(new Sampling(Antialias.EVERY, 2)));
+            assertThat(renderer.plan(finer)).isEqualTo(new UpdatePlan.FirstPass("other samples"));
             renderer.forget();
             assertThat(renderer.plan(STUDIO)).isEqualTo(new UpdatePlan.FirstPass("no picture yet"));
         }

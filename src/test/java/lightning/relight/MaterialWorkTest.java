@@ -7,14 +7,17 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
+import lightning.image.DisplayCurve;
 import lightning.image.FilmAssert;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.sample.StudioScene;
+import lightning.scene.Antialias;
 import lightning.scene.LightType;
 import lightning.scene.Material;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Texture;
@@ -223,6 +226,23 @@ class MaterialWorkTest {
             SeenRows seen = studio.seen();
             assertWork(update, seen.rowsFrom(1), seen.rowsFrom(0), mirrored(seen), reached(seen, studio));
             assertExact(studio, "begins-to-mirror");
+        }
+    }
+
+    /** At level ratio samples stay until contributions are refreshed; by then mirrors are others than when they were chosen. */
+    @ParameterizedTest
+    @EnumSource(MirrorStorage.class)
+    void mirrorsThatCameAndWentWhileSamplesStayed_areSampledAtTheRefresh(MirrorStorage storage) {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        scene = scene.withPicture(scene.picture().withSampling(new Sampling(Antialias.EDGES, 2)));
+        try (Renderer renderer = new Renderer(new Options(Accuracy.RATIO, Reflections.STALE, storage, 1))) {
+            renderer.render(scene, Progress.NONE);
+            scene = edited(edited(scene, MATT, m -> m.withReflective(Rgb.grey(0.9)).withTexture(CHECKS)), GLASS, m -> m.withReflective(Rgb.BLACK));
+            renderer.render(scene, Progress.NONE);
+            renderer.setView(160, DisplayCurve.SRGB);
+            Update update = renderer.render(scene.withLight(scene.lights().getFirst().withIntensity(0.7)), Progress.NONE);
+            assertThat(update.refreshed()).isTrue();
+            FilmAssert.assertSameBits(renderer.film(), Oracle.of(renderer.cache()), "refreshed-mirrors");
         }
     }
 

@@ -34,12 +34,14 @@ class RowOrderTest {
             fresh.render(session.scenes().getLast(), Progress.NONE);
             PixelCache actual = edited.cache();
             PixelCache expected = fresh.cache();
-            for (int t = 0; t < expected.tileCount(); t++) {
-                TileLevel[] levels = expected.tile(t).levels;
-                assertThat(actual.tile(t).levels).hasSameSizeAs(levels);
+            assertThat(actual.all()).hasSameSizeAs(expected.all());
+            for (int t = 0; t < expected.all().size(); t++) {
+                TileLevel[] levels = expected.all().get(t).levels;
+                TileLevel[] known = actual.all().get(t).levels;
+                assertThat(known).hasSameSizeAs(levels);
                 for (int k = 0; k < levels.length; k++) {
-                    assertSame(actual.tile(t).levels[k].rows(), levels[k].rows(), expected.geometry().materials());
-                    assertSameColumns(actual.tile(t).levels[k], levels[k]);
+                    assertSame(known[k].rows(), levels[k].rows(), expected.geometry().materials());
+                    assertSameColumns(known[k], levels[k]);
                 }
             }
         }
@@ -55,6 +57,7 @@ class RowOrderTest {
             assertThat(actual.runEnd[r]).isEqualTo(expected.runEnd[r]);
             for (int i = expected.runStart(r); i < expected.runEnd[r]; i++) {
                 assertThat(actual.parent[i]).isEqualTo(expected.parent[i]);
+                assertThat(actual.code == null ? 0 : actual.code[i]).isEqualTo(expected.code == null ? 0 : expected.code[i]);
                 assertThat(new float[] {actual.px[i], actual.py[i], actual.pz[i], actual.nx[i], actual.ny[i], actual.nz[i],
                     actual.vx[i], actual.vy[i], actual.vz[i]}).containsExactly(expected.px[i], expected.py[i], expected.pz[i],
                             expected.nx[i], expected.ny[i], expected.nz[i], expected.vx[i], expected.vy[i], expected.vz[i]);

@@ -29,6 +29,9 @@ public final class Obstacle {
 
     /** Disables the control with a reason, a clause; or enables it. */
     public void set(Optional<String> reason) {
+        if (control.isDisable() != reason.isPresent()) {
+            tellParts(reason.map(Obstacle::sentence).orElse(""));
+        }
         control.setDisable(reason.isPresent());
         String text = reason.map(r -> hint.isEmpty() ? sentence(r) : hint + "\n" + sentence(r)).orElse(hint);
         tooltip.setText(text);
@@ -39,6 +42,11 @@ public final class Obstacle {
             Tooltip.install(around, tooltip);
         }
         installed = !text.isEmpty();
+    }
+
+    /** A screen reader tells of the part that it is at, and not of the whole. */
+    private void tellParts(String why) {
+        control.lookupAll("*").stream().filter(part -> part != control && part.isFocusTraversable()).forEach(part -> part.setAccessibleHelp(why));
     }
 
     private static String sentence(String clause) {

@@ -10,6 +10,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.Locale;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -30,15 +31,22 @@ final class ChartSvg {
     private static final Pattern NOISE = Pattern.compile("stroke:none;|stroke-miterlimit:10;|stroke-linecap:square;|(?<=\\n) +");
     private static final FontRenderContext METRICS = new FontRenderContext(null, true, true);
 
+    /** A Linux without fontconfig and a font cannot lay out a chart. */
+    private static final boolean HAS_FONTS = hasFonts();
+
     private ChartSvg() {}
 
     /**
-     * Draws a chart.
+     * Draws a chart; where there are no fonts, says so in its place.
      *
      * @param width  in the units in which text is 11 high
      * @param label  what it shows, for those who cannot see it
      */
     static String of(JFreeChart chart, int width, int height, String label) {
+        if (!HAS_FONTS) {
+            return new Markup().leaf("p", "No chart (" + label + "): Java finds no font on this computer. With fontconfig and a font "
+                    + "installed (Debian: fontconfig fonts-dejavu-core) there would be one.", "class", "note").finish();
+        }
         VectorGraphics2D graphics = new VectorGraphics2D();
         chart.draw(graphics, new Rectangle2D.Double(0, 0, width, height));
         var out = new ByteArrayOutputStream();
@@ -57,7 +65,16 @@ final class ChartSvg {
     }
 
     static double widthOf(String text) {
-        return FONT.getStringBounds(text, METRICS).getWidth();
+        return HAS_FONTS ? FONT.getStringBounds(text, METRICS).getWidth() : 0;
+    }
+
+    private static boolean hasFonts() {
+        try {
+            FONT.getLineMetrics("x", METRICS);
+            return true;
+        } catch (RuntimeException | InternalError | LinkageError e) {
+            return false;
+        }
     }
 
     private static String variable(MatchResult color) {
@@ -66,7 +83,7 @@ final class ChartSvg {
 
     private static String fitted(MatchResult text) {
         String shown = text.group(2).replace("&amp;", "&").replace("&lt;", "<").replace("&gt;", ">");
-        return String.format(java.util.Locale.ROOT, "<text %s textLength=\"%.1f\" lengthAdjust=\"spacingAndGlyphs\">%s</text>",
+        return String.format(Locale.ROOT, "<text %s textLength=\"%.1f\" lengthAdjust=\"spacingAndGlyphs\">%s</text>",
                 text.group(1), widthOf(shown), text.group(2));
     }
 }

@@ -2,6 +2,7 @@ package lightning.bench.report;
 
 import java.awt.Color;
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lightning.accuracy.Level;
@@ -38,7 +39,7 @@ enum Ink {
 
     /** As the style sheet knows it: {@code var(--ours)}. */
     String variable() {
-        return "var(--" + name().toLowerCase(java.util.Locale.ROOT) + ")";
+        return "var(--" + name().toLowerCase(Locale.ROOT) + ")";
     }
 
     /** What the page calls a colour of a chart; the colour itself if it is none of these. */

@@ -1,5 +1,7 @@
 package lightning.bench.report;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.Locale;
 
 /** Numbers as people read them. One that does not exist is a dash. */
@@ -20,7 +22,7 @@ final class Numbers {
 
     /** At a tick of an axis: {@code 0.1}, {@code 5}, {@code 1 000}. */
     static String tick(double value) {
-        return value >= 1000 ? grouped(Math.round(value)) : new java.math.BigDecimal(value).round(new java.math.MathContext(2))
+        return value >= 1000 ? grouped(Math.round(value)) : new BigDecimal(value).round(new MathContext(2))
                 .stripTrailingZeros().toPlainString();
     }
 

@@ -9,6 +9,7 @@ import org.jfree.chart.labels.ItemLabelAnchor;
 import org.jfree.chart.labels.ItemLabelPosition;
 import org.jfree.chart.labels.StandardCategoryItemLabelGenerator;
 import org.jfree.chart.plot.CategoryPlot;
+import org.jfree.chart.plot.DatasetRenderingOrder;
 import org.jfree.chart.plot.ValueMarker;
 import org.jfree.chart.renderer.category.BarRenderer;
 import org.jfree.chart.renderer.category.LevelRenderer;
@@ -57,7 +58,7 @@ final class ShareChart {
         plot.setRenderer(0, bars());
         plot.setDataset(1, least);
         plot.setRenderer(1, ticks());
-        plot.setDatasetRenderingOrder(org.jfree.chart.plot.DatasetRenderingOrder.FORWARD);
+        plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
         plot.addRangeMarker(new ValueMarker(100, Ink.MUTED.color(), PlotLook.HAIRLINE));
         return ChartSvg.of(PlotLook.chart(plot), WIDTH, AXIS + ROW * bars.size(), label);
     }

@@ -8,6 +8,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import lightning.image.Film;
+import lightning.image.PictureFile;
+import lightning.image.ViewTransform;
 import lightning.math.Rgb;
 import lightning.scene.Camera;
 import lightning.scene.Picture;
@@ -47,6 +50,17 @@ class PovRayTest {
         PovRay pov = saying("echo \"$@\" > " + seen + "; test -f scene.pov && echo 'Trace Time: (0.500 seconds)'");
         assertThat(pov.traceMs(scene, 30, 20, 2)).isEqualTo(500);
         assertThat(seen).hasContent("+Iscene.pov +W30 +H20 -A +WT2 -D -F");
+    }
+
+    @Test
+    void picture_isTheOneThatItWrites() throws Exception {
+        Film film = Film.black(3, 2);
+        film.green(0)[33] = 1;
+        Path drawn = folder.resolve("drawn.png");
+        PictureFile.write(drawn, film, ViewTransform.DEFAULT);
+        PovRay pov = saying("echo \"$@\" > " + folder.resolve("seen") + "; cp " + drawn + " picture.png; echo 'Trace Time: (0.500 seconds)'");
+        assertThat(pov.picture(scene, 3, 2, 1).sameBits(film)).isTrue();
+        assertThat(folder.resolve("seen")).hasContent("+Iscene.pov +W3 +H2 -A +WT1 -D +FN8 +Opicture.png");
     }
 
     @Test

@@ -1,0 +1,73 @@
+package lightning.accuracy;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.effects.Effect;
+import lightning.effects.Effects;
+import lightning.effects.ViewEffects;
+import lightning.relight.Options;
+import lightning.scene.Scene;
+import lightning.shading.Progress;
+import lightning.shading.TraceCounts;
+
+/**
+ * What every effect takes on one scene, in its first pass and in the update after one edit.
+ *
+ * @param first   milliseconds of the first pass
+ * @param update  milliseconds of the update
+ * @param plan    what the update did, in words
+ * @param bytes   bytes of the picture's cache
+ * @param effects one for each effect, in their order
+ */
+public record EffectCosts(Timing first, Timing update, String plan, long bytes, List<EffectCost> effects) {
+    public EffectCosts {
+        effects = List.copyOf(effects);
+    }
+
+    /**
+     * Measures them.
+     *
+     * @param before      the scene
+     * @param after       the scene after an edit
+     * @param options     how pictures are rendered; its view is not used
+     * @param repetitions how often each is rendered, ≥ 1
+     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     */
+    public static EffectCosts of(Scene before, Scene after, Options options, int repetitions, Progress progress) {
+        Effects effects = Effects.of(before);
+        try (var plain = new EffectVariant(before, after, options.withView(ViewEffects.ALL))) {
+            EffectVariant.measure(List.of(plain), repetitions, progress.silent());
+            Timing first = plain.first();
+            Timing update = plain.update();
+            List<EffectCost> costs = new ArrayList<>();
+            for (Effect effect : Effect.values()) {
+                costs.add(canMeasure(effect, effects) ? beside(plain, effect, effects, before, after, options, repetitions, progress)
+                        : new EffectCost(effect, List.of(), false, 0, 0, 0, 0, TraceCounts.NONE));
+                progress.tiles(costs.size(), Effect.values().length);
+            }
+            return new EffectCosts(first, update, plain.plan(), plain.bytes(), costs);
+        }
+    }
+
+    /** One effect, measured in turns with the picture as it is, so that two caches at most are held at a time. */
+    private static EffectCost beside(EffectVariant plain, Effect effect, Effects effects, Scene before, Scene after, Options options,
+            int repetitions, Progress progress) {
+        boolean inUse = effects.has(effect);
+        try (var other = EffectVariant.of(effect, inUse, before, after, options)) {
+            EffectVariant.measure(List.of(plain, other), repetitions, progress.silent());
+            EffectVariant with = inUse ? plain : other;
+            EffectVariant without = inUse ? other : plain;
+            return new EffectCost(effect, effects.callers(effect), true, with.first().median() - without.first().median(),
+                    with.update().median() - without.update().median(),
+                    (with.first().upperQuartile() - with.first().lowerQuartile()) / 2, with.bytes() - without.bytes(),
+                    with.rays().minus(without.rays()));
+        }
+    }
+
+    private static boolean canMeasure(Effect effect, Effects effects) {
+        return effects.has(effect) || switch (effect) {
+            case SHADOWS, SPECULAR, TEXTURES, REFLECTION, ATTENUATION, SPOT_CONE, DROPOFF, ANTIALIASING -> true;
+            case DIRECTIONAL_LIGHTS, POINT_LIGHTS, SPOT_LIGHTS, SPHERES, CONES, CYLINDERS, PLANES -> false;
+        };
+    }
+}

@@ -1,0 +1,98 @@
+package lightning.accuracy;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.cache.PixelCache;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
+import lightning.relight.Options;
+import lightning.relight.Renderer;
+import lightning.relight.Update;
+import lightning.scene.Antialias;
+import lightning.scene.Picture;
+import lightning.scene.Sampling;
+import lightning.scene.Scene;
+import lightning.shading.Progress;
+import lightning.shading.TraceCounts;
+
+/** One way to render a scene and an edit of it: with all that it calls for, without one effect, or with one forced. */
+final class EffectVariant implements AutoCloseable {
+    private final Scene before;
+    private final Scene after;
+    private final Renderer renderer;
+    private PixelCache kept;
+    private Update firstPass;
+    private Update edit;
+    private Timing first;
+    private Timing update;
+
+    EffectVariant(Scene before, Scene after, Options options) {
+        this.before = before;
+        this.after = after;
+        renderer = new Renderer(options);
+    }
+
+    /** Without an effect that is in use, or with one that is not. Finer samples are forced by asking for them. */
+    static EffectVariant of(Effect effect, boolean inUse, Scene before, Scene after, Options options) {
+        ViewEffects view = inUse ? ViewEffects.ALL.with(effect, false) : ViewEffects.ALL.forcing(List.of(effect));
+        boolean finer = effect == Effect.ANTIALIASING && !inUse;
+        return new EffectVariant(finer ? finer(before) : before, finer ? finer(after) : after, options.withView(view));
+    }
+
+    private static Scene finer(Scene scene) {
+        Picture picture = scene.picture();
+        return scene.withPicture(picture.withSampling(new Sampling(Antialias.EDGES, picture.sampling().grid())));
+    }
+
+    /** Renders all of them in turns. */
+    static void measure(List<EffectVariant> variants, int repetitions, Progress progress) {
+        List<Turns.Turn<RuntimeException>> turns = new ArrayList<>();
+        for (EffectVariant variant : variants) {
+            turns.add(() -> variant.first(progress.silent()));
+            turns.add(() -> variant.update(progress.silent()));
+        }
+        List<Timing> times = new Turns(repetitions).take(turns, progress);
+        for (int i = 0; i < variants.size(); i++) {
+            variants.get(i).first = times.get(2 * i);
+            variants.get(i).update = times.get(2 * i + 1);
+        }
+    }
+
+    private double first(Progress progress) {
+        renderer.forget();
+        firstPass = renderer.render(before, progress);
+        kept = renderer.cache();
+        return firstPass.milliseconds();
+    }
+
+    private double update(Progress progress) {
+        renderer.restore(kept);
+        edit = renderer.render(after, progress);
+        return edit.milliseconds();
+    }
+
+    Timing first() {
+        return first;
+    }
+
+    Timing update() {
+        return update;
+    }
+
+    String plan() {
+        return edit.plan().text();
+    }
+
+    long bytes() {
+        return kept.bytes();
+    }
+
+    TraceCounts rays() {
+        return firstPass.rays();
+    }
+
+    @Override
+    public void close() {
+        renderer.close();
+    }
+}

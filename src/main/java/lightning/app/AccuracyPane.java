@@ -1,0 +1,195 @@
+package lightning.app;
+
+import java.util.Optional;
+import javafx.geometry.Pos;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.ProgressBar;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
+import lightning.accuracy.Ladder;
+import lightning.accuracy.LadderMeter;
+import lightning.accuracy.Level;
+import lightning.accuracy.Rung;
+import lightning.app.widget.Obstacle;
+import lightning.edit.LastEdit;
+import lightning.image.DifferencePicture;
+import lightning.image.Film;
+import lightning.image.ViewTransform;
+import lightning.shading.Progress;
+import lightning.shading.Workers;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
+
+/** What accuracy costs: each level's time and error for the edit made last, measured when the artist asks for it. */
+final class AccuracyPane extends BorderPane {
+    private static final int REPETITIONS = 5;
+    private static final double PATIENCE_MS = 1500;
+
+    private final EditorModel model;
+    private final Label edit = new Label();
+    private final Label note = new Label();
+    private final Button measure = new Button("Measure", new FontIcon(MaterialDesignT.TIMER_OUTLINE));
+    private final Button cancel = new Button("Cancel", new FontIcon(MaterialDesignS.STOP));
+    private final ProgressBar bar = new ProgressBar(0);
+    private final ToggleButton difference = new ToggleButton("Difference");
+    private final LadderTable table = new LadderTable();
+    private final LadderChart chart = new LadderChart();
+    private final PictureView picture = new PictureView();
+    private Ladder ladder;
+    private MeasureTask<Ladder> task;
+    /** The edit that was measured last, and what came of it. */
+    private Optional<LastEdit> told = Optional.empty();
+    private String outcome = "";
+    private Obstacle measuring;
+    private Obstacle cancelling;
+
+    AccuracyPane(EditorModel model) {
+        this.model = model;
+        setId("accuracy");
+        getStyleClass().add("accuracy");
+        setTop(head());
+        var shown = new VBox(difference, stage());
+        shown.getStyleClass().add("accuracy-picture");
+        VBox.setVgrow(shown.getChildren().getLast(), Priority.ALWAYS);
+        var below = new HBox(chart, shown);
+        below.getStyleClass().add("accuracy-below");
+        below.visibleProperty().bind(table.getSelectionModel().selectedItemProperty().isNotNull());
+        HBox.setHgrow(chart, Priority.ALWAYS);
+        HBox.setHgrow(shown, Priority.ALWAYS);
+        note.setId("level-note");
+        note.getStyleClass().add("pane-note");
+        note.setWrapText(true);
+        table.setPrefHeight(260);
+        table.setMinHeight(260);
+        var all = new VBox(table, note, below);
+        all.getStyleClass().add("accuracy-content");
+        VBox.setVgrow(below, Priority.ALWAYS);
+        setCenter(all);
+        difference.setId("level-difference");
+        difference.setSelected(true);
+        difference.setAccessibleText("Show the difference from the full trace");
+        difference.selectedProperty().subscribe(_ -> paint());
+        table.getSelectionModel().selectedItemProperty().subscribe(_ -> paint());
+        model.situationProperty().subscribe(_ -> update());
+        model.viewProperty().subscribe(_ -> paint());
+    }
+
+    private Node head() {
+        edit.setId("accuracy-edit");
+        edit.setMaxWidth(Double.MAX_VALUE);
+        edit.setWrapText(true);
+        HBox.setHgrow(edit, Priority.ALWAYS);
+        measure.setId("measure");
+        measure.getStyleClass().add("accent");
+        measure.setMinWidth(Region.USE_PREF_SIZE);
+        measure.setOnAction(_ -> begin());
+        cancel.setId("cancel-measure");
+        cancel.setMinWidth(Region.USE_PREF_SIZE);
+        cancel.setOnAction(_ -> stop());
+        bar.setAccessibleText("Progress of measuring");
+        bar.setVisible(false);
+        var measureBox = new StackPane(measure);
+        var cancelBox = new StackPane(cancel);
+        measuring = new Obstacle(measureBox, measure, "Make the edit at each level in the background, again and again, and compare");
+        cancelling = new Obstacle(cancelBox, cancel, "Stop measuring");
+        var head = new HBox(edit, bar, measureBox, cancelBox);
+        head.setAlignment(Pos.CENTER_LEFT);
+        head.getStyleClass().add("accuracy-head");
+        return head;
+    }
+
+    private Node stage() {
+        picture.setId("level-picture");
+        var stage = new StackPane(picture);
+        stage.getStyleClass().add("canvas");
+        return stage;
+    }
+
+    private Optional<LastEdit> last() {
+        return model.isAnimating() ? Optional.empty() : model.workbench().lastEdit();
+    }
+
+    private void update() {
+        boolean busy = task != null;
+        Optional<LastEdit> last = last();
+        measuring.set(busy ? Optional.of("it is being measured")
+                : last.isEmpty() ? Optional.of("there is no edit of a light yet that the picture could show") : Optional.empty());
+        cancelling.set(busy ? Optional.empty() : Optional.of("nothing is being measured"));
+        bar.setVisible(busy);
+        edit.setText(busy ? "Measuring …" : title(last));
+    }
+
+    private String title(Optional<LastEdit> last) {
+        if (last.isPresent() && last.equals(told)) {
+            return outcome;
+        }
+        String what = last.map(e -> e.pending() ? "The edits that are not rendered yet" : "The edits of the last Go")
+                .orElse("Edit a light first.");
+        return ladder == null ? what : what + ". The table is still of: " + text(ladder);
+    }
+
+    private static String text(Ladder measured) {
+        return measured.rung(Level.EXACT).update().plan().text() + " · " + measured.after().picture().width() + " × "
+                + measured.after().picture().height() + " pixels";
+    }
+
+    private void begin() {
+        told = last();
+        task = new MeasureTask<>(progress -> measure(told.orElseThrow(), progress));
+        task.setOnSucceeded(_ -> finished(task.getValue()));
+        task.setOnFailed(e -> ended(Sentence.of(e.getSource().getException())));
+        task.setOnCancelled(_ -> ended("Cancelled"));
+        bar.progressProperty().bind(task.progressProperty());
+        task.begin();
+        update();
+    }
+
+    private static Ladder measure(LastEdit edit, Progress progress) {
+        try (var meter = new LadderMeter(Workers.available(), REPETITIONS, PATIENCE_MS)) {
+            return meter.measure(edit.before(), edit.after(), progress);
+        }
+    }
+
+    private void finished(Ladder measured) {
+        ladder = measured;
+        table.show(measured);
+        chart.show(measured);
+        table.getSelectionModel().select(measured.rung(Level.EXACT));
+        ended(text(measured));
+    }
+
+    private void ended(String text) {
+        outcome = text;
+        bar.progressProperty().unbind();
+        task = null;
+        update();
+    }
+
+    private void paint() {
+        Rung rung = table.getSelectionModel().getSelectedItem();
+        if (rung == null || ladder == null) {
+            return;
+        }
+        note.setText(rung.level().label() + ": " + rung.level().note());
+        Film full = ladder.rung(Level.FULL_TRACE).film();
+        Film film = difference.isSelected() ? DifferencePicture.of(rung.film(), full) : rung.film();
+        ViewTransform view = difference.isSelected() ? ViewTransform.DEFAULT : model.viewProperty().get();
+        picture.setPixels(film.width(), film.height(), view.toPixels(film));
+    }
+
+    /** Gives up what is being measured. */
+    void stop() {
+        if (task != null) {
+            // Without an interrupt, which would break the workers' waiting.
+            task.cancel(false);
+        }
+    }
+}

@@ -1,0 +1,53 @@
+package lightning.app;
+
+import java.util.function.Supplier;
+import javafx.stage.Stage;
+import javafx.stage.Window;
+
+/** The windows beside the editor's, each open at most once. */
+final class Panels implements AutoCloseable {
+    private final EditorModel model;
+    private final Supplier<Window> owner;
+    private Stage accuracy;
+    private Stage effects;
+
+    /** @param owner the editor's window, once there is one */
+    Panels(EditorModel model, Supplier<Window> owner) {
+        this.model = model;
+        this.owner = owner;
+    }
+
+    /** What each level of accuracy costs for the edit made last. */
+    void accuracy() {
+        if (accuracy == null) {
+            var pane = new AccuracyPane(model);
+            accuracy = new PanelWindow(owner.get(), "What Accuracy Costs", pane, 860, 760);
+            accuracy.setOnHidden(_ -> pane.stop());
+        }
+        open(accuracy);
+    }
+
+    /** What the scene calls for. */
+    void effects() {
+        if (effects == null) {
+            var pane = new EffectsPane(model);
+            effects = new PanelWindow(owner.get(), "Effects", pane, 860, 620);
+            effects.setOnHidden(_ -> pane.stop());
+        }
+        open(effects);
+    }
+
+    private static void open(Stage stage) {
+        stage.show();
+        stage.toFront();
+    }
+
+    @Override
+    public void close() {
+        for (Stage stage : new Stage[] {accuracy, effects}) {
+            if (stage != null) {
+                stage.close();
+            }
+        }
+    }
+}

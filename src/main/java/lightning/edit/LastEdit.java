@@ -1,0 +1,34 @@
+package lightning.edit;
+
+import java.util.Optional;
+import lightning.scene.Scene;
+
+/**
+ * The edit that an artist has just made, to be judged.
+ *
+ * @param before  the scene that it started from
+ * @param after   the scene that it led to, which gives a picture of the same size
+ * @param pending whether it is not rendered yet
+ */
+public record LastEdit(Scene before, Scene after, boolean pending) {
+
+    /**
+     * What is not rendered yet; where nothing is, what the last update showed.
+     *
+     * @param scene    the document's scene
+     * @param rendered what the picture shows
+     * @param previous what it showed before
+     */
+    static Optional<LastEdit> of(Scene scene, Optional<Scene> rendered, Optional<Scene> previous) {
+        boolean pending = rendered.isPresent() && !VisiblePart.same(rendered.get(), scene);
+        Optional<Scene> before = pending ? rendered : previous;
+        Optional<Scene> after = pending ? Optional.of(scene) : rendered;
+        return before.isPresent() && after.isPresent() && samePlace(before.get(), after.get())
+                ? Optional.of(new LastEdit(before.get(), after.get(), pending)) : Optional.empty();
+    }
+
+    private static boolean samePlace(Scene a, Scene b) {
+        return a.picture().width() == b.picture().width() && a.picture().height() == b.picture().height()
+                && a.camera().equals(b.camera()) && a.nodes().equals(b.nodes());
+    }
+}

@@ -1,0 +1,25 @@
+package lightning.effects;
+
+import java.util.Optional;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
+
+/** Scenes that call for an effect and look as if they did not. */
+final class Forced {
+    private static final TextureMap WHITE = new TextureMap("white.png", 1, 1, new Texture(1, 1, new float[] {1, 1, 1}));
+
+    private Forced() {}
+
+    /** Every material without a texture has a white one: a factor of 1. */
+    static Scene whiteTextures(Scene scene) {
+        return Without.materials(scene, m -> m.texture().isPresent() ? m : m.withTexture(Optional.of(WHITE)));
+    }
+
+    /** Every point light is a spot light whose cone is all around, and which does not drop off. */
+    static Scene widestCones(Scene scene) {
+        return Without.lights(scene, l -> l.type() == LightType.POINT
+                ? l.withType(LightType.SPOT).withAngle(180).withDropoff(0) : l);
+    }
+}
