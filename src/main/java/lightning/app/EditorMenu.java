@@ -40,7 +40,9 @@ final class EditorMenu extends MenuBar {
         live.setAccelerator(KeyCombination.valueOf("F8"));
         live.selectedProperty().bindBidirectional(model.liveProperty());
         var render = menu("Render", item(Command.GO), live, item(Command.UPDATE_REFLECTIONS), item(Command.VERIFY),
-                item(Command.CANCEL), new SeparatorMenuItem(), item("What Accuracy Costs…", "F9", windows::accuracy), item("Effects…", "Shift+F9", windows::effects), precision(), sizes());
+                item(Command.CANCEL), new SeparatorMenuItem(), item("What Accuracy Costs…", "F9", windows::accuracy),
+                item("Effects…", "Shift+F9", windows::effects),
+                new SeparatorMenuItem(), precision(), sizes(), SamplingMenu.of(model, "menu-antialias"));
         var help = menu("Help", item("Mouse and Keyboard", "F1", () -> About.showKeys(notices)),
                 item("About Lightning", "", () -> About.show(notices)));
         getMenus().setAll(file, edit, light, render, view(traced, preview), help);
