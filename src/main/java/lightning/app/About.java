@@ -20,6 +20,7 @@ final class About {
             Traced picture
               wheel: zoom      middle drag: move
               click: select the light that matters most there
+              right click on a shape, here or in the preview: edit its material
             """;
 
     private About() {}

@@ -65,6 +65,8 @@ record CommandFace(String title, String help, Ikon icon, String shortcut) {
                 MaterialDesignC.CROSSHAIRS_GPS, "Shortcut+T");
         put(Command.LOOK_THROUGH_LIGHT, "Look Through Light", "See the preview as the selected light does",
                 MaterialDesignE.EYE_OUTLINE, "Shortcut+Shift+T");
+        put(Command.PICK_MATERIAL, "Edit Material…", "Pick a shape in the traced picture and edit its material; a right click on a shape does too",
+                MaterialDesignE.EYEDROPPER, "Shortcut+Shift+M");
         put(Command.MAKE_ANIMATION, "Make Animation…", "Record and play the way of the selected light",
                 MaterialDesignM.MOVIE_OPEN_OUTLINE, "Shortcut+M");
     }

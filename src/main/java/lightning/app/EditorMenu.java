@@ -30,7 +30,8 @@ final class EditorMenu extends MenuBar {
                 item(Command.SAVE_SCENE), item(Command.SAVE_SCENE_AS), item(Command.SAVE_IMAGE), new SeparatorMenuItem(),
                 item("Quit", "Shortcut+Q", files::quit));
         var edit = menu("Edit", item(Command.UNDO), item(Command.REDO), new SeparatorMenuItem(), item(Command.UNDO_LIGHT),
-                item(Command.REDO_LIGHT), new SeparatorMenuItem(), item(Command.COPY_SETTINGS), item(Command.PASTE_SETTINGS));
+                item(Command.REDO_LIGHT), new SeparatorMenuItem(), item(Command.COPY_SETTINGS), item(Command.PASTE_SETTINGS),
+                new SeparatorMenuItem(), item(Command.PICK_MATERIAL));
         var light = menu("Light", item(Command.ADD_LIGHT), item(Command.DUPLICATE_LIGHT), item(Command.DELETE_LIGHT),
                 new SeparatorMenuItem(), item(Command.RENAME_LIGHT), item(Command.SWITCH_ON), item(Command.SOLO),
                 item(Command.LOOK_THROUGH_LIGHT), new SeparatorMenuItem(), item(Command.AIM),
@@ -40,7 +41,9 @@ final class EditorMenu extends MenuBar {
         live.setAccelerator(KeyCombination.valueOf("F8"));
         live.selectedProperty().bindBidirectional(model.liveProperty());
         var render = menu("Render", item(Command.GO), live, item(Command.UPDATE_REFLECTIONS), item(Command.VERIFY),
-                item(Command.CANCEL), new SeparatorMenuItem(), item("What Accuracy Costs…", "F9", windows::accuracy), item("Effects…", "Shift+F9", windows::effects), precision(), sizes());
+                item(Command.CANCEL), new SeparatorMenuItem(), item("What Accuracy Costs…", "F9", windows::accuracy),
+                item("Effects…", "Shift+F9", windows::effects),
+                new SeparatorMenuItem(), precision(), sizes(), SamplingMenu.of(model, "menu-antialias"));
         var help = menu("Help", item("Mouse and Keyboard", "F1", () -> About.showKeys(notices)),
                 item("About Lightning", "", () -> About.show(notices)));
         getMenus().setAll(file, edit, light, render, view(traced, preview), help);

@@ -54,6 +54,7 @@ public final class EditorModel implements AutoCloseable {
     private final RenderFeed feed;
     private final Workbench workbench;
     private final PictureLook look;
+    private final MaterialChoice materials;
     /** What an open animation shows in place of the document; null where none is open. */
     private Scene staged;
 
@@ -70,6 +71,7 @@ public final class EditorModel implements AutoCloseable {
                 _ -> window.execute(() -> say("The last edits could not be kept for the case of a crash")));
         LightActions.addTo(this);
         look = new PictureLook(this);
+        materials = new MaterialChoice(this);
         precision.addListener((_, _, now) -> workbench.reopen(now.options()));
         view.addListener((_, _, now) -> {
             workbench.setView(now);
@@ -173,6 +175,11 @@ public final class EditorModel implements AutoCloseable {
         return look;
     }
 
+    /** Which material is edited. */
+    MaterialChoice materials() {
+        return materials;
+    }
+
     /** What the artist should read next: why an edit was refused, what was saved; empty where there is nothing. */
     public StringProperty messageProperty() {
         return message;
@@ -249,6 +256,7 @@ public final class EditorModel implements AutoCloseable {
             workbench.select(Selection.NONE);
         } else {
             workbench.selectLight(name);
+            materials.inFrontProperty().set(false);
         }
     }
 

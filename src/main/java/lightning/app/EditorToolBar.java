@@ -7,6 +7,7 @@ import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.Separator;
+import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.control.Spinner;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.ToolBar;
@@ -19,6 +20,7 @@ import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignL;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
 
 /** The buttons of the canvas window (paper §3.3 to §3.7), grouped by what they are for. */
 final class EditorToolBar extends ToolBar {
@@ -93,12 +95,14 @@ final class EditorToolBar extends ToolBar {
     }
 
     private MenuButton size() {
-        var sizes = new MenuButton("", new FontIcon(org.kordamp.ikonli.materialdesign2.MaterialDesignR.RESIZE));
+        var sizes = new MenuButton("", new FontIcon(MaterialDesignR.RESIZE));
         sizes.setId("traced-sizes");
-        sizes.setAccessibleText("Size of the traced picture");
-        sizes.setTooltip(new Tooltip("Size of the traced picture\nAnother size traces it anew."));
+        sizes.setAccessibleText("Size and anti-aliasing of the traced picture");
+        sizes.setTooltip(new Tooltip("Size and anti-aliasing of the traced picture\nAnother size traces it anew; "
+                + "other anti-aliasing is an edit, and Go computes what is missing."));
         sizes.getItems().setAll(SizeMenu.ofPicture(model));
-        model.sceneProperty().subscribe(s -> sizes.setText(s.picture().width() + " × " + s.picture().height()));
+        sizes.getItems().addAll(new SeparatorMenuItem(), SamplingMenu.of(model, "antialias"));
+        model.sceneProperty().subscribe(s -> sizes.setText(s.picture().width() + " × " + s.picture().height() + SamplingMenu.text(s)));
         return sizes;
     }
 

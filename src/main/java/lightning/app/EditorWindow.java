@@ -29,7 +29,7 @@ public final class EditorWindow extends BorderPane implements AutoCloseable {
         preview = new PreviewPane(model);
         traced = new TracedPane(model);
         var canvases = new SplitPane(traced, preview);
-        var side = new SplitPane(new LightListPane(model), new PropertyPane(model));
+        var side = new SplitPane(new LightListPane(model), new SidePane(model));
         side.setOrientation(Orientation.VERTICAL);
         side.setDividerPositions(LIST);
         var all = new SplitPane(canvases, side);

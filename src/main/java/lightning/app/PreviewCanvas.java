@@ -12,6 +12,7 @@ import javafx.scene.image.PixelBuffer;
 import javafx.scene.image.PixelFormat;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Region;
 import javafx.util.Duration;
@@ -26,6 +27,7 @@ final class PreviewCanvas extends Region implements AutoCloseable {
     private final ImageView image = new ImageView();
     private final GizmoLayer gizmos = new GizmoLayer();
     private final PreviewMouse mouse;
+    private final PreviewShapes shapes;
     private final PreviewLoop loop;
     private final AtomicReference<PreviewLoop.Picture> drawn = new AtomicReference<>();
     private final PauseTransition rest = new PauseTransition(REST);
@@ -35,6 +37,7 @@ final class PreviewCanvas extends Region implements AutoCloseable {
     PreviewCanvas(EditorModel model) {
         this.model = model;
         mouse = new PreviewMouse(model);
+        shapes = new PreviewShapes(model, this);
         loop = new PreviewLoop(this::drawn, problem -> model.window().execute(() -> model.say(Sentence.of(problem))));
         setId("preview-canvas");
         setFocusTraversable(true);
@@ -68,10 +71,17 @@ final class PreviewCanvas extends Region implements AutoCloseable {
         addEventHandler(KeyEvent.KEY_RELEASED, _ -> keys.released());
         addEventHandler(MouseEvent.MOUSE_PRESSED, e -> {
             requestFocus();
+            shapes.hide();
             mouse.press(e.getX() - left(), e.getY() - top(), button(e), e.isShiftDown(), e.isAltDown());
         });
         addEventHandler(MouseEvent.MOUSE_DRAGGED, e -> mouse.drag(e.getX() - left(), e.getY() - top()));
-        addEventHandler(MouseEvent.MOUSE_RELEASED, _ -> mouse.release());
+        addEventHandler(MouseEvent.MOUSE_RELEASED, e -> {
+            mouse.release();
+            var place = new Viewport.Pixel(e.getX() - left(), e.getY() - top());
+            if (e.getButton() == MouseButton.SECONDARY && e.isStillSincePress() && mouse.lightsAt(place.x(), place.y()).isEmpty()) {
+                shapes.offer(mouse.canvas(), place, e.getScreenX(), e.getScreenY());
+            }
+        });
     }
 
     private static PreviewMouse.Button button(MouseEvent e) {

@@ -5,9 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import javafx.scene.Node;
-import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
-import javafx.scene.control.TitledPane;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.app.widget.ArrowWidget;
@@ -43,17 +41,13 @@ public final class PropertyPane extends VBox {
         color.setId("color");
         position = vector("position", (light, v) -> light.withPosition(v));
         direction = vector("direction", (light, v) -> light.withDirection(v));
-        VBox sections = new VBox(header,
-                section("Colour", color, dial(Dial.INTENSITY, "Intensity")),
-                section("Cone", dial(Dial.ANGLE, "Angle °"), dial(Dial.DROPOFF, "Dropoff")),
-                section("Attenuation", dial(Dial.CONSTANT, "Constant"), dial(Dial.LINEAR, "Linear"),
+        ScrollPane scroll = Sections.scroll(header,
+                Sections.section("Colour", color, dial(Dial.INTENSITY, "Intensity")),
+                Sections.section("Cone", dial(Dial.ANGLE, "Angle °"), dial(Dial.DROPOFF, "Dropoff")),
+                Sections.section("Attenuation", dial(Dial.CONSTANT, "Constant"), dial(Dial.LINEAR, "Linear"),
                         dial(Dial.QUADRATIC, "Quadratic")),
-                section("Place", caption("Position"), position, caption("Direction"), direction, aim()),
-                section("Scene", dial(Dial.AMBIENCE, "Ambience")));
-        sections.getStyleClass().add("sections");
-        ScrollPane scroll = new ScrollPane(sections);
-        scroll.setFitToWidth(true);
-        scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
+                Sections.section("Place", Sections.caption("Position"), position, Sections.caption("Direction"), direction, aim()),
+                Sections.section("Scene", dial(Dial.AMBIENCE, "Ambience")));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);
         model.situationProperty().subscribe(this::show);
@@ -76,21 +70,6 @@ public final class PropertyPane extends VBox {
         CommandButton aim = new CommandButton(model, Command.AIM, true);
         aim.button().setMaxWidth(Double.MAX_VALUE);
         return aim;
-    }
-
-    private static Label caption(String text) {
-        Label label = new Label(text);
-        label.getStyleClass().add("caption");
-        return label;
-    }
-
-    private static TitledPane section(String title, Node... widgets) {
-        VBox content = new VBox(widgets);
-        content.getStyleClass().add("section-content");
-        TitledPane pane = new TitledPane(title, content);
-        pane.setAnimated(false);
-        pane.getStyleClass().addAll("dense", "section");
-        return pane;
     }
 
     private void show(Situation now) {

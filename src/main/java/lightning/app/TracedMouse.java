@@ -23,6 +23,7 @@ final class TracedMouse implements AutoCloseable {
     private final RegionTracer regions = new RegionTracer();
     private final BooleanProperty region = new SimpleBooleanProperty();
     private final Rectangle frame = new Rectangle();
+    private final ShapeMenu menu;
     private final Pane overlay = new Pane(frame);
     /** Hears of the next click; null where a click selects. */
     private Consumer<PixelReport> pick;
@@ -36,6 +37,7 @@ final class TracedMouse implements AutoCloseable {
         this.model = model;
         this.picture = picture;
         this.hovered = hovered;
+        menu = new ShapeMenu(model);
         inspector = new PixelInspector(model.window());
         overlay.setMouseTransparent(true);
         frame.getStyleClass().add("region-frame");
@@ -88,6 +90,7 @@ final class TracedMouse implements AutoCloseable {
     }
 
     private void pressed(MouseEvent e) {
+        menu.hide();
         pressX = e.getX();
         pressY = e.getY();
         lastX = pressX;
@@ -119,6 +122,15 @@ final class TracedMouse implements AutoCloseable {
             endPick();
         } else if (e.isStillSincePress() && e.getButton() == MouseButton.PRIMARY) {
             click(e);
+        } else if (e.isStillSincePress() && e.getButton() == MouseButton.SECONDARY) {
+            offer(e);
+        }
+    }
+
+    private void offer(MouseEvent e) {
+        if (model.frame() != null) {
+            picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.ask(model.frame().scene(), p.x(), p.y(),
+                    report -> menu.show(picture, report.shape(), e.getScreenX(), e.getScreenY())));
         }
     }
 

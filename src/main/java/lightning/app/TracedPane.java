@@ -16,6 +16,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import lightning.app.widget.Obstacle;
+import lightning.edit.Command;
 import lightning.edit.Verification;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
@@ -57,6 +58,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             card.setText(report == null ? "" : String.join("\n", report.lightLines()));
         });
         placer = new LightPlacer(model, mouse::pickNext);
+        model.setAction(Command.PICK_MATERIAL, () ->
+                mouse.pickNext("Click the shape whose material to edit", at -> model.materials().chooseOf(at.shape())));
         badge.setId("pending");
         badge.getStyleClass().add("badge");
         StackPane.setAlignment(badge, Pos.TOP_LEFT);

@@ -11,7 +11,7 @@ public enum Command {
     UNDO, REDO, UNDO_LIGHT, REDO_LIGHT,
     LOAD_FILE, RELOAD, SAVE_SCENE, SAVE_SCENE_AS, SAVE_IMAGE,
     ADD_LIGHT, DELETE_LIGHT, DUPLICATE_LIGHT, RENAME_LIGHT, CHANGE_TYPE, SWITCH_ON, SOLO,
-    COPY_SETTINGS, PASTE_SETTINGS, AIM, LOOK_THROUGH_LIGHT,
+    COPY_SETTINGS, PASTE_SETTINGS, AIM, LOOK_THROUGH_LIGHT, PICK_MATERIAL,
     MAKE_ANIMATION;
 
     private static final String NO_PICTURE = "there is no picture yet";
@@ -29,7 +29,7 @@ public enum Command {
         return switch (this) {
             case GO -> go(s);
             case UPDATE_REFLECTIONS -> reflections(s);
-            case VERIFY -> s.rendered().isEmpty() ? Optional.of(NO_PICTURE) : Optional.empty();
+            case VERIFY, PICK_MATERIAL -> s.rendered().isEmpty() ? Optional.of(NO_PICTURE) : Optional.empty();
             case CANCEL -> unless(s.inWork().isPresent() || s.verifying(), "nothing is running");
             case UNDO -> unless(s.undo().isPresent(), "there is nothing to undo");
             case REDO -> unless(s.redo().isPresent(), "there is nothing to redo");
@@ -53,7 +53,7 @@ public enum Command {
     /** Whether it neither changes the document nor writes what an animation has changed for a while. */
     private boolean runsBesideAnimation() {
         return switch (this) {
-            case GO, UPDATE_REFLECTIONS, VERIFY, CANCEL, SAVE_IMAGE, COPY_SETTINGS, LOOK_THROUGH_LIGHT -> true;
+            case GO, UPDATE_REFLECTIONS, VERIFY, CANCEL, SAVE_IMAGE, COPY_SETTINGS, LOOK_THROUGH_LIGHT, PICK_MATERIAL -> true;
             case UNDO, REDO, UNDO_LIGHT, REDO_LIGHT, LOAD_FILE, RELOAD, SAVE_SCENE, SAVE_SCENE_AS, ADD_LIGHT, DELETE_LIGHT,
                 DUPLICATE_LIGHT, RENAME_LIGHT, CHANGE_TYPE, SWITCH_ON, SOLO, PASTE_SETTINGS, AIM, MAKE_ANIMATION -> false;
         };

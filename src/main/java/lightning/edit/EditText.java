@@ -12,6 +12,7 @@ import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.Limits;
 import lightning.scene.Material;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 
 /** Says what changed from one scene to another: {@code key: intensity 1 → 1.2}. */
@@ -26,6 +27,7 @@ final class EditText {
         lights(new LightMatch(before.lights(), after.lights()), parts);
         change("ambience", number(before.world().ambience()), number(after.world().ambience()), parts);
         change("depth", number(before.picture().depth()), number(after.picture().depth()), parts);
+        change("anti-aliasing", sampling(before), sampling(after), parts);
         change("size", size(before), size(after), parts);
         boolean known = materials(before, after, parts);
         boolean other = !known || !before.camera().equals(after.camera()) || !before.nodes().equals(after.nodes())
@@ -148,6 +150,11 @@ final class EditText {
 
     private static String size(Scene scene) {
         return scene.picture().width() + " × " + scene.picture().height();
+    }
+
+    private static String sampling(Scene scene) {
+        Sampling sampling = scene.picture().sampling();
+        return lower(sampling.antialias()) + " " + sampling.grid() + " × " + sampling.grid();
     }
 
     private static String lower(Enum<?> constant) {

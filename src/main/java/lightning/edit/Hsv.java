@@ -16,7 +16,7 @@ public record Hsv(double hue, double saturation, double value) {
     public Hsv {
         Limits.range("hue", hue, 0, 6 * SECTOR);
         Limits.range("saturation", saturation, 0, 1);
-        Limits.range("value", value, 0, Limits.MAX_LIGHT_COLOR);
+        Limits.range("value", value, 0, Limits.MAX_EMISSION);
     }
 
     /** @param c channels ≥ 0 */

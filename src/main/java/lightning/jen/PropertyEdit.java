@@ -87,6 +87,15 @@ public final class PropertyEdit {
         return set(scene, MATERIAL + material, "texture", new Value.Quoted(file).text(), f -> texture(scene, f, folder));
     }
 
+    /**
+     * The names of the pictures that {@link #texture(Scene, String, String, Path)} would find by them, in alphabetical order.
+     *
+     * @param folder where pictures are looked for, as if the scene file were in it
+     */
+    public static List<String> textures(Path folder) {
+        return new TextureFolder(folder).names();
+    }
+
     private static Scene set(Scene scene, String target, String property, String value, Function<String, Texture> textures) {
         return switch (target) {
             case "picture" -> scene.withPicture(edited(textures, Blocks.PICTURE, "", scene.picture(), property, value));

@@ -1,6 +1,7 @@
 package lightning.jen;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -8,6 +9,9 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import lightning.scene.Texture;
 
 /**
@@ -16,6 +20,7 @@ import lightning.scene.Texture;
  */
 final class TextureFolder {
     private static final int FOLDERS_ABOVE = 3;
+    private static final Pattern PICTURE = Pattern.compile(".+\\.(png|jpe?g)", Pattern.CASE_INSENSITIVE);
 
     private final Path scene;
     private final Map<Path, Texture> decoded = new HashMap<>();
@@ -62,6 +67,22 @@ final class TextureFolder {
         } catch (IllegalArgumentException e) {
             throw new UnusableException(e.getMessage());
         }
+    }
+
+    /** The pictures that a scene there can name, by the end of their names, in alphabetical order; none of unreadable folders. */
+    List<String> names() {
+        var names = new TreeSet<String>(String.CASE_INSENSITIVE_ORDER);
+        try {
+            for (Path folder : folders()) {
+                try (Stream<Path> files = Files.list(folder)) {
+                    files.filter(Files::isRegularFile).map(f -> f.getFileName().toString())
+                            .filter(f -> PICTURE.matcher(f).matches()).filter(TextureName::isAllowed).forEach(names::add);
+                }
+            }
+        } catch (IOException | UncheckedIOException | SecurityException e) {
+            return List.copyOf(names);
+        }
+        return List.copyOf(names);
     }
 
     private Path find(String file) throws UnusableException, IOException {

@@ -8,6 +8,15 @@ final class TextureName {
 
     private TextureName() {}
 
+    static boolean isAllowed(String file) {
+        try {
+            check(file);
+            return true;
+        } catch (IllegalArgumentException e) {
+            return false;
+        }
+    }
+
     /**
      * @throws IllegalArgumentException if {@code file} is not a relative path of plain names
      *     separated by {@code /}, at most 200 characters, none of the names empty, {@code .} or {@code ..}

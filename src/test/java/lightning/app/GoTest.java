@@ -33,11 +33,13 @@ class GoTest extends EditorDesk {
         });
     }
 
-    private void size(int width, int height) {
-        MenuButton sizes = robot.lookup("#traced-sizes").query();
-        MenuItem item = sizes.getItems().stream().filter(i -> ("size-" + width + "x" + height).equals(i.getId()))
+    private MenuItem sizeItem(String id) {
+        return robot.lookup("#traced-sizes").<MenuButton>query().getItems().stream().filter(i -> id.equals(i.getId()))
                 .findFirst().orElseThrow();
-        robot.interact(item::fire);
+    }
+
+    private void size(int width, int height) {
+        robot.interact(sizeItem("size-" + width + "x" + height)::fire);
     }
 
     @Test
@@ -138,7 +140,7 @@ class GoTest extends EditorDesk {
     }
 
     private void typeSize(String typed) {
-        MenuItem other = robot.lookup("#traced-sizes").<MenuButton>query().getItems().getLast();
+        MenuItem other = sizeItem("size-other");
         Platform.runLater(other::fire);
         waitFor("it asks", () -> robot.lookup(".text-input-dialog .text-field").tryQuery().isPresent());
         robot.interact(() -> robot.lookup(".text-input-dialog .text-field").<TextField>query().setText(typed));

@@ -275,7 +275,7 @@ class CommandTest {
             }
         }
         assertThat(enabled).containsExactlyInAnyOrder(Command.GO, Command.VERIFY, Command.SAVE_IMAGE, Command.COPY_SETTINGS,
-                Command.LOOK_THROUGH_LIGHT);
+                Command.LOOK_THROUGH_LIGHT, Command.PICK_MATERIAL);
         assertThat(Command.UNDO.obstacle(animating)).contains("an animation is open; close it first");
     }
 }

@@ -18,12 +18,16 @@ import lightning.edit.Steps;
 import lightning.math.Rgb;
 import lightning.scene.Limits;
 
-/** A light's colour as red, green and blue, as hue, saturation and value, or as a temperature; and a well that shows it. */
+/**
+ * A colour as red, green and blue, as hue, saturation and value, and that of a light as a temperature too; and a well that
+ * shows it.
+ */
 public final class ColorSliders extends VBox {
     private static final List<Preset> PRESETS = List.of(new Preset("Candle", 1900), new Preset("Tungsten", 3200),
             new Preset("Daylight", 5600), new Preset("Shade", 8000));
 
     private final Target target;
+    private final String prefix;
     private final Button well = new Button();
     private final ToggleGroup tabs = new ToggleGroup();
     private final VBox content = new VBox();
@@ -45,29 +49,52 @@ public final class ColorSliders extends VBox {
 
         Optional<String> hsv(Hsv color, Object gesture);
 
-        Optional<String> temperature(double kelvin, Object gesture);
+        /** A surface has none. */
+        default Optional<String> temperature(double kelvin, Object gesture) {
+            return Optional.of("only a light has a colour temperature");
+        }
     }
 
     private record Preset(String name, double kelvin) {}
 
+    /** The colour of a light. */
     public ColorSliders(Target target) {
+        this("", "The light's colour", Limits.MAX_LIGHT_COLOR, true, target);
+    }
+
+    /**
+     * A colour of a surface.
+     *
+     * @param title names it for screen readers: {@code diffuse}
+     * @param help  what it does, a sentence without a full stop
+     * @param max   the largest channel allowed
+     */
+    public static ColorSliders ofSurface(String title, String help, double max, Target target) {
+        return new ColorSliders(title + " ", help, max, false, target);
+    }
+
+    private ColorSliders(String prefix, String help, double max, boolean ofLight, Target target) {
         this.target = target;
-        rgb = List.of(channel("R", "red", target.red()), channel("G", "green", target.green()),
-                channel("B", "blue", target.blue()));
+        this.prefix = prefix;
+        rgb = List.of(channel("R", prefix + "red", target.red()), channel("G", prefix + "green", target.green()),
+                channel("B", prefix + "blue", target.blue()));
         square = new ColorSquare(this::setHsv);
+        square.setAccessibleText(prefix + square.getAccessibleText());
         hsv = List.of(
-                hsv("H", "hue", new Steps(1, 0, 360), 360, (h, v) -> new Hsv(v, h.saturation(), h.value())),
-                hsv("S", "saturation", new Steps(0.1, 0, 1), 1, (h, v) -> new Hsv(h.hue(), v, h.value())),
-                hsv("V", "value", new Steps(0.1, 0, Limits.MAX_LIGHT_COLOR), 1,
+                hsv("H", prefix + "hue", new Steps(1, 0, 360), 360, (h, v) -> new Hsv(v, h.saturation(), h.value())),
+                hsv("S", prefix + "saturation", new Steps(0.1, 0, 1), 1, (h, v) -> new Hsv(h.hue(), v, h.value())),
+                hsv("V", prefix + "value", new Steps(0.1, 0, max), 1,
                         (h, v) -> new Hsv(h.hue(), h.saturation(), v)));
         kelvin = new ColorSlider("K", "temperature",
                 new ColorSlider.Scale(Kelvin.MIN, Kelvin.MAX, Math::log, Math::exp),
                 Gauge.of("temperature", new Steps(100, Kelvin.MIN, Kelvin.MAX), target::temperature));
         well.getStyleClass().add("color-well");
-        well.setTooltip(new Tooltip("The light's colour. Click to pick another"));
+        well.setTooltip(new Tooltip(help + ".\nClick to pick another"));
         content.getStyleClass().add("color-content");
-        HBox head = new HBox(well, tab("RGB", "red, green, blue", rgb), tab("HSV", "hue, saturation, value", hsvTab()),
-                tab("Kelvin", "colour temperature", List.of(kelvin, presets())));
+        HBox head = new HBox(well, tab("RGB", "red, green, blue", rgb), tab("HSV", "hue, saturation, value", hsvTab()));
+        if (ofLight) {
+            head.getChildren().add(tab("Kelvin", "colour temperature", List.of(kelvin, presets())));
+        }
         head.getStyleClass().add("color-head");
         well.setOnAction(_ -> {
             tabs.selectToggle(tabs.getToggles().get(1));
@@ -96,7 +123,7 @@ public final class ColorSliders extends VBox {
                     : now;
         }
         well.setStyle("-well-color: " + Paints.css(color) + ";");
-        well.setAccessibleText(String.format("colour: red %.3f, green %.3f, blue %.3f", color.r(), color.g(), color.b()));
+        well.setAccessibleText(prefix + String.format("colour: red %.3f, green %.3f, blue %.3f", color.r(), color.g(), color.b()));
         rgb.get(0).show(color.r(), v -> new Rgb(v, color.g(), color.b()));
         rgb.get(1).show(color.g(), v -> new Rgb(color.r(), v, color.b()));
         rgb.get(2).show(color.b(), v -> new Rgb(color.r(), color.g(), v));
