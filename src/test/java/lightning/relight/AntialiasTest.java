@@ -3,7 +3,10 @@ package lightning.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
+import java.util.Set;
 import lightning.cache.PixelCache;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
 import lightning.image.Film;
 import lightning.image.FilmAssert;
 import lightning.math.Rgb;
@@ -45,6 +48,19 @@ class AntialiasTest {
             pixels += cache.fine(t).shapes().pixels().length + cache.fine(t).lights().pixels().length;
         }
         return pixels;
+    }
+
+    /** What is measured with every row followed must have the samples of the scene. */
+    @Test
+    void edgesThatBeginWhereMirrorsAreForced_areThoseOfTheScene() {
+        Scene matt = studio(Antialias.OFF).withMaterials(studio(Antialias.OFF).materials().stream()
+                .map(m -> m.withReflective(Rgb.BLACK)).toList());
+        Scene edges = matt.withPicture(matt.picture().withSampling(new Sampling(Antialias.EDGES, GRID)));
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withView(ViewEffects.ALL.forcing(Set.of(Effect.REFLECTION))))) {
+            renderer.render(matt, Progress.NONE);
+            renderer.render(edges, Progress.NONE);
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(edges).trace(), "forced-mirrors");
+        }
     }
 
     @Test
