@@ -71,11 +71,7 @@ public final class Renderer implements AutoCloseable {
     }
 
     private UpdatePlan difference(Scene wanted, boolean mirrors) {
-        UpdatePlan plan = Dispatcher.plan(cache, wanted, mirrors, options.accuracy());
-        // Rows that are followed by force alone have no place among the samples' codes: see firstPass.
-        boolean followed = cache != null && cache.geometry().everyMirror()
-                && wanted.picture().sampling().antialias() == Antialias.EDGES;
-        return followed && plan instanceof UpdatePlan.Relight ? new UpdatePlan.FirstPass("other samples") : plan;
+        return Dispatcher.plan(cache, wanted, mirrors, options.accuracy());
     }
 
     private boolean converts() {

@@ -50,19 +50,6 @@ class AntialiasTest {
         return pixels;
     }
 
-    /** What is measured with every row followed must have the samples of the scene. */
-    @Test
-    void edgesThatBeginWhereMirrorsAreForced_areThoseOfTheScene() {
-        Scene matt = studio(Antialias.OFF).withMaterials(studio(Antialias.OFF).materials().stream()
-                .map(m -> m.withReflective(Rgb.BLACK)).toList());
-        Scene edges = matt.withPicture(matt.picture().withSampling(new Sampling(Antialias.EDGES, GRID)));
-        try (Renderer renderer = new Renderer(Options.DEFAULT.withView(ViewEffects.ALL.forcing(Set.of(Effect.REFLECTION))))) {
-            renderer.render(matt, Progress.NONE);
-            renderer.render(edges, Progress.NONE);
-            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(edges).trace(), "forced-mirrors");
-        }
-    }
-
     @Test
     void off_keepsTheBytesAndRaysOfAPictureWithoutSamples() {
         Scene off = studio(Antialias.OFF);
