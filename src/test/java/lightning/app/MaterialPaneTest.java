@@ -143,7 +143,7 @@ class MaterialPaneTest extends EditorDesk {
         click("go");
         waitForPicture();
         type("texture", "");
-        assertThat(material("matt").texture()).isEmpty();
+        waitFor("it is taken away", () -> material("matt").texture().isEmpty());
     }
 
     @Test

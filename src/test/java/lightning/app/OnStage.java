@@ -34,6 +34,18 @@ public final class OnStage implements BeforeEachCallback, AfterEachCallback, Par
             run(context, Start.class, stage);
         });
         QuickRobot.settle();
+        focus();
+    }
+
+    /** Keys go to the window that is active; a window of the last test that closes late must not leave none. */
+    private void focus() throws Exception {
+        onWindowsThread(() -> {
+            if (stage.isShowing() && stage.getScene() != null) {
+                stage.toFront();
+                stage.requestFocus();
+            }
+        });
+        QuickRobot.settle();
     }
 
     @Override
