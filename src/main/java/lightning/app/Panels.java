@@ -30,7 +30,9 @@ final class Panels implements AutoCloseable {
     /** What the scene calls for. */
     void effects() {
         if (effects == null) {
-            effects = new PanelWindow(owner.get(), "Effects", new EffectsPane(model), 560, 620);
+            var pane = new EffectsPane(model);
+            effects = new PanelWindow(owner.get(), "Effects", pane, 760, 680);
+            effects.setOnHidden(_ -> pane.stop());
         }
         open(effects);
     }

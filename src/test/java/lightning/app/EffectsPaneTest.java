@@ -47,4 +47,49 @@ class EffectsPaneTest extends EditorDesk {
         waitFor("all is shown", () -> !isShown("look"));
         assertCanvasShows(new ReferenceTracer(model().scene()).trace());
     }
+
+    private EffectRow row(String id) {
+        return (EffectRow) robot.lookup("#" + id).query().getParent();
+    }
+
+    private void openAndMeasure() {
+        click("effects-panel");
+        click("measure-effects");
+        waitFor("it is measured", () -> text("effects-outcome").startsWith("First pass"));
+    }
+
+    @Test
+    void measured_effectsInUseTellWhatTheyTake() {
+        openAndMeasure();
+        assertThat(text("effects-outcome")).contains("lamp: full recompute");
+        assertThat(text("bytes-shadows")).isEqualTo("0 B");
+        assertThat(text("bytes-reflection")).matches("[0-9.]+ [kM]?B").isNotEqualTo("0 B");
+        assertThat(text("first-reflection")).endsWith(" ms");
+        assertThat(text("update-shadows")).endsWith(" ms");
+    }
+
+    @Test
+    void measured_absentEffectsTellWhatTheirAbsenceSaves() {
+        openAndMeasure();
+        assertThat(row("bytes-textures").getChildren().getFirst()).isNotInstanceOf(javafx.scene.control.CheckBox.class);
+        assertThat(text("bytes-textures")).endsWith("kB");
+        assertThat(text("bytes-cylinders")).isEqualTo("–");
+    }
+
+    @Test
+    void editMadeLast_isTheOneMeasured() {
+        robot.interact(() -> model().edit(scene -> lightning.edit.Dial.INTENSITY.set(scene, "lamp", 0.25)));
+        openAndMeasure();
+        assertThat(text("effects-outcome")).contains("lamp: weight");
+        assertThat(isEnabled(Command.GO)).as("the document and its picture stay").isTrue();
+    }
+
+    @Test
+    void cancelledMeasuring_tellsNothing() {
+        click("effects-panel");
+        click("measure-effects");
+        click("cancel-measure-effects");
+        waitFor("it is over", () -> text("effects-outcome").equals("Cancelled"));
+        assertThat(isShown("bytes-shadows")).isFalse();
+    }
 }
