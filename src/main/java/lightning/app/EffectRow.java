@@ -89,19 +89,20 @@ final class EffectRow extends HBox {
     void show(EffectCost cost) {
         numbers().forEach(n -> n.setVisible(true));
         first.setText(cost.measured() ? milliseconds(cost.firstMs(), cost.firstNoise()) : NONE);
-        update.setText(cost.measured() ? milliseconds(cost.updateMs(), 0) : NONE);
+        update.setText(cost.measured() ? milliseconds(cost.updateMs(), cost.updateNoise()) : NONE);
         bytes.setText(cost.measured() ? bytes(cost.bytes()) : NONE);
     }
 
     /** @param noise a difference of so much or less may be none, milliseconds */
     static String milliseconds(double v, double noise) {
         String text = String.format(Locale.ROOT, Math.abs(v) < UNIT / 100 ? "%.2f ms" : "%.0f ms", v + 0.0);
-        return (Math.abs(v) <= noise ? "≈ " : "") + (text.startsWith("-0.00") ? text.substring(1) : text);
+        return (Math.abs(v) <= noise ? "≈ " : "") + (text.startsWith("-0.00") ? text.substring(1) : text).replace('-', '−');
     }
 
     static String bytes(long v) {
         double size = Math.abs((double) v);
-        return size < UNIT ? v + " B" : size < UNIT * UNIT ? String.format(Locale.ROOT, "%.1f kB", v / UNIT)
+        String text = size < UNIT ? v + " B" : size < UNIT * UNIT ? String.format(Locale.ROOT, "%.1f kB", v / UNIT)
                 : String.format(Locale.ROOT, "%.1f MB", v / UNIT / UNIT);
+        return text.replace('-', '−');
     }
 }

@@ -139,8 +139,10 @@ final class EffectsPane extends VBox {
         if (costs == null) {
             others.clear();
         } else {
+            if (!others.isEmpty()) {
+                others.addFirst(EffectRow.head("Not in the scene, saves", ""));
+            }
             inUse.addFirst(EffectRow.head("In the scene", "Called for by"));
-            others.addFirst(EffectRow.head("Not in the scene, saves", ""));
         }
         // A row must not be in two places at a time.
         used.getChildren().clear();
@@ -148,9 +150,13 @@ final class EffectsPane extends VBox {
         used.getChildren().setAll(inUse);
     }
 
-    /** The edit to measure: the last one, or else the first light moved, or else whatever edit the scene allows. */
+    /**
+     * The edit to measure: the last one, unless it brought or took an effect; or else the first light moved, or else whatever
+     * edit the scene allows.
+     */
     private Optional<LastEdit> edit() {
-        return (model.isAnimating() ? Optional.<LastEdit>empty() : model.workbench().lastEdit()).or(() -> {
+        return (model.isAnimating() ? Optional.<LastEdit>empty() : model.workbench().lastEdit())
+                .filter(e -> Effects.of(e.before()).absent().equals(Effects.of(model.scene()).absent())).or(() -> {
             List<PaperCase> cases = PaperCases.of(model.scene());
             return cases.stream().filter(c -> c.name().equals("position")).findFirst().or(() -> cases.stream().findFirst())
                     .map(c -> new LastEdit(c.before(), c.after(), true));

@@ -85,6 +85,13 @@ class EffectsPaneTest extends EditorDesk {
     }
 
     @Test
+    void editThatEndedAnEffect_isNotTheOneMeasured() {
+        robot.interact(() -> model().edit(scene -> lightning.edit.LightEdits.delete(scene, "stage")));
+        openAndMeasure();
+        assertThat(text("effects-outcome")).contains("lamp: full recompute");
+    }
+
+    @Test
     void cancelledMeasuring_tellsNothing() {
         click("effects-panel");
         click("measure-effects");
