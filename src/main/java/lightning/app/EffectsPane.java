@@ -32,7 +32,7 @@ import lightning.scene.Scene;
  * click hides one from the view.
  */
 final class EffectsPane extends VBox {
-    private static final int REPETITIONS = 3;
+    private static final int REPETITIONS = 5;
 
     private final EditorModel model;
     private final ObjectProperty<ViewEffects> view;
