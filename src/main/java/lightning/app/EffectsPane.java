@@ -46,6 +46,8 @@ final class EffectsPane extends VBox {
     private final VBox unused = new VBox();
     private final Obstacle nothingHidden;
     private EffectCosts costs;
+    private Scene costsOf;
+    private String costsText = "";
     private Scene told;
     /** The effects that are listed as absent, and the costs beside them. */
     private Set<Effect> listed;
@@ -113,7 +115,14 @@ final class EffectsPane extends VBox {
             told = scene;
             bar.setObstacle(scene.lights().isEmpty() ? Optional.of("the scene has no light to edit") : Optional.empty());
             list(scene);
+            if (costs != null && !bar.isBusy()) {
+                tellOutcome();
+            }
         }
+    }
+
+    private void tellOutcome() {
+        outcome.setText((model.scene().equals(costsOf) ? "" : "Before the last edits: ") + costsText);
     }
 
     private void list(Scene scene) {
@@ -164,20 +173,23 @@ final class EffectsPane extends VBox {
     }
 
     private void measure() {
+        Scene scene = model.scene();
         edit().ifPresent(measured -> {
             Options options = model.precisionProperty().get().options();
             bar.begin("lightning-effects",
                     progress -> EffectCosts.of(measured.before(), measured.after(), options, REPETITIONS, progress),
-                    this::finished, outcome::setText);
+                    result -> finished(result, scene), outcome::setText);
             outcome.setText("Measuring …");
         });
     }
 
-    private void finished(EffectCosts measured) {
+    private void finished(EffectCosts measured, Scene scene) {
         costs = measured;
-        outcome.setText("First pass " + StatusText.milliseconds(measured.first().median()) + " · update "
+        costsOf = scene;
+        costsText = "First pass " + StatusText.milliseconds(measured.first().median()) + " · update "
                 + StatusText.milliseconds(measured.update().median()) + " (" + measured.plan() + ") · "
-                + EffectRow.bytes(measured.bytes()) + ". ≈: within the noise");
+                + EffectRow.bytes(measured.bytes()) + ". ≈: within the noise";
+        tellOutcome();
         measured.effects().forEach(cost -> rows.get(cost.effect()).show(cost));
         list(model.scene());
     }

@@ -5,13 +5,15 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import lightning.accuracy.Level;
 import lightning.accuracy.PictureError;
 
 /**
  * Compares results with older ones.
  *
  * <p>A time is worse where the quartiles do not overlap, the new ones above the old, and the median rose by more than
- * {@link #NOISE_PERCENT} percent. A picture is worse where any measure of its error rose at all: errors do not depend on
+ * {@link #NOISE_PERCENT} percent, both in milliseconds and as a share of the full trace that was measured in turns with it:
+ * a machine that is slower as a whole slows both. A picture is worse where any measure of its error rose at all: errors do not depend on
  * the machine.
  *
  * @param compared how many rungs of edits both results hold
@@ -27,36 +29,48 @@ public record Baseline(int compared, List<String> worse) {
 
     /** Compares the rungs that both results hold. */
     public static Baseline compare(Results old, Results now) {
-        Map<String, RungResult> known = rungs(old);
+        Map<String, Measured> known = rungs(old);
         List<String> worse = new ArrayList<>();
         int compared = 0;
         for (var entry : rungs(now).entrySet()) {
-            RungResult before = known.get(entry.getKey());
+            Measured before = known.get(entry.getKey());
             if (before != null) {
                 compared++;
-                slower(entry.getKey(), before.time(), entry.getValue().time(), worse);
-                rougher(entry.getKey(), before.error(), entry.getValue().error(), worse);
+                slower(entry.getKey(), before, entry.getValue(), worse);
+                rougher(entry.getKey(), before.rung().error(), entry.getValue().rung().error(), worse);
             }
         }
         return new Baseline(compared, worse);
     }
 
-    private static Map<String, RungResult> rungs(Results results) {
-        Map<String, RungResult> rungs = new LinkedHashMap<>();
+    /** A rung, and the median of the full trace that was measured in turns with it. */
+    private record Measured(RungResult rung, double fullMs) {
+        /** The time as a share of the full trace's; the full trace itself has only its own. */
+        double share() {
+            return rung.level() == Level.FULL_TRACE ? rung.time().median() : rung.time().median() / fullMs;
+        }
+    }
+
+    private static Map<String, Measured> rungs(Results results) {
+        Map<String, Measured> rungs = new LinkedHashMap<>();
         for (SceneResult scene : results.scenes()) {
             for (EditResult edit : scene.edits()) {
                 for (ValueResult value : edit.values()) {
                     value.rungs().forEach(rung -> rungs.put(String.join(", ", scene.scene() + " at " + scene.width() + "x" + scene.height(),
-                            edit.edit(), value.value(), rung.level().label()), rung));
+                            edit.edit(), value.value(), rung.level().label()),
+                            new Measured(rung, value.rungs().getLast().time().median())));
                 }
             }
         }
         return rungs;
     }
 
-    private static void slower(String what, Samples old, Samples now, List<String> worse) {
+    private static void slower(String what, Measured before, Measured after, List<String> worse) {
+        Samples old = before.rung().time();
+        Samples now = after.rung().time();
         double percent = 100 * (now.median() / old.median() - 1);
-        if (now.lowerQuartile() > old.upperQuartile() && percent > NOISE_PERCENT) {
+        double sharePercent = 100 * (after.share() / before.share() - 1);
+        if (now.lowerQuartile() > old.upperQuartile() && Math.min(percent, sharePercent) > NOISE_PERCENT) {
             worse.add(String.format(Locale.ROOT, "slower: %s: %.3g ms, was %.3g (+%.0f %%)", what, now.median(), old.median(), percent));
         }
     }

@@ -8,7 +8,8 @@ import lightning.accuracy.PictureError;
 /**
  * One measurement. What a kind of measurement does not have is NaN, 0 or empty.
  *
- * @param kind  {@code first-pass}, {@code full-trace}, {@code edit}, {@code peer}, {@code growth} or {@code drift}
+ * @param kind  {@code first-pass}, {@code full-trace}, {@code edit}, {@code peer}, {@code effect} (by how much it makes the first pass longer),
+ *              {@code growth} or {@code drift}
  * @param edit  the edit's name; of growth, what grows and the edit
  * @param value the varying value; of growth and drift, how many pixels, lights, …, edits
  * @param level the level of accuracy
@@ -36,6 +37,7 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
             if (scene.peer() != null) {
                 rows.add(trace("peer", scene, scene.peer().program(), scene.peer().time()));
             }
+            scene.effects().forEach(effect -> rows.add(effect(scene, effect)));
             for (EditResult edit : scene.edits()) {
                 edit.values().forEach(value -> value.rungs().forEach(rung -> rows.add(edit(scene, edit, value, rung))));
             }
@@ -50,6 +52,11 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
 
     private static CsvRow trace(String kind, SceneResult scene, String value, Samples time) {
         return row(kind, scene.scene(), scene.width(), scene.height(), "", value, "", time, NONE, NONE, NO_WORK, NO_ERROR);
+    }
+
+    private static CsvRow effect(SceneResult scene, EffectResult effect) {
+        return row("effect", scene.scene(), scene.width(), scene.height(), effect.effect(), effect.inUse() ? "in use" : "absent", "",
+                new Samples(effect.firstMs(), NONE, NONE, List.of()), NONE, NONE, NO_WORK, NO_ERROR);
     }
 
     private static CsvRow edit(SceneResult scene, EditResult edit, ValueResult value, RungResult rung) {

@@ -14,6 +14,7 @@ final class Ledger {
         private final NamedScene scene;
         private final PictureSize size;
         private final List<EditResult> edits = new ArrayList<>();
+        private List<EffectResult> effects = List.of();
         private FirstPassCost firstPass;
         private String before;
         private Peer peer;
@@ -36,6 +37,10 @@ final class Ledger {
             edits.add(edit);
         }
 
+        void effects(List<EffectResult> v) {
+            effects = v;
+        }
+
         void peer(Peer v) {
             peer = v;
         }
@@ -43,7 +48,8 @@ final class Ledger {
         private SceneResult result() {
             return new SceneResult(scene.name(), size.width(), size.height(), scene.scene().picture().depth(),
                     scene.scene().placedShapes().size(), scene.scene().lights().size(), before,
-                    firstPass == null ? null : FirstPass.of(firstPass, size.pixels(), averageSavedMs()), edits, peer);
+                    firstPass == null ? null : FirstPass.of(firstPass, size.pixels(), averageSavedMs()), edits, effects,
+                    peer);
         }
 
         /** What an edit of level exact saves, the average of all. */

@@ -1,5 +1,6 @@
 package lightning.bench;
 
+import lightning.effects.Effect;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
 import lightning.shading.TraditionalTracer;
@@ -60,6 +61,11 @@ record Pace(double msPerPixel) {
 
     double firstPassMs(PictureSize size, int repetitions) {
         return fullMs(size) * 2.2 * (WARM_UPS + repetitions);
+    }
+
+    /** Each effect in turns with the picture as it is, in the first pass and an update. */
+    double effectsMs(PictureSize size, int repetitions) {
+        return fullMs(size) * 2.5 * (WARM_UPS + repetitions) * Effect.values().length;
     }
 
     /** So many edits and a full trace in turns. */

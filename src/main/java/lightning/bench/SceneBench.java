@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
+import lightning.accuracy.EffectCost;
+import lightning.accuracy.EffectCosts;
 import lightning.accuracy.Ladder;
 import lightning.accuracy.LadderMeter;
 import lightning.accuracy.Level;
@@ -46,7 +48,18 @@ final class SceneBench implements AutoCloseable {
         parts.add(new Part(where + ", first pass", pace.firstPassMs(size, settings.repetitions()), this::firstPass));
         cases().forEach((edit, values) -> parts.add(new Part(where + ", " + edit,
                 pace.ladderMs(size, settings.repetitions()) * values.size(), progress -> edit(values, progress))));
+        if (settings.curves() && !settings.quick() && size.equals(settings.sizes().getLast())) {
+            parts.add(new Part(where + ", effects", pace.effectsMs(size, settings.repetitions()), this::effects));
+        }
         return parts;
+    }
+
+    /** What each effect takes, in the first pass and in the update after a light was moved. */
+    private void effects(Progress progress) {
+        List<PaperCase> moved = PaperCases.of(scene).stream().filter(edit -> edit.name().equals("position")).toList();
+        Scene after = moved.isEmpty() ? scene : moved.getFirst().after();
+        EffectCosts costs = EffectCosts.of(scene, after, Options.DEFAULT.withThreads(settings.threads()), settings.repetitions(), progress);
+        page.effects(costs.effects().stream().filter(EffectCost::measured).map(EffectResult::of).toList());
     }
 
     /** The cases by name, with each value that changes the scene. */

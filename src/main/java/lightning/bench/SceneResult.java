@@ -12,11 +12,13 @@ import java.util.List;
  * @param before    the file of the picture before all edits, relative to the results; null where none was written
  * @param firstPass what keeping the picture costs; null where it was not measured
  * @param edits     in the paper's order
+ * @param effects   what each effect takes, and what the absence of others saves; empty where it was not measured
  * @param peer      the same trace by another program; null where there is none
  */
 public record SceneResult(String scene, int width, int height, int depth, int shapes, int lights, String before,
-        FirstPass firstPass, List<EditResult> edits, Peer peer) {
+        FirstPass firstPass, List<EditResult> edits, List<EffectResult> effects, Peer peer) {
     public SceneResult {
         edits = List.copyOf(edits);
+        effects = List.copyOf(effects);
     }
 }

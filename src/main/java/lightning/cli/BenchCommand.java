@@ -63,7 +63,8 @@ final class BenchCommand implements Callable<Integer> {
             description = "Pixels, more than once for several sizes; 300x300 and 1920x1080 without it.")
     private List<Size> sizes = List.of();
     @Option(names = "--baseline", paramLabel = "OLD.json",
-            description = "Prints what became slower (quartiles apart, and by more than 10 %%) or less accurate than these results.")
+            description = {"Prints what became slower (quartiles apart, and by more than 10 %%, also as a share of the full trace)",
+                "or less accurate than these results."})
     private Path baseline;
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "What everything random starts from; 1 without it.")
     private long seed;

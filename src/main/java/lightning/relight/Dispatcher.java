@@ -40,7 +40,8 @@ final class Dispatcher {
             return new UpdatePlan.FirstPass("another size");
         }
         boolean resampled = !known.picture().sampling().samplesLike(wanted.picture().sampling());
-        if (resampled && (hasNoCentres(known) || hasNoCentres(wanted))) {
+        // Where rays are followed from what mirrors nothing, edges cannot be looked for in the levels that are known.
+        if (resampled && (hasNoCentres(known) || hasNoCentres(wanted) || cache.geometry().everyMirror())) {
             return new UpdatePlan.FirstPass("other samples");
         }
         if (!known.camera().equals(wanted.camera())) {

@@ -114,6 +114,9 @@ final class LevelWorker {
      *              dropped: its light does not shine, and once it does the layer is made anew.
      */
     TileLevel spliced(RowSplice splice, TileLevel old, TileLevel added) {
+        if (splice.keepsRows()) {
+            return new TileLevel(splice.rows(), old.layers());
+        }
         LightLayer[] layers = new LightLayer[old.layers().length];
         for (int l = 0; l < layers.length; l++) {
             LightLayer before = old.layers()[l];

@@ -4,6 +4,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 
@@ -58,16 +59,17 @@ public final class Workers implements AutoCloseable {
         AtomicInteger next = new AtomicInteger();
         AtomicInteger done = new AtomicInteger();
         AtomicReference<Throwable> failure = new AtomicReference<>();
+        Progress heard = heard(progress);
         int helpers = Math.min(count, tiles) - 1;
         CountDownLatch finished = new CountDownLatch(Math.max(0, helpers));
         for (int worker = 1; worker <= helpers; worker++) {
             int number = worker;
             threads.execute(() -> {
-                work(number, tiles, next, done, task, progress, failure);
+                work(number, tiles, next, done, task, heard, failure);
                 finished.countDown();
             });
         }
-        work(0, tiles, next, done, task, progress, failure);
+        work(0, tiles, next, done, task, heard, failure);
         await(finished);
         switch (failure.get()) {
             case null -> {
@@ -79,6 +81,27 @@ public final class Workers implements AutoCloseable {
             case Error e -> throw e;
             case Throwable e -> throw new IllegalStateException(e);
         }
+    }
+
+    /**
+     * What one worker hears, all hear: an interrupted caller that waits for the others no longer looks interrupted to them.
+     */
+    private static Progress heard(Progress progress) {
+        AtomicBoolean stopped = new AtomicBoolean();
+        return new Progress() {
+            @Override
+            public void tiles(int done, int total) {
+                progress.tiles(done, total);
+            }
+
+            @Override
+            public boolean isCancelled() {
+                if (!stopped.get() && progress.isCancelled()) {
+                    stopped.set(true);
+                }
+                return stopped.get();
+            }
+        };
     }
 
     private static void work(int worker, int tiles, AtomicInteger next, AtomicInteger done, Task task, Progress progress,

@@ -64,8 +64,8 @@ public final class HitRows {
         code = coded ? new int[length] : null;
     }
 
-    /** The same rows with other texels; all three null for none. */
-    private HitRows(HitRows o, float[] red, float[] green, float[] blue, int[] code) {
+    /** The same rows with other texels, all three null for none, other codes, other parents and other materials that mirror. */
+    private HitRows(HitRows o, float[] red, float[] green, float[] blue, int[] codes, short[] parents, int mirrors) {
         count = o.count;
         px = o.px;
         py = o.py;
@@ -79,29 +79,35 @@ public final class HitRows {
         texelRed = red;
         texelGreen = green;
         texelBlue = blue;
-        parent = o.parent;
-        this.code = code;
+        parent = parents;
+        code = codes;
         runs = o.runs;
         runMaterial = o.runMaterial;
         runEnd = o.runEnd;
-        reflective = o.reflective;
+        reflective = mirrors;
     }
 
     /** These rows without texels. */
     HitRows withoutTexels() {
-        return new HitRows(this, null, null, null, code);
+        return new HitRows(this, null, null, null, code, parent, reflective);
     }
 
     /** These rows with texels of their own, copies of these. */
     HitRows withOwnTexels() {
         int length = parent.length;
-        return texelRed == null ? new HitRows(this, new float[length], new float[length], new float[length], code)
-                : new HitRows(this, texelRed.clone(), texelGreen.clone(), texelBlue.clone(), code);
+        return texelRed == null
+                ? new HitRows(this, new float[length], new float[length], new float[length], code, parent, reflective)
+                : new HitRows(this, texelRed.clone(), texelGreen.clone(), texelBlue.clone(), code, parent, reflective);
     }
 
     /** These rows with other codes, or null for none. */
     public HitRows withCode(int[] to) {
-        return new HitRows(this, texelRed, texelGreen, texelBlue, to);
+        return new HitRows(this, texelRed, texelGreen, texelBlue, to, parent, reflective);
+    }
+
+    /** These rows, in this order, seen from other parents, with other materials that mirror. */
+    HitRows seenFrom(short[] parents, int mirrors) {
+        return new HitRows(this, texelRed, texelGreen, texelBlue, code, parents, mirrors);
     }
 
     /** The length of a column of {@code rows} rows: a multiple of 16. */

@@ -11,13 +11,14 @@ import java.util.Arrays;
 public final class RowSplice {
     private final HitRows old;
     private final HitRows added;
-    private final HitRows rows;
+    private HitRows rows;
     /** Of each row of the result the old row, or {@code ~i} for row i of those added. */
     private final int[] source;
     /** Of each row of the result the end of the stretch whose sources follow one another, which is copied at once. */
     private final int[] end;
     /** Of each old row its row in the result, or −1. */
     private final int[] now;
+    private final int reflective;
 
     /** @param sequence rows in the order that rows of one material keep, as {@link #source} */
     private RowSplice(HitRows old, HitRows added, int[] sequence, MaterialTable materials) {
@@ -29,20 +30,11 @@ public final class RowSplice {
         for (int s : sequence) {
             starts[materials.rank(s < 0 ? addedMaterials[~s] : oldMaterials[s]) + 1]++;
         }
-        boolean textured = false;
         for (int r = 0; r < materials.count(); r++) {
-            textured |= starts[r + 1] > 0 && materials.isTextured(materials.ranked(r));
             starts[r + 1] += starts[r];
         }
-        boolean texels = old.texelRed != null || added != null && added.texelRed != null;
-        rows = new HitRows(sequence.length, textured && texels, old.code != null);
-        rows.count = sequence.length;
-        rows.reflective = starts[materials.reflectiveCount()];
-        for (int r = 0; r < materials.count(); r++) {
-            if (starts[r + 1] > starts[r]) {
-                rows.addRun(materials.ranked(r), starts[r + 1]);
-            }
-        }
+        int[] ends = starts.clone();
+        reflective = starts[materials.reflectiveCount()];
         source = new int[sequence.length];
         now = new int[old.count];
         Arrays.fill(now, -1);
@@ -54,6 +46,32 @@ public final class RowSplice {
             }
         }
         end = ends(source);
+        if (!keepsRows()) {
+            rows = room(ends, materials);
+        }
+    }
+
+    /** Whether all old rows stay where they are and none came: columns are shared, and none need be copied. */
+    public boolean keepsRows() {
+        return added == null && source.length == old.count && (source.length == 0 || source[0] == 0 && end[0] == source.length);
+    }
+
+    /** @param ends for each rank the row behind the rows of all lower ranks */
+    private HitRows room(int[] ends, MaterialTable materials) {
+        boolean textured = false;
+        for (int r = 0; r < materials.count(); r++) {
+            textured |= ends[r + 1] > ends[r] && materials.isTextured(materials.ranked(r));
+        }
+        boolean texels = old.texelRed != null || added != null && added.texelRed != null;
+        HitRows room = new HitRows(source.length, textured && texels, old.code != null);
+        room.count = source.length;
+        room.reflective = reflective;
+        for (int r = 0; r < materials.count(); r++) {
+            if (ends[r + 1] > ends[r]) {
+                room.addRun(materials.ranked(r), ends[r + 1]);
+            }
+        }
+        return room;
     }
 
     private static int[] ends(int[] source) {
@@ -94,7 +112,7 @@ public final class RowSplice {
     public static RowSplice seenFrom(RowSplice above, int rays, HitRows old, HitRows added, MaterialTable materials) {
         int[] hit = new int[rays];
         Arrays.fill(hit, Integer.MIN_VALUE);
-        short[] parents = new short[old.count];
+        short[] parents = new short[HitRows.padded(old.count)];
         for (int i = 0; i < old.count; i++) {
             int parent = above == null ? old.parent[i] : above.now[old.parent[i]];
             parents[i] = (short) parent;
@@ -111,6 +129,10 @@ public final class RowSplice {
     }
 
     private void copy(short[] oldParents) {
+        if (keepsRows()) {
+            rows = old.seenFrom(oldParents, reflective);
+            return;
+        }
         for (int i = 0; i < source.length; i++) {
             boolean fresh = source[i] < 0;
             rows.parent[i] = fresh ? added.parent[~source[i]] : oldParents[source[i]];
@@ -150,6 +172,7 @@ public final class RowSplice {
     private RowSplice(RowSplice first, RowSplice second) {
         old = first.old;
         added = second.added;
+        reflective = second.reflective;
         rows = second.rows;
         source = new int[second.source.length];
         Arrays.setAll(source, i -> second.source[i] < 0 ? second.source[i] : first.source[second.source[i]]);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import javafx.scene.Node;
 import lightning.edit.Command;
+import lightning.edit.Dial;
 import lightning.effects.Effect;
 import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.Test;
@@ -78,10 +79,17 @@ class EffectsPaneTest extends EditorDesk {
 
     @Test
     void editMadeLast_isTheOneMeasured() {
-        robot.interact(() -> model().edit(scene -> lightning.edit.Dial.INTENSITY.set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
         openAndMeasure();
         assertThat(text("effects-outcome")).contains("lamp: weight");
         assertThat(isEnabled(Command.GO)).as("the document and its picture stay").isTrue();
+    }
+
+    @Test
+    void editAfterMeasuring_marksTheCostsAsOlder() {
+        openAndMeasure();
+        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
+        assertThat(text("effects-outcome")).startsWith("Before the last edits: First pass");
     }
 
     @Test

@@ -16,7 +16,7 @@ class BaselineTest {
 
     @Test
     void sameResults_areNotWorse() {
-        assertThat(compare(Sample.scene(5), Sample.scene(5))).isEqualTo(new Baseline(1, List.of()));
+        assertThat(compare(Sample.scene(5), Sample.scene(5))).isEqualTo(new Baseline(2, List.of()));
     }
 
     @Test
@@ -37,6 +37,15 @@ class BaselineTest {
     }
 
     @Test
+    void machineThatIsSlowerAsAWhole_isToldOnce() {
+        SceneResult old = Sample.scene(0, 5, 5, 5);
+        assertThat(compare(old, Sample.scene(Sample.samples(40, 40, 40), 0, 10, 10, 10)).worse()).containsExactly(
+                "slower: bird at 300x200, color, sun.color = 1, 0, 0, full trace: 40.0 ms, was 20.0 (+100 %)");
+        assertThat(compare(old, Sample.scene(Sample.samples(40, 40, 40), 0, 20, 20, 20)).worse()).hasSize(2);
+        assertThat(compare(old, Sample.scene(Sample.samples(10, 10, 10), 0, 5, 5, 5)).worse()).isEmpty();
+    }
+
+    @Test
     void faster_isNotWorse() {
         assertThat(compare(Sample.scene(0, 5, 5, 5), Sample.scene(0, 1, 1, 1)).worse()).isEmpty();
     }
@@ -54,10 +63,10 @@ class BaselineTest {
     void otherScenes_areNotCompared() {
         SceneResult bird = Sample.scene(5);
         SceneResult other = new SceneResult("house", bird.width(), bird.height(), bird.depth(), bird.shapes(), bird.lights(), null, null,
-                bird.edits(), null);
+                bird.edits(), List.of(), null);
         SceneResult larger = new SceneResult("bird", 301, bird.height(), bird.depth(), bird.shapes(), bird.lights(), null, null,
-                bird.edits(), null);
+                bird.edits(), List.of(), null);
         assertThat(Baseline.compare(results(other, larger), results(bird)).compared()).isZero();
-        assertThat(Baseline.compare(results(other, bird), results(bird)).compared()).isEqualTo(1);
+        assertThat(Baseline.compare(results(other, bird), results(bird)).compared()).isEqualTo(2);
     }
 }

@@ -69,7 +69,7 @@ class ReportTest {
     void namesWithMarkup_areShownAsTheyAre() throws Exception {
         String name = "<script>alert('\"&')</script>";
         SceneResult scene = Sample.scene(10);
-        Document page = write(new Results(Sample.RUN, List.of(new SceneResult(name, 300, 200, 3, 10, 3, null, null, scene.edits(), null)),
+        Document page = write(new Results(Sample.RUN, List.of(new SceneResult(name, 300, 200, 3, 10, 3, null, null, scene.edits(), List.of(), null)),
                 List.of(), List.of(), List.of()), folder);
 
         assertThat(byId(page, "scene-1").getElementsByTagName("h2").item(0).getTextContent()).isEqualTo(name + ", 300 × 200");
@@ -86,7 +86,7 @@ class ReportTest {
         var rungs = List.of(new RungResult(Level.EXACT, Sample.samples(2, 3), 70, error, null, "after.png", "difference.png"),
                 new RungResult(Level.FULL_TRACE, Sample.samples(9, 10), 0, none, null, "full.png", null));
         var edit = new EditResult("color", "Fig. 6", 98, 70, 90, List.of(new ValueResult("sun.color = 1, 0, 0", rungs)));
-        var scene = new SceneResult("bird", 1, 1, 3, 10, 3, "before.png", null, List.of(edit), null);
+        var scene = new SceneResult("bird", 1, 1, 3, 10, 3, "before.png", null, List.of(edit), List.of(), null);
         Document page = write(new Results(Sample.RUN, List.of(scene), List.of(), List.of(), List.of()), folder);
 
         assertIsWhole(page);
@@ -99,7 +99,7 @@ class ReportTest {
     @Test
     void missingPictures_costThePicturesAlone() throws Exception {
         SceneResult scene = Sample.scene(10);
-        Document page = write(new Results(Sample.RUN, List.of(new SceneResult("bird", 300, 200, 3, 10, 3, "gone.png", null, scene.edits(),
+        Document page = write(new Results(Sample.RUN, List.of(new SceneResult("bird", 300, 200, 3, 10, 3, "gone.png", null, scene.edits(), List.of(),
                 null)), List.of(), List.of(), List.of()), folder);
 
         assertThat(byClass(page, "wipe")).isEmpty();

@@ -43,7 +43,7 @@ class ResultsFileTest {
     @Property(tries = 30)
     void csv_hasARowForEachMeasurementWithEveryColumn(@ForAll long seed) {
         Results results = ResultsArbitraries.of(seed);
-        int rows = results.scenes().stream().mapToInt(s -> (s.firstPass() == null ? 0 : 2) + (s.peer() == null ? 0 : 1)
+        int rows = results.scenes().stream().mapToInt(s -> (s.firstPass() == null ? 0 : 2) + (s.peer() == null ? 0 : 1) + s.effects().size()
                 + s.edits().stream().flatMap(e -> e.values().stream()).mapToInt(v -> v.rungs().size()).sum()).sum()
                 + results.growth().stream().flatMap(g -> g.points().stream()).mapToInt(p -> 1 + p.edits().size()).sum()
                 + results.drift().stream().mapToInt(d -> d.points().size()).sum();
@@ -56,7 +56,7 @@ class ResultsFileTest {
         ResultsFile.writeCsv(file, new Results(Sample.RUN, List.of(Sample.scene(5)), List.of(), List.of(), List.of()));
         List<String> lines = Files.readAllLines(file);
         assertThat(lines.getFirst()).startsWith("kind,scene,width,height,edit,value,level,n,medianMs,lowerQuartileMs,upperQuartileMs,");
-        assertThat(lines).hasSize(2);
+        assertThat(lines).hasSize(3);
         assertThat(lines.get(1)).startsWith("edit,bird,300,200,color,\"sun.color = 1, 0, 0\",exact,3,5.0,4.0,6.0,75.0,90.0,98.0,"
                 + "\"sun: weight\",");
     }

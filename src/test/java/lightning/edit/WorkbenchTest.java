@@ -139,6 +139,24 @@ class WorkbenchTest {
     }
 
     @Test
+    void historyOfALight_survivesGo() throws Exception {
+        bench.selectLight("key");
+        dial(2);
+        bench.go();
+        settle();
+        dial(3);
+        bench.go();
+        settle();
+        assertThat(bench.undoLight()).isEmpty();
+        assertThat(Desk.light(bench.scene(), "key").intensity()).isEqualTo(2);
+        assertThat(bench.undoLight()).isEmpty();
+        assertThat(bench.scene()).isEqualTo(Desk.scene());
+        assertThat(Command.GO.isEnabled(bench.situation())).as("what was undone is not rendered").isTrue();
+        assertThat(bench.redoLight()).isEmpty();
+        assertThat(Desk.light(bench.scene(), "key").intensity()).isEqualTo(2);
+    }
+
+    @Test
     void copiedSettings_arePastedOnTheSelectedLight() {
         bench.selectLight("fill");
         assertThat(bench.pasteSettings()).contains("no settings were copied");

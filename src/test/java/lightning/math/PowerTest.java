@@ -54,6 +54,7 @@ class PowerTest {
     void zeroToAnyOtherPower_isZero() {
         assertThat(Power.of(0, 1e-300)).isZero();
         assertThat(Power.of(0, 1e6)).isZero();
+        assertThat(Power.of(Double.MIN_NORMAL / 2, 1e-3)).as("counts as 0").isZero();
     }
 
     @Property(tries = 2000)

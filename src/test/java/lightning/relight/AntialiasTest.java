@@ -3,7 +3,10 @@ package lightning.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
+import java.util.Set;
 import lightning.cache.PixelCache;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
 import lightning.image.Film;
 import lightning.image.FilmAssert;
 import lightning.math.Rgb;
@@ -128,6 +131,18 @@ class AntialiasTest {
                 long centers = plain.render(off, Progress.NONE).rays().shadow();
                 assertThat(later.rays().shadow()).isEqualTo(first.rays().shadow() - centers);
             }
+        }
+    }
+
+    @Test
+    void edgesAskedForLater_areNotThoseOfMirrorsThatAreForced() {
+        Scene off = studio(Antialias.OFF);
+        Scene edges = studio(Antialias.EDGES);
+        Options forced = Options.DEFAULT.withView(ViewEffects.ALL.forcing(Set.of(Effect.REFLECTION)));
+        try (Renderer renderer = new Renderer(forced)) {
+            renderer.render(off, Progress.NONE);
+            renderer.render(edges, Progress.NONE);
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(edges).trace(), "antialias-forced-mirrors");
         }
     }
 

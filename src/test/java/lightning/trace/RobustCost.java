@@ -1,6 +1,8 @@
 package lightning.trace;
 
+import java.io.IOException;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Random;
 import java.util.function.ToDoubleFunction;
@@ -17,14 +19,25 @@ import lightning.scene.Placement;
  */
 final class RobustCost {
     private static final int CASES = 4096;
-    private static final int TURNS = 401;
+    private static final int TURNS = 12_001;
 
     private static double sink;
+    private static String only;
 
     private RobustCost() {}
 
-    public static void main(String[] args) {
-        System.out.println("formula                                          textbook  Lightning");
+    /** @param args a word of the formula to measure; none for all, each in a Java of its own: one formula's profile slows the next */
+    public static void main(String[] args) throws IOException, InterruptedException {
+        if (args.length == 0) {
+            System.out.println("formula                                          textbook  Lightning");
+            for (String one : List.of("sphere", "cylinder", "cone", "stored", "V·R", "power", "inverse")) {
+                new ProcessBuilder(ProcessHandle.current().info().command().orElseThrow(), "--add-modules", "jdk.incubator.vector",
+                        "-cp", System.getProperty("java.class.path"), RobustCost.class.getName(), one)
+                        .redirectOutput(ProcessBuilder.Redirect.INHERIT).start().waitFor();
+            }
+            return;
+        }
+        only = args[0];
         compare("ray and sphere", rays(ShapeTable.SPHERE), r -> NaiveSolids.sphere(r[0], r[1], r[2], r[3], r[4], r[5]),
                 r -> Solids.sphere(r[0], r[1], r[2], r[3], r[4], r[5]));
         compare("ray and cylinder", rays(ShapeTable.CYLINDER), r -> NaiveSolids.cylinder(r[0], r[1], r[2], r[3], r[4], r[5]),
@@ -40,13 +53,16 @@ final class RobustCost {
     }
 
     private static void compare(String what, double[][] cases, ToDoubleFunction<double[]> textbook, ToDoubleFunction<double[]> robust) {
+        if (!what.contains(only)) {
+            return;
+        }
         double[] textbooks = new double[TURNS];
         double[] robusts = new double[TURNS];
         for (int turn = 0; turn < TURNS; turn++) {
             textbooks[turn] = nanoseconds(cases, textbook);
             robusts[turn] = nanoseconds(cases, robust);
         }
-        // The first half is the compiler's.
+        // The first half is for the compiler.
         System.out.printf(Locale.ROOT, "%-52s %5.1f %10.1f%n", what, median(textbooks), median(robusts));
     }
 

@@ -58,11 +58,36 @@ record LevelSummary(Level level, List<RungResult> rungs) {
 
     /** Time, saving and errors, for a table. */
     String[] cells() {
-        return new String[] {Numbers.ms(median(r -> r.time().median())), Numbers.percent(median(RungResult::saving)),
+        return new String[] {Numbers.ms(median()), Numbers.percent(saving()),
             differing(), Numbers.grouped((long) worst(PictureError::maxUlp)),
             Numbers.error(worst(PictureError::maxAbsolute)), Numbers.error(worst(PictureError::meanAbsolute)),
-            Numbers.error(worst(PictureError::rmse)), decibels(least(PictureError::linearPsnr)),
-            decibels(least(PictureError::displayPsnr)), similarity(least(PictureError::ssim)), Numbers.error(worst(PictureError::flip))};
+            Numbers.error(rmse()), decibels(least(PictureError::linearPsnr)),
+            decibels(least(PictureError::displayPsnr)), similarity(least(PictureError::ssim)), Numbers.error(flip())};
+    }
+
+    /** The median time, milliseconds. */
+    double median() {
+        return median(r -> r.time().median());
+    }
+
+    /** The median of what is saved, percent of the full trace. */
+    double saving() {
+        return median(RungResult::saving);
+    }
+
+    /** The largest root mean square error. */
+    double rmse() {
+        return worst(PictureError::rmse);
+    }
+
+    /** The largest ꟻLIP error, 0…1. */
+    double flip() {
+        return worst(PictureError::flip);
+    }
+
+    /** The largest share of values that differ, percent. */
+    double percentDiffering() {
+        return worst(e -> 100.0 * e.values() / e.of());
     }
 
     /** The largest share of values that differ. */

@@ -35,6 +35,7 @@ final class SceneSection {
             LevelSummary.table(page, levels);
             EditTable.write(page, scene);
         }
+        EffectTable.write(page, scene);
         if (scene.peer() != null) {
             peer(page, scene.peer());
         }

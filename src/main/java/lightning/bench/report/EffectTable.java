@@ -1,0 +1,35 @@
+package lightning.bench.report;
+
+import java.util.List;
+import lightning.bench.EffectResult;
+import lightning.bench.SceneResult;
+
+/** What each effect of a scene takes, and what it saves that others are absent. */
+final class EffectTable {
+    private EffectTable() {}
+
+    static void write(Markup page, SceneResult scene) {
+        if (!scene.effects().isEmpty()) {
+            rows(page, "Effects in use: by how much each makes the picture dearer", scene.effects().stream().filter(EffectResult::inUse).toList());
+            rows(page, "Absent effects: what each would add if it were computed all the same",
+                    scene.effects().stream().filter(e -> !e.inUse()).toList());
+        }
+    }
+
+    private static void rows(Markup page, String caption, List<EffectResult> effects) {
+        if (effects.isEmpty()) {
+            return;
+        }
+        try (Table table = new Table(page, "edits", caption, "effect", "first pass", "noise", "moved light", "kept", "rays", "called for by")) {
+            for (EffectResult effect : effects) {
+                table.row(effect.effect(), Numbers.ms(effect.firstMs()), "± " + Numbers.ms(effect.noiseMs()), Numbers.ms(effect.updateMs()),
+                        Numbers.bytes(effect.bytes()), Numbers.grouped(effect.rays()), callers(effect));
+            }
+        }
+    }
+
+    private static String callers(EffectResult effect) {
+        return effect.callers().isEmpty() ? "" : effect.callers().size() == 1 ? effect.callers().getFirst()
+                : effect.callers().getFirst() + " and " + (effect.callers().size() - 1) + " more";
+    }
+}

@@ -1,0 +1,165 @@
+package lightning.bench.report;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lightning.accuracy.Level;
+import lightning.bench.Drift;
+import lightning.bench.EditResult;
+import lightning.bench.EffectResult;
+import lightning.bench.Growth;
+import lightning.bench.GrowthPoint;
+import lightning.bench.Results;
+import lightning.bench.RungResult;
+import lightning.bench.SceneResult;
+
+/** The tables of a run as Markdown, for documents: each is named, and made from the results alone. */
+public final class Tables {
+    private final Results results;
+
+    public Tables(Results results) {
+        this.results = results;
+    }
+
+    /** The names of all tables. */
+    public static List<String> names() {
+        return List.of("run", "scenes", "savings", "ladder", "composing", "drift", "growth", "effects in use", "effects absent", "peer");
+    }
+
+    /**
+     * A table, its lines ending in line feeds.
+     *
+     * @throws IllegalArgumentException if there is no table of that name
+     */
+    public String of(String name) {
+        return switch (name) {
+            case "run" -> run();
+            case "scenes" -> scenes();
+            case "savings" -> savings();
+            case "ladder" -> ladder();
+            case "composing" -> floors();
+            case "drift" -> drift();
+            case "growth" -> growth();
+            case "effects in use" -> effects(true);
+            case "effects absent" -> effects(false);
+            case "peer" -> peers();
+            default -> throw new IllegalArgumentException("there is no table '" + name + "'");
+        };
+    }
+
+    private String run() {
+        var run = results.run();
+        return table(List.of("processors", "vector bits", "threads", "samples of each work", "memory bandwidth GB/s"),
+                Stream.of(List.of(Integer.toString(run.machine().processors()), Integer.toString(run.machine().vectorBits()),
+                        Integer.toString(run.threads()), Integer.toString(run.repetitions()), number(run.triadGBs()))));
+    }
+
+    private String scenes() {
+        return table(List.of("scene", "shapes", "lights", "full trace ms", "first pass slower by %", "bytes a pixel", "paid for after edits"),
+                large().map(s -> List.of(s.scene(), Integer.toString(s.shapes()), Integer.toString(s.lights()),
+                        number(s.firstPass().fullTrace().median()), number(s.firstPass().percentSlower()),
+                        number(s.firstPass().bytesPerPixel()), number(s.firstPass().editsToPayOff()))));
+    }
+
+    /** The scenes at the largest size. */
+    private Stream<SceneResult> large() {
+        int most = results.scenes().stream().mapToInt(SceneResult::width).max().orElse(0);
+        return results.scenes().stream().filter(s -> s.width() == most && s.firstPass() != null);
+    }
+
+    private String savings() {
+        List<SceneResult> scenes = large().toList();
+        List<String> head = new ArrayList<>(List.of("edit", "the paper"));
+        scenes.forEach(s -> head.add(s.scene()));
+        return table(head, edits(scenes).map(edit -> {
+            List<String> row = new ArrayList<>(List.of(edit.edit(), number(edit.paperSaving())));
+            scenes.forEach(s -> row.add(of(s, edit.edit(), e -> number(e.saving()))));
+            return row;
+        }));
+    }
+
+    /** Each kind of edit once. */
+    private static Stream<EditResult> edits(List<SceneResult> scenes) {
+        return scenes.stream().flatMap(s -> s.edits().stream())
+                .collect(Collectors.toMap(EditResult::edit, e -> e, (a, _) -> a, LinkedHashMap::new)).values().stream();
+    }
+
+    private static String of(SceneResult scene, String edit, Function<EditResult, String> what) {
+        return scene.edits().stream().filter(e -> e.edit().equals(edit)).map(what).findFirst().orElse("–");
+    }
+
+    private String ladder() {
+        return table(List.of("scene", "level", "ms", "saves %", "worst RMSE", "worst ꟻLIP", "most values that differ %"),
+                large().flatMap(s -> LevelSummary.of(s).stream().map(l -> List.of(s.scene(), l.level().label(), number(l.median()),
+                        number(l.saving()), error(l.rmse()), error(l.flip()), number(l.percentDiffering())))));
+    }
+
+    private String floors() {
+        return table(List.of("scene", "edit", "ms", "floor ms", "times the floor"), large().flatMap(s -> s.edits().stream()
+                .filter(e -> List.of("color", "attenuation", "position").contains(e.edit())).map(e -> {
+                    RungResult exact = e.values().getFirst().rungs().get(Level.EXACT.ordinal());
+                    return List.of(s.scene(), e.edit(), number(exact.time().median()), number(exact.work().floorMs()),
+                            number(exact.work().timesFloor()));
+                })));
+    }
+
+    private String drift() {
+        return table(List.of("edits", "level", "values that differ", "largest ulp", "largest difference", "bound", "refreshes"),
+                results.drift().stream().map(Drift::points).flatMap(List::stream).map(p -> List.of(Integer.toString(p.edits()),
+                        p.accuracy().name().toLowerCase(Locale.ROOT), Long.toString(p.error().values()), Long.toString(p.error().maxUlp()),
+                        error(p.error().maxAbsolute()), error(p.bound()), Integer.toString(p.refreshes()))));
+    }
+
+    private String growth() {
+        return table(List.of("along", "at", "full trace ms", "color ms", "position ms"),
+                results.growth().stream().flatMap(g -> g.points().stream().map(p -> List.of(g.along(), Long.toString(p.at()),
+                        number(p.fullTrace().median()), edit(g, p, "color"), edit(g, p, "position")))));
+    }
+
+    private static String edit(Growth growth, GrowthPoint point, String edit) {
+        return point.edits().stream().filter(e -> e.edit().equals(edit)).map(e -> number(e.time().median())).findFirst().orElse("–");
+    }
+
+    private String effects(boolean inUse) {
+        return table(List.of("scene", "effect", "first pass ms", "± ms", "moved light ms", "MB", "million rays"),
+                large().flatMap(s -> s.effects().stream().filter(e -> e.inUse() == inUse).map(e -> row(s, e))));
+    }
+
+    private static List<String> row(SceneResult scene, EffectResult e) {
+        return List.of(scene.scene(), e.effect(), number(e.firstMs()), number(e.noiseMs()), number(e.updateMs()), number(e.bytes() / 1e6),
+                number(e.rays() / 1e6));
+    }
+
+    private String peers() {
+        return table(List.of("scene", "program", "its ms", "full trace ms", "times as fast", "pixels that agree %"),
+                large().filter(s -> s.peer() != null).map(s -> List.of(s.scene(), s.peer().program(), number(s.peer().time().median()),
+                        number(s.peer().fullTrace().median()), number(s.peer().ratio()), number(100 * s.peer().agreement()))));
+    }
+
+    /** Three digits, no exponent. */
+    private static String number(double v) {
+        if (Double.isNaN(v)) {
+            return "–";
+        }
+        double size = Math.abs(v);
+        return String.format(Locale.ROOT, size >= 99.95 ? "%.0f" : size >= 9.995 ? "%.1f" : "%.2f", v);
+    }
+
+    /** Two digits and an exponent; 0 where nothing is off. */
+    private static String error(double v) {
+        return v == 0 ? "0" : Double.isNaN(v) ? "–" : String.format(Locale.ROOT, "%.1e", v);
+    }
+
+    private static String table(List<String> head, Stream<List<String>> rows) {
+        String rule = "|" + "---|".repeat(head.size()) + "\n";
+        return line(head) + rule + rows.map(Tables::line).collect(Collectors.joining());
+    }
+
+    private static String line(List<String> cells) {
+        return "| " + String.join(" | ", cells) + " |\n";
+    }
+}
