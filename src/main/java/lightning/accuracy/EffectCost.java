@@ -15,11 +15,12 @@ import lightning.shading.TraceCounts;
  *                   it has more to do
  * @param updateMs   likewise the update after an edit
  * @param firstNoise half the distance between the quartiles of the first passes with it, milliseconds
+ * @param updateNoise likewise of the updates
  * @param bytes      by how much it makes the picture's cache larger; below 0 where other columns are needed without it
  * @param rays       how many more rays the first pass casts
  */
 public record EffectCost(Effect effect, List<String> callers, boolean measured, double firstMs, double updateMs, double firstNoise,
-        long bytes, TraceCounts rays) {
+        double updateNoise, long bytes, TraceCounts rays) {
     public EffectCost {
         callers = List.copyOf(callers);
     }

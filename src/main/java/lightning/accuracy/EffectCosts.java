@@ -42,7 +42,7 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
             List<EffectCost> costs = new ArrayList<>();
             for (Effect effect : Effect.values()) {
                 costs.add(canMeasure(effect, effects) ? beside(plain, effect, effects, before, after, options, repetitions, progress)
-                        : new EffectCost(effect, List.of(), false, 0, 0, 0, 0, TraceCounts.NONE));
+                        : new EffectCost(effect, List.of(), false, 0, 0, 0, 0, 0, TraceCounts.NONE));
                 progress.tiles(costs.size(), Effect.values().length);
             }
             return new EffectCosts(first, update, plain.plan(), plain.bytes(), costs);
@@ -59,9 +59,13 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
             EffectVariant without = inUse ? other : plain;
             return new EffectCost(effect, effects.callers(effect), true, with.first().median() - without.first().median(),
                     with.update().median() - without.update().median(),
-                    (with.first().upperQuartile() - with.first().lowerQuartile()) / 2, with.bytes() - without.bytes(),
+                    noise(with.first()), noise(with.update()), with.bytes() - without.bytes(),
                     with.rays().minus(without.rays()));
         }
+    }
+
+    private static double noise(Timing timing) {
+        return (timing.upperQuartile() - timing.lowerQuartile()) / 2;
     }
 
     private static boolean canMeasure(Effect effect, Effects effects) {

@@ -3,30 +3,23 @@ package lightning.app;
 import java.util.Optional;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
-import javafx.scene.control.Button;
 import javafx.scene.control.Label;
-import javafx.scene.control.ProgressBar;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
-import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.accuracy.Ladder;
 import lightning.accuracy.LadderMeter;
 import lightning.accuracy.Level;
 import lightning.accuracy.Rung;
-import lightning.app.widget.Obstacle;
 import lightning.edit.LastEdit;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
 import lightning.shading.Progress;
 import lightning.shading.Workers;
-import org.kordamp.ikonli.javafx.FontIcon;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
 
 /** What accuracy costs: each level's time and error for the edit made last, measured when the artist asks for it. */
 final class AccuracyPane extends BorderPane {
@@ -36,23 +29,20 @@ final class AccuracyPane extends BorderPane {
     private final EditorModel model;
     private final Label edit = new Label();
     private final Label note = new Label();
-    private final Button measure = new Button("Measure", new FontIcon(MaterialDesignT.TIMER_OUTLINE));
-    private final Button cancel = new Button("Cancel", new FontIcon(MaterialDesignS.STOP));
-    private final ProgressBar bar = new ProgressBar(0);
+    private final MeasureBar bar = new MeasureBar("",
+            "Make the edit at each level in the background, again and again, and compare");
     private final ToggleButton difference = new ToggleButton("Difference");
     private final LadderTable table = new LadderTable();
     private final LadderChart chart = new LadderChart();
     private final PictureView picture = new PictureView();
     private Ladder ladder;
-    private MeasureTask<Ladder> task;
     /** The edit that was measured last, and what came of it. */
     private Optional<LastEdit> told = Optional.empty();
     private String outcome = "";
-    private Obstacle measuring;
-    private Obstacle cancelling;
 
     AccuracyPane(EditorModel model) {
         this.model = model;
+        bar.setOnMeasure(this::begin);
         setId("accuracy");
         getStyleClass().add("accuracy");
         setTop(head());
@@ -87,20 +77,7 @@ final class AccuracyPane extends BorderPane {
         edit.setMaxWidth(Double.MAX_VALUE);
         edit.setWrapText(true);
         HBox.setHgrow(edit, Priority.ALWAYS);
-        measure.setId("measure");
-        measure.getStyleClass().add("accent");
-        measure.setMinWidth(Region.USE_PREF_SIZE);
-        measure.setOnAction(_ -> begin());
-        cancel.setId("cancel-measure");
-        cancel.setMinWidth(Region.USE_PREF_SIZE);
-        cancel.setOnAction(_ -> stop());
-        bar.setAccessibleText("Progress of measuring");
-        bar.setVisible(false);
-        var measureBox = new StackPane(measure);
-        var cancelBox = new StackPane(cancel);
-        measuring = new Obstacle(measureBox, measure, "Make the edit at each level in the background, again and again, and compare");
-        cancelling = new Obstacle(cancelBox, cancel, "Stop measuring");
-        var head = new HBox(edit, bar, measureBox, cancelBox);
+        var head = new HBox(edit, bar);
         head.setAlignment(Pos.CENTER_LEFT);
         head.getStyleClass().add("accuracy-head");
         return head;
@@ -118,13 +95,9 @@ final class AccuracyPane extends BorderPane {
     }
 
     private void update() {
-        boolean busy = task != null;
         Optional<LastEdit> last = last();
-        measuring.set(busy ? Optional.of("it is being measured")
-                : last.isEmpty() ? Optional.of("there is no edit of a light yet that the picture could show") : Optional.empty());
-        cancelling.set(busy ? Optional.empty() : Optional.of("nothing is being measured"));
-        bar.setVisible(busy);
-        edit.setText(busy ? "Measuring …" : title(last));
+        bar.setObstacle(last.isEmpty() ? Optional.of("there is no edit of a light yet that the picture could show") : Optional.empty());
+        edit.setText(bar.isBusy() ? "Measuring …" : title(last));
     }
 
     private String title(Optional<LastEdit> last) {
@@ -143,18 +116,14 @@ final class AccuracyPane extends BorderPane {
 
     private void begin() {
         told = last();
-        task = new MeasureTask<>(progress -> measure(told.orElseThrow(), progress));
-        task.setOnSucceeded(_ -> finished(task.getValue()));
-        task.setOnFailed(e -> ended(Sentence.of(e.getSource().getException())));
-        task.setOnCancelled(_ -> ended("Cancelled"));
-        bar.progressProperty().bind(task.progressProperty());
-        task.begin();
+        LastEdit measured = told.orElseThrow();
+        bar.begin("lightning-ladder", progress -> ladder(measured, progress), this::finished, this::ended);
         update();
     }
 
-    private static Ladder measure(LastEdit edit, Progress progress) {
+    private static Ladder ladder(LastEdit measured, Progress progress) {
         try (var meter = new LadderMeter(Workers.available(), REPETITIONS, PATIENCE_MS)) {
-            return meter.measure(edit.before(), edit.after(), progress);
+            return meter.measure(measured.before(), measured.after(), progress);
         }
     }
 
@@ -168,8 +137,6 @@ final class AccuracyPane extends BorderPane {
 
     private void ended(String text) {
         outcome = text;
-        bar.progressProperty().unbind();
-        task = null;
         update();
     }
 
@@ -187,9 +154,6 @@ final class AccuracyPane extends BorderPane {
 
     /** Gives up what is being measured. */
     void stop() {
-        if (task != null) {
-            // Without an interrupt, which would break the workers' waiting.
-            task.cancel(false);
-        }
+        bar.stop();
     }
 }

@@ -4,11 +4,17 @@ import java.util.function.Function;
 import javafx.concurrent.Task;
 import lightning.shading.Progress;
 
-/** Measures something on a thread of its own; cancelled, it stops soon. */
+/** Measures something on a thread of its own. */
 final class MeasureTask<T> extends Task<T> {
+    private final String thread;
     private final Function<Progress, T> work;
 
-    MeasureTask(Function<Progress, T> work) {
+    /**
+     * @param thread the thread's name
+     * @param work   stops where its progress asks for it
+     */
+    MeasureTask(String thread, Function<Progress, T> work) {
+        this.thread = thread;
         this.work = work;
     }
 
@@ -28,8 +34,8 @@ final class MeasureTask<T> extends Task<T> {
     }
 
     void begin() {
-        Thread thread = new Thread(this, "lightning-measure");
-        thread.setDaemon(true);
-        thread.start();
+        Thread own = new Thread(this, thread);
+        own.setDaemon(true);
+        own.start();
     }
 }

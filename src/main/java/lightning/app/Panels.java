@@ -31,7 +31,7 @@ final class Panels implements AutoCloseable {
     void effects() {
         if (effects == null) {
             var pane = new EffectsPane(model);
-            effects = new PanelWindow(owner.get(), "Effects", pane, 860, 620);
+            effects = new PanelWindow(owner.get(), "Effects", pane, 760, 680);
             effects.setOnHidden(_ -> pane.stop());
         }
         open(effects);

@@ -31,7 +31,12 @@ public record RenderState(UpdatePlan plan, int done, int total, int checked, int
     }
 
     RenderState started(UpdatePlan next) {
-        double ms = next instanceof UpdatePlan.FirstPass ? Double.NaN : fullTraceMs;
+        // A full trace of other samples takes another time.
+        double ms = switch (next) {
+            case UpdatePlan.FirstPass _ -> Double.NaN;
+            case UpdatePlan.Relight relight -> relight.resampled() ? Double.NaN : fullTraceMs;
+            case UpdatePlan.Nothing _ -> fullTraceMs;
+        };
         return new RenderState(next, 0, 0, checked, toCheck, frame, ms, verification, null, false);
     }
 

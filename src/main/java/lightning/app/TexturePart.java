@@ -45,7 +45,7 @@ final class TexturePart extends VBox {
 
     TexturePart(EditorModel model) {
         this.model = model;
-        getStyleClass().add("section-content");
+        getStyleClass().add("texture-part");
         file.setId("texture");
         file.setAccessibleText("texture's file name");
         file.setPromptText("none");
@@ -120,10 +120,8 @@ final class TexturePart extends VBox {
         Optional<String> none = material.texture().isEmpty() ? NO_TEXTURE : Optional.empty();
         repeatU.setObstacle(none);
         repeatV.setObstacle(none);
-        material.texture().ifPresent(map -> {
-            repeatU.show(map.repeatU());
-            repeatV.show(map.repeatV());
-        });
+        repeatU.show(material.texture().map(TextureMap::repeatU).orElse(1.0));
+        repeatV.show(material.texture().map(TextureMap::repeatV).orElse(1.0));
     }
 
     void setObstacle(Optional<String> reason) {

@@ -6,6 +6,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import lightning.accuracy.FullTraceTime;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.shading.Workers;
 import lightning.trace.Geometry;
@@ -20,9 +21,11 @@ final class Verifier implements AutoCloseable {
     private static final int TIMES = 3;
 
     /** What decides how long a full trace of one picture takes, but for where its lights are. */
-    private record Effort(int depth, long lights) {
+    private record Effort(int depth, Sampling sampling, long lights) {
         static Effort of(Scene scene) {
-            return new Effort(scene.picture().depth(), scene.lights().stream().filter(scene::shines).count());
+            Sampling sampling = scene.picture().sampling();
+            return new Effort(scene.picture().depth(), sampling.isFine() ? sampling : Sampling.DEFAULT,
+                    scene.lights().stream().filter(scene::shines).count());
         }
     }
 

@@ -3,7 +3,6 @@ package lightning.app;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import javafx.scene.Node;
-import javafx.scene.control.Label;
 import lightning.edit.Command;
 import lightning.edit.Dial;
 import lightning.effects.Effect;
@@ -24,18 +23,6 @@ class EffectsPaneTest extends EditorDesk {
         assertThat(robot.lookup("up to 2 bounces: mirror").tryQuery()).isPresent();
         assertThat(isListed("effect-textures")).isFalse();
         assertThat(text("effects-absent")).contains("textures").contains("cylinders").doesNotContain("spheres");
-    }
-
-    @Test
-    void measured_everyEffectTellsWhatItTakesAndTheAbsentOnesWhatTheySave() {
-        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
-        click("effects-panel");
-        assertThat(robot.lookup("#cancel-effects").<Node>query().isDisabled()).isTrue();
-        click("measure-effects");
-        waitFor("it is measured", () -> text("effects-summary").contains("update (lamp: weight)"));
-        assertThat(robot.lookup(n -> n instanceof Label l && l.getText().matches(".* of the first pass, .* ms of the update, .* [kM]B"))
-                .queryAll()).hasSizeGreaterThanOrEqualTo(8);
-        assertThat(text("effects-absent")).contains("Textures would take ");
     }
 
     @Test
@@ -60,5 +47,64 @@ class EffectsPaneTest extends EditorDesk {
         click("show-all-effects");
         waitFor("all is shown", () -> !isShown("look"));
         assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+    }
+
+    private EffectRow row(String id) {
+        return (EffectRow) robot.lookup("#" + id).query().getParent();
+    }
+
+    private void openAndMeasure() {
+        click("effects-panel");
+        click("measure-effects");
+        waitFor("it is measured", () -> text("effects-outcome").startsWith("First pass"));
+    }
+
+    @Test
+    void measured_effectsInUseTellWhatTheyTake() {
+        openAndMeasure();
+        assertThat(text("effects-outcome")).contains("lamp: full recompute");
+        assertThat(text("bytes-shadows")).isEqualTo("0 B");
+        assertThat(text("bytes-reflection")).matches("[0-9.]+ [kM]?B").isNotEqualTo("0 B");
+        assertThat(text("first-reflection")).endsWith(" ms");
+        assertThat(text("update-shadows")).endsWith(" ms");
+    }
+
+    @Test
+    void measured_absentEffectsTellWhatTheirAbsenceSaves() {
+        openAndMeasure();
+        assertThat(row("bytes-textures").getChildren().getFirst()).isNotInstanceOf(javafx.scene.control.CheckBox.class);
+        assertThat(text("bytes-textures")).endsWith("kB");
+        assertThat(text("bytes-cylinders")).isEqualTo("–");
+    }
+
+    @Test
+    void editMadeLast_isTheOneMeasured() {
+        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
+        openAndMeasure();
+        assertThat(text("effects-outcome")).contains("lamp: weight");
+        assertThat(isEnabled(Command.GO)).as("the document and its picture stay").isTrue();
+    }
+
+    @Test
+    void editAfterMeasuring_marksTheCostsAsOlder() {
+        openAndMeasure();
+        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
+        assertThat(text("effects-outcome")).startsWith("Before the last edits: First pass");
+    }
+
+    @Test
+    void editThatEndedAnEffect_isNotTheOneMeasured() {
+        robot.interact(() -> model().edit(scene -> lightning.edit.LightEdits.delete(scene, "stage")));
+        openAndMeasure();
+        assertThat(text("effects-outcome")).contains("lamp: full recompute");
+    }
+
+    @Test
+    void cancelledMeasuring_tellsNothing() {
+        click("effects-panel");
+        click("measure-effects");
+        click("cancel-measure-effects");
+        waitFor("it is over", () -> text("effects-outcome").equals("Cancelled"));
+        assertThat(isShown("bytes-shadows")).isFalse();
     }
 }
