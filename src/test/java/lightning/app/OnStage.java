@@ -1,10 +1,13 @@
 package lightning.app;
 
+import java.lang.annotation.Annotation;
 import java.lang.reflect.Method;
 import java.util.Arrays;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import java.lang.annotation.Annotation;
+import javafx.animation.AnimationTimer;
 import javafx.stage.Stage;
+import javafx.stage.Window;
 import org.junit.jupiter.api.extension.AfterEachCallback;
 import org.junit.jupiter.api.extension.BeforeEachCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
@@ -22,6 +25,7 @@ import org.testfx.util.WaitForAsyncUtils;
  */
 public final class OnStage implements BeforeEachCallback, AfterEachCallback, ParameterResolver {
     private static final long PATIENCE_SECONDS = 30;
+    private static final int PULSES = 2;
 
     private final QuickRobot robot = new QuickRobot();
     private Stage stage;
@@ -34,17 +38,26 @@ public final class OnStage implements BeforeEachCallback, AfterEachCallback, Par
             run(context, Start.class, stage);
         });
         QuickRobot.settle();
-        focus();
+        if (Window.getWindows().size() > 1) {
+            awaitPlace();
+        }
     }
 
-    /** Keys go to the window that is active; a window of the last test that closes late must not leave none. */
-    private void focus() throws Exception {
-        onWindowsThread(() -> {
-            if (stage.isShowing() && stage.getScene() != null) {
-                stage.toFront();
-                stage.requestFocus();
+    /** A window that places itself beside its owner is there after the next pulse, not before. */
+    private static void awaitPlace() throws Exception {
+        var pulses = new CountDownLatch(PULSES);
+        onWindowsThread(() -> new AnimationTimer() {
+            @Override
+            public void handle(long now) {
+                pulses.countDown();
+                if (pulses.getCount() == 0) {
+                    stop();
+                }
             }
-        });
+        }.start());
+        if (!pulses.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+            throw new IllegalStateException("the window was not drawn within " + PATIENCE_SECONDS + " s");
+        }
         QuickRobot.settle();
     }
 
