@@ -27,7 +27,9 @@ final class LevelWorker {
     private final Job.Shown shown;
     final TileVisibility visibility;
     final TileComposer composer;
-    private final Retexturing textures;
+    private final PacketTracer tracer;
+    /** Made when it is needed first. */
+    private Retexturing textures;
     private final LightKernel lights;
     private final RatioKernel ratios;
     private final LayerUpdater updater;
@@ -37,8 +39,8 @@ final class LevelWorker {
     LevelWorker(Job job, Job.Shown shown, PacketTracer tracer) {
         this.job = job;
         this.shown = shown;
+        this.tracer = tracer;
         visibility = new TileVisibility(shown.geometry(), shown.scene(), tracer);
-        textures = new Retexturing(shown.geometry(), shown.scene(), tracer);
         lights = new LightKernel(shown.geometry(), tracer, job.options().view());
         ratios = new RatioKernel(lights);
         updater = LayerUpdater.of(job.options().accuracy(), lights, ratios);
@@ -50,7 +52,7 @@ final class LevelWorker {
     }
 
     long rowsTouched() {
-        return lights.rowsTouched() + ratios.rowsScaled() + textures.rowsTouched();
+        return lights.rowsTouched() + ratios.rowsScaled() + (textures == null ? 0 : textures.rowsTouched());
     }
 
     double leastFalloff() {
@@ -84,6 +86,12 @@ final class LevelWorker {
      */
     TileLevel retextured(TileLevel level, HitRows above, SamplePlaces places, Job.Level plan) {
         var changed = plan.plan().materials().retextured();
+        if (changed.isEmpty()) {
+            return level;
+        }
+        if (textures == null) {
+            textures = new Retexturing(shown.geometry(), shown.scene(), tracer);
+        }
         HitRows rows = above == null ? textures.eye(level.rows(), places, changed)
                 : textures.mirrored(level.rows(), above, changed);
         if (rows == level.rows()) {

@@ -21,7 +21,8 @@ final class TileWorker {
     private final LevelWorker eye;
     /** Made when it is needed first. */
     private LevelWorker mirror;
-    private final EdgeCoder coder = new EdgeCoder();
+    /** Made when anti-aliasing asks for it first. */
+    private EdgeCoder coder;
     private long eyeRays;
     private long mirroredRays;
     private long filmBytes;
@@ -139,6 +140,7 @@ final class TileWorker {
 
     private void begin(boolean coded, TileLevel top) {
         if (coded) {
+            coder = coder == null ? new EdgeCoder() : coder;
             coder.begin();
             eye.code(coder, 0, top);
         }
