@@ -82,7 +82,7 @@ final class TileWorker {
     CachedTile relight(int tile, CachedTile old) {
         SamplePlaces places = SamplePlaces.centers(tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE);
         boolean seeksEdges = job.sampling().antialias() == Antialias.EDGES;
-        boolean codes = old.rows().code != null;
+        boolean codes = old.codes != null;
         return relight(places, seeksEdges == codes ? old : seeksEdges ? withCodes(places, old) : withoutCodes(old), seeksEdges);
     }
 

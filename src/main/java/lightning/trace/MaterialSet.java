@@ -37,8 +37,12 @@ public final class MaterialSet {
 
     /** How many of the rows are of these materials. */
     public int countIn(HitRows rows) {
+        if (isEmpty()) {
+            // Without a look at the rows: an update of lights asks this for every tile.
+            return 0;
+        }
         int count = 0;
-        for (int r = 0; r < rows.runs && !isEmpty(); r++) {
+        for (int r = 0; r < rows.runs; r++) {
             count += contains(rows.runMaterial[r]) ? rows.runEnd[r] - rows.runStart(r) : 0;
         }
         return count;
