@@ -1,0 +1,96 @@
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import lightning.jen.JenReader;
+import lightning.math.Vec3;
+import lightning.relight.Options;
+import lightning.relight.Renderer;
+import lightning.relight.Update;
+import lightning.scene.Attenuation;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Picture;
+import lightning.scene.Scene;
+import lightning.shading.Progress;
+import lightning.shading.TraditionalTracer;
+import lightning.shading.Workers;
+import lightning.trace.Geometry;
+
+/**
+ * Times one build of the engine by the names that all builds share, for {@code benchmarks/pair}: a line for each of the full
+ * trace, the first pass and some edits, with the median time in milliseconds and two counts that no machine changes: rows
+ * and bytes kept, or rows touched and shadow rays.
+ */
+final class Pair {
+    private static final int WARM_UP = 8;
+    private static final int TIMES = 25;
+    private static final int THREADS = 2;
+
+    public static void main(String[] args) throws Exception {
+        Scene read = JenReader.read(Path.of(args[0])).scene();
+        Scene scene = read.withPicture(new Picture(1920, 1080, read.picture().depth()));
+        try (var renderer = new Renderer(Options.DEFAULT.withThreads(THREADS)); var workers = new Workers(THREADS)) {
+            var geometry = new Geometry(scene);
+            print("full-trace", times(() -> {}, () -> new TraditionalTracer(scene, geometry).trace(workers, Progress.NONE)), 0, 0);
+            double[] first = times(renderer::forget, () -> renderer.render(scene, Progress.NONE));
+            print("first-pass", first, renderer.cache().rowCount(), renderer.cache().bytes());
+            for (Map.Entry<String, Scene> edit : edits(scene).entrySet()) {
+                var update = new Update[1];
+                double[] times = times(() -> renderer.render(scene, Progress.NONE),
+                        () -> update[0] = renderer.render(edit.getValue(), Progress.NONE));
+                print(edit.getKey(), times, update[0].rowsTouched(), update[0].rays().shadow());
+            }
+        }
+    }
+
+    private static double[] times(Runnable before, Runnable timed) {
+        double[] times = new double[TIMES];
+        for (int i = -WARM_UP; i < TIMES; i++) {
+            before.run();
+            long start = System.nanoTime();
+            timed.run();
+            times[Math.max(i, 0)] = (System.nanoTime() - start) / 1e6;
+        }
+        return times;
+    }
+
+    private static void print(String name, double[] times, long one, long other) {
+        Arrays.sort(times);
+        System.out.printf(Locale.ROOT, "%s %.4f %d %d%n", name, times[times.length / 2], one, other);
+    }
+
+    private static Map<String, Scene> edits(Scene scene) {
+        Map<String, Scene> edits = new LinkedHashMap<>();
+        edits.put("ambience", scene.withWorld(scene.world().withAmbience(0.5)));
+        for (LightType type : LightType.values()) {
+            scene.lights().stream().filter(l -> l.type() == type).findFirst().ifPresent(l -> {
+                String kind = type.name().toLowerCase(Locale.ROOT);
+                edits.put(kind + "-intensity", scene.withLight(l.withIntensity(l.intensity() * 0.7)));
+                edits.put(kind + "-deleted", without(scene, l));
+                if (type.hasPosition()) {
+                    edits.put(kind + "-attenuation", scene.withLight(l.withAttenuation(new Attenuation(0.7, 0.1, 0.01))));
+                    edits.put(kind + "-moved", scene.withLight(l.withPosition(l.position().plus(new Vec3(0.2, 0.1, 0.1)))));
+                }
+                if (type.hasCone()) {
+                    edits.put(kind + "-narrower", scene.withLight(l.withAngle(l.angle() * 0.8)));
+                    edits.put(kind + "-wider", scene.withLight(l.withAngle(l.angle() * 1.2)));
+                    edits.put(kind + "-dropoff", scene.withLight(l.withDropoff(l.dropoff() + 3)));
+                }
+                if (!type.hasPosition()) {
+                    edits.put(kind + "-turned", scene.withLight(l.withDirection(l.direction().plus(new Vec3(0.1, 0, 0.1)))));
+                }
+            });
+        }
+        return edits;
+    }
+
+    private static Scene without(Scene scene, Light light) {
+        List<Light> lights = new ArrayList<>(scene.lights());
+        lights.remove(light);
+        return scene.withLights(lights);
+    }
+}
