@@ -72,6 +72,11 @@ public final class RenderLoop implements AutoCloseable {
         queue.reopen(options);
     }
 
+    /** Another way of working, and another scene. */
+    public void reopen(Options options, Scene scene) {
+        queue.reopen(options, scene);
+    }
+
     /** See {@link Renderer#setView}; counts from the next update. */
     public void setView(ViewTransform v) {
         view = v;

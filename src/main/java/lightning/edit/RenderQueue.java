@@ -109,6 +109,12 @@ final class RenderQueue {
         notifyAll();
     }
 
+    /** At once, so that nobody sees the old scene in the new way between. */
+    synchronized void reopen(Options wanted, Scene wantedScene) {
+        reopen(wanted);
+        render(wantedScene);
+    }
+
     /** Forgets what waits and stops what runs. */
     synchronized void cancel() {
         scene = null;

@@ -234,8 +234,7 @@ public final class Workbench implements AutoCloseable {
     /** Another accuracy: what is known of the picture serves on. */
     public void reopen(Options options) {
         inWork = Optional.of(scene());
-        loop.reopen(options);
-        loop.render(scene());
+        loop.reopen(options, scene());
         changed.run();
     }
 

@@ -27,7 +27,7 @@ class GoTest extends EditorDesk {
     /** So many that a large picture takes its time. */
     private void manyLights() {
         robot.interact(() -> {
-            for (int i = 0; i < 40; i++) {
+            for (int i = 0; i < 120; i++) {
                 model().edit(scene -> LightEdits.duplicate(scene, "lamp"));
             }
         });
