@@ -47,7 +47,7 @@ record ColumnBytes(long rows, long layerRows, long geometry, long textures, long
                 for (LightLayer layer : level.layers()) {
                     if (layer instanceof LightRows l) {
                         layerRows += rows.count;
-                        states += l.state.length;
+                        states += l.stateBytes();
                         cosines += bytes(l.cosine);
                         speculars += bytes(l.specular);
                         falloffs += bytes(l.falloff);

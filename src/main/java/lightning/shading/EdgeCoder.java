@@ -26,7 +26,9 @@ public final class EdgeCoder {
     /** The number of a light, {@code light} in scene order, at a hit; {@code specular} counts where the material has it. */
     static int code(int light, int state, boolean hasSpecular, float specular) {
         int highlight = state == LightRows.LIT && hasSpecular ? (int) (specular * STEPS) : 0;
-        return HitCode.seen(state + 4 * highlight, 16 + light);
+        // Who faces away and who is outside the cone look the same.
+        int seen = state == LightRows.AWAY ? LightRows.OUTSIDE : state;
+        return HitCode.seen(seen + 4 * highlight, 16 + light);
     }
 
     /** Forgets all; then the levels of a tile are added, the first one first. */

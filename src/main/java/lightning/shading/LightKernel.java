@@ -1,7 +1,8 @@
 package lightning.shading;
 
-import lightning.effects.ViewEffects;
 import java.util.Arrays;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialSet;
@@ -24,9 +25,12 @@ public final class LightKernel {
     private final int[] blocked = RowBits.room();
     private final int[] lit = RowBits.room();
     private final int[] litBefore = RowBits.room();
+    /** Whether tiles are asked that a cone cannot reach. */
+    private final boolean asksAll;
     private long rowsTouched;
 
     public LightKernel(Geometry geometry, PacketTracer tracer, ViewEffects view) {
+        asksAll = view.forces(Effect.SPOT_CONE);
         shadows = new ShadowCaster(geometry, tracer, view);
         terms = new TermColumns(geometry.materials(), lanes, view);
     }
@@ -43,6 +47,9 @@ public final class LightKernel {
 
     /** The light's whole diffuse and specular terms: the paper's worst case (§4.5). */
     public LightRows full(HitRows rows, Lamp lamp, Columns columns) {
+        if (rows.count > 0 && lamp.type().hasCone() && !asksAll && !ConeReach.mayReach(lamp, rows.box())) {
+            return LightRows.UNREACHED;
+        }
         aim(rows, lamp);
         lanes.cosines(rows, cosine);
         boolean cone = lamp.type().hasCone();
@@ -111,6 +118,9 @@ public final class LightKernel {
      * @param falloff whether the falloff changed
      */
     public LightRows partial(HitRows rows, Lamp lamp, LightRows before, ConeChange cone, boolean falloff, Columns columns) {
+        if (before.state == LightRows.UNREACHED.state) {
+            return cone.looksAt(LightRows.OUTSIDE) ? full(rows, lamp, columns) : before;
+        }
         int looked = looksAt(rows, before, cone);
         if (looked == 0 && !(falloff && before.lit > 0)) {
             return before;
@@ -173,6 +183,9 @@ public final class LightKernel {
      * @param lamp   the light that both were computed for; unread where no rows were added
      */
     public LightRows spliced(RowSplice splice, LightRows before, LightRows added, Lamp lamp) {
+        if (before.state == LightRows.UNREACHED.state && (added == null || added.state == LightRows.UNREACHED.state)) {
+            return LightRows.UNREACHED;
+        }
         HitRows rows = splice.rows();
         byte[] state = Columns.FRESH.states(rows.count);
         splice.copy(before.state, added == null ? null : added.state, state);
@@ -226,6 +239,7 @@ public final class LightKernel {
         byte[] state = columns.states(rows.count);
         System.arraycopy(before.state, 0, state, 0, rows.count);
         Arrays.fill(chosen, 0);
+        lanes.cosines(rows, cosine);
         boolean cone = lamp.type().hasCone();
         for (int i = 0; i < rows.count; i++) {
             if (!change.looksAt(before.state(i))) {
@@ -234,6 +248,9 @@ public final class LightKernel {
             int way = before.state[i] & WAY;
             if (cone && !(lanes.axisCosine[i] >= lamp.cosAngle())) {
                 state[i] = (byte) (LightRows.OUTSIDE | way);
+            } else if (way == 0 && !(cosine[i] > 0)) {
+                // It was among rows that the cone did not reach at all.
+                state[i] = LightRows.AWAY;
             } else if (way == 0) {
                 RowBits.add(chosen, i);
             } else {
@@ -251,7 +268,6 @@ public final class LightKernel {
         }
         RowBits.inState(before.state, rows.count, LightRows.LIT, litBefore);
         RowBits.inState(state, rows.count, LightRows.LIT, lit);
-        lanes.cosines(rows, cosine);
         return layer(rows, lamp, state, before, columns);
     }
 }

@@ -59,6 +59,9 @@ public final class RatioKernel {
     }
 
     private RatioRows contributions(HitRows rows, Lamp lamp, LightRows layer, byte[] states) {
+        if (layer.state == LightRows.UNREACHED.state) {
+            return RatioRows.UNREACHED;
+        }
         System.arraycopy(layer.state, 0, states, 0, rows.count);
         if (layer.lit == 0) {
             return new RatioRows(states, null, null, 0);
@@ -181,6 +184,9 @@ public final class RatioKernel {
 
     /** The layer over rows that were put together anew: as {@link LightKernel#spliced}. */
     public RatioRows spliced(RowSplice splice, RatioRows before, RatioRows added) {
+        if (before.states() == LightRows.UNREACHED.state && (added == null || added.states() == LightRows.UNREACHED.state)) {
+            return RatioRows.UNREACHED;
+        }
         HitRows rows = splice.rows();
         byte[] states = Columns.FRESH.states(rows.count);
         splice.copy(before.states(), added == null ? null : added.states(), states);

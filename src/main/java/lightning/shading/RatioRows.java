@@ -6,6 +6,9 @@ package lightning.shading;
  * negative diffuse colour, its flag for them, is the state here.
  */
 public final class RatioRows implements LightLayer {
+    /** No row is reached: shared, as {@link LightRows#UNREACHED}. */
+    static final RatioRows UNREACHED = new RatioRows(LightRows.UNREACHED.state, null, null, 0);
+
     private final byte[] states;
     private final int lit;
     /** Diffuse contributions: red, green, blue columns; null where no row is lit. */
@@ -32,7 +35,7 @@ public final class RatioRows implements LightLayer {
 
     @Override
     public long bytes() {
-        return states.length + 12L * ((diffuse == null ? 0 : diffuse[0].length) + (specular == null ? 0 : specular[0].length));
+        return LightRows.bytes(states) + 12L * ((diffuse == null ? 0 : diffuse[0].length) + (specular == null ? 0 : specular[0].length));
     }
 
     /** Scaling reads every contribution and writes it anew. */

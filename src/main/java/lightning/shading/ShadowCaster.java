@@ -63,7 +63,7 @@ final class ShadowCaster {
     /** Finds the shapes that can stand between any row of the tile and the light. */
     private void aim(HitRows rows, Lamp lamp) {
         beam.clear();
-        beam.origins(rows.px, rows.py, rows.pz, rows.count);
+        beam.origins(rows.box());
         if (lamp.type().hasPosition()) {
             beam.towards(lamp.source());
         } else {

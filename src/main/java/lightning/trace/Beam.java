@@ -2,7 +2,6 @@ package lightning.trace;
 
 import java.util.Arrays;
 import jdk.incubator.vector.DoubleVector;
-import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.math.Vec3;
@@ -19,13 +18,12 @@ import lightning.math.Vec3;
  *
  * <pre>{@code
  * beam.clear();
- * beam.origins(tile.px, tile.py, tile.pz, rows);   // render space
+ * beam.origins(rows.box());
  * beam.towards(light);
  * candidates.collect(geometry, beam);
  * }</pre>
  */
 public final class Beam {
-    private static final VectorSpecies<Float> LANES = FloatVector.SPECIES_PREFERRED;
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_PREFERRED;
     /** Rays reach their light only up to rounding. */
     private static final double PAST_END = 1 + 0x1p-20;
@@ -56,28 +54,15 @@ public final class Beam {
 
     /** Adds the origins {@code 0 … count − 1}, at least one, render space. */
     public void origins(float[] x, float[] y, float[] z, int count) {
-        column(0, x, count);
-        column(1, y, count);
-        column(2, z, count);
+        origins(new PointBox(x, y, z, count));
     }
 
-    private void column(int axis, float[] v, int count) {
-        FloatVector least = FloatVector.broadcast(LANES, v[0]);
-        FloatVector most = least;
-        int i = 0;
-        for (; i + LANES.length() <= count; i += LANES.length()) {
-            FloatVector x = FloatVector.fromArray(LANES, v, i);
-            least = least.min(x);
-            most = most.max(x);
+    /** Adds all origins in a box, render space. */
+    public void origins(PointBox box) {
+        for (int axis = 0; axis < 3; axis++) {
+            low[axis] = Math.min(low[axis], box.low(axis));
+            high[axis] = Math.max(high[axis], box.high(axis));
         }
-        float lowest = least.reduceLanes(VectorOperators.MIN);
-        float highest = most.reduceLanes(VectorOperators.MAX);
-        for (; i < count; i++) {
-            lowest = Math.min(lowest, v[i]);
-            highest = Math.max(highest, v[i]);
-        }
-        low[axis] = Math.min(low[axis], lowest);
-        high[axis] = Math.max(high[axis], highest);
     }
 
     /** Adds a direction in which rays leave, of any length, without a limit. */

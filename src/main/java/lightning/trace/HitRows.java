@@ -39,6 +39,8 @@ public final class HitRows {
     public int[] runEnd = new int[4];
     /** How many rows, the first ones, are of reflective materials. */
     public int reflective;
+    /** Of the points, once someone asked; whoever writes other points forgets it. */
+    PointBox box;
 
     /** Makes room for {@code rows} rows without codes. */
     public HitRows(int rows, boolean textured) {
@@ -85,6 +87,7 @@ public final class HitRows {
         runMaterial = o.runMaterial;
         runEnd = o.runEnd;
         reflective = mirrors;
+        box = o.box;
     }
 
     /** These rows without texels. */
@@ -118,6 +121,14 @@ public final class HitRows {
     /** The first row of run {@code r}. */
     public int runStart(int r) {
         return r == 0 ? 0 : runEnd[r - 1];
+    }
+
+    /** Where the points lie; there must be a row. */
+    public PointBox box() {
+        if (box == null) {
+            box = new PointBox(px, py, pz, count);
+        }
+        return box;
     }
 
     /** The bytes of the columns, array headers left out: 38 for each row, 12 more where the tile is textured, 4 with codes. */

@@ -204,6 +204,7 @@ public final class TileVisibility {
         HitRows rows = allocator.rows(hits, textured);
         rows.count = hits;
         rows.runs = 0;
+        rows.box = null;
         rows.reflective = starts[materials.reflectiveCount()];
         for (int r = 0; r < materials.count(); r++) {
             if (starts[r + 1] > starts[r]) {
