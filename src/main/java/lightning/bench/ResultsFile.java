@@ -6,6 +6,8 @@ import java.nio.file.Path;
 import java.util.List;
 import lightning.file.SafeFile;
 import tools.jackson.core.JacksonException;
+import tools.jackson.core.util.DefaultIndenter;
+import tools.jackson.core.util.DefaultPrettyPrinter;
 import tools.jackson.databind.DeserializationFeature;
 import tools.jackson.databind.MapperFeature;
 import tools.jackson.databind.SerializationFeature;
@@ -18,9 +20,12 @@ import tools.jackson.dataformat.csv.CsvMapper;
  * <p>In both, numbers that do not exist are the string {@code NaN}, and infinite ones {@code Infinity}.
  */
 public final class ResultsFile {
+    /** A line for each property, so that two results can be compared by eye; spaces before it would double the file. */
+    private static final DefaultIndenter LINES = new DefaultIndenter("", "\n");
     private static final JsonMapper JSON = JsonMapper.builder()
             .disable(MapperFeature.SORT_PROPERTIES_ALPHABETICALLY)
             .enable(SerializationFeature.INDENT_OUTPUT)
+            .defaultPrettyPrinter(new DefaultPrettyPrinter().withObjectIndenter(LINES))
             .enable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
             .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
             .build();
