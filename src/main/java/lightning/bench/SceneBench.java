@@ -23,6 +23,9 @@ import lightning.shading.Progress;
 
 /** Measures one scene at one size: its first pass, and the ladder of each edit with each value. */
 final class SceneBench implements AutoCloseable {
+    /** First passes for each repetition of an edit. */
+    private static final int FIRST_PASSES = 4;
+
     private final Settings settings;
     private final Ledger.Page page;
     private final String name;
@@ -45,7 +48,7 @@ final class SceneBench implements AutoCloseable {
     List<Part> parts(Pace pace, PictureSize size) {
         String where = name + " at " + size;
         List<Part> parts = new ArrayList<>();
-        parts.add(new Part(where + ", first pass", pace.firstPassMs(size, settings.repetitions()), this::firstPass));
+        parts.add(new Part(where + ", first pass", pace.firstPassMs(size, FIRST_PASSES * settings.repetitions()), this::firstPass));
         cases().forEach((edit, values) -> parts.add(new Part(where + ", " + edit,
                 pace.ladderMs(size, settings.repetitions()) * values.size(), progress -> edit(values, progress))));
         if (settings.curves() && !settings.quick() && size.equals(settings.sizes().getLast())) {
@@ -81,8 +84,10 @@ final class SceneBench implements AutoCloseable {
     }
 
     private void firstPass(Progress progress) throws IOException {
-        try (SavingMeter first = new SavingMeter(Options.DEFAULT.withThreads(settings.threads()), settings.repetitions(),
-                settings.patienceMs(), bytesPerMs)) {
+        // The collector makes some of them slow; the median of a few would tell of it by chance.
+        int times = FIRST_PASSES * settings.repetitions();
+        try (SavingMeter first = new SavingMeter(Options.DEFAULT.withThreads(settings.threads()), times, settings.patienceMs(),
+                bytesPerMs)) {
             page.firstPass(first.firstPass(scene, progress.silent()));
             if (pictures != null) {
                 page.before(pictures.picture(name + "-before", first.renderer().film()));
