@@ -6,11 +6,9 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.LongFunction;
-import lightning.image.Film;
 import lightning.image.ViewTransform;
 import lightning.jen.JenException;
 import lightning.relight.Options;
-import lightning.relight.UpdatePlan;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
@@ -49,7 +47,7 @@ public final class Workbench implements AutoCloseable {
         this.changed = changed;
         this.recovery = recovery;
         autosave = new Autosave(recovery, Autosave.DEFAULT_DELAY, trouble);
-        loop = new RenderLoop(options, new Ear(canvas));
+        loop = new RenderLoop(options, new WorkbenchEar(canvas, this::tell, this::take, this::refresh));
     }
 
     public OpenDocument document() {
@@ -64,6 +62,14 @@ public final class Workbench implements AutoCloseable {
     /** The picture rendered last; its film may be written over by now. */
     public Optional<Frame> frame() {
         return frame;
+    }
+
+    /** What the loop tells on its threads is heard on the window's. */
+    private void tell(Runnable what) {
+        window.execute(() -> {
+            what.run();
+            changed.run();
+        });
     }
 
     private void take(Frame finished) {
@@ -194,9 +200,7 @@ public final class Workbench implements AutoCloseable {
 
     /** Renders the document's scene. */
     public void go() {
-        inWork = Optional.of(scene());
-        loop.render(scene());
-        changed.run();
+        show(scene());
     }
 
     /** Renders a scene that is not the document's, as an animation's frame. */
@@ -285,77 +289,5 @@ public final class Workbench implements AutoCloseable {
         loop.close();
         autosave.forget();
         autosave.close();
-    }
-
-    /** Tells the canvas, then the workbench on its own thread. */
-    private final class Ear implements RenderListener {
-        private final RenderListener canvas;
-
-        Ear(RenderListener canvas) {
-            this.canvas = canvas;
-        }
-
-        private void tell(Runnable what) {
-            window.execute(() -> {
-                what.run();
-                changed.run();
-            });
-        }
-
-        @Override
-        public void started(UpdatePlan plan) {
-            canvas.started(plan);
-        }
-
-        @Override
-        public void progress(int done, int total) {
-            canvas.progress(done, total);
-        }
-
-        @Override
-        public void verifying(int done, int total) {
-            canvas.verifying(done, total);
-        }
-
-        @Override
-        public void coarse(Film film, Scene scene) {
-            canvas.coarse(film, scene);
-        }
-
-        @Override
-        public void rendered(Frame finished) {
-            canvas.rendered(finished);
-            tell(() -> take(finished));
-        }
-
-        @Override
-        public void measured(double fullTraceMs) {
-            canvas.measured(fullTraceMs);
-        }
-
-        @Override
-        public void verified(Verification verification) {
-            canvas.verified(verification);
-            tell(Workbench.this::refresh);
-        }
-
-        @Override
-        public void cancelled() {
-            canvas.cancelled();
-            tell(Workbench.this::refresh);
-        }
-
-        @Override
-        public void failed(Throwable problem) {
-            canvas.failed(problem);
-            tell(Workbench.this::refresh);
-        }
-
-        @Override
-        public void idle() {
-            canvas.idle();
-            // More work may have come since.
-            tell(Workbench.this::refresh);
-        }
     }
 }

@@ -1,0 +1,74 @@
+package lightning.edit;
+
+import java.util.function.Consumer;
+import lightning.image.Film;
+import lightning.relight.UpdatePlan;
+import lightning.scene.Scene;
+
+/**
+ * Tells the canvas what the render loop does, on the loop's own threads, and then the workbench, on the thread that that
+ * belongs to.
+ *
+ * @param tell     brings a task to the workbench's thread
+ * @param finished takes a finished picture there
+ * @param settled  looks there again at what is in work
+ */
+record WorkbenchEar(RenderListener canvas, Consumer<Runnable> tell, Consumer<Frame> finished, Runnable settled)
+        implements RenderListener {
+
+    @Override
+    public void started(UpdatePlan plan) {
+        canvas.started(plan);
+    }
+
+    @Override
+    public void progress(int done, int total) {
+        canvas.progress(done, total);
+    }
+
+    @Override
+    public void verifying(int done, int total) {
+        canvas.verifying(done, total);
+    }
+
+    @Override
+    public void coarse(Film film, Scene scene) {
+        canvas.coarse(film, scene);
+    }
+
+    @Override
+    public void rendered(Frame frame) {
+        canvas.rendered(frame);
+        tell.accept(() -> finished.accept(frame));
+    }
+
+    @Override
+    public void measured(double fullTraceMs) {
+        canvas.measured(fullTraceMs);
+    }
+
+    @Override
+    public void verified(Verification verification) {
+        canvas.verified(verification);
+        tell.accept(settled);
+    }
+
+    @Override
+    public void cancelled() {
+        canvas.cancelled();
+        tell.accept(settled);
+    }
+
+    @Override
+    public void failed(Throwable problem) {
+        canvas.failed(problem);
+        tell.accept(settled);
+    }
+
+    @Override
+    public void idle() {
+        canvas.idle();
+        // More work may have come since.
+        tell.accept(settled);
+    }
+}
