@@ -10,7 +10,8 @@ import lightning.shading.TraceCounts;
  *
  * @param callers    the names of the lights, materials or shapes that call for it, in the order of the scene; empty where
  *                   nobody does
- * @param measured   whether it was: an absent kind of light or shape has nothing that could be forced on
+ * @param measured   whether it was: an absent kind of light or shape has nothing that could be forced on, and finer
+ *                   samples may need more memory than there is
  * @param firstMs    by how much it makes the first pass longer, milliseconds; below 0 only by noise, or where a scene without
  *                   it has more to do
  * @param updateMs   likewise the update after an edit

@@ -42,7 +42,7 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
             List<EffectCost> costs = new ArrayList<>();
             for (Effect effect : Effect.values()) {
                 costs.add(canMeasure(effect, effects) ? beside(plain, effect, effects, before, after, options, repetitions, progress)
-                        : new EffectCost(effect, List.of(), false, 0, 0, 0, 0, 0, TraceCounts.NONE));
+                        : unmeasured(effect, effects));
                 progress.tiles(costs.size(), Effect.values().length);
             }
             return new EffectCosts(first, update, plain.plan(), plain.bytes(), costs);
@@ -61,7 +61,14 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
                     with.update().median() - without.update().median(),
                     noise(with.first()), noise(with.update()), with.bytes() - without.bytes(),
                     with.rays().minus(without.rays()));
+        } catch (OutOfMemoryError e) {
+            // Finer samples may take twenty times what the picture takes; the other effects are measured all the same.
+            return unmeasured(effect, effects);
         }
+    }
+
+    private static EffectCost unmeasured(Effect effect, Effects effects) {
+        return new EffectCost(effect, effects.callers(effect), false, 0, 0, 0, 0, 0, TraceCounts.NONE);
     }
 
     private static double noise(Timing timing) {

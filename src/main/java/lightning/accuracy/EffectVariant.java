@@ -60,6 +60,9 @@ final class EffectVariant implements AutoCloseable {
 
     private double first(Progress progress) {
         renderer.forget();
+        kept = null;
+        // A pause of the collector is longer than most effects; so it comes here, and in none of the times.
+        System.gc();
         firstPass = renderer.render(before, progress);
         kept = renderer.cache();
         return firstPass.milliseconds();
