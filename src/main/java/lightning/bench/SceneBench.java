@@ -24,7 +24,9 @@ import lightning.shading.Progress;
 /** Measures one scene at one size: its first pass, and the ladder of each edit with each value. */
 final class SceneBench implements AutoCloseable {
     /** First passes for each repetition of an edit. */
-    private static final int FIRST_PASSES = 4;
+    private static final int FIRST_PASSES = 3;
+    /** Of each effect, with it and without. */
+    private static final int EFFECTS = 2;
 
     private final Settings settings;
     private final Ledger.Page page;
@@ -51,8 +53,8 @@ final class SceneBench implements AutoCloseable {
         parts.add(new Part(where + ", first pass", pace.firstPassMs(size, FIRST_PASSES * settings.repetitions()), this::firstPass));
         cases().forEach((edit, values) -> parts.add(new Part(where + ", " + edit,
                 pace.ladderMs(size, settings.repetitions()) * values.size(), progress -> edit(values, progress))));
-        if (settings.curves() && !settings.quick() && size.equals(settings.sizes().getLast())) {
-            parts.add(new Part(where + ", effects", pace.effectsMs(size, settings.repetitions()), this::effects));
+        if (settings.effects() && size.equals(settings.sizes().getLast())) {
+            parts.add(new Part(where + ", effects", pace.effectsMs(size, EFFECTS * settings.repetitions()), this::effects));
         }
         return parts;
     }
@@ -61,7 +63,13 @@ final class SceneBench implements AutoCloseable {
     private void effects(Progress progress) {
         List<PaperCase> moved = PaperCases.of(scene).stream().filter(edit -> edit.name().equals("position")).toList();
         Scene after = moved.isEmpty() ? scene : moved.getFirst().after();
-        EffectCosts costs = EffectCosts.of(scene, after, Options.DEFAULT.withThreads(settings.threads()), settings.repetitions(), progress);
+        if (meter != null) {
+            // Its pictures need not lie in memory beside all the samples.
+            meter.close();
+            meter = null;
+        }
+        EffectCosts costs = EffectCosts.of(scene, after, Options.DEFAULT.withThreads(settings.threads()),
+                EFFECTS * settings.repetitions(), progress);
         page.effects(costs.effects().stream().filter(EffectCost::measured).map(EffectResult::of).toList());
     }
 

@@ -9,18 +9,19 @@ import lightning.accuracy.PaperCases;
  *
  * @param sizes       each scene is measured at each of them; pictures are written of the first
  * @param figure      the paper's figure whose edits alone are measured; 0 for all edits
- * @param values      how many varying values of each edit, 1 to {@link PaperCases#VALUES}
+ * @param values      how many varying values of each edit, 0 (no edits) to {@link PaperCases#VALUES}
  * @param further     whether edits that the paper does not print are measured too
  * @param repetitions how many samples each work has, ≥ 1; 1 is for a look at what comes out: nothing is warmed up
  * @param patienceMs  how long warming up one group of works takes at most, milliseconds
  * @param threads     how many threads each work has, ≥ 1
  * @param seed        what everything random starts from
  * @param curves      whether growth and drift are measured
+ * @param effects     whether it is measured what each effect takes, at the last of the sizes
  * @param peers       whether other programs are measured where they are installed
  * @param quick       whether it is the small selection
  */
 public record Settings(List<PictureSize> sizes, int figure, int values, boolean further, int repetitions, double patienceMs, int threads,
-        long seed, boolean curves, boolean peers, boolean quick) {
+        long seed, boolean curves, boolean effects, boolean peers, boolean quick) {
     /** The paper's pictures (§4.1), and today's. */
     private static final List<PictureSize> FULL_SIZES = List.of(new PictureSize(300, 300), new PictureSize(1920, 1080));
     private static final List<PictureSize> QUICK_SIZES = List.of(new PictureSize(160, 120));
@@ -32,25 +33,30 @@ public record Settings(List<PictureSize> sizes, int figure, int values, boolean 
 
     /** Everything. */
     public static Settings full(int threads, long seed) {
-        return new Settings(FULL_SIZES, 0, PaperCases.VALUES, true, 5, 300, threads, seed, true, true, false);
+        return new Settings(FULL_SIZES, 0, PaperCases.VALUES, true, 5, 300, threads, seed, true, true, true, false);
     }
 
     /** A selection for a minute: one size and one value, the printed edits, short curves, no other programs. */
     public static Settings quick(int threads, long seed) {
-        return new Settings(QUICK_SIZES, 0, 1, false, 3, 0, threads, seed, true, false, true);
+        return new Settings(QUICK_SIZES, 0, 1, false, 3, 0, threads, seed, true, false, false, true);
     }
 
     public Settings withSizes(List<PictureSize> v) {
-        return new Settings(v, figure, values, further, repetitions, patienceMs, threads, seed, curves, peers, quick);
+        return new Settings(v, figure, values, further, repetitions, patienceMs, threads, seed, curves, effects, peers, quick);
     }
 
     public Settings withRepetitions(int v) {
-        return new Settings(sizes, figure, values, further, v, patienceMs, threads, seed, curves, peers, quick);
+        return new Settings(sizes, figure, values, further, v, patienceMs, threads, seed, curves, effects, peers, quick);
     }
 
     /** The edits of one figure alone, without curves. */
     public Settings withFigure(int v) {
-        return new Settings(sizes, v, values, false, repetitions, patienceMs, threads, seed, false, peers, quick);
+        return new Settings(sizes, v, values, false, repetitions, patienceMs, threads, seed, false, false, peers, quick);
+    }
+
+    /** What effects take, and nothing else but the first pass. */
+    public Settings effectsAlone() {
+        return new Settings(sizes, 0, 0, false, repetitions, patienceMs, threads, seed, false, true, false, quick);
     }
 
     /** Whether times are worth something: code is warmed up. */

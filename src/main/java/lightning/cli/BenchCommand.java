@@ -28,8 +28,8 @@ import picocli.CommandLine.Spec;
 /** Measures what re-rendering saves and what accuracy costs. */
 @Command(name = "bench", header = "Measure what re-rendering saves, and what accuracy costs in time.", abbreviateSynopsis = true,
         description = {
-            "Makes the paper's edits, and a few more, on every scene, each with three values, at each level of accuracy, from a picture",
-            "of half the resolution to the full trace, and measures time and error of each. Also measures the first pass, how times",
+            "Makes the paper's edits, and a few more, on every scene, each with three values, at each level of accuracy, from",
+            "half the resolution to the full trace, and measures time and error of each. Also measures the first pass, how times",
             "grow with pixels, lights, shapes and mirror bounces, how errors drift over 10 000 edits, the bandwidth of memory, and",
             "POV-Ray where it is installed. Works are measured in turns; no picture is timed before it was compared.",
             "",
@@ -59,6 +59,8 @@ final class BenchCommand implements Callable<Integer> {
     private Path folder;
     @Option(names = "--quick", description = "A small selection, in under a minute on two processors.")
     private boolean quick;
+    @Option(names = "--effects", description = "What each effect of the scenes takes, and nothing else but the first pass.")
+    private boolean effects;
     @Option(names = "--size", paramLabel = "WxH", converter = Size.Converter.class,
             description = "Pixels, more than once for several sizes; 300x300 and 1920x1080 without it.")
     private List<Size> sizes = List.of();
@@ -117,6 +119,9 @@ final class BenchCommand implements Callable<Integer> {
         }
         if (figure > 0) {
             settings = settings.withFigure(figure);
+        }
+        if (effects) {
+            settings = settings.effectsAlone();
         }
         return repetitions == null ? settings : settings.withRepetitions(repetitions);
     }

@@ -26,7 +26,7 @@ class HarnessTest {
     private final NamedScene scene = new NamedScene("generated", GeneratedScenes.of(1, SMALL, 8, 3, 1));
 
     private static Settings settings(int values, int figure, PictureSize... sizes) {
-        return new Settings(List.of(sizes), figure, values, true, 1, 0, 2, 5, false, false, true);
+        return new Settings(List.of(sizes), figure, values, true, 1, 0, 2, 5, false, false, false, true);
     }
 
     private Harness harness(Settings settings) {
