@@ -44,14 +44,15 @@ final class EffectVariant implements AutoCloseable {
         return scene.withPicture(picture.withSampling(new Sampling(Antialias.EDGES, picture.sampling().grid())));
     }
 
-    /** Renders all of them in turns. */
+    /** Renders all of them in turns; a single time is for a look, without a warm-up. */
     static void measure(List<EffectVariant> variants, int repetitions, Progress progress) {
         List<Turns.Turn<RuntimeException>> turns = new ArrayList<>();
         for (EffectVariant variant : variants) {
             turns.add(() -> variant.first(progress.silent()));
             turns.add(() -> variant.update(progress.silent()));
         }
-        List<Timing> times = new Turns(repetitions).take(turns, progress);
+        Turns often = repetitions == 1 ? new Turns(1, 0) : new Turns(repetitions);
+        List<Timing> times = often.take(turns, progress);
         for (int i = 0; i < variants.size(); i++) {
             variants.get(i).first = times.get(2 * i);
             variants.get(i).update = times.get(2 * i + 1);

@@ -26,6 +26,10 @@ record Pace(double msPerPixel) {
     private static final double LADDER_ROUND = 1.5;
     /** Comparing the levels with their oracles, in full traces. */
     private static final double LADDER_CHECK = 6;
+    /** What a ladder takes however small its pictures are, milliseconds: code that is met for the first time, files. */
+    private static final double LADDER_LEAST_MS = 120;
+    /** The same of an effect, which has works of its own to warm up. */
+    private static final double EFFECT_LEAST_MS = 2500;
     /** Measuring how far a ladder's pictures are off, milliseconds a pixel. */
     private static final double ERRORS = 0.7e-3;
 
@@ -56,7 +60,8 @@ record Pace(double msPerPixel) {
     }
 
     double ladderMs(PictureSize size, int repetitions) {
-        return fullMs(size) * (LADDER_ROUND * (WARM_UPS + repetitions) + LADDER_CHECK) + ERRORS * size.pixels();
+        return fullMs(size) * (LADDER_ROUND * (WARM_UPS + repetitions) + LADDER_CHECK) + ERRORS * size.pixels()
+                + LADDER_LEAST_MS;
     }
 
     double firstPassMs(PictureSize size, int repetitions) {
@@ -65,7 +70,7 @@ record Pace(double msPerPixel) {
 
     /** Each effect in turns with the picture as it is, in the first pass and an update. */
     double effectsMs(PictureSize size, int repetitions) {
-        return fullMs(size) * 2.5 * (WARM_UPS + repetitions) * Effect.values().length;
+        return (fullMs(size) * 2.5 * (WARM_UPS + repetitions) + EFFECT_LEAST_MS) * Effect.values().length;
     }
 
     /** So many edits and a full trace in turns. */

@@ -69,7 +69,7 @@ final class SceneBench implements AutoCloseable {
             meter = null;
         }
         EffectCosts costs = EffectCosts.of(scene, after, Options.DEFAULT.withThreads(settings.threads()),
-                EFFECTS * settings.repetitions(), progress);
+                settings.isWarm() ? EFFECTS * settings.repetitions() : 1, progress);
         page.effects(costs.effects().stream().filter(EffectCost::measured).map(EffectResult::of).toList());
     }
 

@@ -57,6 +57,16 @@ class HarnessTest {
     }
 
     @Test
+    void effectsAlone_measureNoEdit() throws Exception {
+        Results results = run(settings(1, 0, SMALL).effectsAlone());
+        assertThat(results.scenes()).hasSize(1);
+        assertThat(results.scenes().getFirst().edits()).isEmpty();
+        assertThat(results.scenes().getFirst().effects()).extracting(EffectResult::effect).contains("shadows", "anti-aliasing");
+        assertThat(results.drift()).isEmpty();
+        assertThat(results.growth()).isEmpty();
+    }
+
+    @Test
     void figure_isMeasuredWithItsValuesAtEachSize() throws Exception {
         Results results = run(settings(3, 24, SMALL, LARGE));
         assertThat(results.scenes()).extracting(SceneResult::width).containsExactly(24, 40);
