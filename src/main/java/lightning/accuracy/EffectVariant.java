@@ -17,6 +17,9 @@ import lightning.shading.TraceCounts;
 
 /** One way to render a scene and an edit of it: with all that it calls for, without one effect, or with one forced. */
 final class EffectVariant implements AutoCloseable {
+    /** Bytes of a picture that the collector notices. */
+    private static final long LARGE = 1 << 24;
+
     private final Scene before;
     private final Scene after;
     private final Renderer renderer;
@@ -60,10 +63,13 @@ final class EffectVariant implements AutoCloseable {
     }
 
     private double first(Progress progress) {
+        boolean large = kept != null && kept.bytes() > LARGE;
         renderer.forget();
         kept = null;
-        // A pause of the collector is longer than most effects; so it comes here, and in none of the times.
-        System.gc();
+        if (large) {
+            // A pause of the collector is longer than most effects; so it comes here, and in none of the times.
+            System.gc();
+        }
         firstPass = renderer.render(before, progress);
         kept = renderer.cache();
         return firstPass.milliseconds();
