@@ -3,11 +3,8 @@ package lightning.app;
 import java.lang.annotation.Annotation;
 import java.lang.reflect.Method;
 import java.util.Arrays;
-import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import javafx.animation.AnimationTimer;
 import javafx.stage.Stage;
-import javafx.stage.Window;
 import org.junit.jupiter.api.extension.AfterEachCallback;
 import org.junit.jupiter.api.extension.BeforeEachCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
@@ -25,7 +22,6 @@ import org.testfx.util.WaitForAsyncUtils;
  */
 public final class OnStage implements BeforeEachCallback, AfterEachCallback, ParameterResolver {
     private static final long PATIENCE_SECONDS = 30;
-    private static final int PULSES = 2;
 
     private final QuickRobot robot = new QuickRobot();
     private Stage stage;
@@ -37,27 +33,6 @@ public final class OnStage implements BeforeEachCallback, AfterEachCallback, Par
             stage = new Stage();
             run(context, Start.class, stage);
         });
-        QuickRobot.settle();
-        if (Window.getWindows().size() > 1) {
-            awaitPlace();
-        }
-    }
-
-    /** A window that places itself beside its owner is there after the next pulse, not before. */
-    private static void awaitPlace() throws Exception {
-        var pulses = new CountDownLatch(PULSES);
-        onWindowsThread(() -> new AnimationTimer() {
-            @Override
-            public void handle(long now) {
-                pulses.countDown();
-                if (pulses.getCount() == 0) {
-                    stop();
-                }
-            }
-        }.start());
-        if (!pulses.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
-            throw new IllegalStateException("the window was not drawn within " + PATIENCE_SECONDS + " s");
-        }
         QuickRobot.settle();
     }
 

@@ -3,7 +3,9 @@ package lightning.app;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import javafx.animation.AnimationTimer;
 import javafx.application.Platform;
 import javafx.event.Event;
 import javafx.geometry.Point2D;
@@ -28,8 +30,11 @@ import org.testfx.util.WaitForAsyncUtils;
 public final class QuickRobot extends FxRobot {
     private static final long PATIENCE_SECONDS = 30;
     private static final int ROUNDS = 3;
+    private static final int PULSES = 2;
     private static final int DRAG_STEPS = 8;
     private static final List<KeyCode> MODIFIERS = List.of(KeyCode.SHIFT, KeyCode.CONTROL, KeyCode.ALT);
+
+    private static List<Window> windowsBefore = List.of();
 
     private final List<MouseButton> pressed = new ArrayList<>();
     private Robot hands;
@@ -61,8 +66,42 @@ public final class QuickRobot extends FxRobot {
         }
     }
 
-    /** Lets the window handle what came to it, and lay itself out. */
+    /** Lets the window handle what came to it, and lay itself out; and a window that opened beside it take its place. */
     public static void settle() {
+        layOut();
+        List<Window> windows = await(() -> List.copyOf(Window.getWindows()));
+        if (windows.size() > 1 && !windowsBefore.containsAll(windows)) {
+            awaitPulses();
+            layOut();
+        }
+        windowsBefore = windows;
+    }
+
+    /** A window that places itself beside its owner is there after the next pulse, not before. */
+    private static void awaitPulses() {
+        var pulses = new CountDownLatch(PULSES);
+        await(() -> {
+            new AnimationTimer() {
+                @Override
+                public void handle(long now) {
+                    pulses.countDown();
+                    if (pulses.getCount() == 0) {
+                        stop();
+                    }
+                }
+            }.start();
+            return null;
+        });
+        try {
+            if (!pulses.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+                throw new AssertionError("the window was not drawn within " + PATIENCE_SECONDS + " s");
+            }
+        } catch (InterruptedException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private static void layOut() {
         for (int i = 0; i < ROUNDS; i++) {
             await(() -> {
                 for (Window window : List.copyOf(Window.getWindows())) {
