@@ -63,11 +63,8 @@ final class SceneBench implements AutoCloseable {
     private void effects(Progress progress) {
         List<PaperCase> moved = PaperCases.of(scene).stream().filter(edit -> edit.name().equals("position")).toList();
         Scene after = moved.isEmpty() ? scene : moved.getFirst().after();
-        if (meter != null) {
-            // Its pictures need not lie in memory beside all the samples.
-            meter.close();
-            meter = null;
-        }
+        // The ladder's pictures need not lie in memory beside all the samples.
+        close();
         EffectCosts costs = EffectCosts.of(scene, after, Options.DEFAULT.withThreads(settings.threads()),
                 settings.isWarm() ? EFFECTS * settings.repetitions() : 1, progress);
         page.effects(costs.effects().stream().filter(EffectCost::measured).map(EffectResult::of).toList());

@@ -43,7 +43,6 @@ import picocli.CommandLine.Spec;
             "  lightning bench scenes/bird.jen -o fig24 --figure 24",
             "  lightning bench -o new --baseline old/results.json"})
 final class BenchCommand implements Callable<Integer> {
-    private static final int MOST_REPETITIONS = 1000;
     private static final double MINUTE = 60;
 
     private final Console console;
@@ -88,10 +87,7 @@ final class BenchCommand implements Callable<Integer> {
     @Option(names = "--repetitions", paramLabel = "N",
             description = "How many samples each work has; 5 without it, 3 with --quick. 1 is for a look: nothing is warmed up.")
     private void setRepetitions(int value) {
-        if (value < 1 || value > MOST_REPETITIONS) {
-            throw new ParameterException(command.commandLine(), "--repetitions must be from 1 to " + MOST_REPETITIONS + ", was " + value);
-        }
-        repetitions = value;
+        repetitions = RepetitionsOption.checked(command, value);
     }
 
     BenchCommand(Console console) {

@@ -14,10 +14,7 @@ import lightning.relight.Renderer;
 import lightning.scene.Scene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** Tells which effects a scene calls for and what they take. */
 @Command(name = "effects", header = "Tell what a scene calls for, with time and bytes.", abbreviateSynopsis = true,
@@ -34,12 +31,8 @@ import picocli.CommandLine.Spec;
             "  lightning effects scenes/bird.jen --size 1920x1080",
             "  lightning effects scenes/house.jen --case attenuation --repetitions 9"})
 final class EffectsCommand implements Callable<Integer> {
-    private static final int MOST_REPETITIONS = 1000;
-
     private final Console console;
 
-    @Spec
-    private CommandSpec command;
     @Mixin
     private SceneFile input;
     @Mixin
@@ -48,15 +41,8 @@ final class EffectsCommand implements Callable<Integer> {
     private ThreadsOption threads;
     @Option(names = "--case", paramLabel = "NAME", defaultValue = "position", description = "The edit, by its name in the tour.")
     private String edit;
-    private int repetitions = 5;
-
-    @Option(names = "--repetitions", paramLabel = "N", description = "How often each is measured; 5 without it.")
-    private void setRepetitions(int value) {
-        if (value < 1 || value > MOST_REPETITIONS) {
-            throw new ParameterException(command.commandLine(), "--repetitions must be from 1 to " + MOST_REPETITIONS + ", was " + value);
-        }
-        repetitions = value;
-    }
+    @Mixin
+    private RepetitionsOption repetitions;
 
     EffectsCommand(Console console) {
         this.console = console;
@@ -68,7 +54,7 @@ final class EffectsCommand implements Callable<Integer> {
         Scene after = edited(scene);
         Options options = Options.DEFAULT.withThreads(threads.count());
         try (Renderer renderer = new Renderer(options); ProgressBar bar = new ProgressBar(console, "effects")) {
-            EffectCosts costs = EffectCosts.of(scene, after, options, repetitions, bar);
+            EffectCosts costs = EffectCosts.of(scene, after, options, repetitions.count(), bar);
             renderer.render(scene, bar.silent());
             bar.erase();
             print(Effects.of(scene), costs, renderer.cache());

@@ -22,11 +22,8 @@ import lightning.relight.Options;
 import lightning.scene.Scene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Makes every kind of edit on a scene, with pictures and times. */
 @Command(name = "tour", header = "Make every kind of edit on a scene, with pictures and times.", abbreviateSynopsis = true,
@@ -49,12 +46,8 @@ import picocli.CommandLine.Spec;
             "  lightning tour scenes/house.jen --povray"})
 final class TourCommand implements Callable<Integer> {
     private static final Path BIRD = Path.of("scenes", "bird.jen");
-    private static final int MOST_REPETITIONS = 1000;
-
     private final Console console;
 
-    @Spec
-    private CommandSpec command;
     @Parameters(index = "0", arity = "0..1", paramLabel = "scene.jen", description = "The scene; scenes/bird.jen without it.")
     private Path scene;
     @Option(names = {"-o", "--output"}, paramLabel = "DIR", defaultValue = "lightning-tour",
@@ -67,15 +60,8 @@ final class TourCommand implements Callable<Integer> {
     private boolean povray;
     @Mixin
     private ThreadsOption threads;
-    private int repetitions = 5;
-
-    @Option(names = "--repetitions", paramLabel = "N", description = "How often each is measured; 5 without it.")
-    private void setRepetitions(int value) {
-        if (value < 1 || value > MOST_REPETITIONS) {
-            throw new ParameterException(command.commandLine(), "--repetitions must be from 1 to " + MOST_REPETITIONS + ", was " + value);
-        }
-        repetitions = value;
-    }
+    @Mixin
+    private RepetitionsOption repetitions;
 
     TourCommand(Console console) {
         this.console = console;
@@ -94,7 +80,7 @@ final class TourCommand implements Callable<Integer> {
         console.line("%s at %d x %d pixels, depth %d, %d threads; pictures go to %s", file, size.width(), size.height(),
                 read.picture().depth(), threads.count(), folder);
         List<PaperCase> cases = PaperCases.of(sized);
-        try (SavingMeter meter = new SavingMeter(Options.DEFAULT.withThreads(threads.count()), repetitions);
+        try (SavingMeter meter = new SavingMeter(Options.DEFAULT.withThreads(threads.count()), repetitions.count());
                 ProgressBar bar = new ProgressBar(console, "tour")) {
             return tour(sized, cases, pov, meter, bar) ? ExitCode.DONE : ExitCode.CHECK_FAILED;
         }
