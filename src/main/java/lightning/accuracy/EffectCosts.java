@@ -49,6 +49,11 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
         }
     }
 
+    /** The effects that could be measured if there were more memory. */
+    public List<Effect> tooLarge() {
+        return effects.stream().filter(cost -> !cost.measured() && (cost.inUse() || canForce(cost.effect()))).map(EffectCost::effect).toList();
+    }
+
     /** One effect, measured in turns with the picture as it is, so that two caches at most are held at a time. */
     private static EffectCost beside(EffectVariant plain, Effect effect, Effects effects, Scene before, Scene after, Options options,
             int repetitions, Progress progress) {
@@ -76,7 +81,11 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
     }
 
     private static boolean canMeasure(Effect effect, Effects effects) {
-        return effects.has(effect) || switch (effect) {
+        return effects.has(effect) || canForce(effect);
+    }
+
+    private static boolean canForce(Effect effect) {
+        return switch (effect) {
             case SHADOWS, SPECULAR, TEXTURES, REFLECTION, ATTENUATION, SPOT_CONE, DROPOFF, ANTIALIASING -> true;
             case DIRECTIONAL_LIGHTS, POINT_LIGHTS, SPOT_LIGHTS, SPHERES, CONES, CYLINDERS, PLANES -> false;
         };

@@ -88,7 +88,7 @@ public final class Harness {
     private void add(NamedScene scene, Pace pace, double bytesPerMs, Pictures pictures) {
         for (PictureSize size : settings.sizes()) {
             Ledger.Page page = ledger.page(scene, size);
-            SceneBench bench = new SceneBench(settings, page, scene, size, bytesPerMs,
+            SceneBench bench = new SceneBench(settings, ledger, page, scene, size, bytesPerMs,
                     size.equals(settings.sizes().getFirst()) ? pictures : null);
             List<Part> parts = new ArrayList<>(bench.parts(pace, size));
             if (settings.peers()) {

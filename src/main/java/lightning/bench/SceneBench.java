@@ -29,6 +29,7 @@ final class SceneBench implements AutoCloseable {
     private static final int EFFECTS = 2;
 
     private final Settings settings;
+    private final Ledger ledger;
     private final Ledger.Page page;
     private final String name;
     private final Scene scene;
@@ -37,8 +38,9 @@ final class SceneBench implements AutoCloseable {
     private final Pictures pictures;
     private LadderMeter meter;
 
-    SceneBench(Settings settings, Ledger.Page page, NamedScene named, PictureSize size, double bytesPerMs, Pictures pictures) {
+    SceneBench(Settings settings, Ledger ledger, Ledger.Page page, NamedScene named, PictureSize size, double bytesPerMs, Pictures pictures) {
         this.settings = settings;
+        this.ledger = ledger;
         this.page = page;
         this.bytesPerMs = bytesPerMs;
         this.pictures = pictures;
@@ -68,6 +70,9 @@ final class SceneBench implements AutoCloseable {
         EffectCosts costs = EffectCosts.of(scene, after, Options.DEFAULT.withThreads(settings.threads()),
                 settings.isWarm() ? EFFECTS * settings.repetitions() : 1, progress);
         page.effects(costs.effects().stream().filter(EffectCost::measured).map(EffectResult::of).toList());
+        costs.tooLarge().forEach(effect -> ledger.problem(new Problem(Problem.Kind.UNMEASURED,
+                name + " at " + scene.picture().width() + "x" + scene.picture().height() + ", effects",
+                "there is not enough memory for " + effect.title())));
     }
 
     /** The cases by name, with each value that changes the scene. */

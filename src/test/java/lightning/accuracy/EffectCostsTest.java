@@ -3,6 +3,7 @@ package lightning.accuracy;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.effects.Effect;
 import lightning.relight.Options;
@@ -32,6 +33,16 @@ class EffectCostsTest {
         assertThat(costs.effects()).extracting(EffectCost::effect).containsExactly(Effect.values());
         assertThat(costs.plan()).isEqualTo("key: weight");
         assertThat(costs.bytes()).isPositive();
+    }
+
+    @Test
+    void unmeasuredEffect_wasTooLargeUnlessNobodyCanForceIt() {
+        EffectCosts costs = of(StudioScene.of(LightType.POINT));
+        assertThat(costs.tooLarge()).isEmpty();
+        List<EffectCost> lost = costs.effects().stream().map(c -> new EffectCost(c.effect(), c.callers(),
+                c.measured() && c.effect() != Effect.ANTIALIASING, 0, 0, 0, 0, 0, c.rays())).toList();
+        assertThat(new EffectCosts(costs.first(), costs.update(), costs.plan(), costs.bytes(), lost).tooLarge())
+                .containsExactly(Effect.ANTIALIASING);
     }
 
     @Test
