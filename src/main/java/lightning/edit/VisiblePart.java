@@ -7,6 +7,7 @@ import lightning.math.Vec3;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Rig;
 import lightning.scene.Scene;
 
 /**
@@ -17,19 +18,25 @@ import lightning.scene.Scene;
 public final class VisiblePart {
     private VisiblePart() {}
 
-    /** The scene with everything that does not act set to one fixed value. */
+    /** The scene with everything that does not act set to one fixed value, without its shapes: only lights take part in this. */
     public static Scene of(Scene scene) {
-        List<Light> lights = new ArrayList<>();
-        for (Light light : scene.lights()) {
-            lights.add(light(scene, light, "light" + lights.size()));
-        }
-        // Only lights take part in this, so the names that shapes have are out of the way.
-        return new Scene(scene.picture(), scene.camera(), scene.world(), scene.materials(), List.of(), lights);
+        // Without shapes their names are out of the way of the lights'.
+        return scene.withRig(Rig.DARK).withNodes(List.of()).withLights(lights(scene));
     }
 
     /** Whether two scenes give the same picture for sure. */
     public static boolean same(Scene a, Scene b) {
-        return a.nodes().equals(b.nodes()) && of(a).equals(of(b));
+        return a.stage().equals(b.stage()) && a.picture().equals(b.picture()) && a.camera().equals(b.camera())
+                && a.world().equals(b.world()) && (a.rig().equals(b.rig()) || lights(a).equals(lights(b)));
+    }
+
+    /** The lights with everything that does not act set to one fixed value, their names included. */
+    private static List<Light> lights(Scene scene) {
+        List<Light> lights = new ArrayList<>();
+        for (Light light : scene.lights()) {
+            lights.add(light(scene, light, "light" + lights.size()));
+        }
+        return lights;
     }
 
     private static Light light(Scene scene, Light light, String name) {

@@ -22,7 +22,7 @@ final class Without {
     }
 
     static Scene shapes(Scene s, Class<? extends Shape> type) {
-        return new Scene(s.picture(), s.camera(), s.world(), s.materials(), nodes(s.nodes(), type), s.lights());
+        return s.withNodes(nodes(s.nodes(), type));
     }
 
     private static List<Node> nodes(List<Node> nodes, Class<? extends Shape> type) {

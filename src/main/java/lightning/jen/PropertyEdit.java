@@ -157,7 +157,7 @@ public final class PropertyEdit {
         }
         if (names(scene.nodes()).anyMatch(target::equals)) {
             List<Node> nodes = replaced(scene.nodes(), n -> node(textures, n, target, property, value));
-            return new Scene(scene.picture(), scene.camera(), scene.world(), scene.materials(), nodes, scene.lights());
+            return scene.withNodes(nodes);
         }
         if (scene.material(target).isPresent()) {
             return setMaterial(scene, target, property, value, textures);

@@ -1,103 +1,66 @@
 package lightning.scene;
 
 import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import lightning.math.Transform;
 
 /**
  * Everything a picture depends on. Two equal scenes give the same picture in every bit.
  *
- * @param materials names unique among themselves
- * @param nodes     shapes and groups; names unique among nodes and lights; each shape's material is
- *                  the name of one of {@code materials}, or {@code default} where none has that name
- * @param lights    in the order in which their contributions are summed
+ * @param stage shapes and materials
+ * @param rig   the lights; no light has the name of a shape or a group
  */
-public record Scene(Picture picture, Camera camera, World world, List<Material> materials, List<Node> nodes,
-        List<Light> lights) {
+public record Scene(Picture picture, Camera camera, World world, Stage stage, Rig rig) {
 
     public Scene {
-        materials = List.copyOf(materials);
-        nodes = List.copyOf(nodes);
-        lights = List.copyOf(lights);
-        Limits.range("the number of lights", lights.size(), 0, Limits.MAX_LIGHTS);
-        Limits.range("the number of materials", materials.size(), 0, Limits.MAX_MATERIALS);
-        Set<String> materialNames = new HashSet<>();
-        materials.forEach(m -> unique(materialNames, "material", m.name()));
-        materialNames.add(Material.DEFAULT.name());
-        Set<String> names = new HashSet<>();
-        int shapes = checkNodes(nodes, names, materialNames, 0, 1, 1);
-        Limits.range("the number of shapes", shapes, 0, Limits.MAX_SHAPES);
-        lights.forEach(l -> unique(names, "light", l.name()));
-    }
-
-    private static int checkNodes(List<Node> nodes, Set<String> names, Set<String> materials, int nesting,
-            double leastScale, double mostScale) {
-        Limits.range("the nesting of groups", nesting, 0, Limits.MAX_NESTING);
-        int shapes = 0;
-        for (Node node : nodes) {
-            unique(names, "shape", node.name());
-            double least = leastScale * node.placement().leastScale();
-            double most = mostScale * node.placement().mostScale();
-            Limits.combinedScale("shape '" + node.name() + "'", least, most);
-            switch (node) {
-                case Group g -> shapes += checkNodes(g.children(), names, materials, nesting + 1, least, most);
-                case Shape s -> {
-                    if (!materials.contains(s.material())) {
-                        throw new IllegalArgumentException(
-                                "shape '" + s.name() + "': there is no material '" + s.material() + "'");
-                    }
-                    shapes++;
-                }
+        for (Light light : rig.lights()) {
+            if (stage.hasNode(light.name())) {
+                throw Rig.taken(light);
             }
         }
-        return shapes;
     }
 
-    private static void unique(Set<String> names, String what, String name) {
-        if (!names.add(name)) {
-            throw new IllegalArgumentException(what + " '" + name + "': the name is already taken");
-        }
+    /**
+     * A scene made of its parts.
+     *
+     * @param materials as {@link Stage} wants them, likewise {@code nodes}
+     * @param lights    as {@link Rig} wants them
+     */
+    public Scene(Picture picture, Camera camera, World world, List<Material> materials, List<Node> nodes, List<Light> lights) {
+        this(picture, camera, world, new Stage(materials, nodes), Rig.of(lights));
+    }
+
+    public List<Material> materials() {
+        return stage.materials();
+    }
+
+    public List<Node> nodes() {
+        return stage.nodes();
+    }
+
+    /** In the order in which their contributions are summed. */
+    public List<Light> lights() {
+        return rig.lights();
     }
 
     /** All shapes, in the order of the file, with materials and groups resolved. */
     public List<PlacedShape> placedShapes() {
-        List<PlacedShape> placed = new ArrayList<>();
-        place(nodes, Transform.IDENTITY, Transform.IDENTITY, materialsByName(), placed);
-        return placed;
+        return stage.placedShapes();
     }
 
     /** Every material that a shape may name, {@code default} included. */
     public Map<String, Material> materialsByName() {
-        Map<String, Material> byName = new HashMap<>();
-        byName.put(Material.DEFAULT.name(), Material.DEFAULT);
-        materials.forEach(m -> byName.put(m.name(), m));
-        return byName;
-    }
-
-    private static void place(List<Node> nodes, Transform outer, Transform back, Map<String, Material> byName,
-            List<PlacedShape> placed) {
-        for (Node node : nodes) {
-            Transform toWorld = outer.times(node.placement().transform());
-            Transform directionsBack = node.placement().directionsBack().times(back);
-            switch (node) {
-                case Group g -> place(g.children(), toWorld, directionsBack, byName, placed);
-                case Shape s -> placed.add(new PlacedShape(s, byName.get(s.material()), toWorld, directionsBack));
-            }
-        }
+        return stage.materialsByName();
     }
 
     public Optional<Light> light(String name) {
-        return lights.stream().filter(l -> l.name().equals(name)).findFirst();
+        return rig.light(name);
     }
 
     /** Whether a light contributes: it is on, and solo if any light is. */
     public boolean shines(Light light) {
-        return light.on() && (light.solo() || lights.stream().noneMatch(l -> l.solo() && l.on()));
+        return rig.shines(light);
     }
 
     /**
@@ -106,18 +69,19 @@ public record Scene(Picture picture, Camera camera, World world, List<Material> 
      * @throws IllegalArgumentException if no light has that name
      */
     public Scene withLight(Light light) {
-        if (light(light.name()).isEmpty()) {
-            throw new IllegalArgumentException("there is no light '" + light.name() + "'");
-        }
-        return withLights(lights.stream().map(l -> l.name().equals(light.name()) ? light : l).toList());
+        return withRig(rig.with(light));
     }
 
     public Scene withLights(List<Light> v) {
-        return new Scene(picture, camera, world, materials, nodes, v);
+        return withRig(Rig.of(v));
+    }
+
+    public Scene withRig(Rig v) {
+        return new Scene(picture, camera, world, stage, v);
     }
 
     public Optional<Material> material(String name) {
-        return materials.stream().filter(m -> m.name().equals(name)).findFirst();
+        return materials().stream().filter(m -> m.name().equals(name)).findFirst();
     }
 
     /**
@@ -131,26 +95,34 @@ public record Scene(Picture picture, Camera camera, World world, List<Material> 
             if (!material.name().equals(Material.DEFAULT.name())) {
                 throw new IllegalArgumentException("there is no material '" + material.name() + "'");
             }
-            List<Material> more = new ArrayList<>(materials);
+            List<Material> more = new ArrayList<>(materials());
             more.add(material);
             return withMaterials(more);
         }
-        return withMaterials(materials.stream().map(m -> m.name().equals(material.name()) ? material : m).toList());
+        return withMaterials(materials().stream().map(m -> m.name().equals(material.name()) ? material : m).toList());
     }
 
     public Scene withMaterials(List<Material> v) {
-        return new Scene(picture, camera, world, v, nodes, lights);
+        return withStage(stage.withMaterials(v));
+    }
+
+    public Scene withNodes(List<Node> v) {
+        return withStage(stage.withNodes(v));
+    }
+
+    public Scene withStage(Stage v) {
+        return new Scene(picture, camera, world, v, rig);
     }
 
     public Scene withPicture(Picture v) {
-        return new Scene(v, camera, world, materials, nodes, lights);
+        return new Scene(v, camera, world, stage, rig);
     }
 
     public Scene withWorld(World v) {
-        return new Scene(picture, camera, v, materials, nodes, lights);
+        return new Scene(picture, camera, v, stage, rig);
     }
 
     public Scene withCamera(Camera v) {
-        return new Scene(picture, v, world, materials, nodes, lights);
+        return new Scene(picture, v, world, stage, rig);
     }
 }

@@ -1,0 +1,165 @@
+package lightning.scene;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import lightning.math.Transform;
+
+/**
+ * What stands before the camera: shapes, in groups, and their materials. Checked once, when it is made, and shared by all
+ * scenes that differ in lights or views only. Two stages are equal when their nodes and materials are; the same one is
+ * known at once.
+ */
+public final class Stage {
+    /** Nothing at all. */
+    public static final Stage EMPTY = new Stage(List.of(), List.of());
+
+    private final Tree tree;
+    private final List<Material> materials;
+    private final Map<String, Material> byName;
+
+    /**
+     * @param materials names unique among themselves
+     * @param nodes     shapes and groups, names unique; each shape's material is the name of one of {@code materials}, or
+     *                  {@code default} where none has that name
+     * @throws IllegalArgumentException if a name is taken or a material missing, if there are more shapes, materials or
+     *                                  nested groups than {@link Limits} allows, or if scales multiply beyond its range
+     */
+    public Stage(List<Material> materials, List<Node> nodes) {
+        this(materials, Tree.of(nodes));
+    }
+
+    private Stage(List<Material> materials, Tree tree) {
+        this.materials = List.copyOf(materials);
+        this.tree = tree;
+        Limits.range("the number of materials", this.materials.size(), 0, Limits.MAX_MATERIALS);
+        Map<String, Material> found = HashMap.newHashMap(this.materials.size() + 1);
+        for (Material material : this.materials) {
+            if (found.put(material.name(), material) != null) {
+                throw new IllegalArgumentException("material '" + material.name() + "': the name is already taken");
+            }
+        }
+        found.putIfAbsent(Material.DEFAULT.name(), Material.DEFAULT);
+        byName = Map.copyOf(found);
+        tree.checkMaterials(byName.keySet());
+    }
+
+    /** These shapes with other materials. */
+    public Stage withMaterials(List<Material> v) {
+        return v.equals(materials) ? this : new Stage(v, tree);
+    }
+
+    /** These materials on other shapes. */
+    public Stage withNodes(List<Node> v) {
+        return v.equals(nodes()) ? this : new Stage(materials, Tree.of(v));
+    }
+
+    public List<Material> materials() {
+        return materials;
+    }
+
+    public List<Node> nodes() {
+        return tree.nodes;
+    }
+
+    /** Every material that a shape may name, {@code default} included. */
+    public Map<String, Material> materialsByName() {
+        return byName;
+    }
+
+    /** How many shapes there are, those in groups included. */
+    public int shapeCount() {
+        return tree.shapes;
+    }
+
+    /** Whether a shape or a group has the name. */
+    public boolean hasNode(String name) {
+        return Arrays.binarySearch(tree.names, name) >= 0;
+    }
+
+    /** All shapes, in the order of the file, with materials and groups resolved. */
+    public List<PlacedShape> placedShapes() {
+        List<PlacedShape> placed = new ArrayList<>(tree.shapes);
+        place(tree.nodes, Transform.IDENTITY, Transform.IDENTITY, placed);
+        return placed;
+    }
+
+    private void place(List<Node> nodes, Transform outer, Transform back, List<PlacedShape> placed) {
+        for (Node node : nodes) {
+            Transform toWorld = outer.times(node.placement().transform());
+            Transform directionsBack = node.placement().directionsBack().times(back);
+            switch (node) {
+                case Group g -> place(g.children(), toWorld, directionsBack, placed);
+                case Shape s -> placed.add(new PlacedShape(s, byName.get(s.material()), toWorld, directionsBack));
+            }
+        }
+    }
+
+    @Override
+    public boolean equals(Object o) {
+        return this == o || o instanceof Stage s && materials.equals(s.materials) && tree.nodes.equals(s.tree.nodes);
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * materials.hashCode() + tree.nodes.hashCode();
+    }
+
+    /** The nodes, checked, with what must be known of them when materials or lights change. */
+    private static final class Tree {
+        final List<Node> nodes;
+        /** Of all nodes, sorted: a table of hashes would be slow where a file chose names that collide. */
+        final String[] names;
+        final int shapes;
+        /** For each material in use a shape that has it. */
+        private final Map<String, String> users = new HashMap<>();
+
+        static Tree of(List<Node> nodes) {
+            return new Tree(List.copyOf(nodes));
+        }
+
+        private Tree(List<Node> nodes) {
+            this.nodes = nodes;
+            List<String> found = new ArrayList<>();
+            shapes = Limits.range("the number of shapes", check(nodes, found, 0, 1, 1), 0, Limits.MAX_SHAPES);
+            names = found.toArray(String[]::new);
+            Arrays.parallelSort(names);
+            for (int i = 1; i < names.length; i++) {
+                if (names[i].equals(names[i - 1])) {
+                    throw new IllegalArgumentException("shape '" + names[i] + "': the name is already taken");
+                }
+            }
+        }
+
+        /** Returns how many shapes there are. */
+        private int check(List<Node> nodes, List<String> found, int nesting, double leastScale, double mostScale) {
+            Limits.range("the nesting of groups", nesting, 0, Limits.MAX_NESTING);
+            int count = 0;
+            for (Node node : nodes) {
+                found.add(node.name());
+                double least = leastScale * node.placement().leastScale();
+                double most = mostScale * node.placement().mostScale();
+                Limits.combinedScale("shape '" + node.name() + "'", least, most);
+                switch (node) {
+                    case Group g -> count += check(g.children(), found, nesting + 1, least, most);
+                    case Shape s -> {
+                        users.putIfAbsent(s.material(), s.name());
+                        count++;
+                    }
+                }
+            }
+            return count;
+        }
+
+        void checkMaterials(Set<String> known) {
+            users.forEach((material, shape) -> {
+                if (!known.contains(material)) {
+                    throw new IllegalArgumentException("shape '" + shape + "': there is no material '" + material + "'");
+                }
+            });
+        }
+    }
+}

@@ -1,0 +1,95 @@
+package lightning.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** What stands before the camera is checked once and shared by scenes that differ in lights. */
+class StageTest {
+    private static final Material GOLD = Material.DEFAULT.withShininess(50);
+    private static final Stage STAGE = new Stage(List.of(), List.of(group("g", sphere("a"), sphere("b")), sphere("c")));
+
+    private static Shape sphere(String name) {
+        return new Shape.Sphere(name, Material.DEFAULT.name(), Placement.IDENTITY);
+    }
+
+    private static Group group(String name, Node... children) {
+        return new Group(name, Placement.IDENTITY, List.of(children));
+    }
+
+    private static Scene lit(Light... lights) {
+        return new Scene(Picture.DEFAULT, Camera.DEFAULT, World.DEFAULT, STAGE, Rig.of(List.of(lights)));
+    }
+
+    @Test
+    void editedLight_sharesTheStage() {
+        Scene scene = lit(Light.of("key", LightType.POINT));
+        assertThat(scene.withLight(Light.of("key", LightType.SPOT)).stage()).isSameAs(STAGE);
+    }
+
+    @Test
+    void editedMaterial_sharesTheNodes() {
+        assertThat(STAGE.withMaterials(List.of(GOLD)).nodes()).isSameAs(STAGE.nodes());
+    }
+
+    @Test
+    void sameMaterials_areTheSameStage() {
+        assertThat(STAGE.withMaterials(List.of())).isSameAs(STAGE);
+    }
+
+    @Test
+    void shapesInGroups_areCounted() {
+        assertThat(STAGE.shapeCount()).isEqualTo(3);
+    }
+
+    @Test
+    void groupsAndShapes_areKnownByName() {
+        assertThat(List.of("g", "a", "b", "c")).allMatch(STAGE::hasNode);
+        assertThat(STAGE.hasNode("d")).isFalse();
+    }
+
+    @Test
+    void shapeOfATakenName_isRefused() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> STAGE.withNodes(List.of(group("g", sphere("a")), sphere("a"))))
+                .withMessage("shape 'a': the name is already taken");
+    }
+
+    @Test
+    void materialThatAShapeHas_cannotGo() {
+        Material wood = new Material("wood", GOLD.ambient(), GOLD.diffuse(), GOLD.specular(), 1, GOLD.reflective(), GOLD.texture());
+        Stage wooden = new Stage(List.of(wood), List.of(new Shape.Cone("hat", "wood", Placement.IDENTITY)));
+        assertThatIllegalArgumentException().isThrownBy(() -> wooden.withMaterials(List.of()))
+                .withMessage("shape 'hat': there is no material 'wood'");
+    }
+
+    @Test
+    void lightOfAShapesName_isRefused() {
+        assertThatIllegalArgumentException().isThrownBy(() -> lit(Light.of("b", LightType.POINT)))
+                .withMessage("light 'b': the name is already taken");
+    }
+
+    @Test
+    void twoLightsOfOneName_areRefused() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> lit(Light.of("key", LightType.POINT), Light.of("key", LightType.SPOT)))
+                .withMessage("light 'key': the name is already taken");
+    }
+
+    @Test
+    void soloLight_darkensTheOthers() {
+        Light solo = Light.of("solo", LightType.POINT).withSolo(true);
+        Light plain = Light.of("plain", LightType.POINT);
+        assertThat(lit(solo, plain).shines(solo)).isTrue();
+        assertThat(lit(solo, plain).shines(plain)).isFalse();
+    }
+
+    @Test
+    void soloLightThatIsOff_darkensNobody() {
+        Light solo = Light.of("solo", LightType.POINT).withSolo(true).withOn(false);
+        Light plain = Light.of("plain", LightType.POINT);
+        assertThat(lit(solo, plain).shines(plain)).isTrue();
+    }
+}
