@@ -9,6 +9,7 @@ import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
+import lightning.scene.LightMatch;
 import lightning.scene.Limits;
 import lightning.scene.Material;
 import lightning.scene.Scene;
@@ -31,27 +32,22 @@ final class SceneChange {
     }
 
     private void lights(Scene before, Scene after) {
-        for (int i = 0; i < before.lights().size(); i++) {
-            Light light = before.lights().get(i);
-            if (after.light(light.name()).isEmpty()) {
-                // A light of a new name in its place, and else the same, was renamed.
-                boolean renamed = before.lights().size() == after.lights().size()
-                        && after.lights().get(i).withName(light.name()).equals(light);
-                words.add(renamed ? light.name() + " is named " + after.lights().get(i).name() : light.name() + " is deleted");
+        LightMatch match = new LightMatch(before.lights(), after.lights());
+        match.gone().forEach(i -> words.add(before.lights().get(i).name() + " is deleted"));
+        for (int i = 0; i < after.lights().size(); i++) {
+            Light light = after.lights().get(i);
+            if (match.origin(i) < 0) {
+                words.add(light.name() + " is added, " + light.type().name().toLowerCase(Locale.ROOT));
+            } else {
+                light(before.lights().get(match.origin(i)), light);
             }
-        }
-        for (Light light : after.lights()) {
-            before.light(light.name()).ifPresentOrElse(old -> light(old, light), () -> added(before, after, light));
-        }
-    }
-
-    private void added(Scene before, Scene after, Light light) {
-        if (before.lights().size() < after.lights().size()) {
-            words.add(light.name() + " is added, " + light.type().name().toLowerCase(Locale.ROOT));
         }
     }
 
     private void light(Light old, Light light) {
+        if (!old.name().equals(light.name())) {
+            words.add(old.name() + " is named " + light.name());
+        }
         String name = light.name() + ".";
         set(name + "type", old.type().name().toLowerCase(Locale.ROOT), light.type().name().toLowerCase(Locale.ROOT));
         set(name + "color", text(old.color()), text(light.color()));

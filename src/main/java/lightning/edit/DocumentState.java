@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.LongSupplier;
 import lightning.scene.Light;
+import lightning.scene.LightMatch;
 import lightning.scene.Scene;
 
 /**
@@ -26,11 +27,11 @@ record DocumentState(Scene scene, List<Long> ids, Map<Long, LightTrack> tracks) 
 
     /** The state after an edit; each light that it changed can be undone alone. */
     DocumentState after(Scene edited, LongSupplier fresh) {
-        List<Integer> origins = new LightMatch(scene.lights(), edited.lights()).origins();
+        LightMatch match = new LightMatch(scene.lights(), edited.lights());
         List<Long> newIds = new ArrayList<>();
         Map<Long, LightTrack> newTracks = new HashMap<>();
-        for (int i = 0; i < origins.size(); i++) {
-            int origin = origins.get(i);
+        for (int i = 0; i < edited.lights().size(); i++) {
+            int origin = match.origin(i);
             long id = origin < 0 ? fresh.getAsLong() : ids.get(origin);
             newIds.add(id);
             if (origin >= 0) {

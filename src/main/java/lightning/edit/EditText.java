@@ -10,6 +10,7 @@ import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
+import lightning.scene.LightMatch;
 import lightning.scene.Limits;
 import lightning.scene.Material;
 import lightning.scene.Sampling;
@@ -56,17 +57,12 @@ final class EditText {
     }
 
     private static void lights(LightMatch match, List<String> parts) {
-        List<Integer> origins = match.origins();
-        for (int i = 0; i < match.before().size(); i++) {
-            if (!origins.contains(i)) {
-                parts.add("delete " + match.before().get(i).name());
-            }
-        }
+        match.gone().forEach(i -> parts.add("delete " + match.before().get(i).name()));
         boolean ordered = true;
         int last = -1;
-        for (int i = 0; i < origins.size(); i++) {
+        for (int i = 0; i < match.after().size(); i++) {
             Light after = match.after().get(i);
-            int origin = origins.get(i);
+            int origin = match.origin(i);
             if (origin < 0) {
                 parts.add("add " + after.name());
             } else if (!match.before().get(origin).equals(after)) {

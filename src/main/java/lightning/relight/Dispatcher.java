@@ -1,16 +1,13 @@
 package lightning.relight;
 
 import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
-import java.util.Set;
 import java.util.function.IntFunction;
 import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
 import lightning.scene.Antialias;
 import lightning.scene.Light;
+import lightning.scene.LightMatch;
 import lightning.scene.Scene;
 import lightning.shading.ConeChange;
 import lightning.shading.IntensityRatio;
@@ -74,70 +71,18 @@ final class Dispatcher {
     /** The update of the layers that show {@code known} and were computed for {@code stamps}. */
     private static LevelPlan level(Geometry shown, Scene known, IntFunction<LayerStamp> stamps, Scene wanted, Geometry geometry,
             Accuracy accuracy) {
-        int[] origins = origins(known.lights(), wanted.lights());
+        LightMatch match = new LightMatch(known.lights(), wanted.lights());
         List<LayerPlan> layers = new ArrayList<>();
-        Set<Integer> kept = new HashSet<>();
-        for (int l = 0; l < origins.length; l++) {
+        for (int l = 0; l < wanted.lights().size(); l++) {
             Light light = wanted.lights().get(l);
-            LayerStamp before = origins[l] < 0 ? null : stamps.apply(origins[l]);
-            layers.add(new LayerPlan(light, origins[l], before, update(before, light, wanted, accuracy)));
-            kept.add(origins[l]);
+            LayerStamp before = match.origin(l) < 0 ? null : stamps.apply(match.origin(l));
+            layers.add(new LayerPlan(light, match.origin(l), before, update(before, light, wanted, accuracy)));
         }
-        List<String> dropped = new ArrayList<>();
-        for (int i = 0; i < known.lights().size(); i++) {
-            if (!kept.contains(i)) {
-                dropped.add(known.lights().get(i).name());
-            }
-        }
-        return new LevelPlan(layers, dropped, composesEverywhere(known, wanted, origins),
+        List<String> dropped = match.gone().stream().map(i -> known.lights().get(i).name()).toList();
+        // A change of the order or number of lights changes how their sum is grouped.
+        boolean compose = !match.keepsPlaces() || !known.world().equals(wanted.world());
+        return new LevelPlan(layers, dropped, compose,
                 MaterialDifference.between(shown.materials(), geometry.materials()));
-    }
-
-    /** A change of the order or number of lights changes how their sum is grouped. */
-    private static boolean composesEverywhere(Scene known, Scene wanted, int[] origins) {
-        boolean sameLights = known.lights().size() == origins.length;
-        for (int l = 0; sameLights && l < origins.length; l++) {
-            sameLights = origins[l] == l;
-        }
-        return !sameLights || !known.world().equals(wanted.world());
-    }
-
-    /**
-     * For each wanted light the index of the known light that it goes on from, or −1. The name
-     * decides; a light whose name is new goes on from a light whose name is gone if they are alike but
-     * for the name, or at the same place in lists of the same length: it was renamed.
-     */
-    private static int[] origins(List<Light> known, List<Light> wanted) {
-        Map<String, Integer> byName = new HashMap<>();
-        for (int i = 0; i < known.size(); i++) {
-            byName.put(known.get(i).name(), i);
-        }
-        int[] origins = new int[wanted.size()];
-        boolean[] used = new boolean[known.size()];
-        for (int l = 0; l < origins.length; l++) {
-            origins[l] = byName.getOrDefault(wanted.get(l).name(), -1);
-            if (origins[l] >= 0) {
-                used[origins[l]] = true;
-            }
-        }
-        for (int l = 0; l < origins.length; l++) {
-            if (origins[l] < 0) {
-                origins[l] = renamed(known, used, wanted.get(l), known.size() == wanted.size() ? l : -1);
-                if (origins[l] >= 0) {
-                    used[origins[l]] = true;
-                }
-            }
-        }
-        return origins;
-    }
-
-    private static int renamed(List<Light> known, boolean[] used, Light light, int place) {
-        for (int i = 0; i < known.size(); i++) {
-            if (!used[i] && known.get(i).withName(light.name()).equals(light)) {
-                return i;
-            }
-        }
-        return place >= 0 && !used[place] ? place : -1;
     }
 
     /** At level ratio: all contributions anew, of the scene that is shown. */
