@@ -44,7 +44,7 @@ public final class RenderLoop implements AutoCloseable {
         this.listener = listener;
         renderer = new Renderer(options);
         verifier = new Verifier(options.threads(), listener);
-        thread = new Thread(this::run, "lightning-render");
+        thread = new Thread(new RenderTurns(queue, hands(), listener), "lightning-render");
         thread.setDaemon(true);
         thread.start();
     }
@@ -109,25 +109,39 @@ public final class RenderLoop implements AutoCloseable {
         return thread.isAlive();
     }
 
-    private void run() {
-        try {
-            while (true) {
-                var stop = new RenderQueue.Stop(listener::progress);
-                RenderQueue.Work work = queue.take(stop);
-                if (work == null) {
-                    return;
-                }
-                attempt(work, stop);
-                if (queue.done(rendered)) {
-                    listener.idle();
-                    measure();
-                }
+    private RenderTurns.Hands hands() {
+        return new RenderTurns.Hands() {
+            @Override
+            public void work(RenderQueue.Work work, RenderQueue.Stop stop) {
+                RenderLoop.this.work(work, stop);
             }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        } finally {
-            renderer.close();
-            looking.close();
+
+            @Override
+            public Scene rendered() {
+                return rendered;
+            }
+
+            @Override
+            public void rest() {
+                measure();
+            }
+
+            @Override
+            public void close() {
+                renderer.close();
+                looking.close();
+            }
+        };
+    }
+
+    private void work(RenderQueue.Work work, RenderQueue.Stop stop) {
+        verifier.pause();
+        switch (work) {
+            case RenderQueue.Work.Render r -> renderScene(r.scene(), stop);
+            case RenderQueue.Work.Reopen r -> reopen(r, stop);
+            case RenderQueue.Work.Reflections _ -> mirror(stop);
+            case RenderQueue.Work.Looks _ -> lookAgain(stop);
+            case RenderQueue.Work.Verify _ -> handToVerifier();
         }
     }
 
@@ -135,24 +149,6 @@ public final class RenderLoop implements AutoCloseable {
     private void measure() {
         if (rendered != null) {
             verifier.measure(rendered, renderer.cache().geometry());
-        }
-    }
-
-    private void attempt(RenderQueue.Work work, RenderQueue.Stop stop) {
-        verifier.pause();
-        try {
-            switch (work) {
-                case RenderQueue.Work.Render r -> renderScene(r.scene(), stop);
-                case RenderQueue.Work.Reopen r -> reopen(r, stop);
-                case RenderQueue.Work.Reflections _ -> mirror(stop);
-                case RenderQueue.Work.Looks _ -> lookAgain(stop);
-                case RenderQueue.Work.Verify _ -> handToVerifier();
-            }
-        } catch (CancellationException e) {
-            listener.cancelled();
-        } catch (Throwable e) {
-            // Whatever it is, the window lives on and says so.
-            listener.failed(e);
         }
     }
 
