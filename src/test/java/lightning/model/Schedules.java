@@ -12,7 +12,7 @@ import org.jetbrains.lincheck.Lincheck;
  */
 public final class Schedules {
     /** So many schedules, unless the story has fewer: -Dlightning.schedules=N. */
-    private static final int MOST = Integer.getInteger("lightning.schedules", 100);
+    private static final int MOST = Integer.getInteger("lightning.schedules", 50);
 
     /** What the threads do, and the laws that hold. */
     @FunctionalInterface
