@@ -42,7 +42,7 @@ final class CompareCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         if (output != null) {
             PictureFile.requireKnownExtension(output);
-            PictureOutput.checkFolder(output);
+            PictureOutput.checkFile(output);
         }
         Film a = PictureFile.read(first);
         Film b = PictureFile.read(second);

@@ -38,7 +38,7 @@ final class ExportCommand implements Callable<Integer> {
         if (!name.toLowerCase(Locale.ROOT).endsWith(".pov")) {
             throw new BadInput(output + ": an exported scene's name must end in .pov");
         }
-        PictureOutput.checkFolder(output);
+        PictureOutput.checkFile(output);
         PovScene pov = PovScene.of(picture.apply(input.read().scene()), name.substring(0, name.length() - ".pov".length()));
         pov.write(output);
         pov.losses().forEach(loss -> console.remark("%s", loss));

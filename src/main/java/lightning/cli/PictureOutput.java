@@ -1,8 +1,8 @@
 package lightning.cli;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import lightning.file.SafeFile;
 import lightning.image.Clipping;
 import lightning.image.DisplayCurve;
 import lightning.image.Film;
@@ -64,22 +64,13 @@ final class PictureOutput {
     }
 
     /** Finds out before a long computation whether its result could not be written. */
-    void check() throws IOException, BadInput {
+    void check() throws IOException {
         PictureFile.requireKnownExtension(file);
-        checkFolder(file);
+        checkFile(file);
     }
 
-    static void checkFolder(Path file) throws BadInput {
-        Path folder = file.toAbsolutePath().getParent();
-        if (folder == null || !Files.isDirectory(folder)) {
-            throw new BadInput(file + ": there is no folder " + folder);
-        }
-        if (Files.isDirectory(file)) {
-            throw new BadInput(file + ": is a folder, expected a file");
-        }
-        if (!Files.isWritable(folder)) {
-            throw new BadInput(file + ": permission denied to write into " + folder);
-        }
+    static void checkFile(Path file) throws IOException {
+        SafeFile.at(file).check();
     }
 
     /** Writes the picture, and says how much of it the file cannot show. */

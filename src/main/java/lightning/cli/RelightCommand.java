@@ -90,7 +90,7 @@ final class RelightCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         output.check();
         if (save != null) {
-            PictureOutput.checkFolder(save);
+            PictureOutput.checkFile(save);
         }
         JenDocument document = input.read();
         List<Scene> edited = edited(document.scene());

@@ -3,6 +3,7 @@ package lightning.jen;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import lightning.file.FileState;
 import lightning.file.SafeFile;
 import lightning.scene.Scene;
 
@@ -49,6 +50,15 @@ public final class JenDocument {
      * @throws IOException if it cannot be written; the old file is then unchanged
      */
     public void save(Path file) throws IOException {
-        SafeFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+        save(SafeFile.at(file));
+    }
+
+    /**
+     * The same with what else is asked of the file; returns what it holds then.
+     *
+     * @throws IOException as {@link SafeFile#write(byte[])}
+     */
+    public FileState save(SafeFile file) throws IOException {
+        return file.write(text.getBytes(StandardCharsets.UTF_8));
     }
 }

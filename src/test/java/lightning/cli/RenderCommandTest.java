@@ -2,8 +2,12 @@ package lightning.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.net.StandardProtocolFamily;
+import java.net.UnixDomainSocketAddress;
+import java.nio.channels.ServerSocketChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import lightning.image.Film;
 import lightning.image.DisplayCurve;
@@ -14,6 +18,8 @@ import lightning.scene.Scene;
 import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -72,6 +78,30 @@ class RenderCommandTest {
         Path picture = folder.resolve("a.xpm");
         Cli.run("render", scene, "-o", picture).isDone();
         assertThat(Files.readString(picture)).startsWith("/* XPM */");
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void linkAtNoRegularFile_isRefusedBeforeAnythingIsTraced() throws Exception {
+        // A socket stands for devices: a real one would be lost if this ever failed for an administrator.
+        Path socket = folder.resolve("s");
+        Path link = Files.createSymbolicLink(folder.resolve("a.png"), socket);
+        String sentence = link + ": is a device, a pipe or a socket, expected a file";
+        try (var server = ServerSocketChannel.open(StandardProtocolFamily.UNIX)) {
+            server.bind(UnixDomainSocketAddress.of(socket));
+            Cli.run("render", scene, "-o", link).isRefusedSaying(sentence);
+            Cli.run("relight", scene, "-o", folder.resolve("b.png"), "--set", "sun.intensity=2", "--save", link)
+                    .isRefusedSaying(sentence);
+        }
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void readOnlyPicture_isRefusedAndStays() throws Exception {
+        Path picture = Files.writeString(folder.resolve("a.png"), "old");
+        Files.setPosixFilePermissions(picture, PosixFilePermissions.fromString("r--r--r--"));
+        Cli.run("render", scene, "-o", picture).isRefusedSaying(picture + ": is read-only");
+        assertThat(picture).hasContent("old");
     }
 
     @Test

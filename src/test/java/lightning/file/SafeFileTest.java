@@ -1,16 +1,30 @@
 package lightning.file;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIOException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assumptions.assumeThatCode;
 
 import java.io.IOException;
+import java.net.StandardProtocolFamily;
+import java.net.UnixDomainSocketAddress;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Where modes are spoken of, on systems that have them. */
+@DisabledOnOs(OS.WINDOWS)
 class SafeFileTest {
     @TempDir
     Path folder;
@@ -55,9 +69,9 @@ class SafeFileTest {
     @Test
     void replacedFile_keepsItsPermissions() throws IOException {
         Path file = Files.writeString(folder.resolve("a"), "old");
-        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-r-----"));
+        setMode(file, "rw-r-----");
         SafeFile.write(file, out -> out.write(1));
-        assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file))).isEqualTo("rw-r-----");
+        assertThat(mode(file)).isEqualTo("rw-r-----");
     }
 
     @Test
@@ -73,6 +87,237 @@ class SafeFileTest {
     void folder_isRefused() {
         assertThatThrownBy(() -> SafeFile.write(folder, out -> {})).isInstanceOf(IOException.class)
                 .hasMessageContaining("is a folder");
+    }
+
+    @Test
+    void linkToAFileThatIsNotThereYet_staysALinkToIt() throws IOException {
+        Path link = Files.createSymbolicLink(folder.resolve("b"), Path.of("a"));
+        SafeFile.write(link, out -> out.write('x'));
+        assertThat(link).isSymbolicLink();
+        assertThat(folder.resolve("a")).hasContent("x");
+    }
+
+    @Test
+    void linkInACircle_isRefused() throws IOException {
+        Path link = Files.createSymbolicLink(folder.resolve("b"), Path.of("b"));
+        assertThatIOException().isThrownBy(() -> SafeFile.write(link, out -> {}))
+                .withMessage(link + ": is a symbolic link that leads in a circle");
+    }
+
+    @Test
+    void whatIsNoRegularFile_isRefusedAndStaysWhatItIs() throws IOException {
+        // A socket stands for all of them: a real device would be lost if this ever failed for an administrator.
+        Path socket = folder.resolve("s");
+        Path link = Files.createSymbolicLink(folder.resolve("b"), socket);
+        try (var server = ServerSocketChannel.open(StandardProtocolFamily.UNIX)) {
+            server.bind(UnixDomainSocketAddress.of(socket));
+            assertThatIOException().isThrownBy(() -> SafeFile.write(link, out -> {}))
+                    .withMessage(link + ": is a device, a pipe or a socket, expected a file");
+            assertThatIOException().isThrownBy(() -> SafeFile.at(socket).check());
+            assertThat(Files.isRegularFile(socket)).isFalse();
+            assertThat(link).isSymbolicLink();
+        }
+    }
+
+    @Test
+    void missingFolder_isToldByItsName() {
+        Path file = folder.resolve("no/a");
+        assertThatIOException().isThrownBy(() -> SafeFile.write(file, out -> {}))
+                .withMessage(file + ": there is no folder " + folder.resolve("no"));
+    }
+
+    @Test
+    void readOnlyFile_isReplacedOnlyWhereThatWasAllowed() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        setMode(file, "r--r-----");
+        assertThatExceptionOfType(ReadOnlyFileException.class).isThrownBy(() -> SafeFile.at(file).check());
+        assertThatExceptionOfType(ReadOnlyFileException.class).isThrownBy(() -> SafeFile.write(file, out -> out.write('x')))
+                .withMessage(file + ": is read-only; allow writing it, or choose another name");
+        assertThat(file).hasContent("old");
+        SafeFile.at(file).evenReadOnly().write(out -> out.write('x'));
+        assertThat(file).hasContent("x");
+        assertThat(mode(file)).isEqualTo("r--r-----");
+    }
+
+    @Test
+    void newFile_hasTheModeThatTheSystemGives() throws IOException {
+        Path other = Files.createFile(folder.resolve("other"));
+        SafeFile.write(folder.resolve("a"), out -> out.write(1));
+        assertThat(mode(folder.resolve("a"))).isEqualTo(mode(other));
+        assertThat(names()).containsExactlyInAnyOrder("a", "other");
+    }
+
+    @Test
+    void fileOfAnotherOwnerAndGroup_staysTheirs() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        assumeThatCode(() -> {
+            Files.setAttribute(file, "unix:gid", 1);
+            Files.setAttribute(file, "unix:uid", 1);
+        }).as("only an administrator gives files away").doesNotThrowAnyException();
+        SafeFile.write(file, out -> out.write('x'));
+        assertThat(Files.getAttribute(file, "unix:gid")).isEqualTo(1);
+        assertThat(Files.getAttribute(file, "unix:uid")).isEqualTo(1);
+    }
+
+    @Test
+    void whileItIsWritten_nobodyElseMayReadIt() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        setMode(file, "rw-rw-rw-");
+        SafeFile.write(file, out -> {
+            out.write(new byte[100_000]);
+            assertThat(names()).hasSize(2);
+            assertThat(mode(folder.resolve(temporary()))).isEqualTo("rw-------");
+        });
+        assertThat(mode(file)).isEqualTo("rw-rw-rw-");
+    }
+
+    @Test
+    void fileForItsOwnerOnly_isClosedToOthersWhateverItWas() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        setMode(file, "rw-r--r--");
+        SafeFile.at(file).forOwnerOnly().write(out -> out.write('x'));
+        assertThat(mode(file)).isEqualTo("rw-------");
+    }
+
+    @Test
+    void longestNameThatAFolderHolds_canBeWritten() throws IOException {
+        Path file = folder.resolve("x".repeat(255));
+        SafeFile.write(file, out -> out.write('x'));
+        assertThat(file).hasContent("x");
+    }
+
+    @Test
+    void tooLongName_isToldAsItWasGiven() throws IOException {
+        Path file = folder.resolve("x".repeat(256));
+        assertThatExceptionOfType(FileSystemException.class).isThrownBy(() -> SafeFile.write(file, out -> {}))
+                .satisfies(e -> assertThat(e.getFile()).isEqualTo(file.toString()))
+                .satisfies(e -> assertThat(e.getReason()).isNotBlank())
+                .withMessageNotContaining(".tmp");
+        assertThat(names()).isEmpty();
+    }
+
+    @Test
+    void knownContent_isReplacedAndToldAnew() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        FileState known = SafeFile.at(file).ifStill(FileState.of(file)).write(new byte[] {1});
+        assertThat(known).isEqualTo(FileState.of(file));
+        SafeFile.at(file).ifStill(known).write(new byte[] {2});
+        assertThat(file).hasBinaryContent(new byte[] {2});
+    }
+
+    @Test
+    void contentOfAnother_isNotReplaced() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        FileState known = FileState.of(file);
+        Files.writeString(file, "his");
+        // Within the clock's grain, or by a program that keeps times.
+        Files.setLastModifiedTime(file, known.modified());
+        assertThatExceptionOfType(ChangedFileException.class)
+                .isThrownBy(() -> SafeFile.at(file).ifStill(known).write(new byte[] {1}))
+                .withMessageStartingWith(file + ": was changed by another program");
+        assertThat(file).hasContent("his");
+        assertThat(names()).containsExactly("a");
+    }
+
+    @Test
+    void contentThatComesWhileAnotherIsWritten_isNotReplacedEither() throws IOException {
+        Path file = folder.resolve("a");
+        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() ->
+                SafeFile.at(file).ifStill(FileState.NONE).write(_ -> Files.writeString(file, "his")));
+        assertThat(file).hasContent("his");
+    }
+
+    @Test
+    void touchedFile_isStillTheSame() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        FileState known = FileState.of(file);
+        Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000));
+        SafeFile.at(file).ifStill(known).write(new byte[] {1});
+        assertThat(file).hasBinaryContent(new byte[] {1});
+    }
+
+    @Test
+    void fileThatIsGone_isWrittenAgain() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        FileState known = FileState.of(file);
+        Files.delete(file);
+        SafeFile.at(file).ifStill(known).write(new byte[] {1});
+        assertThat(file).hasBinaryContent(new byte[] {1});
+    }
+
+    @Test
+    void whatAKillLeftBehind_isRemovedWhenItIsOld() throws IOException {
+        Path old = left(".lightning-00000000-0000-4000-8000-000000000001.tmp", Duration.ofHours(2));
+        Path young = left(".lightning-00000000-0000-4000-8000-000000000002.tmp", Duration.ofMinutes(50));
+        SafeFile.write(folder.resolve("a"), out -> out.write(1));
+        assertThat(old).doesNotExist();
+        assertThat(young).exists();
+    }
+
+    @Test
+    void whatIsNotCertainlyOurs_staysHoweverOld() throws IOException {
+        List<Path> others = List.of(
+                left(".lightning-notes.tmp", Duration.ofDays(9)),
+                left(".lightning-00000000-0000-4000-8000-000000000001.tmp.jen", Duration.ofDays(9)),
+                left("my.lightning-00000000-0000-4000-8000-000000000001.tmp", Duration.ofDays(9)),
+                left(".bird.jen.00000000-0000-4000-8000-000000000001.tmp", Duration.ofDays(9)));
+        Path inFolder = Files.createDirectory(folder.resolve(".lightning-00000000-0000-4000-8000-000000000003.tmp"));
+        Files.setLastModifiedTime(inFolder, FileTime.fromMillis(0));
+        SafeFile.write(folder.resolve("a"), out -> out.write(1));
+        assertThat(others).allSatisfy(file -> assertThat(file).exists());
+        assertThat(inFolder).exists();
+    }
+
+    @Test
+    void temporaryName_isOneThatIsRemovedWhenLeftBehind() throws IOException {
+        Path kept = Files.createDirectory(folder.resolve("b")).resolve("c");
+        SafeFile.write(folder.resolve("a"), out -> {
+            out.write(new byte[100_000]);
+            Files.copy(folder.resolve(temporary()), kept.resolveSibling(temporary()));
+        });
+        Path copy = onlyFile(kept.getParent());
+        Files.setLastModifiedTime(copy, FileTime.from(Instant.now().minus(Duration.ofHours(2))));
+        SafeFile.write(kept, out -> out.write(1));
+        assertThat(onlyFile(kept.getParent())).isEqualTo(kept);
+    }
+
+    @Test
+    void privateFolder_isMadeForItsOwnerAndClosedToOthers() throws IOException {
+        Path made = folder.resolve("x/y");
+        PrivateFolder.make(made);
+        assertThat(mode(made)).isEqualTo("rwx------");
+        assertThat(mode(made.getParent())).isEqualTo("rwx------");
+        setMode(made, "rwxr-xr-x");
+        PrivateFolder.make(made);
+        assertThat(mode(made)).isEqualTo("rwxr-xr-x");
+        PrivateFolder.close(made);
+        assertThat(mode(made)).isEqualTo("rwx------");
+    }
+
+    private Path left(String name, Duration ago) throws IOException {
+        Path file = Files.writeString(folder.resolve(name), "half");
+        return Files.setLastModifiedTime(file, FileTime.from(Instant.now().minus(ago)));
+    }
+
+    private static String mode(Path file) throws IOException {
+        return PosixFilePermissions.toString(Files.getPosixFilePermissions(file));
+    }
+
+    private static void setMode(Path file, String mode) throws IOException {
+        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString(mode));
+    }
+
+    /** The name of the file that is being written. */
+    private String temporary() throws IOException {
+        return names().stream().filter(name -> name.startsWith(".")).findFirst().orElseThrow();
+    }
+
+    private static Path onlyFile(Path folder) throws IOException {
+        try (var files = Files.list(folder)) {
+            List<Path> all = files.toList();
+            assertThat(all).hasSize(1);
+            return all.getFirst();
+        }
     }
 
     private List<String> names() throws IOException {
