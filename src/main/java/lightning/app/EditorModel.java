@@ -68,7 +68,7 @@ public final class EditorModel implements AutoCloseable {
         this.window = window;
         feed = new RenderFeed(window, raster, this::heard);
         workbench = new Workbench(first, precision.get().options(), recovery, window, this::refresh, feed,
-                _ -> window.execute(() -> say("The last edits could not be kept for the case of a crash")));
+                why -> window.execute(() -> say("The last edits could not be kept for the case of a crash: " + Sentence.of(why))));
         LightActions.addTo(this);
         look = new PictureLook(this);
         materials = new MaterialChoice(this);

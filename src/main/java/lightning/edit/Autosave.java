@@ -23,15 +23,15 @@ public final class Autosave implements AutoCloseable {
 
     private final Recovery recovery;
     private final Duration delay;
-    private final Consumer<IOException> trouble;
+    private final Consumer<Throwable> trouble;
     private final ScheduledThreadPoolExecutor thread;
     private final Set<Path> kept = new HashSet<>();
     private Work waiting;
 
     private record Work(Path file, JenDocument saved, Scene scene) {}
 
-    /** @param trouble hears, on the autosave thread, why the last edits could not be kept */
-    public Autosave(Recovery recovery, Duration delay, Consumer<IOException> trouble) {
+    /** @param trouble hears, on the autosave thread, why the last edits could not be kept, whatever it was */
+    public Autosave(Recovery recovery, Duration delay, Consumer<Throwable> trouble) {
         this.recovery = recovery;
         this.delay = delay;
         this.trouble = trouble;
@@ -81,7 +81,8 @@ public final class Autosave implements AutoCloseable {
     private void attempt(Step step) {
         try {
             step.run();
-        } catch (IOException e) {
+        } catch (Exception | Error e) {
+            // The thread's executor would take anything else without a word.
             trouble.accept(e);
         }
     }

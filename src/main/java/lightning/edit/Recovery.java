@@ -1,19 +1,21 @@
 package lightning.edit;
 
 import java.io.IOException;
+import java.net.URI;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import lightning.file.PrivateFolder;
 import lightning.file.SafeFile;
 
 /**
  * A folder that keeps unsaved scenes for the case of a crash: for each open document one file, the text of the scene
- * behind a line that names the process and the scene's own file.
+ * behind a line that names the process and the scene's own file. Nobody but their owner may read them.
  *
  * <p>A file whose process has ended was left behind by a crash. A process is told by its number and the moment that it
  * started, for numbers come again.
@@ -22,6 +24,8 @@ public final class Recovery {
     private static final String HEAD = "# Lightning kept this of process ";
     private static final String OF = " for ";
     private static final String ENDING = ".kept.jen";
+    /** More than the text of any scene and its head: what is larger was not kept here. */
+    private static final long MOST_BYTES = 128L << 20;
 
     private final Path folder;
     private final String process;
@@ -56,9 +60,9 @@ public final class Recovery {
      * @throws IOException if it cannot be written; what was kept before is then still there
      */
     public void keep(Path file, String text) throws IOException {
-        Files.createDirectories(folder);
-        String head = HEAD + process + OF + file.toAbsolutePath() + "\n";
-        SafeFile.write(kept(file), out -> out.write((head + text).getBytes(StandardCharsets.UTF_8)));
+        PrivateFolder.close(folder);
+        String head = HEAD + process + OF + file.toAbsolutePath().toUri() + "\n";
+        SafeFile.at(kept(file)).forOwnerOnly().write((head + text).getBytes(StandardCharsets.UTF_8));
     }
 
     /** Forgets what this process kept for a file: it was saved, or closed on purpose. */
@@ -77,7 +81,7 @@ public final class Recovery {
         List<Found> all = new ArrayList<>();
         if (Files.isDirectory(folder)) {
             try (Stream<Path> files = Files.list(folder)) {
-                for (Path kept : files.filter(f -> f.getFileName().toString().endsWith(ENDING)).toList()) {
+                for (Path kept : files.filter(Recovery::mayBeKept).toList()) {
                     read(kept).ifPresent(all::add);
                 }
             }
@@ -95,11 +99,21 @@ public final class Recovery {
                 return Optional.empty();
             }
             String owner = content.substring(HEAD.length(), of);
-            Path file = Path.of(content.substring(of + OF.length(), line));
-            return isAlive(owner) ? Optional.empty() : Optional.of(new Found(kept, file, content.substring(line + 1)));
-        } catch (IOException | InvalidPathException e) {
+            Path file = path(content.substring(of + OF.length(), line));
+            return isAlive(owner) || !file.isAbsolute() ? Optional.empty() : Optional.of(new Found(kept, file, content.substring(line + 1)));
+        } catch (IOException | IllegalArgumentException | FileSystemNotFoundException e) {
             return Optional.empty();
         }
+    }
+
+    private static boolean mayBeKept(Path file) {
+        return file.getFileName().toString().endsWith(ENDING) && Files.isRegularFile(file)
+                && file.toFile().length() <= MOST_BYTES;
+    }
+
+    /** As a URI, which has no line ends; older versions wrote the bare path. */
+    private static Path path(String written) {
+        return written.startsWith("file:") ? Path.of(URI.create(written)) : Path.of(written);
     }
 
     private Path kept(Path file) {

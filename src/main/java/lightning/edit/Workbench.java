@@ -41,7 +41,7 @@ public final class Workbench implements AutoCloseable {
      * @param trouble  hears, on the autosave thread, why edits could not be kept
      */
     public Workbench(OpenDocument document, Options options, Recovery recovery, Executor window, Runnable changed,
-            RenderListener canvas, Consumer<IOException> trouble) {
+            RenderListener canvas, Consumer<Throwable> trouble) {
         this.document = document;
         this.window = window;
         this.changed = changed;

@@ -5,13 +5,23 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import lightning.scene.Scene;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class RecoveryTest {
     /** No process has this number: it is beyond what any system hands out. */
@@ -44,6 +54,40 @@ class RecoveryTest {
             assertThat(found.file()).isEqualTo(file);
             assertThat(found.text()).isEqualTo(Desk.TEXT);
         });
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"a\nb.jen", "\n for x.jen", "ü ☂ 100%.jen", "file:a.jen"})
+    @DisabledOnOs(OS.WINDOWS)
+    void nameOfAnyCharacters_isFoundAsItWas(String name) throws IOException {
+        Path file = folder.resolve(name).toAbsolutePath();
+        new Recovery(kept(), CRASHED).keep(file, Desk.TEXT);
+        assertThat(new Recovery(kept()).found()).singleElement().satisfies(found -> {
+            assertThat(found.file()).isEqualTo(file);
+            assertThat(found.text()).isEqualTo(Desk.TEXT);
+        });
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void whatAnOlderVersionKept_isFound() throws IOException {
+        Files.createDirectories(kept());
+        Files.writeString(kept().resolve("x.kept.jen"), "# Lightning kept this of process 999999999999-1 for /a b.jen\n" + Desk.TEXT);
+        assertThat(new Recovery(kept()).found()).singleElement().satisfies(found -> {
+            assertThat(found.file()).isEqualTo(Path.of("/a b.jen"));
+            assertThat(found.text()).isEqualTo(Desk.TEXT);
+        });
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void whatIsKept_isItsOwnersAlone() throws IOException {
+        Files.createDirectories(kept());
+        Files.setPosixFilePermissions(kept(), PosixFilePermissions.fromString("rwxr-xr-x"));
+        new Recovery(kept(), CRASHED).keep(folder.resolve("a.jen"), Desk.TEXT);
+        assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(kept()))).isEqualTo("rwx------");
+        Path file = new Recovery(kept()).found().getFirst().kept();
+        assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file))).isEqualTo("rw-------");
     }
 
     @Test
@@ -83,6 +127,11 @@ class RecoveryTest {
         Files.createDirectories(kept());
         Files.writeString(kept().resolve("x.kept.jen"), "something else");
         Files.write(kept().resolve("y.kept.jen"), new byte[] {(byte) 0xFF});
+        Files.createDirectory(kept().resolve("z.kept.jen"));
+        for (String path : List.of("file:", "file:relative", "file://host/a.jen", "file:/a%ZZ", "a\0b", "", "http://a")) {
+            Files.writeString(kept().resolve(path.hashCode() + ".kept.jen"),
+                    "# Lightning kept this of process 999999999999-1 for " + path + "\n");
+        }
         assertThat(new Recovery(kept()).found()).isEmpty();
     }
 
@@ -121,7 +170,7 @@ class RecoveryTest {
     void folderThatCannotBeMade_isToldOnce() throws Exception {
         OpenDocument document = edited();
         Path blocked = Files.writeString(folder.resolve("blocked"), "a file");
-        var troubles = new LinkedBlockingQueue<IOException>();
+        var troubles = new LinkedBlockingQueue<Throwable>();
         var told = new CountDownLatch(1);
         try (var autosave = new Autosave(new Recovery(blocked), Duration.ZERO, e -> {
             troubles.add(e);
@@ -131,5 +180,23 @@ class RecoveryTest {
             assertThat(told.await(20, TimeUnit.SECONDS)).isTrue();
         }
         assertThat(troubles).hasSize(1);
+    }
+
+    @Test
+    void errorOfAnyKind_isToldAndTheNextEditIsKept() throws Exception {
+        OpenDocument document = edited();
+        var troubles = new LinkedBlockingQueue<Throwable>();
+        var recovery = new Recovery(kept(), CRASHED);
+        try (var autosave = new Autosave(recovery, Duration.ZERO, troubles::add)) {
+            // A scene that no text can say: files cannot name its texture.
+            Scene scene = document.scene();
+            var texture = new TextureMap("a\nb.png", 1, 1, new Texture(1, 1, new float[3]));
+            document.apply(new Change.To(scene.withMaterial(scene.materials().getFirst().withTexture(Optional.of(texture)))));
+            autosave.changed(document);
+            assertThat(troubles.poll(20, TimeUnit.SECONDS)).isInstanceOf(RuntimeException.class);
+            document.history().undo();
+            autosave.changed(document);
+            Wait.until(() -> !recovery.found().isEmpty());
+        }
     }
 }
