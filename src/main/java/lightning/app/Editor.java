@@ -17,6 +17,9 @@ import lightning.jen.JenException;
 final class Editor implements AutoCloseable {
     private static final double WIDTH = 1600;
     private static final double HEIGHT = 950;
+    /** What a window may have had: less cannot be taken hold of, more no screen has. */
+    private static final double LEAST_SIDE = 200;
+    private static final double MOST_SIDE = 32_768;
 
     private final Stage stage;
     private final Preferences preferences = new Preferences(Folders.data());
@@ -34,15 +37,15 @@ final class Editor implements AutoCloseable {
      */
     Editor(Stage stage, OpenDocument document, Executor hops, FilePrompt prompt, double mostWidth, double mostHeight) {
         this.stage = stage;
-        looks().wear();
+        preferences.choice("theme", Looks.DARK).wear();
         notices = new Notices(stage);
         model = new EditorModel(document, recovery, hops);
-        model.precisionProperty().set(precision());
-        model.viewProperty().set(model.viewProperty().get().withCurve(curve()));
+        model.precisionProperty().set(preferences.choice("precision", Precision.EXACT));
+        model.viewProperty().set(model.viewProperty().get().withCurve(preferences.choice("curve", DisplayCurve.SRGB)));
         files = new FileActions(model, prompt, notices, preferences, this::closeWindow);
         window = new EditorWindow(model, files, notices);
-        var scene = new Scene(window, Math.min(mostWidth, preferences.number("width", WIDTH)),
-                Math.min(mostHeight, preferences.number("height", HEIGHT)));
+        var scene = new Scene(window, Math.min(mostWidth, preferences.number("width", LEAST_SIDE, MOST_SIDE, WIDTH)),
+                Math.min(mostHeight, preferences.number("height", LEAST_SIDE, MOST_SIDE, HEIGHT)));
         Looks.dress(scene);
         stage.setScene(scene);
         model.situationProperty().subscribe(now ->
@@ -95,22 +98,6 @@ final class Editor implements AutoCloseable {
     /** Says that a scene could not be opened, and goes on when it was read. */
     void failed(Path file, Exception why) {
         notices.failedAndRead(file + " could not be opened", why);
-    }
-
-    private Precision precision() {
-        try {
-            return Precision.valueOf(preferences.text("precision", Precision.EXACT.name()));
-        } catch (IllegalArgumentException e) {
-            return Precision.EXACT;
-        }
-    }
-
-    private DisplayCurve curve() {
-        return preferences.text("curve", "").equals(DisplayCurve.LINEAR.name()) ? DisplayCurve.LINEAR : DisplayCurve.SRGB;
-    }
-
-    private Looks looks() {
-        return preferences.text("theme", "").equals(Looks.LIGHT.name()) ? Looks.LIGHT : Looks.DARK;
     }
 
     private void closeWindow() {

@@ -1,18 +1,26 @@
 package lightning.app;
 
 import java.io.IOException;
-import java.io.Reader;
+import java.io.InputStream;
+import java.io.StringReader;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
+import java.util.stream.Stream;
+import lightning.file.PrivateFolder;
 import lightning.file.SafeFile;
 
-/** What the editor remembers from one run to the next. A file that is missing or damaged counts as empty. */
+/**
+ * What the editor remembers from one run to the next. A value that is damaged, or beyond what its reader can use, counts
+ * as absent, and so does all of a file that cannot be read; the other values stay.
+ */
 final class Preferences {
     private static final int RECENT = 10;
+    private static final int MOST_BYTES = 1 << 20;
 
     private final Path file;
     private final Properties values = new Properties();
@@ -21,24 +29,42 @@ final class Preferences {
     Preferences(Path folder) {
         file = folder.resolve("preferences.properties");
         if (Files.isRegularFile(file)) {
-            try (Reader in = Files.newBufferedReader(file)) {
-                values.load(in);
-            } catch (IOException | IllegalArgumentException e) {
+            try (InputStream in = Files.newInputStream(file)) {
+                new String(in.readNBytes(MOST_BYTES), StandardCharsets.UTF_8).lines().forEach(this::load);
+            } catch (IOException e) {
                 values.clear();
             }
         }
     }
 
-    String text(String key, String otherwise) {
-        return values.getProperty(key, otherwise);
+    /** Each value has a line: what is wrong with one is no reason to lose the next. */
+    private void load(String line) {
+        try {
+            values.load(new StringReader(line));
+        } catch (IOException | IllegalArgumentException e) {
+            // This one is damaged.
+        }
     }
 
-    double number(String key, double otherwise) {
+    private String text(String key) {
+        return values.getProperty(key, "");
+    }
+
+    /** A number from {@code least} to {@code most}; {@code otherwise} where there is none. */
+    double number(String key, double least, double most, double otherwise) {
         try {
-            return Double.parseDouble(text(key, ""));
+            double value = Double.parseDouble(text(key));
+            // NaN is not between any two numbers.
+            return value >= least && value <= most ? value : otherwise;
         } catch (NumberFormatException e) {
             return otherwise;
         }
+    }
+
+    /** One of the values of {@code otherwise}'s type, by its name; {@code otherwise} where there is none. */
+    <E extends Enum<E>> E choice(String key, E otherwise) {
+        return Stream.of(otherwise.getDeclaringClass().getEnumConstants()).filter(e -> e.name().equals(text(key)))
+                .findFirst().orElse(otherwise);
     }
 
     void set(String key, Object value) {
@@ -49,7 +75,7 @@ final class Preferences {
     List<Path> recent() {
         List<Path> files = new ArrayList<>();
         for (int i = 0; i < RECENT; i++) {
-            String path = text("recent." + i, "");
+            String path = text("recent." + i);
             try {
                 if (!path.isEmpty()) {
                     files.add(Path.of(path));
@@ -76,8 +102,8 @@ final class Preferences {
     /** Writes them. Preferences that cannot be kept are no reason to disturb anybody. */
     void save() {
         try {
-            Files.createDirectories(file.toAbsolutePath().getParent());
-            SafeFile.write(file, out -> values.store(out, "Lightning"));
+            PrivateFolder.make(file.toAbsolutePath().getParent());
+            SafeFile.at(file).forOwnerOnly().write(out -> values.store(out, "Lightning"));
         } catch (IOException e) {
             // The next run starts without them.
         }
