@@ -28,6 +28,7 @@ final class Editor implements AutoCloseable {
     private final FileActions files;
     private final EditorModel model;
     private final EditorWindow window;
+    private final DiskBar disk;
 
     /**
      * Opens the window.
@@ -44,13 +45,15 @@ final class Editor implements AutoCloseable {
         model.viewProperty().set(model.viewProperty().get().withCurve(preferences.choice("curve", DisplayCurve.SRGB)));
         files = new FileActions(model, prompt, notices, preferences, this::closeWindow);
         window = new EditorWindow(model, files, notices);
+        disk = new DiskBar(model, hops, files::compareWithDisk);
+        window.addLine(disk);
         var scene = new Scene(window, Math.min(mostWidth, preferences.number("width", LEAST_SIDE, MOST_SIDE, WIDTH)),
                 Math.min(mostHeight, preferences.number("height", LEAST_SIDE, MOST_SIDE, HEIGHT)));
         Looks.dress(scene);
         stage.setScene(scene);
         model.situationProperty().subscribe(now ->
                 stage.setTitle((now.dirty() ? "• " : "") + model.document().name() + " – Lightning"));
-        stage.focusedProperty().subscribe(_ -> model.refresh());
+        stage.focusedProperty().subscribe(_ -> disk.look());
         stage.setOnCloseRequest(e -> {
             if (files.mayLeave()) {
                 remember();
@@ -115,6 +118,7 @@ final class Editor implements AutoCloseable {
 
     @Override
     public void close() {
+        disk.close();
         window.close();
         model.close();
     }

@@ -324,7 +324,7 @@ public final class EditorModel implements AutoCloseable {
         return command.obstacle(situation.get());
     }
 
-    /** Looks at everything anew, as when the window has the focus again: the file may have changed. */
+    /** Looks at everything anew. */
     public void refresh() {
         document.set(document());
         scene.set(scene());

@@ -4,6 +4,7 @@ import java.io.File;
 import java.util.List;
 import java.util.Optional;
 import javafx.geometry.Orientation;
+import javafx.scene.Node;
 import javafx.scene.control.SplitPane;
 import javafx.scene.input.DragEvent;
 import javafx.scene.input.TransferMode;
@@ -42,6 +43,11 @@ public final class EditorWindow extends BorderPane implements AutoCloseable {
         model.setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, window()).show());
         setOnDragOver(this::dragOver);
         setOnDragDropped(this::dropped);
+    }
+
+    /** Puts a line below the tool bar. */
+    void addLine(Node line) {
+        ((VBox) getTop()).getChildren().add(line);
     }
 
     /** The keyboard takes lights at once. */

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import javafx.scene.control.ButtonType;
@@ -22,6 +23,7 @@ final class FileActions implements AutoCloseable {
     private final Notices notices;
     private final Preferences preferences;
     private final Runnable quit;
+    private final SceneSaver saver;
     private final ExecutorService thread = Executors.newSingleThreadExecutor(task -> {
         Thread t = new Thread(task, "lightning-files");
         t.setDaemon(true);
@@ -35,10 +37,11 @@ final class FileActions implements AutoCloseable {
         this.notices = notices;
         this.preferences = preferences;
         this.quit = quit;
+        saver = new SceneSaver(model, prompt, notices, this::saved);
         model.setAction(Command.LOAD_FILE, () -> prompt.scene(model.document().file().toAbsolutePath().getParent()).ifPresent(this::load));
         model.setAction(Command.RELOAD, this::reload);
-        model.setAction(Command.SAVE_SCENE, this::save);
-        model.setAction(Command.SAVE_SCENE_AS, this::saveAs);
+        model.setAction(Command.SAVE_SCENE, saver::save);
+        model.setAction(Command.SAVE_SCENE_AS, saver::saveAs);
         model.setAction(Command.SAVE_IMAGE, this::saveImage);
     }
 
@@ -66,7 +69,7 @@ final class FileActions implements AutoCloseable {
             return true;
         }
         ButtonType answer = notices.unsaved(model.document().name()).orElse(ButtonType.CANCEL);
-        return answer == Notices.DISCARD || answer == Notices.SAVE && save();
+        return answer == Notices.DISCARD || answer == Notices.SAVE && saver.save();
     }
 
     private void reload() {
@@ -78,27 +81,9 @@ final class FileActions implements AutoCloseable {
         }
     }
 
-    /** Whether it was written. */
-    private boolean save() {
-        try {
-            model.workbench().save();
-            saved();
-            return true;
-        } catch (IOException e) {
-            notices.failed("The scene could not be saved", e);
-            return false;
-        }
-    }
-
-    private void saveAs() {
-        prompt.sceneToWrite(model.document().file()).map(f -> withEnding(f, ".jen")).ifPresent(file -> {
-            try {
-                model.workbench().saveAs(file);
-                saved();
-            } catch (IOException e) {
-                notices.failed("The scene could not be saved", e);
-            }
-        });
+    /** Shows the open scene beside its file, which somebody else changed, and asks which it shall be. */
+    void compareWithDisk() {
+        saver.askAboutBoth();
     }
 
     private void saved() {
@@ -120,8 +105,7 @@ final class FileActions implements AutoCloseable {
         Path scene = model.document().file();
         String name = model.document().name().replaceFirst("\\.jen$", "") + ".png";
         Frame frame = model.frame();
-        prompt.pictureToWrite(scene.resolveSibling(name)).map(f -> f.getFileName().toString().contains(".") ? f : withEnding(f, ".png"))
-                .ifPresent(file -> write(file, frame));
+        prompt.pictureToWrite(scene.resolveSibling(name)).flatMap(this::asPicture).ifPresent(file -> write(file, frame));
     }
 
     private void write(Path file, Frame frame) {
@@ -136,9 +120,14 @@ final class FileActions implements AutoCloseable {
         });
     }
 
-    private static Path withEnding(Path file, String ending) {
-        String name = file.getFileName().toString();
-        return name.endsWith(ending) ? file : file.resolveSibling(name + ending);
+    /** A name without an ending becomes a PNG's, about which the system did not ask. */
+    private Optional<Path> asPicture(Path chosen) {
+        String name = chosen.getFileName().toString();
+        if (name.contains(".")) {
+            return Optional.of(chosen);
+        }
+        Path file = chosen.resolveSibling(name + ".png");
+        return Files.exists(file) && !notices.mayReplace(file) ? Optional.empty() : Optional.of(file);
     }
 
     /** One for each scene opened before that is still there. */

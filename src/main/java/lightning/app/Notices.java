@@ -1,7 +1,9 @@
 package lightning.app;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import javafx.scene.Node;
 import javafx.scene.control.Alert;
 import javafx.scene.control.ButtonBar.ButtonData;
 import javafx.scene.control.ButtonType;
@@ -27,6 +29,10 @@ final class Notices {
     static final ButtonType SAVE_AS_IT_IS = new ButtonType("Save As It Is", ButtonData.YES);
     static final ButtonType RECOVER = new ButtonType("Recover", ButtonData.YES);
     static final ButtonType FORGET = new ButtonType("Discard", ButtonData.NO);
+    static final ButtonType OVERWRITE = new ButtonType("Overwrite", ButtonData.YES);
+    static final ButtonType REPLACE = new ButtonType("Replace", ButtonData.YES);
+    static final ButtonType SAVE_AS = new ButtonType("Save As…", ButtonData.OTHER);
+    static final ButtonType RELOAD = new ButtonType("Take the File's", ButtonData.NO);
     private static final ButtonType LATER = new ButtonType("Ask Later", ButtonData.CANCEL_CLOSE);
     private static final double WIDTH = 560;
     private static final double LIST_HEIGHT = 320;
@@ -83,6 +89,27 @@ final class Notices {
         return alert(Alert.AlertType.CONFIRMATION, "Recover unsaved edits of " + found.file().getFileName() + "?",
                 "Lightning ended before they were saved to " + found.file() + ".", RECOVER, FORGET, LATER)
                 .showAndWait();
+    }
+
+    /** @param both the open scene beside the file */
+    Optional<ButtonType> changed(String name, Node both) {
+        Alert alert = alert(Alert.AlertType.CONFIRMATION, name + " was changed by another program",
+                "", OVERWRITE, SAVE_AS, RELOAD, ButtonType.CANCEL);
+        alert.getDialogPane().setContent(both);
+        alert.setResizable(true);
+        return alert.showAndWait();
+    }
+
+    Optional<ButtonType> readOnly(Path file) {
+        return alert(Alert.AlertType.CONFIRMATION, "Replace " + file.getFileName() + ", which is read-only?",
+                "Somebody wanted it to stay as it is. If you replace it, it is read-only again.", REPLACE, SAVE_AS,
+                ButtonType.CANCEL).showAndWait();
+    }
+
+    /** Whether the artist wants to lose a file that is there. */
+    boolean mayReplace(Path file) {
+        return alert(Alert.AlertType.CONFIRMATION, "Replace " + file.getFileName() + "?",
+                file + " is there already.", REPLACE, ButtonType.CANCEL).showAndWait().filter(REPLACE::equals).isPresent();
     }
 
     void text(String title, String text) {

@@ -1,10 +1,13 @@
 package lightning.edit;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.FileTime;
+import java.util.EnumSet;
 import java.util.Optional;
+import java.util.Set;
+import lightning.file.ChangedFileException;
+import lightning.file.FileState;
+import lightning.file.ReadOnlyFileException;
 import lightning.jen.JenDocument;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
@@ -13,19 +16,17 @@ import lightning.scene.Scene;
 
 /** The open scene file: what it holds now, what was selected, what can be undone, and what is not saved yet. */
 public final class OpenDocument {
-    /** Of a file that does not hold what was opened. */
-    private static final FileTime NEVER = FileTime.fromMillis(0);
-
     private final History history;
     private Path file;
     private JenDocument saved;
-    private FileTime savedAt;
+    /** What the file held when it was read or written here; none where it never held what was opened. */
+    private FileState known;
+    private DiskNews news;
+    private boolean keptAgainstNews;
     private Selection selection = Selection.NONE;
 
-    private OpenDocument(Path file, FileTime savedAt, JenDocument saved) {
-        this.file = file;
-        this.savedAt = savedAt;
-        this.saved = saved;
+    private OpenDocument(Path file, FileState known, JenDocument saved) {
+        is(file, known, saved);
         history = new History(saved.scene());
     }
 
@@ -36,8 +37,17 @@ public final class OpenDocument {
      * @throws JenException if its content is wrong; holds all problems
      */
     public static OpenDocument open(Path file) throws IOException, JenException {
-        FileTime modified = lastModified(file);
-        return new OpenDocument(file, modified, JenReader.read(file));
+        // Before it is read: what comes in between then counts as another's change, and is not lost.
+        FileState known = FileState.of(file);
+        return new OpenDocument(file, known, JenReader.read(file));
+    }
+
+    private void is(Path where, FileState what, JenDocument text) {
+        file = where;
+        known = what;
+        saved = text;
+        news = new DiskNews(where, what, what, false);
+        keptAgainstNews = false;
     }
 
     /**
@@ -53,7 +63,7 @@ public final class OpenDocument {
             document.history.edit(edits.scene());
             return document;
         } catch (IOException | JenException e) {
-            return new OpenDocument(found.file(), NEVER, edits);
+            return new OpenDocument(found.file(), FileState.NONE, edits);
         }
     }
 
@@ -86,16 +96,34 @@ public final class OpenDocument {
 
     /** Whether there are edits that the file does not have. */
     public boolean isDirty() {
-        return savedAt.equals(NEVER) || !scene().equals(saved.scene());
+        return known.equals(FileState.NONE) || news.isGone() || keptAgainstNews || !scene().equals(saved.scene());
     }
 
-    /** Whether someone else wrote the file, or took it away, since it was read or saved. */
-    public boolean isChangedOnDisk() {
-        try {
-            return !lastModified(file).equals(savedAt);
-        } catch (IOException e) {
-            return true;
+    /** What the file held when it was read or written here. */
+    public FileState known() {
+        return known;
+    }
+
+    /** Takes what was seen of the file, unless that is of before it was read or written last. */
+    public void hear(DiskNews seen) {
+        if (seen.file().equals(file) && seen.known().equals(known)) {
+            news = seen;
         }
+    }
+
+    /** What was heard last of the file on disk. */
+    public DiskNews news() {
+        return news;
+    }
+
+    /** Stays with what is open here although somebody else wrote the file; saving it asks all the same. */
+    public void keepAgainstNews() {
+        keptAgainstNews = true;
+    }
+
+    /** Whether someone else wrote the file, or took it away, since it was read or saved, as far as was heard. */
+    public boolean isChangedOnDisk() {
+        return news.isChanged() || news.isGone();
     }
 
     /** Makes the edit unless it was refused; returns the reason if it was. */
@@ -129,35 +157,50 @@ public final class OpenDocument {
         return selection.light(history);
     }
 
-    /**
-     * Writes the scene to its file.
-     *
-     * @throws IOException if it cannot be written; the file is then unchanged and the document still dirty
-     */
+    /** Writes the scene to its file: {@link #save(Set)} with nothing allowed. */
     public void save() throws IOException {
-        JenDocument now = document();
-        now.save(file);
-        saved = now;
-        savedAt = lastModified(file);
+        save(Set.of());
     }
 
     /**
-     * Writes the scene to another file, which is the document's from now on.
+     * Writes the scene to its file. In all failures the file is unchanged and the document still dirty.
      *
-     * @throws IOException if it cannot be written, or could not be read again there because its textures are not found
-     *     from that folder; nothing has changed then
+     * @throws ChangedFileException  if the file holds what somebody else wrote, unless that may be overwritten
+     * @throws ReadOnlyFileException if the file is read-only, unless that may be replaced
+     * @throws IOException           if it cannot be written
      */
+    public void save(Set<Consent> allowed) throws IOException {
+        JenDocument now = document();
+        is(file, now.save(Consent.to(file, known, allowed)), now);
+    }
+
+    /** Writes the scene to another file: {@link #saveAs(Path, Set)}, with nothing allowed but what a new name allows. */
     public void saveAs(Path target) throws IOException {
+        saveAs(target, Set.of());
+    }
+
+    /**
+     * Writes the scene to another file, which is the document's from now on. To choose its own file is to {@link #save};
+     * another that is there is replaced: ask before.
+     *
+     * @throws ReadOnlyFileException if that file is read-only, unless it may be replaced
+     * @throws IOException           if it cannot be written, or could not be read again there because its textures are not
+     *                               found from that folder; nothing has changed then
+     */
+    public void saveAs(Path target, Set<Consent> allowed) throws IOException {
+        if (target.toAbsolutePath().equals(file.toAbsolutePath())) {
+            save(allowed);
+            return;
+        }
         JenDocument now = document();
         try {
             JenReader.read(now.text(), target.toString(), target.toAbsolutePath().getParent());
         } catch (JenException e) {
             throw new IOException("the scene cannot be read from there: " + e.problems().getFirst(), e);
         }
-        now.save(target);
-        file = target;
-        saved = now;
-        savedAt = lastModified(target);
+        Set<Consent> more = EnumSet.of(Consent.OVERWRITE_CHANGED);
+        more.addAll(allowed);
+        is(target, now.save(Consent.to(target, FileState.NONE, more)), now);
     }
 
     /**
@@ -167,14 +210,8 @@ public final class OpenDocument {
      * @throws JenException if its content is wrong; the open scene stays
      */
     public void reload() throws IOException, JenException {
-        FileTime modified = lastModified(file);
-        JenDocument read = JenReader.read(file);
-        saved = read;
-        savedAt = modified;
-        history.edit(read.scene());
-    }
-
-    private static FileTime lastModified(Path file) throws IOException {
-        return Files.exists(file) ? Files.getLastModifiedTime(file) : NEVER;
+        FileState now = FileState.of(file);
+        is(file, now, JenReader.read(file));
+        history.edit(saved.scene());
     }
 }

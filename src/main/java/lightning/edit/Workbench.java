@@ -3,6 +3,7 @@ package lightning.edit;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.LongFunction;
@@ -174,15 +175,27 @@ public final class Workbench implements AutoCloseable {
                 : edit(LightEdits.paste(scene(), selected.get().name(), copied.get()));
     }
 
-    /** Saves to the document's file. */
-    public void save() throws IOException {
-        document.save();
+    /** Saves to the document's file: see {@link OpenDocument#save(Set)}. */
+    public void save(Set<Consent> allowed) throws IOException {
+        document.save(allowed);
         kept();
     }
 
-    /** Saves to another file: see {@link OpenDocument#saveAs}. */
-    public void saveAs(Path file) throws IOException {
-        document.saveAs(file);
+    /** Saves to another file: see {@link OpenDocument#saveAs(Path, Set)}. */
+    public void saveAs(Path file, Set<Consent> allowed) throws IOException {
+        document.saveAs(file, allowed);
+        kept();
+    }
+
+    /** Takes what was seen of the document's file on disk. */
+    public void hear(DiskNews news) {
+        document.hear(news);
+        changed.run();
+    }
+
+    /** Stays with the open scene although its file was changed: see {@link OpenDocument#keepAgainstNews}. */
+    public void keepAgainstNews() {
+        document.keepAgainstNews();
         kept();
     }
 

@@ -8,13 +8,19 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.nio.file.attribute.FileTime;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Set;
+import lightning.file.ChangedFileException;
+import lightning.file.FileState;
+import lightning.file.ReadOnlyFileException;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 class OpenDocumentTest {
@@ -141,16 +147,95 @@ class OpenDocumentTest {
         assertThat(document.isDirty()).isTrue();
     }
 
+    /** What a watch would tell. */
+    private void look() throws IOException {
+        document.hear(new DiskNews(document.file(), document.known(), FileState.of(document.file()), false));
+    }
+
     @Test
-    void fileWrittenByOthers_isNoticed() throws Exception {
+    void fileWrittenByOthers_isChangedUntilItIsReadOrWritten() throws Exception {
+        look();
         assertThat(document.isChangedOnDisk()).isFalse();
-        Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000));
+        Files.writeString(file, Desk.TEXT + "# his\n");
+        look();
         assertThat(document.isChangedOnDisk()).isTrue();
         document.reload();
         assertThat(document.isChangedOnDisk()).isFalse();
         dial("key", 2);
         document.save();
+        look();
         assertThat(document.isChangedOnDisk()).isFalse();
+    }
+
+    @Test
+    void newsOfBeforeTheLastSave_isNotTaken() throws Exception {
+        DiskNews old = new DiskNews(file, document.known(), FileState.NONE, false);
+        dial("key", 2);
+        document.save();
+        document.hear(old);
+        assertThat(document.isChangedOnDisk()).isFalse();
+    }
+
+    @Test
+    void save_doesNotOverwriteWhatOthersWroteUnlessItMay() throws Exception {
+        dial("key", 2);
+        Files.writeString(file, Desk.TEXT + "# his\n");
+        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(document::save);
+        assertThat(file).hasContent(Desk.TEXT + "# his\n");
+        assertThat(document.isDirty()).isTrue();
+        document.save(Set.of(Consent.OVERWRITE_CHANGED));
+        assertThat(onDisk(file)).isEqualTo(document.scene());
+        dial("key", 3);
+        document.save();
+        assertThat(onDisk(file)).isEqualTo(document.scene());
+    }
+
+    @Test
+    void saveAsToItsOwnFile_isASave() throws Exception {
+        dial("key", 2);
+        Files.writeString(file, Desk.TEXT + "# his\n");
+        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> document.saveAs(file));
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void readOnlyFile_isReplacedOnlyIfItMay() throws Exception {
+        dial("key", 2);
+        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("r--r--r--"));
+        assertThatExceptionOfType(ReadOnlyFileException.class).isThrownBy(document::save);
+        assertThat(file).hasContent(Desk.TEXT);
+        document.save(Set.of(Consent.REPLACE_READ_ONLY));
+        assertThat(onDisk(file)).isEqualTo(document.scene());
+    }
+
+    @Test
+    void fileThatIsGone_leavesTheDocumentUnsavedAndIsWrittenAgain() throws Exception {
+        Files.delete(file);
+        look();
+        assertThat(document.isDirty()).isTrue();
+        document.save();
+        assertThat(document.isDirty()).isFalse();
+        assertThat(file).hasContent(Desk.TEXT);
+    }
+
+    @Test
+    void keptAgainstAnothersText_isUnsavedAndStillAsksBeforeItOverwrites() throws Exception {
+        Files.writeString(file, Desk.TEXT + "# his\n");
+        look();
+        assertThat(document.isDirty()).isFalse();
+        document.keepAgainstNews();
+        assertThat(document.isDirty()).isTrue();
+        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(document::save);
+        document.save(Set.of(Consent.OVERWRITE_CHANGED));
+        assertThat(document.isDirty()).isFalse();
+    }
+
+    @Test
+    void recoveredInPlaceOfAWrongFile_doesNotOverwriteItUnasked() throws Exception {
+        Files.writeString(file, "jen 1\nligth");
+        OpenDocument back = OpenDocument.recover(new Recovery.Found(folder.resolve("x"), file, Desk.TEXT));
+        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(back::save);
+        assertThat(file).hasContent("jen 1\nligth");
     }
 
     @Test

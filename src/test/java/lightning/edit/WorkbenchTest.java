@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Set;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
@@ -239,7 +240,7 @@ class WorkbenchTest {
         assertThat(Desk.light(bench.scene(), "sun").intensity()).isEqualTo(0.9);
         assertThat(own.found()).isEmpty();
         assertThat(filesKept()).isEqualTo(1);
-        bench.save();
+        bench.save(Set.of());
         Wait.until(() -> filesKept() == 0);
     }
 
@@ -261,9 +262,9 @@ class WorkbenchTest {
     @Test
     void savedDocument_isCleanUnderItsNewName() throws Exception {
         dial(2);
-        bench.saveAs(folder.resolve("other.jen"));
+        bench.saveAs(folder.resolve("other.jen"), Set.of());
         dial(3);
-        bench.save();
+        bench.save(Set.of());
         assertThat(Command.SAVE_SCENE.isEnabled(bench.situation())).isFalse();
         assertThat(OpenDocument.open(folder.resolve("other.jen")).scene()).isEqualTo(bench.scene());
     }
