@@ -19,16 +19,28 @@ import lightning.scene.Light;
  *
  * <pre>|I − exact| ≤ γ(N)·I/(1 − γ(N)) + A,   N = 6 + scalings·2 + 2·(⌈log₂ lights⌉ + 5 + 2·mirrors + mean)</pre>
  *
- * <p>Where a result is not normal it errs by at most η = 2⁻¹⁵⁰ instead. Scaling a contribution from
- * weight w and falloff f to w′ and f′ adds at most η·((1 + w)·f′/f + 3w′ + 2) by this: the two products and the
- * ratio of the stored value, the falloff and the two products of the exact one. What was lost before is scaled
- * along, so it stays the same share of w′·f′. The lost shares of w·f only add up, by at most
- * 4η·(w + w′ + 4)/(w′·f) with the least f of the old and new falloffs, however often a slider goes up and down.
- * As long as only weights change, no falloff need be known: then the shares are of w, and become shares of w·f when
- * falloffs change. Rows whose falloff is below the least normal float count as if it were that: they
- * are scaled no more. A channel whose weight w′ is below it was scaled once, from a normal weight, and is scaled no more
- * either: beyond its shares it is off by at most w′ + η. What closes the equation underflows by less than 64η.
- * Both are within two least normal floats for each light. A is twice the sum over the lights, for diffuse and
+ * <p>Where a result is not normal it errs by at most η = 2⁻¹⁵⁰ instead. Three times this is so:
+ *
+ * <ul>
+ * <li>A contribution that was just computed has lost digits already: w·t times η where its falloff was rounded, w·η in t·f and
+ * η in w·(t·f), together at most 2η·(w + 1). It has the same bits as the exact one; but once it is scaled, the loss is
+ * scaled along, and the exact one's is not. As a share of w this is 2η·(w + 1)/w.
+ * <li>Scaling it from weight w and falloff f to w′ and f′ adds at most η·(1 + w) by the ratio of the weights and the product
+ * with it, which the second factor f′/f scales along, and η·(1 + w′) by that factor and its product.
+ * <li>The exact contribution of w′ and f′ has lost 2η·(w′ + 1) of its own.
+ * </ul>
+ *
+ * <p>What was lost before a scaling is scaled along, so it stays the same share of w′·f′. The last two together are a share of
+ * at most 4η·(w + w′ + 4)/(w′·f) with the least f of the old and new falloffs, and only add up, however often a slider
+ * goes up and down. As long as only weights change, no falloff need be known: then the shares are of w, and become shares
+ * of w·f when falloffs change. Some rows of a layer may be younger than its stamp tells: they entered a cone, their
+ * material changed, or their tile was computed anew. So before each scaling the share is at least that of a contribution
+ * just computed for the light as it was.
+ *
+ * <p>Rows whose falloff is below the least normal float count as if it were that: no ratio of falloffs scales them any more,
+ * and of weights no falloff need be known. A channel whose weight w′ is below it was scaled once, from a normal weight, and
+ * is scaled no more either: beyond its shares it is off by at most w′ + η. What closes the equation underflows by less than
+ * 64η. Both are within two least normal floats for each light. A is twice the sum over the lights, for diffuse and
  * specular contributions, on each level of mirrors.
  */
 final class RatioBound {
@@ -47,10 +59,15 @@ final class RatioBound {
     static LayerStamp scaled(LayerStamp before, Light light, boolean weight, boolean falloff, double leastFalloff) {
         int scalings = (weight ? 1 : 0) + (falloff ? 1 : 0);
         double lost = scalings == 0 ? 0 : 4 * TINY * (weight(before.light()) + weight(light) + 4) / leastWeight(light);
-        double ofWeight = before.lostOfWeight() + lost;
+        double ofWeight = Math.max(before.lostOfWeight(), lostAtOnce(before.light())) + lost;
         return new LayerStamp(light, before.roundings() + 2 * scalings,
                 falloff ? before.lostOfContribution() + ofWeight / leastFalloff : before.lostOfContribution(),
                 falloff ? 0 : ofWeight);
+    }
+
+    /** What contributions lose that are computed and not scaled, as a share of the weight. */
+    private static double lostAtOnce(Light light) {
+        return 2 * TINY * (weight(light) + 1) / leastWeight(light);
     }
 
     private static double weight(Light light) {
@@ -61,7 +78,8 @@ final class RatioBound {
     private static double leastWeight(Light light) {
         double least = Double.POSITIVE_INFINITY;
         for (double channel : new double[] {light.color().r(), light.color().g(), light.color().b()}) {
-            double w = channel * light.intensity();
+            // Rounded as the contributions' weight is.
+            float w = (float) (channel * light.intensity());
             least = w >= Float.MIN_NORMAL ? Math.min(least, w) : least;
         }
         return least;

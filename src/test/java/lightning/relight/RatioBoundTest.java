@@ -39,14 +39,35 @@ class RatioBoundTest {
         assertThat(RatioBound.scaled(before, ONE, false, false, 1)).isEqualTo(before);
     }
 
-    /** Weight 1 to 8, 4 and 2: 4η·(1 + 8 + 4)/2 as a share of the least channel's weight. */
+    /**
+     * Weight 1 to 8, 4 and 2: 4η·(1 + 8 + 4)/2 as a share of the least channel's weight, and before it 2η·(1 + 1) of the
+     * weight 1 by which the contributions were made.
+     */
     @Test
     void scaledWeight_costsTwoRoundingsAndAShareOfTheWeight() {
         Light wanted = light(4, 2, 1);
         LayerStamp after = RatioBound.scaled(LayerStamp.fresh(ONE), wanted, true, false, 1);
-        assertThat(after).isEqualTo(new LayerStamp(wanted, 2, 0, 4 * ETA * 13 / 2));
+        assertThat(after).isEqualTo(new LayerStamp(wanted, 2, 0, 4 * ETA + 4 * ETA * 13 / 2));
         assertThat(RatioBound.scaled(after, wanted, true, false, 1).lostOfWeight()).as("adds up")
-                .isEqualTo(4 * ETA * 13 / 2 + 4 * ETA * 20 / 2);
+                .isEqualTo(4 * ETA + 4 * ETA * 13 / 2 + 4 * ETA * 20 / 2);
+    }
+
+    /** Made by weights 8 and 2⁻¹⁰⁰, so the loss of 2η·(8 + 1) is 2¹⁰⁰ times that as a share of the dim channel; scaled by 1/2. */
+    @Test
+    void contributionsOfASmallWeight_haveLostAShareWhenTheyWereMade() {
+        Light bright = light(4, 0x1p-101, 0);
+        double lost = 2 * ETA * 9 * 0x1p100;
+        LayerStamp after = RatioBound.scaled(LayerStamp.fresh(bright), bright.withIntensity(1), true, false, 1);
+        assertThat(after.lostOfWeight()).isEqualTo(lost + 4 * ETA * 16 * 0x1p101);
+    }
+
+    /** Rows that enter the cone now lost more than all that was scaled before; with no ray, no falloff and no weight changed. */
+    @Test
+    void layerThatGetsNewRows_isTakenForOneThatWasJustComputed() {
+        LayerStamp before = new LayerStamp(ONE, 4, 0x1p-120, 0);
+        LayerStamp after = RatioBound.scaled(before, ONE, true, false, 1);
+        assertThat(after.lostOfWeight()).isEqualTo(4 * ETA + 4 * ETA * 6);
+        assertThat(after.lostOfContribution()).isEqualTo(0x1p-120);
     }
 
     /** With the falloff down to 2⁻¹⁰ what was lost of the weight becomes a share of weight and falloff. */
@@ -62,10 +83,10 @@ class RatioBoundTest {
     @Test
     void channelBelowTheLeastNormalFloat_doesNotCount() {
         LayerStamp fresh = LayerStamp.fresh(ONE);
-        assertThat(RatioBound.scaled(fresh, light(1, 0, 1e-40), true, false, 1).lostOfWeight()).isEqualTo(4 * ETA * 7 / 2);
-        assertThat(RatioBound.scaled(fresh, light(1e-40, 0, 0), true, false, 1).lostOfWeight()).isZero();
+        assertThat(RatioBound.scaled(fresh, light(1, 0, 1e-40), true, false, 1).lostOfWeight()).isEqualTo(4 * ETA + 4 * ETA * 7 / 2);
+        assertThat(RatioBound.scaled(fresh, light(1e-40, 0, 0), true, false, 1).lostOfWeight()).isEqualTo(4 * ETA);
         double least = Float.MIN_NORMAL / 2;
-        assertThat(RatioBound.scaled(fresh, light(1, 1, least), true, false, 1).lostOfWeight()).isEqualTo(4 * ETA * 7 / Float.MIN_NORMAL);
+        assertThat(RatioBound.scaled(fresh, light(1, 1, least), true, false, 1).lostOfWeight()).isEqualTo(4 * ETA + 4 * ETA * 7 / Float.MIN_NORMAL);
     }
 
     /** 6 roundings of the two contributions, 4 of two scalings, and twice: the levels of the sum, 5 to close, 2 a mirror. */

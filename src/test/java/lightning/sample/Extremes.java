@@ -1,0 +1,135 @@
+package lightning.sample;
+
+import java.util.List;
+import java.util.Optional;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.scene.Antialias;
+import lightning.scene.Attenuation;
+import lightning.scene.Camera;
+import lightning.scene.Light;
+import lightning.scene.Material;
+import lightning.scene.Node;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
+import lightning.scene.Sampling;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.World;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.Tuple;
+
+/**
+ * Small scenes and edits whose weights, falloffs and highlights lie anywhere between the largest that a scene may hold and
+ * what a float can no longer tell from 0: each power of ten is as likely as any other.
+ */
+final class Extremes {
+    /** The power of ten below the least float. */
+    private static final double NOTHING = -46;
+
+    private Extremes() {}
+
+    static Arbitrary<List<Edit>> edits() {
+        return edit().list().ofMinSize(1).ofMaxSize(10);
+    }
+
+    static Arbitrary<Scene> scenes() {
+        Arbitrary<List<Material>> materials = Combinators.combine(material("m0"), material("m1")).as(List::of);
+        Arbitrary<Picture> pictures = Combinators.combine(Arbitraries.integers().between(0, 2), Arbitraries.frequencyOf(
+                Tuple.of(4, Arbitraries.of(Sampling.DEFAULT)), Tuple.of(1, Arbitraries.of(new Sampling(Antialias.EDGES, 2),
+                        new Sampling(Antialias.EVERY, 2))))).as((depth, sampling) -> new Picture(9, 7, depth, sampling));
+        return Combinators.combine(lights().list().ofMinSize(1).ofMaxSize(2), pictures, materials, worlds())
+                .as((seeds, picture, materials2, world) -> {
+                    Scene scene = new Scene(picture, new Camera(new Vec3(0, 2, 7), Vec3.ZERO, Vec3.Y, 40), world, materials2, nodes(), List.of());
+                    for (LightSeed seed : seeds) {
+                        scene = new Edit.Add(scene.lights().size(), seed).apply(List.of(scene));
+                    }
+                    return scene;
+                });
+    }
+
+    private static List<Node> nodes() {
+        return List.of(new Shape.Plane("floor", "m0", new Placement(new Vec3(0, -1, 0), Vec3.ZERO, new Vec3(9, 1, 9))),
+                new Shape.Sphere("ball", "m1", Placement.IDENTITY));
+    }
+
+    /** Mostly dark, where nothing hides an error. */
+    private static Arbitrary<World> worlds() {
+        return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(new World(0, Rgb.BLACK))), Tuple.of(1, SceneArbitraries.worlds()));
+    }
+
+    private static Arbitrary<Double> powers(double least, double most) {
+        return Numbers.between(least, most).map(exponent -> Math.pow(10, exponent));
+    }
+
+    private static Arbitrary<Double> powersOr(double least, double most, Double... special) {
+        return Arbitraries.frequencyOf(Tuple.of(2, Arbitraries.of(special)), Tuple.of(5, powers(least, most)));
+    }
+
+    private static Arbitrary<Double> intensities() {
+        return powersOr(NOTHING, 30, 0.0, 1.0, 1.0, 1e30);
+    }
+
+    private static Arbitrary<Rgb> colors() {
+        Arbitrary<Double> channel = powersOr(NOTHING, 3, 0.0, 1.0, 1.0, 1e3);
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Rgb.WHITE)),
+                Tuple.of(1, Combinators.combine(channel, channel, channel).as(Rgb::new)));
+    }
+
+    private static Arbitrary<Attenuation> attenuations() {
+        Arbitrary<Double> factor = powersOr(-30, 30, 0.0, 0.0, 0.0, 1.0, 1e30);
+        return Combinators.combine(factor, factor, factor).as(Attenuation::new);
+    }
+
+    private static Arbitrary<Double> exponents() {
+        return powersOr(-3, 6, 0.0, 1.0, 1e6);
+    }
+
+    /** Near, and so far that the square of the distance takes a falloff below the least normal float. */
+    private static Arbitrary<Place> places() {
+        Arbitrary<Place> near = Numbers.vectors(Numbers.between(-4, 4), Numbers.between(1, 6), Numbers.between(-4, 4)).map(Place.Near::new);
+        Arbitrary<Place> far = Combinators.combine(Numbers.vectors(Numbers.between(-1, 1), Numbers.between(0.5, 1), Numbers.between(-1, 1)), powers(1, 10))
+                .as((way, length) -> new Place.Near(way.times(length)));
+        return Arbitraries.frequencyOf(Tuple.of(3, near), Tuple.of(1, far));
+    }
+
+    private static Arbitrary<LightSeed> lights() {
+        return Combinators.combine(LightArbitraries.types(), colors(), intensities(), attenuations(), LightArbitraries.angles(), exponents(),
+                places(), LightArbitraries.aims())
+                .as((type, color, intensity, attenuation, angle, dropoff, at, aim) -> new LightSeed(Light.of("l", type).withColor(color)
+                        .withIntensity(intensity).withAttenuation(attenuation).withAngle(angle).withDropoff(dropoff), at, aim));
+    }
+
+    private static Arbitrary<Material> material(String name) {
+        return Combinators.combine(Numbers.colors(), Numbers.colors(), exponents(), Numbers.colors()).as((diffuse, specular, shininess,
+                reflective) -> new Material(name, Rgb.grey(0.1), diffuse, specular, shininess, reflective, Optional.empty()));
+    }
+
+    private static Arbitrary<Edit> edit() {
+        return Arbitraries.frequencyOf(Tuple.of(8, single()),
+                Tuple.of(1, single().list().ofMinSize(2).ofMaxSize(3).map(Edit.Together::new)));
+    }
+
+    private static Arbitrary<Edit> single() {
+        return Arbitraries.frequencyOf(
+                Tuple.of(12, Combinators.combine(Arbitraries.integers().between(0, 1), changes()).as(Edit.OfLight::new)),
+                Tuple.of(2, Combinators.combine(Arbitraries.integers().between(0, 1), exponents().map(MaterialChange.Shininess::new))
+                        .as(Edit.OfMaterial::new)),
+                Tuple.of(2, EditArbitraries.edits()),
+                Tuple.of(2, Arbitraries.integers().between(1, 4).map(Edit.Undo::new)));
+    }
+
+    private static Arbitrary<LightChange> changes() {
+        return Arbitraries.frequencyOf(
+                Tuple.of(3, colors().map(LightChange.Color::new)),
+                Tuple.of(6, intensities().map(LightChange.Intensity::new)),
+                Tuple.of(4, attenuations().map(LightChange.Fading::new)),
+                Tuple.of(3, exponents().map(LightChange.Dropoff::new)),
+                Tuple.of(2, LightArbitraries.angles().map(LightChange.Angle::new)),
+                Tuple.of(1, LightArbitraries.types().map(LightChange.Type::new)),
+                Tuple.of(1, places().map(LightChange.Move::new)),
+                Tuple.of(1, Arbitraries.of(new LightChange.SwitchOn())));
+    }
+}
