@@ -26,7 +26,7 @@ record Promise(Film oracle, double bound) {
     static Promise of(Renderer renderer, Update update, Workers workers, Progress progress) {
         double bound = renderer.options().accuracy() == Accuracy.EXACT ? 0 : update.errorBound();
         if (renderer.options().view().equals(ViewEffects.ALL)) {
-            var tracer = new TraditionalTracer(renderer.cache().sight(), renderer.cache().sampled(), renderer.cache().geometry());
+            var tracer = new TraditionalTracer(renderer.scene(), renderer.cache().mirroredScene(), renderer.cache().geometry());
             return new Promise(tracer.trace(workers, progress).film(), bound);
         }
         try (Renderer fresh = new Renderer(renderer.options())) {

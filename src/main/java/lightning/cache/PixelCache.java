@@ -19,7 +19,6 @@ public final class PixelCache {
     private final CachedTile[] tiles;
     private final FineTile[] fine;
     private final Sight sight;
-    private final Sight sampled;
     private final LayerStamp[] stamps;
     private final LayerStamp[] mirroredStamps;
 
@@ -27,18 +26,16 @@ public final class PixelCache {
      * @param tiles          the pixels' centres; none where all pixels have several samples
      * @param fine           finer samples of each tile; none without anti-aliasing
      * @param sight          what the film and the first level show, and what the mirror levels and Cr show
-     * @param sampled        the picture whose samples these are; another than {@code sight} only at level ratio
      * @param stamps         for each light of the scene the light that its layer was computed for,
      *                       null where there is no layer
      * @param mirroredStamps the same for the mirrored scene
      */
-    public PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fine, Sight sight, Sight sampled, LayerStamp[] stamps,
+    public PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fine, Sight sight, LayerStamp[] stamps,
             LayerStamp[] mirroredStamps) {
         this.geometry = geometry;
         this.tiles = tiles;
         this.fine = fine;
         this.sight = sight;
-        this.sampled = sampled;
         this.stamps = stamps;
         this.mirroredStamps = mirroredStamps;
     }
@@ -101,11 +98,6 @@ public final class PixelCache {
     /** What the film and the mirrors show. */
     public Sight sight() {
         return sight;
-    }
-
-    /** The picture whose samples are used: at level ratio they stay until contributions are refreshed. */
-    public Sight sampled() {
-        return sampled;
     }
 
     /** The light that layer {@code l} of the first level was computed for, or null. */

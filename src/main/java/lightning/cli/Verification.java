@@ -29,8 +29,8 @@ record Verification(Difference promised, Difference current, boolean stale, doub
         var geometry = renderer.cache().geometry();
         Difference current = Difference.of(film, new TraditionalTracer(scene, geometry).trace(workers, progress).film());
         boolean stale = !mirrored.equals(scene);
-        Difference promised = !stale && renderer.cache().sampled().equals(renderer.cache().sight()) ? current : Difference.of(film,
-                new TraditionalTracer(renderer.cache().sight(), renderer.cache().sampled(), geometry).trace(workers, progress).film());
+        Difference promised = !stale ? current : Difference.of(film,
+                new TraditionalTracer(scene, mirrored, geometry).trace(workers, progress).film());
         return new Verification(promised, current, stale, renderer.options().accuracy() == Accuracy.EXACT ? 0 : update.errorBound());
     }
 

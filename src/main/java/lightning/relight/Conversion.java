@@ -31,12 +31,9 @@ import lightning.trace.PacketTracer;
  */
 record Conversion(PixelCache cache, Options to) {
 
-    /**
-     * Whether a picture can be converted: not where mirror levels are kept as hit shapes, whose rows are gone, and not
-     * where its finer samples are an older picture's.
-     */
+    /** Whether a picture can be converted: not where mirror levels are kept as hit shapes, whose rows are gone. */
     static boolean serves(PixelCache cache) {
-        return cache.sampled().equals(cache.sight()) && cache.all().stream().allMatch(tile -> tile.hitShapes.length == 0);
+        return cache.all().stream().allMatch(tile -> tile.hitShapes.length == 0);
     }
 
     /** What it does, as a plan. */
@@ -81,7 +78,7 @@ record Conversion(PixelCache cache, Options to) {
         for (Tiles thread : threads) {
             work = work.plus(thread.work());
         }
-        return new Result(new PixelCache(cache.geometry(), tiles, fine, cache.sight(), cache.sampled(), fresh(cache.stamps()),
+        return new Result(new PixelCache(cache.geometry(), tiles, fine, cache.sight(), fresh(cache.stamps()),
                 fresh(cache.mirroredStamps())), work);
     }
 

@@ -27,7 +27,7 @@ final class FineWorker {
     private final EdgeMap known;
 
     /**
-     * @param edges the edges that there are now; unread where all pixels have several samples or samples stay
+     * @param edges the edges that there are now; unread where all pixels have several samples
      * @param known the edges of the picture before, or null
      */
     FineWorker(Job job, TileWorker worker, EdgeMap edges, EdgeMap known) {

@@ -6,6 +6,7 @@ import lightning.image.Film;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.shading.BranchSums;
+import lightning.shading.ConeChange;
 import lightning.shading.Lamp;
 import lightning.shading.LightLayer;
 import lightning.shading.Progress;
@@ -18,11 +19,9 @@ import lightning.trace.Geometry;
  * @param mirrored what the mirror levels shall show: the same where they are updated too, and in a first pass
  * @param top      the update of the first level; null in a first pass
  * @param mirrors  the update of the mirror levels; null where they stay, and in a first pass
- * @param coding   whether anti-aliasing looks for edges anew
- * @param codingMirrors whether it looks for them in all mirror images too, whether or not they change
+ * @param coding   whether anti-aliasing looks for edges
  */
-record Job(Shown shown, Shown mirrored, Options options, Level top, Level mirrors, boolean coding, boolean codingMirrors,
-        Progress progress) {
+record Job(Shown shown, Shown mirrored, Options options, Level top, Level mirrors, boolean coding, Progress progress) {
 
     /**
      * What levels show.
@@ -118,13 +117,21 @@ record Job(Shown shown, Shown mirrored, Options options, Level top, Level mirror
             return layers;
         }
 
-        /** Whether anti-aliasing may see other edges of lights than before. */
+        /** Whether anti-aliasing may see other edges of lights than before: it sees neither weights nor falloffs. */
         boolean recodes(TileLevel old, LightLayer[] layers) {
             boolean same = !plan.compose() && plan.materials().isEmpty();
             for (int l = 0; same && l < lamps.length; l++) {
-                same = layers[l] == old.layers()[l] && darkBefore[l] == lamps[l].isDark();
+                same = (layers[l] == old.layers()[l] || keepsStates(plan.layers().get(l).update())) && darkBefore[l] == lamps[l].isDark();
             }
             return !same;
+        }
+
+        private static boolean keepsStates(LightUpdate update) {
+            return switch (update) {
+                case LightUpdate.Keep _, LightUpdate.Reweight _, LightUpdate.Refresh _ -> true;
+                case LightUpdate.Partial p -> p.cone() == ConeChange.NONE;
+                case LightUpdate.FullRecompute _ -> false;
+            };
         }
 
         /** Whether any row's colour may differ from before, its mirror image left out. */

@@ -182,13 +182,13 @@ public final class Renderer implements AutoCloseable {
         work = work.plus(switch (plan) {
             case UpdatePlan.Nothing _ -> Work.NONE;
             case UpdatePlan.FirstPass _ -> firstPass(wanted, progress);
-            case UpdatePlan.Relight relight -> relight(relight, wanted, false, progress);
+            case UpdatePlan.Relight relight -> relight(relight, wanted, progress);
         });
         known = options.accuracy();
         ErrorBound bound = ErrorBound.of(cache);
         boolean refreshed = bound.shows(exposure, curve);
         if (refreshed) {
-            work = work.plus(relight(Dispatcher.refresh(cache), cache.scene(), true, progress));
+            work = work.plus(relight(Dispatcher.refresh(cache), cache.scene(), progress));
             bound = ErrorBound.of(cache);
         }
         return new Update(told, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(), System.nanoTime() - start,
@@ -212,35 +212,24 @@ public final class Renderer implements AutoCloseable {
         for (int l = 0; l < stamps.length; l++) {
             stamps[l] = shown.lamps()[l].isDark() ? null : LayerStamp.fresh(shown.lamps()[l].light());
         }
-        TileRun run = new TileRun(new Job(shown, shown, options, null, null, coding, coding, progress), workers, null);
-        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), Sight.of(wanted), Sight.of(wanted), stamps, stamps);
+        TileRun run = new TileRun(new Job(shown, shown, options, null, null, coding, progress), workers, null);
+        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), Sight.of(wanted), stamps, stamps);
         return run.work();
     }
 
-    private Work relight(UpdatePlan.Relight plan, Scene wanted, boolean refreshed, Progress progress) {
+    private Work relight(UpdatePlan.Relight plan, Scene wanted, Progress progress) {
         PixelCache old = cache;
         boolean mirrors = plan.mirrors() != null;
         Job.Shown shown = Job.Shown.of(old.geometry(), wanted);
         Job.Shown mirrored = mirrors ? shown : Job.Shown.of(old.geometry(), old.mirroredScene());
-        boolean seeksEdges = wanted.picture().sampling().antialias() == Antialias.EDGES;
-        boolean coding = seeksEdges && (refreshed || options.accuracy() == Accuracy.EXACT || plan.resampled()
-                || plan.depthFrom() != plan.depthTo());
         Job job = new Job(shown, mirrored, options, Job.Level.of(plan.top(), old.scene(), shown.lamps(), drag),
-                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), shown.lamps(), mirroredDrag) : null, coding,
-                coding && (mirrors || mirrorsMovedUnder(old)), progress);
+                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), shown.lamps(), mirroredDrag) : null,
+                wanted.picture().sampling().antialias() == Antialias.EDGES, progress);
         TileRun run = new TileRun(job, workers, old);
-        Sight sampled = seeksEdges && !coding ? old.sampled()
-                : new Sight(wanted, mirrors || job.codingMirrors() ? mirrored.scene() : old.sampled().mirrored());
-        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), new Sight(wanted, mirrored.scene()), sampled,
+        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), new Sight(wanted, mirrored.scene()),
                 stamps(plan.top(), run.leastFalloff()),
                 mirrors ? stamps(plan.mirrors(), run.leastFalloff()) : old.mirroredStamps());
         return run.work();
-    }
-
-    /** Whether a material began or ceased to mirror while the samples stayed. */
-    private static boolean mirrorsMovedUnder(PixelCache cache) {
-        Geometry sampled = cache.geometry().of(cache.sampled().scene());
-        return !MaterialDifference.between(sampled.materials(), cache.geometry().materials()).mirrors().isEmpty();
     }
 
     private LayerStamp[] stamps(LevelPlan plan, double leastFalloff) {

@@ -126,7 +126,7 @@ final class TileWorker {
         if (job.progress().isCancelled()) {
             return null;
         }
-        boolean mirrorsStay = job.mirrors() == null && order == null && !(job.codingMirrors() && codes);
+        boolean mirrorsStay = job.mirrors() == null && order == null;
         boolean coded = job.coding() && codes && (!mirrorsStay || job.top().recodes(sorted, top.layers()));
         begin(coded, top);
         Mirrors mirrors = mirrorsStay ? new Mirrors(old.levels, old.hitShapes, old.mirrored) : updateMirrors(old, top, order, coded);

@@ -17,7 +17,6 @@ public final class TraditionalTracer {
     private final Scene scene;
     private final Scene mirrored;
     private final Sampling sampling;
-    private final TraditionalTracer sampled;
 
     /** Prepares a trace, the tree of boxes included. */
     public TraditionalTracer(Scene scene) {
@@ -40,20 +39,9 @@ public final class TraditionalTracer {
      * @throws IllegalArgumentException if the geometry does not serve both
      */
     public TraditionalTracer(Scene scene, Scene mirrored, Geometry geometry) {
-        this(new Sight(scene, mirrored), null, geometry);
-    }
-
-    /**
-     * Prepares a trace over the samples that another picture has: what a picture must be whose samples stay (level ratio).
-     *
-     * @param sampled the picture whose samples are taken; null for the picture's own
-     * @throws IllegalArgumentException if the geometry is not that of all scenes
-     */
-    public TraditionalTracer(Sight sight, Sight sampled, Geometry geometry) {
-        scene = sight.scene();
-        mirrored = sight.mirrored();
-        this.sampled = sampled == null || sampled.equals(sight) ? this : new TraditionalTracer(sampled, null, geometry);
-        sampling = this.sampled.scene.picture().sampling();
+        this.scene = scene;
+        this.mirrored = mirrored;
+        sampling = scene.picture().sampling();
         this.geometry = geometry.of(scene);
         mirroredGeometry = geometry.of(mirrored);
     }
@@ -106,21 +94,15 @@ public final class TraditionalTracer {
             wanted[tile] = true;
         }
         EdgeCodes[] codes = new EdgeCodes[film.tileCount()];
-        TileTracer[] coders = sampled == this ? threads : sampled.threads(workers);
         // What is traced for its codes alone goes to a film that nobody sees.
-        Film beside = seen.length == tiles.length && sampled == this ? film : Film.black(film.width(), film.height());
-        Film aside = sampled == this ? film : beside;
+        Film beside = seen.length == tiles.length ? film : Film.black(film.width(), film.height());
         workers.run(seen.length, (worker, i) -> {
             int tile = seen[i];
-            codes[tile] = coders[worker].coded(wanted[tile] ? aside : beside, tile, progress);
+            codes[tile] = threads[worker].coded(wanted[tile] ? film : beside, tile, progress);
         }, progress.part(0, seen.length + tiles.length));
         EdgeMap map = new EdgeMap(film.width(), film.height(), codes);
-        workers.run(tiles.length, (worker, i) -> {
-            if (sampled != this) {
-                threads[worker].centers(film, tiles[i], progress);
-            }
-            threads[worker].fine(film, tiles[i], map.edges(tiles[i]), progress);
-        }, progress.part(seen.length, seen.length + tiles.length));
+        workers.run(tiles.length, (worker, i) -> threads[worker].fine(film, tiles[i], map.edges(tiles[i]), progress),
+                progress.part(seen.length, seen.length + tiles.length));
     }
 
     private TileTracer[] threads(Workers workers) {

@@ -2,7 +2,7 @@ package lightning.relight;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.Arrays;
+import java.util.List;
 import java.util.Set;
 import lightning.cache.PixelCache;
 import lightning.effects.Effect;
@@ -13,6 +13,7 @@ import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.sample.StudioScene;
 import lightning.scene.Antialias;
+import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Sampling;
@@ -171,24 +172,32 @@ class AntialiasTest {
         }
     }
 
-    @Test
-    void ratio_keepsItsSamplesUntilTheRefresh() {
+    @ParameterizedTest
+    @EnumSource(Accuracy.class)
+    void movedLight_bringsItsOwnSamplesAtBothLevels(Accuracy accuracy) {
         Scene scene = studio(Antialias.EDGES);
         Scene moved = scene.withLight(key(scene).withPosition(new Vec3(-1, 4, 3)));
-        try (Renderer renderer = renderer(scene, Accuracy.RATIO)) {
+        try (Renderer renderer = renderer(scene, accuracy)) {
             Update update = renderer.render(moved, Progress.NONE);
-            assertThat(update.rays().eye()).isZero();
-            assertThat(renderer.cache().sampled().scene()).isEqualTo(scene);
-            Scene edited = moved;
-            for (int i = 0; !update.refreshed(); i++) {
-                edited = edited.withLight(key(edited).withIntensity(i % 2 == 0 ? 1.5 : 0.7));
-                update = renderer.render(edited, Progress.NONE);
+            assertThat(update.rays().eye()).isPositive();
+            assertThat(update.errorBound()).isZero();
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(moved, scene).trace(), "antialias-moved-" + accuracy);
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(Accuracy.class)
+    void weightAndFalloffOfALight_moveNoSampleAtBothLevels(Accuracy accuracy) {
+        Scene scene = studio(Antialias.EDGES);
+        Light key = key(scene);
+        List<Light> edits = List.of(key.withIntensity(0.5), key.withColor(new Rgb(1, 0.2, 0.1)), key.withAttenuation(new Attenuation(1, 0.1, 0)));
+        try (Renderer renderer = renderer(scene, accuracy)) {
+            for (Light edit : edits) {
+                Update update = renderer.render(scene.withLight(edit), Progress.NONE);
+                assertThat(update.rays().all()).isZero();
+                double error = FilmErrors.largestError(renderer.film(), new ReferenceTracer(scene.withLight(edit), scene).trace());
+                assertThat(error).isLessThanOrEqualTo(update.errorBound());
             }
-            assertThat(update.rays().eye()).as("after the refresh").isPositive();
-            assertThat(renderer.cache().sampled().scene()).isEqualTo(edited);
-            float[] exact = new ReferenceTracer(edited, scene).trace().toScanlines();
-            float[] film = renderer.film().toScanlines();
-            assertThat(Arrays.mismatch(exact, film)).isEqualTo(-1);
         }
     }
 }

@@ -9,9 +9,9 @@ import lightning.shading.Sight;
 final class Oracle {
     private Oracle() {}
 
-    /** The picture that a cache claims to show, over its own samples. */
+    /** The picture that a cache claims to show. */
     static Film of(PixelCache cache) {
-        return reference(cache.sight()).trace(reference(cache.sampled()));
+        return reference(cache.sight()).trace();
     }
 
     static ReferenceTracer reference(Sight sight) {
