@@ -4,7 +4,18 @@ package lightning.accuracy;
 public final class BrokenPromise extends RuntimeException {
     private static final long serialVersionUID = 1;
 
-    BrokenPromise(String message) {
+    private BrokenPromise(String message) {
         super(message);
+    }
+
+    /**
+     * Requires that a level's picture is what it promises.
+     *
+     * @throws BrokenPromise if it is not; the message says how far it is off
+     */
+    static void require(Verification verification, Level level) {
+        if (!verification.isKept()) {
+            throw new BrokenPromise("level " + level.label() + ": " + verification.text() + "; not measured");
+        }
     }
 }

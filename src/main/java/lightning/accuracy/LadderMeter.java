@@ -3,9 +3,11 @@ package lightning.accuracy;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.cache.PixelCache;
+import lightning.effects.ViewEffects;
 import lightning.image.Film;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
+import lightning.shading.Sight;
 import lightning.shading.TraditionalTracer;
 import lightning.shading.Workers;
 
@@ -56,9 +58,9 @@ public final class LadderMeter implements AutoCloseable {
         var tracer = new TraditionalTracer(after, levels.getLast().geometry());
         TraditionalTracer.Result full = tracer.trace(workers, silent);
         // What shows the scene as it is must be the very picture that it is measured beside.
-        Promise same = new Promise(full.film(), 0);
+        var same = new Promise(Sight.of(after), ViewEffects.ALL, 0);
         levels.stream().filter(level -> level.level() == Level.EXACT_UPDATED || level.level() == Level.EXACT_CURRENT)
-                .forEach(level -> same.require(level.film(), level.level()));
+                .forEach(level -> BrokenPromise.require(same.verify(level.film(), workers, silent), level.level()));
         List<Turns.Turn<RuntimeException>> works = new ArrayList<>();
         levels.forEach(level -> works.add(() -> level.edit(after, silent)));
         works.add(() -> Turns.time(() -> tracer.trace(workers, silent)));

@@ -1,55 +1,91 @@
 package lightning.accuracy;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import java.util.Locale;
+import java.util.concurrent.CancellationException;
+import lightning.effects.ViewEffects;
 import lightning.image.Difference;
 import lightning.image.Film;
 import lightning.relight.Accuracy;
+import lightning.relight.Options;
+import lightning.relight.Reflections;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
-import lightning.scene.Scene;
+import lightning.scene.VisiblePart;
 import lightning.shading.Progress;
+import lightning.shading.Sight;
 import lightning.shading.TraditionalTracer;
-import lightning.effects.ViewEffects;
 import lightning.shading.Workers;
+import lightning.trace.Geometry;
 
 /**
- * What a renderer's picture must be.
+ * What a picture is said to be: the one promise that the status line, Verify, {@code relight --verify}, the harness and the
+ * tests speak of.
  *
- * @param oracle a trace from nothing of what the renderer claims to show
- * @param bound  how far a value may be off, linear; 0 where every bit must agree
+ * @param sight what the picture and its mirrors show
+ * @param view  which effects are shown; all of them in a picture
+ * @param bound how far a value may be off, linear, finite; 0 where every bit must agree with a full trace of the sight
  */
-record Promise(Film oracle, double bound) {
+public record Promise(Sight sight, ViewEffects view, double bound) {
 
-    /**
-     * The promise for a renderer's last update. Where all effects are shown, the oracle is a full trace that keeps nothing, its
-     * mirrors and samples those of the picture; else a first pass with the same effects.
-     */
-    static Promise of(Renderer renderer, Update update, Workers workers, Progress progress) {
-        double bound = renderer.options().accuracy() == Accuracy.EXACT ? 0 : update.errorBound();
-        if (renderer.options().view().equals(ViewEffects.ALL)) {
-            var tracer = new TraditionalTracer(renderer.scene(), renderer.cache().mirroredScene(), renderer.cache().geometry());
-            return new Promise(tracer.trace(workers, progress).film(), bound);
-        }
-        try (Renderer fresh = new Renderer(renderer.options())) {
-            Scene shown = renderer.scene();
-            fresh.render(shown, progress);
-            return new Promise(fresh.film(), bound);
-        }
+    /** The promise for a renderer's last update. */
+    public static Promise of(Renderer renderer, Update update) {
+        return new Promise(renderer.cache().sight(), renderer.options().view(), update.errorBound());
     }
 
-    boolean isKeptBy(Film film) {
-        return bound == 0 ? film.sameBits(oracle) : Difference.of(film, oracle).maxAbsolute() <= bound;
+    /** Whether the mirrors show an older scene, as far as a picture can tell. */
+    public boolean isStale() {
+        return !VisiblePart.same(sight.scene(), sight.mirrored());
+    }
+
+    /** Whether a picture that differs so much from a full trace of the sight is as promised. */
+    public boolean isKeptBy(Difference difference) {
+        return bound == 0 ? difference.isNone() : difference.maxAbsolute() <= bound;
+    }
+
+    /** {@code exact}, or {@code off by at most 1.2e-06}; and whether the mirrors are older. */
+    public String text() {
+        return (bound == 0 ? "exact" : "off by at most " + number(bound)) + (isStale() ? ", reflections of an older light" : "");
+    }
+
+    /** The {@link #text} of the promise for an update, and whether that computed contributions anew. */
+    public String text(Update update) {
+        return text() + (update.refreshed() ? ", refreshed" : "");
+    }
+
+    /** By how much values differ at most, linear: two digits, rounded up. */
+    static String number(double v) {
+        return Double.isInfinite(v) ? "∞" : String.format(Locale.ROOT, "%.1e", BigDecimal.valueOf(v).round(new MathContext(2, RoundingMode.UP)));
     }
 
     /**
-     * Requires that a picture keeps it.
+     * Compares a picture with full traces, over shapes and a tree of boxes that are made for this alone.
      *
-     * @throws BrokenPromise if it does not; the message says how far it is off
+     * @throws CancellationException if {@code progress} asked to stop
      */
-    void require(Film film, Level level) {
-        if (!isKeptBy(film)) {
-            Difference d = Difference.of(film, oracle);
-            throw new BrokenPromise("level " + level.label() + ": " + d.values() + " values differ from the oracle, by up to "
-                    + d.maxAbsolute() + " where " + bound + " is promised, first at pixel " + d.x() + "," + d.y() + "; not measured");
+    public Verification verify(Film picture, Workers workers, Progress progress) {
+        var geometry = new Geometry(sight.scene());
+        Sight current = Sight.of(sight.scene());
+        Film[] full = new Film[1];
+        double milliseconds = Turns.time(() -> full[0] = trace(current, geometry, workers, progress));
+        Difference fromFull = Difference.of(picture, full[0]);
+        Difference promised = isStale() ? Difference.of(picture, trace(sight, geometry, workers, progress)) : fromFull;
+        return new Verification(this, picture, full[0], promised, fromFull, milliseconds);
+    }
+
+    /** From nothing: where all effects are shown a full trace that keeps nothing, else a first pass with the same effects. */
+    private Film trace(Sight shown, Geometry geometry, Workers workers, Progress progress) {
+        if (view.equals(ViewEffects.ALL)) {
+            return new TraditionalTracer(shown.scene(), shown.mirrored(), geometry).trace(workers, progress).film();
+        }
+        Options options = Options.DEFAULT.withAccuracy(Accuracy.EXACT).withReflections(Reflections.STALE).withView(view)
+                .withThreads(workers.count());
+        try (Renderer fresh = new Renderer(options)) {
+            fresh.render(shown.mirrored(), progress);
+            fresh.render(shown.scene(), progress);
+            return fresh.film();
         }
     }
 }

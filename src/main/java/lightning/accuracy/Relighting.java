@@ -91,7 +91,7 @@ final class Relighting implements AutoCloseable {
      * @throws BrokenPromise if the level's promise is not kept
      */
     void verify(Progress progress) {
-        Promise.of(renderer, update, workers, progress).require(renderer.film(), level);
+        BrokenPromise.require(Promise.of(renderer, update).verify(renderer.film(), workers, progress), level);
     }
 
     private Scene sized(Scene scene) {

@@ -125,7 +125,7 @@ public final class SavingMeter implements AutoCloseable {
         for (Supplier<Update> work : works) {
             renderer.restore(start);
             updates.add(work.get());
-            kept.add(Promise.of(renderer, updates.getLast(), workers, progress).isKeptBy(renderer.film()));
+            kept.add(Promise.of(renderer, updates.getLast()).verify(renderer.film(), workers, progress).isKept());
             turn.add(() -> {
                 renderer.restore(start);
                 return work.get().milliseconds();

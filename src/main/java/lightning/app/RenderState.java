@@ -1,7 +1,7 @@
 package lightning.app;
 
+import lightning.accuracy.Verification;
 import lightning.edit.Frame;
-import lightning.edit.Verification;
 import lightning.relight.UpdatePlan;
 
 /**
@@ -12,7 +12,7 @@ import lightning.relight.UpdatePlan;
  * @param checked      tiles of the verification finished; likewise {@code toCheck}, 0 where none runs
  * @param frame        the last picture; null before the first
  * @param fullTraceMs  how long a warm full trace of it takes, milliseconds; NaN while that is not known
- * @param verification of a picture; null where none is finished
+ * @param verification the last one that ended since the picture came, or of the same; null where there is none
  * @param problem      why the last work failed; null if it did not
  * @param cancelled    whether the last work ended before its time
  */
@@ -52,8 +52,10 @@ public record RenderState(UpdatePlan plan, int done, int total, int checked, int
         return new RenderState(plan, done, total, tiles, of, frame, fullTraceMs, verification, null, false);
     }
 
+    /** The last verdict goes where it is of another picture. */
     RenderState rendered(Frame picture) {
-        return new RenderState(plan, done, total, checked, toCheck, picture, fullTraceMs, verification, problem, cancelled);
+        Verification still = verification != null && verification.speaksOf(picture.promise()) ? verification : null;
+        return new RenderState(plan, done, total, checked, toCheck, picture, fullTraceMs, still, problem, cancelled);
     }
 
     RenderState verified(Verification result) {

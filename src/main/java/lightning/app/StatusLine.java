@@ -49,9 +49,8 @@ final class StatusLine extends HBox {
         if (state.cancelled()) {
             return "Cancelled";
         }
-        if (state.verification() != null && state.frame() != null
-                && state.verification().scene().equals(state.frame().scene())) {
-            return StatusText.of(state.verification());
+        if (state.verification() != null) {
+            return StatusText.of(state.verification(), state.frame());
         }
         return state.frame() == null ? "" : StatusText.of(state.frame(), state.fullTraceMs());
     }

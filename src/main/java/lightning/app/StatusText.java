@@ -1,9 +1,8 @@
 package lightning.app;
 
 import java.util.Locale;
+import lightning.accuracy.Verification;
 import lightning.edit.Frame;
-import lightning.edit.Verification;
-import lightning.image.Difference;
 import lightning.relight.Update;
 import lightning.relight.UpdatePlan;
 
@@ -25,17 +24,7 @@ final class StatusText {
             text += Double.isNaN(fullTraceMs) ? " (a full trace is still being measured)"
                     : " of " + milliseconds(fullTraceMs) + " for a full trace · " + saving(1 - update.milliseconds() / fullTraceMs);
         }
-        return text + " · " + accuracy(frame);
-    }
-
-    private static String accuracy(Frame frame) {
-        Update update = frame.update();
-        String level = update.errorBound() == 0 ? "exact"
-                : String.format(Locale.ROOT, "off by at most %.1e", update.errorBound());
-        if (update.refreshed()) {
-            level += ", refreshed";
-        }
-        return frame.mirrorsAreCurrent() ? level : level + ", reflections of an older light";
+        return text + " · " + frame.promise().text(frame.update());
     }
 
     static String saving(double share) {
@@ -43,17 +32,14 @@ final class StatusText {
                 : String.format(Locale.ROOT, "%.0f %% slower", -100 * share);
     }
 
-    /** {@code Verified: every bit equal to a full trace (31 ms)}. */
-    static String of(Verification verification) {
-        String time = " (full trace " + milliseconds(verification.fullTraceMs()) + ")";
-        if (verification.difference().isNone()) {
-            return "Verified: equal to a full trace in every bit" + time;
-        }
-        Difference d = verification.difference();
-        String kept = verification.promised().isNone() ? "; all of it in mirrors, which show an older light" : "";
-        return "Verified: " + number(d.pixels()) + (d.pixels() == 1 ? " pixel differs" : " pixels differ")
-                + " from a full trace, by at most " + String.format(Locale.ROOT, "%.2g", d.maxAbsolute())
-                + ", PSNR " + String.format(Locale.ROOT, "%.1f dB", d.displayPsnr()) + kept + time;
+    /**
+     * {@code Verified: equal to a full trace in every bit (full trace 31 ms)}.
+     *
+     * @param shown the picture shown; where the verdict is of another, it says so
+     */
+    static String of(Verification verification, Frame shown) {
+        String which = shown != null && verification.speaksOf(shown.promise()) ? "" : "The picture before: ";
+        return which + verification.text() + " (full trace " + milliseconds(verification.fullTraceMs()) + ")";
     }
 
     static String milliseconds(double v) {

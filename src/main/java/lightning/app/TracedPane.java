@@ -15,9 +15,9 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
+import lightning.accuracy.Verification;
 import lightning.app.widget.Obstacle;
 import lightning.edit.Command;
-import lightning.edit.Verification;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
@@ -204,7 +204,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private Verification verified() {
         var state = model.renderingProperty().get();
         boolean fits = state.verification() != null && state.frame() != null
-                && state.verification().scene().equals(state.frame().scene());
+                && state.verification().speaksOf(state.frame().promise());
         return fits ? state.verification() : null;
     }
 

@@ -4,6 +4,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import lightning.accuracy.Promise;
+import lightning.accuracy.Verification;
 import lightning.jen.JenDocument;
 import lightning.relight.Accuracy;
 import lightning.relight.MirrorStorage;
@@ -119,13 +121,13 @@ final class RelightCommand implements Callable<Integer> {
 
     /** Prints what an update did, and whether its promise was kept where that is asked; returns false if it was not. */
     private boolean report(String title, Update update, Renderer renderer, Workers workers, ProgressBar bar) {
-        console.line("%s %s", title, line(update, fullTrace(renderer, workers, bar)));
+        console.line("%s %s", title, line(update, Promise.of(renderer, update), fullTrace(renderer, workers, bar)));
         if (!verify) {
             return true;
         }
-        Verification verification = Verification.of(renderer, update, workers, bar);
+        Verification verification = Promise.of(renderer, update).verify(renderer.film(), workers, bar);
         console.line("   %s", verification.text());
-        return verification.kept();
+        return verification.isKept();
     }
 
     /** The scene after each group of edits. */
@@ -162,11 +164,9 @@ final class RelightCommand implements Callable<Integer> {
         return (System.nanoTime() - start) / 1e6;
     }
 
-    private String line(Update update, double fullTrace) {
-        String exactness = accuracy == Accuracy.EXACT ? "exact"
-                : Console.text("off by at most %.3g%s", update.errorBound(), update.refreshed() ? " (refreshed)" : "");
+    private static String line(Update update, Promise promise, double fullTrace) {
         return Console.text("%s: %d rows, %d shadow rays, %.1f ms of a full trace's %.1f (saves %.1f %%), %s",
                 update.plan().text(), update.rowsTouched(), update.rays().shadow(), update.milliseconds(), fullTrace,
-                100 * (1 - update.milliseconds() / fullTrace), exactness);
+                100 * (1 - update.milliseconds() / fullTrace), promise.text(update));
     }
 }

@@ -4,6 +4,7 @@ import java.util.Optional;
 import lightning.effects.Effect;
 import lightning.effects.Effects;
 import lightning.scene.Limits;
+import lightning.scene.VisiblePart;
 
 /** What the buttons and menus do, and why one of them has nothing to do (paper §3.2 to §3.7). */
 public enum Command {

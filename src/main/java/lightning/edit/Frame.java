@@ -1,8 +1,11 @@
 package lightning.edit;
 
+import lightning.accuracy.Promise;
+import lightning.effects.ViewEffects;
 import lightning.image.Film;
 import lightning.relight.Update;
 import lightning.scene.Scene;
+import lightning.shading.Sight;
 
 /**
  * A finished picture.
@@ -15,8 +18,13 @@ import lightning.scene.Scene;
  * @param update   how it came about
  */
 public record Frame(Film film, Film seen, Look look, Scene scene, Scene mirrored, Update update) {
+    /** What the film is said to be. */
+    public Promise promise() {
+        return new Promise(new Sight(scene, mirrored), ViewEffects.ALL, update.errorBound());
+    }
+
     /** Whether the mirrors show the scene itself, as far as a picture can tell. */
     public boolean mirrorsAreCurrent() {
-        return VisiblePart.same(scene, mirrored);
+        return !promise().isStale();
     }
 }

@@ -2,6 +2,7 @@ package lightning.edit;
 
 import java.util.Optional;
 import lightning.scene.Scene;
+import lightning.scene.VisiblePart;
 
 /**
  * The edit that an artist has just made, to be judged.

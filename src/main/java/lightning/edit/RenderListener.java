@@ -1,5 +1,6 @@
 package lightning.edit;
 
+import lightning.accuracy.Verification;
 import lightning.image.Film;
 import lightning.relight.UpdatePlan;
 import lightning.scene.Scene;

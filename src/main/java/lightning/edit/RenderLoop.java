@@ -1,6 +1,7 @@
 package lightning.edit;
 
 import java.util.concurrent.CancellationException;
+import lightning.accuracy.Promise;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
 import lightning.relight.Options;
@@ -215,8 +216,7 @@ public final class RenderLoop implements AutoCloseable {
 
     private void handToVerifier() {
         if (rendered != null) {
-            verifier.verify(new Verification.Request(renderer.film().copy(), rendered, renderer.cache().mirroredScene(),
-                    renderer.cache().geometry()));
+            verifier.verify(Promise.of(renderer, last), renderer.film().copy(), renderer.cache().geometry());
         }
     }
 

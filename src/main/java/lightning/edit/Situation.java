@@ -4,6 +4,7 @@ import java.util.Optional;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.VisiblePart;
 
 /**
  * Everything that decides which commands have something to do.

@@ -6,6 +6,9 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import lightning.accuracy.FullTraceTime;
+import lightning.accuracy.Promise;
+import lightning.accuracy.Verification;
+import lightning.image.Film;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.shading.Workers;
@@ -49,14 +52,15 @@ final class Verifier implements AutoCloseable {
         workers = new Workers(threads);
     }
 
-    synchronized void verify(Verification.Request request) {
+    /** @param geometry the picture's, which only measuring gets for free */
+    synchronized void verify(Promise promise, Film picture, Geometry geometry) {
         cancel();
         var own = new RenderQueue.Stop(listener::verifying);
         stop = own;
         running++;
         pause();
-        thread.execute(() -> run(request, own));
-        measure(request.scene(), request.geometry());
+        thread.execute(() -> run(promise, picture, own));
+        measure(promise.sight().scene(), geometry);
     }
 
     /** Finds out what a warm full trace takes, unless it is known well or being found out; the listener hears of it. */
@@ -92,10 +96,10 @@ final class Verifier implements AutoCloseable {
         measuring = measuring == own ? null : measuring;
     }
 
-    private void run(Verification.Request request, RenderQueue.Stop own) {
+    private void run(Promise promise, Film picture, RenderQueue.Stop own) {
         Runnable outcome;
         try {
-            Verification verification = request.run(workers, own);
+            Verification verification = promise.verify(picture, workers, own);
             outcome = () -> listener.verified(verification);
         } catch (CancellationException e) {
             outcome = listener::cancelled;

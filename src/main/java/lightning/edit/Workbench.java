@@ -12,6 +12,7 @@ import lightning.jen.JenException;
 import lightning.relight.Options;
 import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.VisiblePart;
 
 /**
  * Everything that an editor's window works on: the open document, its picture, and what renders and keeps it. All panes

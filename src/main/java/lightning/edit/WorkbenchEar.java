@@ -1,6 +1,7 @@
 package lightning.edit;
 
 import java.util.function.Consumer;
+import lightning.accuracy.Verification;
 import lightning.image.Film;
 import lightning.relight.UpdatePlan;
 import lightning.scene.Scene;

@@ -189,7 +189,24 @@ class GoTest extends EditorDesk {
         waitForPicture();
         click("verify");
         waitFor("it is verified", () -> model().renderingProperty().get().verification() != null);
-        assertThat(text("status")).contains("differ from a full trace").contains("mirrors, which show an older light");
+        assertThat(text("status")).startsWith("Verified: equal to a full trace whose mirrors show an older light in every bit")
+                .contains("would change with current mirrors");
+    }
+
+    @Test
+    void updatedReflections_takeTheVerdictAndTheDifferenceAway() {
+        dim();
+        click("go");
+        waitForPicture();
+        click("verify");
+        waitFor("it is verified", () -> model().renderingProperty().get().verification() != null);
+        click("difference");
+        Object verified = model().frame();
+        click("update-reflections");
+        waitFor("the mirrors are new", () -> model().frame() != verified);
+        waitFor("the verdict is gone", () -> !text("status").contains("Verified"));
+        assertThat(isShown("difference")).isFalse();
+        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
     }
 
     @Test

@@ -4,6 +4,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
+import lightning.accuracy.Verification;
 import lightning.image.Film;
 import lightning.relight.UpdatePlan;
 import lightning.scene.Scene;

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Optional;
 import java.util.Set;
+import lightning.accuracy.Verification;
 import lightning.effects.Effect;
 import lightning.effects.ViewEffects;
 import lightning.image.Film;
@@ -157,7 +158,7 @@ class RenderLoopTest {
         go(scene);
         loop.verify();
         Verification verification = ear.next(Verification.class);
-        assertThat(verification.difference().isNone()).isTrue();
+        assertThat(verification.current().isNone()).isTrue();
         assertThat(verification.full().sameBits(reference(scene))).isTrue();
         assertThat(verification.fullTraceMs()).isPositive();
     }
@@ -168,9 +169,9 @@ class RenderLoopTest {
         go(key(5));
         loop.verify();
         Verification verification = ear.next(Verification.class);
-        assertThat(verification.difference().isNone()).isFalse();
+        assertThat(verification.current().isNone()).isFalse();
         assertThat(verification.promised().isNone()).isTrue();
-        assertThat(verification.scene()).isEqualTo(key(5));
+        assertThat(verification.promise().sight().scene()).isEqualTo(key(5));
     }
 
     private Scene sized(int width, int height) {

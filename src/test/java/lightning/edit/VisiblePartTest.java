@@ -7,6 +7,7 @@ import lightning.math.Vec3;
 import lightning.sample.Session;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.VisiblePart;
 import lightning.shading.Progress;
 import lightning.shading.TraditionalTracer;
 import lightning.shading.Workers;

@@ -10,6 +10,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
+import lightning.accuracy.Verification;
 import lightning.math.Vec3;
 import lightning.relight.Options;
 import lightning.relight.Reflections;
@@ -188,7 +189,7 @@ class WorkbenchTest {
         bench.verify();
         assertThat(Command.CANCEL.isEnabled(bench.situation())).isTrue();
         settle();
-        assertThat(ear.next(Verification.class).difference().isNone()).isTrue();
+        assertThat(ear.next(Verification.class).current().isNone()).isTrue();
         assertThat(Command.CANCEL.isEnabled(bench.situation())).isFalse();
     }
 

@@ -1,6 +1,10 @@
 package lightning.relight;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
+import lightning.accuracy.Promise;
 import lightning.cache.PixelCache;
+import lightning.image.Difference;
 import lightning.image.Film;
 import lightning.shading.ReferenceTracer;
 import lightning.shading.Sight;
@@ -12,6 +16,14 @@ final class Oracle {
     /** The picture that a cache claims to show. */
     static Film of(PixelCache cache) {
         return reference(cache.sight()).trace();
+    }
+
+    /** Requires that a picture is what it is said to be. */
+    static void assertKept(Renderer renderer, Update update, String when) {
+        Promise promise = Promise.of(renderer, update);
+        Difference difference = Difference.of(renderer.film(), reference(promise.sight()).trace());
+        assertThat(promise.isKeptBy(difference)).as("%s: %s; %s was promised, %s is off by %s", when, update.plan().text(), promise.text(update),
+                difference.values(), difference.maxAbsolute()).isTrue();
     }
 
     static ReferenceTracer reference(Sight sight) {

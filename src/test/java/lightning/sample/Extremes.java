@@ -36,7 +36,7 @@ final class Extremes {
     }
 
     static Arbitrary<Scene> scenes() {
-        Arbitrary<List<Material>> materials = Combinators.combine(material("m0"), material("m1")).as(List::of);
+        Arbitrary<List<Material>> materials = Combinators.combine(material("m0"), material("m1"), material("m2")).as(List::of);
         Arbitrary<Picture> pictures = Combinators.combine(Arbitraries.integers().between(0, 2), Arbitraries.frequencyOf(
                 Tuple.of(4, Arbitraries.of(Sampling.DEFAULT)), Tuple.of(1, Arbitraries.of(new Sampling(Antialias.EDGES, 2),
                         new Sampling(Antialias.EVERY, 2))))).as((depth, sampling) -> new Picture(9, 7, depth, sampling));

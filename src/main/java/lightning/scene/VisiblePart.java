@@ -1,14 +1,9 @@
-package lightning.edit;
+package lightning.scene;
 
 import java.util.ArrayList;
 import java.util.List;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
-import lightning.scene.Attenuation;
-import lightning.scene.Light;
-import lightning.scene.LightType;
-import lightning.scene.Rig;
-import lightning.scene.Scene;
 
 /**
  * What of a scene the picture shows. Two scenes with equal visible parts give the same picture in every bit: moving a
