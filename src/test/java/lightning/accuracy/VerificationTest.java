@@ -76,6 +76,8 @@ class VerificationTest {
         assertThat(promise(DIM, DIM, 1.21e-6).text()).as("never less than it is").isEqualTo("off by at most 1.3e-06");
         Scene renamed = STUDIO.withLights(List.of(KEY.withName("rim")));
         assertThat(promise(renamed, STUDIO, 0).text()).as("no picture tells").isEqualTo("exact");
+        Scene matt = DIM.withPicture(DIM.picture().withDepth(0));
+        assertThat(promise(matt, STUDIO.withPicture(matt.picture()), 0).text()).as("there are no mirrors").isEqualTo("exact");
     }
 
     @ParameterizedTest

@@ -4,20 +4,25 @@ import static lightning.relight.Studio.assertWork;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.stream.Stream;
 import lightning.image.FilmAssert;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.sample.StudioScene;
+import lightning.scene.Antialias;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Picture;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
 import lightning.shading.ReferenceTracer;
 import lightning.shading.SeenRows;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** The least work where mirrors are: deeper and shallower recursion, stale and current reflections, several tiles. */
 class MirrorWorkTest {
@@ -160,6 +165,28 @@ class MirrorWorkTest {
             assertThat(seen.count(0, seen.lit(left).and(p -> p.vx() > 0))).isZero();
             Update update = studio.edit(l -> l.withIntensity(3));
             assertWork(update, 0, seen.count(0, p -> p.vx() < 0), 0, 0);
+        }
+    }
+
+    static Stream<Arguments> picturesThatRefresh() {
+        Picture edges = StudioScene.of(LightType.POINT).picture().withSampling(new Sampling(Antialias.EDGES, 2));
+        return Stream.of(Arguments.of("depth", edges, edges.withDepth(1)), Arguments.of("size", edges, edges.withSize(20, 16)),
+                Arguments.of("antialias", edges, edges.withSampling(new Sampling(Antialias.OFF, 2))),
+                Arguments.of("samples", edges, edges.withSampling(new Sampling(Antialias.EDGES, 3))));
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("picturesThatRefresh")
+    void anotherPicture_bringsTheEditToTheMirrors(String what, Picture before, Picture after) {
+        Scene scene = StudioScene.of(LightType.POINT).withPicture(before);
+        Scene edited = scene.withLight(scene.lights().getFirst().withIntensity(0.3));
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1))) {
+            renderer.render(scene, Progress.NONE);
+            renderer.render(edited, Progress.NONE);
+            assertThat(renderer.reflectionsAreCurrent()).isFalse();
+            renderer.render(edited.withPicture(after), Progress.NONE);
+            assertThat(renderer.reflectionsAreCurrent()).isTrue();
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(edited.withPicture(after)).trace(), "refreshed-" + what);
         }
     }
 }

@@ -18,12 +18,13 @@ final class Oracle {
         return reference(cache.sight()).trace();
     }
 
-    /** Requires that a picture is what it is said to be. */
-    static void assertKept(Renderer renderer, Update update, String when) {
+    /** Requires that a picture is what it is said to be; returns how far it is from the reference. */
+    static Difference assertKept(Renderer renderer, Update update, String when) {
         Promise promise = Promise.of(renderer, update);
         Difference difference = Difference.of(renderer.film(), reference(promise.sight()).trace());
         assertThat(promise.isKeptBy(difference)).as("%s: %s; %s was promised, %s is off by %s", when, update.plan().text(), promise.text(update),
                 difference.values(), difference.maxAbsolute()).isTrue();
+        return difference;
     }
 
     static ReferenceTracer reference(Sight sight) {
