@@ -24,14 +24,14 @@ import java.util.Set;
  */
 final class Architecture {
     /** The rows from the bottom of the program up. */
-    private static final List<String> ROWS = List.of("math", "file", "scene", "effects", "jen", "image", "trace", "shading",
+    private static final List<String> ROWS = List.of("text", "math", "file", "scene", "effects", "jen", "image", "trace", "shading",
             "cache", "relight", "accuracy", "edit", "app", "bench", "cli");
 
     /** Rows that know less than all the rows above them, with the little that they know. */
     private static final Map<String, Set<String>> NARROWED = Map.of(
-            "image", Set.of("math", "file"),
-            "effects", Set.of("math", "scene"),
-            "jen", Set.of("math", "file", "scene"),
+            "image", Set.of("text", "math", "file"),
+            "effects", Set.of("text", "math", "scene"),
+            "jen", Set.of("text", "math", "file", "scene"),
             "bench", allBut("app"),
             "cli", allBut("app"));
 

@@ -2,6 +2,7 @@ package lightning.accuracy;
 
 import java.util.List;
 import lightning.scene.Scene;
+import lightning.text.Quote;
 
 /**
  * A named edit, or a sequence of edits, of one scene.
@@ -17,7 +18,7 @@ public record PaperCase(String name, String figure, double paperSaving, List<Sce
     public PaperCase {
         scenes = List.copyOf(scenes);
         if (scenes.size() < 2) {
-            throw new IllegalArgumentException("case '" + name + "' must have at least two scenes, had " + scenes.size());
+            throw new IllegalArgumentException("case " + Quote.of(name) + " must have at least two scenes, had " + scenes.size());
         }
     }
 

@@ -14,6 +14,7 @@ import lightning.scene.Material;
 import lightning.scene.Node;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.text.Quote;
 
 /** Which material is being edited, and whether it is in front of the selected light's properties. */
 final class MaterialChoice {
@@ -57,7 +58,7 @@ final class MaterialChoice {
         MaterialEdits.ofShape(model.scene(), shape).ifPresentOrElse(m -> {
             choose(m.name());
             inFront.set(true);
-        }, () -> model.say("The scene has no shape '" + shape + "' any more"));
+        }, () -> model.say("The scene has no shape " + Quote.of(shape) + " any more"));
     }
 
     private void find() {

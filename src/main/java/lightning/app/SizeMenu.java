@@ -13,6 +13,7 @@ import javafx.scene.control.TextInputDialog;
 import javafx.scene.control.ToggleGroup;
 import lightning.edit.Change;
 import lightning.scene.Limits;
+import lightning.text.Quote;
 
 /** The sizes of the two canvases (paper §3.6). */
 final class SizeMenu {
@@ -37,7 +38,7 @@ final class SizeMenu {
         other.setId("size-other");
         other.setOnAction(_ -> ask(model.scene().picture().width() + " × " + model.scene().picture().height())
                 .ifPresent(typed -> parse(typed).ifPresentOrElse(size -> trace(model, size),
-                        () -> model.say("A size is two numbers as in 640 × 480, was '" + typed.strip() + "'"))));
+                        () -> model.say("A size is two numbers as in 640 × 480, was " + Quote.of(typed.strip())))));
         items.add(new SeparatorMenuItem());
         items.add(other);
         return items;

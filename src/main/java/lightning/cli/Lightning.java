@@ -2,6 +2,7 @@ package lightning.cli;
 
 import java.io.PrintStream;
 import java.io.PrintWriter;
+import lightning.text.Quote;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
@@ -46,6 +47,7 @@ public final class Lightning {
                 .addSubcommand(new BenchCommand(console))
                 .addSubcommand(new CheckCommand(console))
                 .addSubcommand(new CompareCommand(console));
+        NumberOptions.register(commands);
         return commands
                 .setOut(writer(console.out()))
                 .setErr(writer(console.err()))
@@ -63,7 +65,7 @@ public final class Lightning {
     }
 
     private static int unknownCommand(Console console, CommandLine commands, String word) {
-        console.err().println("lightning: there is no command '" + word + "'; expected a scene.jen or one of "
+        console.err().println("lightning: there is no command " + Quote.of(word) + "; expected a scene.jen or one of "
                 + String.join(", ", commands.getSubcommands().keySet()) + ".");
         console.err().println("Try 'lightning --help'.");
         return ExitCode.BAD_INPUT;

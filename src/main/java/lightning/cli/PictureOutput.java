@@ -8,6 +8,7 @@ import lightning.image.DisplayCurve;
 import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
+import lightning.text.Quote;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -53,7 +54,7 @@ final class PictureOutput {
             return switch (text) {
                 case "srgb" -> DisplayCurve.SRGB;
                 case "1998" -> DisplayCurve.LINEAR;
-                default -> throw new TypeConversionException("expected srgb or 1998, found '" + text + "'");
+                default -> throw new TypeConversionException("expected srgb or 1998, found " + Quote.of(text));
             };
         }
     }

@@ -2,6 +2,7 @@ package lightning.cli;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import lightning.text.Quote;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
@@ -14,7 +15,7 @@ record Pixel(int x, int y) {
         public Pixel convert(String text) {
             Matcher form = FORM.matcher(text);
             if (!form.matches()) {
-                throw new TypeConversionException("expected X,Y as in 150,230, found '" + text + "'");
+                throw new TypeConversionException("expected X,Y as in 150,230, found " + Quote.of(text));
             }
             return new Pixel(Integer.parseInt(form.group(1)), Integer.parseInt(form.group(2)));
         }

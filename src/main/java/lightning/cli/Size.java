@@ -3,6 +3,7 @@ package lightning.cli;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lightning.scene.Limits;
+import lightning.text.Quote;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
@@ -15,11 +16,11 @@ record Size(int width, int height) {
         public Size convert(String text) {
             Matcher form = FORM.matcher(text);
             if (!form.matches()) {
-                throw new TypeConversionException("expected WIDTHxHEIGHT in pixels as in 640x480, found '" + text + "'");
+                throw new TypeConversionException("expected WIDTHxHEIGHT in pixels as in 640x480, found " + Quote.of(text));
             }
             Size size = new Size(Integer.parseInt(form.group(1)), Integer.parseInt(form.group(2)));
             if (Math.min(size.width, size.height) < 1 || Math.max(size.width, size.height) > Limits.MAX_SIZE) {
-                throw new TypeConversionException("width and height must be from 1 to " + Limits.MAX_SIZE + ", found '" + text + "'");
+                throw new TypeConversionException("width and height must be from 1 to " + Limits.MAX_SIZE + ", found " + Quote.of(text));
             }
             return size;
         }

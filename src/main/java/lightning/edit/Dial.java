@@ -1,11 +1,14 @@
 package lightning.edit;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import lightning.math.Rgb;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.Limits;
 import lightning.scene.Scene;
+import lightning.text.Decimal;
+import lightning.text.Quote;
 
 /**
  * One number that an arrow widget or a slider of the property editor turns (paper §3.2, Figure 5): of the selected
@@ -87,11 +90,9 @@ public enum Dial {
 
     /** Sets the value that a person typed; refused if it is no number, and as {@link #set}. */
     public Change typed(Scene scene, String light, String text) {
-        try {
-            return set(scene, light, Double.parseDouble(text.strip()));
-        } catch (NumberFormatException e) {
-            return new Change.Refused(title + " must be a number, was '" + text.strip() + "'");
-        }
+        OptionalDouble number = Decimal.read(text.strip());
+        return number.isPresent() ? set(scene, light, number.getAsDouble())
+                : new Change.Refused(title + " must be a number, was " + Quote.of(text.strip()));
     }
 
     /**

@@ -13,6 +13,7 @@ import lightning.scene.Limits;
 import lightning.scene.Node;
 import lightning.scene.Group;
 import lightning.scene.Scene;
+import lightning.text.Quote;
 
 /** The edits of lights that are more than one {@link Dial}. Each is refused if there is no light of the name given. */
 public final class LightEdits {
@@ -27,7 +28,7 @@ public final class LightEdits {
      * @throws IllegalArgumentException if there is none
      */
     static Light light(Scene scene, String name) {
-        return scene.light(name).orElseThrow(() -> new IllegalArgumentException("there is no light '" + name + "'"));
+        return scene.light(name).orElseThrow(() -> new IllegalArgumentException("there is no light " + Quote.of(name)));
     }
 
     /** Any edit of one light that keeps its name. */
@@ -154,7 +155,8 @@ public final class LightEdits {
             return name;
         }
         String stem = name.replaceFirst("\\d+$", "");
-        String room = stem.substring(0, Math.min(stem.length(), LONGEST_STEM));
+        String room = stem.codePointCount(0, stem.length()) <= LONGEST_STEM ? stem
+                : stem.substring(0, stem.offsetByCodePoints(0, LONGEST_STEM));
         return IntStream.iterate(2, i -> i + 1).mapToObj(i -> room + i).filter(n -> !taken.contains(n)).findFirst().orElseThrow();
     }
 

@@ -12,6 +12,7 @@ import lightning.scene.Node;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.TextureMap;
+import lightning.text.Quote;
 
 /**
  * The edits of materials. Each is refused if there is no material of the name given, or if a value is out of its range.
@@ -46,7 +47,7 @@ public final class MaterialEdits {
     private static Material material(Scene scene, String name) {
         Material material = scene.materialsByName().get(name);
         if (material == null) {
-            throw new IllegalArgumentException("there is no material '" + name + "'");
+            throw new IllegalArgumentException("there is no material " + Quote.of(name));
         }
         return material;
     }
@@ -95,7 +96,7 @@ public final class MaterialEdits {
     public static Change repeat(Scene scene, String name, double u, double v) {
         return with(scene, name, m -> {
             TextureMap map = m.texture().orElseThrow(() -> new IllegalArgumentException(
-                    "material '" + name + "': repeat needs a texture, found none"));
+                    "material " + Quote.of(name) + ": repeat needs a texture, found none"));
             return m.withTexture(Optional.of(new TextureMap(map.file(), u, v, map.image())));
         });
     }

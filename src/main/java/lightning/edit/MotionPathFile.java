@@ -1,22 +1,27 @@
 package lightning.edit;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.StringReader;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
+import java.util.regex.Pattern;
 import lightning.file.SafeFile;
 import lightning.math.Vec3;
+import lightning.text.Decimal;
+import lightning.text.Quote;
 
 /** Motion paths as text; the format is described in {@code docs/motion-path.md}. */
 public final class MotionPathFile {
     private static final String HEAD = "lightning-path 1";
-    private static final long MAX_BYTES = 32L << 20;
+    private static final int MAX_BYTES = 32 << 20;
     private static final int WORDS = 8;
+    private static final Pattern SPACE = Pattern.compile("[ \\t]+");
 
     private MotionPathFile() {}
 
@@ -40,13 +45,17 @@ public final class MotionPathFile {
      * @throws IOException if it cannot be read or is no motion path: {@code file:line: what was expected and found}
      */
     public static MotionPath load(Path file) throws IOException {
-        if (Files.size(file) > MAX_BYTES) {
-            throw new IOException(file + ": a motion path may have at most " + MAX_BYTES + " bytes");
+        byte[] bytes;
+        try (InputStream in = Files.newInputStream(file)) {
+            bytes = in.readNBytes(MAX_BYTES + 1);
+        }
+        if (bytes.length > MAX_BYTES) {
+            throw new IOException(Quote.path(file) + ": a motion path may have at most " + MAX_BYTES + " bytes");
         }
         try {
-            return read(Files.readString(file), file.toString());
+            return read(StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString(), file.toString());
         } catch (CharacterCodingException e) {
-            throw new IOException(file + ": must be UTF-8 text", e);
+            throw new IOException(Quote.path(file) + ": must be UTF-8 text", e);
         }
     }
 
@@ -57,19 +66,23 @@ public final class MotionPathFile {
      * @throws IOException as {@link #load}
      */
     public static MotionPath read(String text, String name) throws IOException {
-        var reader = new BufferedReader(new StringReader(text));
+        String file = Quote.path(name);
         List<MotionPath.Key> keys = new ArrayList<>();
         int every = MotionPath.DEFAULT_EVERY;
         boolean headed = false;
         int number = 0;
-        for (String line = reader.readLine(); line != null; line = reader.readLine()) {
+        int end;
+        // A byte order mark, which some editors write, is passed over.
+        for (int start = text.startsWith("\uFEFF") ? 1 : 0; start < text.length(); start = end + 1) {
+            int newline = text.indexOf('\n', start);
+            end = newline < 0 ? text.length() : newline;
             number++;
-            String content = line.replaceFirst("#.*", "").strip();
+            String content = content(text, start, end);
             if (content.isEmpty()) {
                 continue;
             }
-            String place = name + ":" + number + ": ";
-            String[] words = content.split("\\s+");
+            String place = file + ":" + number + ": ";
+            String[] words = SPACE.split(content, WORDS + 1);
             if (!headed) {
                 require(content.equals(HEAD), place, HEAD, content);
                 headed = true;
@@ -81,9 +94,30 @@ public final class MotionPathFile {
                 require(keys.size() <= MotionPath.MAX_KEYS, place, "at most " + MotionPath.MAX_KEYS + " keys", "more");
             }
         }
-        require(headed, name + ": ", HEAD, "nothing");
-        require(!keys.isEmpty(), name + ": ", "at least one key, as in 'at 0 3 2  direction 0 -1 0'", "none");
+        require(headed, file + ": ", HEAD, "nothing");
+        require(!keys.isEmpty(), file + ": ", "at least one key, as in 'at 0 3 2  direction 0 -1 0'", "none");
         return new MotionPath(every, keys);
+    }
+
+    /** A line without its comment, its line end and the spaces around. */
+    private static String content(String text, int start, int end) {
+        int comment = text.indexOf('#', start, end);
+        int to = comment < 0 ? end : comment;
+        if (comment < 0 && end < text.length() && to > start && text.charAt(to - 1) == '\r') {
+            to--;
+        }
+        int from = start;
+        while (from < to && isSpace(text.charAt(from))) {
+            from++;
+        }
+        while (to > from && isSpace(text.charAt(to - 1))) {
+            to--;
+        }
+        return text.substring(from, to);
+    }
+
+    private static boolean isSpace(char c) {
+        return c == ' ' || c == '\t';
     }
 
     private static int every(String place, String word) throws IOException {
@@ -108,24 +142,18 @@ public final class MotionPathFile {
     }
 
     private static double number(String place, String word) throws IOException {
-        try {
-            return Double.parseDouble(word);
-        } catch (NumberFormatException e) {
-            throw new IOException(place + "expected a number, found '" + word + "'", e);
-        }
+        OptionalDouble number = Decimal.read(word);
+        require(number.isPresent(), place, "a number", word);
+        return number.getAsDouble();
     }
 
     private static void require(boolean right, String place, String expected, String found) throws IOException {
         if (!right) {
-            throw new IOException(place + "expected " + expected + ", found '" + found + "'");
+            throw new IOException(place + "expected " + expected + ", found " + Quote.of(found));
         }
     }
 
     private static String text(Vec3 v) {
-        return number(v.x()) + " " + number(v.y()) + " " + number(v.z());
-    }
-
-    private static String number(double v) {
-        return v == Math.rint(v) && Math.abs(v) < 1e7 && (v != 0 || 1 / v > 0) ? Long.toString((long) v) : Double.toString(v);
+        return Decimal.text(v.x()) + " " + Decimal.text(v.y()) + " " + Decimal.text(v.z());
     }
 }

@@ -10,6 +10,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import lightning.text.Quote;
 
 /**
  * Portable float map: the linear film itself, every bit of every float.
@@ -45,7 +46,7 @@ final class Pfm {
         try (var in = new DataInputStream(new BufferedInputStream(Files.newInputStream(file), 1 << 16))) {
             String magic = token(in);
             if (!magic.equals("PF")) {
-                throw new IOException("is no colour PFM picture: expected PF at the start, found '" + magic + "'");
+                throw new IOException("is no colour PFM picture: expected PF at the start, found " + Quote.of(magic));
             }
             int width = side(token(in));
             int height = side(token(in));
@@ -93,7 +94,7 @@ final class Pfm {
         try {
             return Integer.parseInt(token);
         } catch (NumberFormatException e) {
-            throw new IOException("has a damaged PFM header: expected a number of pixels, found '" + token + "'", e);
+            throw new IOException("has a damaged PFM header: expected a number of pixels, found " + Quote.of(token), e);
         }
     }
 
@@ -106,6 +107,6 @@ final class Pfm {
         } catch (NumberFormatException e) {
             // The same sentence serves below.
         }
-        throw new IOException("has a damaged PFM header: expected a scale such as -1.0, found '" + token + "'");
+        throw new IOException("has a damaged PFM header: expected a scale such as -1.0, found " + Quote.of(token));
     }
 }

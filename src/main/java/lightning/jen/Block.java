@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import lightning.text.Quote;
 
 /** A block as it stands in the text. All places are numbers of tokens; −1 where something is missing. */
 final class Block {
@@ -39,7 +40,7 @@ final class Block {
 
     /** How messages call it: {@code light 'key'} or {@code camera}. */
     String title() {
-        return name.isEmpty() ? type.keyword() : type.keyword() + " '" + name + "'";
+        return name.isEmpty() ? type.keyword() : type.keyword() + " " + Quote.of(name);
     }
 
     /** The token that stands for the whole block in messages. */

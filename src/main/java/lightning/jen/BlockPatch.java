@@ -1,6 +1,7 @@
 package lightning.jen;
 
 import java.util.List;
+import lightning.text.Decimal;
 
 /** Changes the words of one block in the text where an edited element says something else. */
 final class BlockPatch {
@@ -41,7 +42,7 @@ final class BlockPatch {
         if (entry.value() instanceof Value.Numbers(List<Double> before) && value instanceof Value.Numbers(List<Double> after)) {
             for (int i = 0; i < after.size(); i++) {
                 if (!before.get(i).equals(after.get(i))) {
-                    replace(entry.from() + i, Value.number(after.get(i)));
+                    replace(entry.from() + i, Decimal.text(after.get(i)));
                 }
             }
         } else if (!entry.value().equals(value)) {

@@ -1,5 +1,8 @@
 package lightning.jen;
 
+import lightning.text.Decimal;
+import lightning.text.Quote;
+
 /** Cuts the text of a scene file into tokens; comments run from {@code #} to the end of the line. */
 final class Lexer {
     private final String text;
@@ -70,7 +73,7 @@ final class Lexer {
             at += Character.charCount(c);
         }
         if (number) {
-            end(isNumber(start, at) ? Tokens.Kind.NUMBER : Tokens.Kind.BAD_NUMBER, start);
+            end(Decimal.is(text, start, at) ? Tokens.Kind.NUMBER : Tokens.Kind.BAD_NUMBER, start);
         } else if (at > start && isWordStart(text.codePointAt(start))) {
             end(Tokens.Kind.WORD, start);
         } else {
@@ -95,7 +98,7 @@ final class Lexer {
 
     private static String shown(int c) {
         boolean visible = c > ' ' && c < 0x7F || Character.isLetterOrDigit(c);
-        return visible ? "'" + Character.toString(c) + "'" : "U+%04X".formatted(c);
+        return visible ? Quote.of(Character.toString(c)) : "U+%04X".formatted(c);
     }
 
     private static boolean isWordStart(int c) {
@@ -109,40 +112,5 @@ final class Lexer {
         }
         int type = Character.getType(c);
         return type == Character.LETTER_NUMBER || type == Character.OTHER_NUMBER;
-    }
-
-    /** Sign, digits with a point before, among or after them, exponent: {@code -1.5e-3}. */
-    private boolean isNumber(int start, int end) {
-        int i = start;
-        if (text.charAt(i) == '-' || text.charAt(i) == '+') {
-            i++;
-        }
-        int whole = digits(i, end);
-        i += whole;
-        int fraction = 0;
-        if (i < end && text.charAt(i) == '.') {
-            fraction = digits(i + 1, end);
-            i += 1 + fraction;
-        }
-        if (whole + fraction == 0) {
-            return false;
-        }
-        if (i < end && (text.charAt(i) == 'e' || text.charAt(i) == 'E')) {
-            i++;
-            if (i < end && (text.charAt(i) == '-' || text.charAt(i) == '+')) {
-                i++;
-            }
-            int exponent = digits(i, end);
-            return exponent > 0 && i + exponent == end;
-        }
-        return i == end;
-    }
-
-    private int digits(int from, int end) {
-        int i = from;
-        while (i < end && text.charAt(i) >= '0' && text.charAt(i) <= '9') {
-            i++;
-        }
-        return i - from;
     }
 }

@@ -3,6 +3,7 @@ package lightning.jen;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Optional;
+import lightning.text.Quote;
 
 /** Finds what a mistyped word was meant to be. */
 final class Nearest {
@@ -35,7 +36,7 @@ final class Nearest {
 
     /** {@code ", did you mean 'intensity'?"}, or nothing. */
     static String hint(String word, Collection<String> candidates) {
-        return to(word, candidates).map(n -> ", did you mean '" + n + "'?").orElse("");
+        return to(word, candidates).map(n -> ", did you mean " + Quote.of(n) + "?").orElse("");
     }
 
     /** Insertions, deletions, replacements and swaps of neighbours (optimal string alignment distance). */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import lightning.scene.Limits;
+import lightning.text.Quote;
 
 /**
  * One property of one kind of block: how it is written, which values it may have, what it is
@@ -99,7 +100,7 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
     /** @throws IllegalArgumentException if {@code word} is none of the choices */
     void checkWord(String word) {
         if (!choices.isEmpty() && !choices.contains(word)) {
-            throw new IllegalArgumentException(name + " must be " + alternatives() + ", was '" + word + "'"
+            throw new IllegalArgumentException(name + " must be " + alternatives() + ", was " + Quote.of(word)
                     + Nearest.hint(word, choices));
         }
     }

@@ -18,6 +18,7 @@ import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
+import lightning.text.Quote;
 
 /**
  * Edits of a scene in the words of the file: {@code key.intensity=0.4}, {@code picture.size=640 480}.
@@ -60,7 +61,7 @@ public final class PropertyEdit {
         int equals = assignment.indexOf('=');
         int point = assignment.lastIndexOf('.', Math.max(equals, 0));
         if (point < 1) {
-            throw new IllegalArgumentException("an edit must be written as NAME.PROPERTY=VALUE, was '" + assignment + "'");
+            throw new IllegalArgumentException("an edit must be written as NAME.PROPERTY=VALUE, was " + Quote.of(assignment));
         }
         return set(scene, assignment.substring(0, point).strip(), assignment.substring(point + 1, equals).strip(),
                 assignment.substring(equals + 1).strip(), textures);
@@ -121,7 +122,7 @@ public final class PropertyEdit {
         List<Block> blocks = Parser.fragment(tokens, problems);
         throwIfAny(problems);
         if (blocks.size() != 1 || blocks.getFirst().type != Blocks.LIGHT) {
-            throw new IllegalArgumentException("expected one light, as in 'fill point intensity=0.5', found '" + text + "'");
+            throw new IllegalArgumentException("expected one light, as in 'fill point intensity=0.5', found " + Quote.of(text));
         }
         Optional<Scene> added = new SceneBuilder(tokens, problems, new TextureFolder(Path.of(""))).build(blocks);
         throwIfAny(problems);
@@ -136,7 +137,7 @@ public final class PropertyEdit {
     public static Scene delete(Scene scene, String name) {
         List<String> names = scene.lights().stream().map(Light::name).toList();
         if (!names.contains(name)) {
-            throw new IllegalArgumentException("there is no light '" + name + "'" + Nearest.hint(name, names));
+            throw new IllegalArgumentException("there is no light " + Quote.of(name) + Nearest.hint(name, names));
         }
         return scene.withLights(scene.lights().stream().filter(l -> !l.name().equals(name)).toList());
     }
@@ -144,7 +145,7 @@ public final class PropertyEdit {
     private static String block(String text) {
         String[] words = text.strip().split("\\s+", 3);
         if (words.length < 2) {
-            throw new IllegalArgumentException("expected a light's name and type, as in 'fill point', found '" + text + "'");
+            throw new IllegalArgumentException("expected a light's name and type, as in 'fill point', found " + Quote.of(text));
         }
         return "light " + words[0] + " " + words[1] + " { " + (words.length < 3 ? "" : words[2].replace('=', ' ')) + "\n}";
     }
@@ -164,14 +165,14 @@ public final class PropertyEdit {
         }
         List<String> known = Stream.of(Stream.of("picture", "camera", "world"), scene.lights().stream().map(Light::name),
                 names(scene.nodes()), scene.materials().stream().map(Material::name)).flatMap(s -> s).toList();
-        throw new IllegalArgumentException("the scene has nothing named '" + target + "'" + Nearest.hint(target, known));
+        throw new IllegalArgumentException("the scene has nothing named " + Quote.of(target) + Nearest.hint(target, known));
     }
 
     private static Scene setMaterial(Scene scene, String name, String property, String value, Function<String, Texture> textures) {
         Material material = scene.materialsByName().get(name);
         if (material == null) {
             List<String> known = scene.materials().stream().map(Material::name).toList();
-            throw new IllegalArgumentException("there is no material '" + name + "'" + Nearest.hint(name, known));
+            throw new IllegalArgumentException("there is no material " + Quote.of(name) + Nearest.hint(name, known));
         }
         return scene.withMaterial(edited(textures, Blocks.MATERIAL, name, material, property, value));
     }
@@ -211,14 +212,14 @@ public final class PropertyEdit {
             values.put(property, value(type, name, property, value));
         }
         if (property.equals("repeat") && values.get("texture") instanceof Value.Absent) {
-            throw new IllegalArgumentException("material '" + name + "': repeat needs a texture, found none");
+            throw new IllegalArgumentException("material " + Quote.of(name) + ": repeat needs a texture, found none");
         }
         type.properties().forEach(p -> values.computeIfPresent(p.name(), (n, v) -> v instanceof Value.Absent ? p.initial() : v));
         List<Node> children = record instanceof Group g ? g.children() : List.of();
         try {
             return type.builder().build(newName, new Values(values, textures), children);
         } catch (IllegalArgumentException e) {
-            throw new IllegalArgumentException((name.isEmpty() ? type.keyword() : type.keyword() + " '" + name + "'") + ": "
+            throw new IllegalArgumentException((name.isEmpty() ? type.keyword() : type.keyword() + " " + Quote.of(name)) + ": "
                     + e.getMessage(), e);
         }
     }
@@ -234,7 +235,7 @@ public final class PropertyEdit {
             if (type.named() && type != Blocks.MATERIAL) {
                 known.add(NAME);
             }
-            throw new IllegalArgumentException(block.title() + ": unknown property '" + property + "', expected one of "
+            throw new IllegalArgumentException(block.title() + ": unknown property " + Quote.of(property) + ", expected one of "
                     + String.join(", ", known) + Nearest.hint(property, known));
         }
         Tokens tokens = Lexer.tokens(header ? text : property + " " + text, problems);
@@ -251,7 +252,7 @@ public final class PropertyEdit {
     /** A picture that the scene already holds: without a folder an edit reads no files. */
     private static Texture texture(Scene scene, String file) {
         return held(scene, file).orElseThrow(() -> new IllegalArgumentException(
-                "texture must be one that the scene already has, was '" + file + "'"));
+                "texture must be one that the scene already has, was " + Quote.of(file)));
     }
 
     private static Texture texture(Scene scene, String file, Path folder) {

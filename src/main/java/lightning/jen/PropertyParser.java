@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import lightning.jen.Tokens.Kind;
+import lightning.text.Decimal;
+import lightning.text.Quote;
 
 /** Reads one property with its value and checks it. Each method returns the token to go on at. */
 final class PropertyParser {
@@ -31,7 +33,7 @@ final class PropertyParser {
         Property<?> property = block.type.property(name).orElse(null);
         if (property == null) {
             String hint = Nearest.hint(name, block.type.propertyNames());
-            problem(at, at, block.title() + ": unknown property '" + shortened(name) + "'"
+            problem(at, at, block.title() + ": unknown property " + Quote.of(name)
                     + (hint.isEmpty() ? ", expected one of " + String.join(", ", block.type.propertyNames()) : hint));
             return skipValue(block, at + 1);
         }
@@ -103,7 +105,7 @@ final class PropertyParser {
             throw new IllegalArgumentException(property.name() + " must be " + property.expected() + ", found "
                     + tokens.found(token));
         }
-        double number = Double.parseDouble(tokens.text(token));
+        double number = Decimal.read(tokens.text(token)).orElseThrow();
         if (Double.isInfinite(number)) {
             throw new IllegalArgumentException(property.name() + " must be a number within ±1.8e308, found "
                     + tokens.found(token));
@@ -139,10 +141,6 @@ final class PropertyParser {
 
     private static boolean isValue(Kind kind) {
         return kind == Kind.NUMBER || kind == Kind.BAD_NUMBER || kind == Kind.STRING;
-    }
-
-    private static String shortened(String name) {
-        return name.length() > 40 ? name.substring(0, name.offsetByCodePoints(0, 37)) + "…" : name;
     }
 
     private int problem(int token, int goOn, String message) {

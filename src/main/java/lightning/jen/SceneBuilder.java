@@ -18,6 +18,7 @@ import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Texture;
 import lightning.scene.World;
+import lightning.text.Quote;
 
 /** Makes the scene from the blocks of a file and finds what is wrong between blocks. */
 final class SceneBuilder {
@@ -99,7 +100,7 @@ final class SceneBuilder {
             double smallest = least * scale.leastScale();
             double largest = most * scale.mostScale();
             try {
-                Limits.combinedScale(block.title(), smallest, largest);
+                Limits.combinedScale(block::title, smallest, largest);
             } catch (IllegalArgumentException e) {
                 problem(block, e.getMessage());
             }
@@ -124,8 +125,8 @@ final class SceneBuilder {
     private void checkMaterial(Block block) {
         Block.Entry entry = block.entries.get("material");
         if (entry != null && !materialNames.contains(entry.value().text())) {
-            problems.add(tokens.start(entry.from()), block.title() + ": there is no material '" + entry.value().text()
-                    + "'" + Nearest.hint(entry.value().text(), materialNames));
+            problems.add(tokens.start(entry.from()), block.title() + ": there is no material "
+                    + Quote.of(entry.value().text()) + Nearest.hint(entry.value().text(), materialNames));
         }
     }
 

@@ -15,6 +15,7 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 import lightning.scene.Texture;
+import lightning.text.Quote;
 
 /**
  * Decodes PNG and JPEG files to linear light.
@@ -86,7 +87,7 @@ final class TextureDecoder {
     }
 
     private static TextureFolder.UnusableException unusable(String name, String why) {
-        return new TextureFolder.UnusableException("texture '" + name + "' " + why);
+        return new TextureFolder.UnusableException("texture " + Quote.of(name) + " " + why);
     }
 
     private static Texture texture(BufferedImage image) {

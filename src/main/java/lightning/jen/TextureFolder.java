@@ -13,6 +13,7 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import lightning.scene.Texture;
+import lightning.text.Quote;
 
 /**
  * Finds the textures of one scene: beside its file, in {@code textures/} there, or in
@@ -55,15 +56,15 @@ final class TextureFolder {
                 return known;
             }
             if (decoded.size() == JenLimits.TEXTURES) {
-                throw new UnusableException("a scene may have at most " + JenLimits.TEXTURES + " textures, found another, '"
-                        + file + "'");
+                throw new UnusableException("a scene may have at most " + JenLimits.TEXTURES + " textures, found another, "
+                        + Quote.of(file));
             }
             Texture texture = TextureDecoder.decode(file, path, JenLimits.ALL_TEXTURE_PIXELS - pixels);
             pixels += (long) texture.width() * texture.height();
             decoded.put(path, texture);
             return texture;
         } catch (IOException | InvalidPathException | SecurityException e) {
-            throw new UnusableException("texture '" + file + "' cannot be read: " + e.getMessage());
+            throw new UnusableException("texture " + Quote.of(file) + " cannot be read: " + e.getMessage());
         } catch (IllegalArgumentException e) {
             throw new UnusableException(e.getMessage());
         }
@@ -92,13 +93,13 @@ final class TextureFolder {
             if (Files.isRegularFile(path)) {
                 Path real = path.toRealPath();
                 if (!real.startsWith(folder)) {
-                    throw new UnusableException("texture '" + file + "' must be inside " + shown(folder)
+                    throw new UnusableException("texture " + Quote.of(file) + " must be inside " + shown(folder)
                             + ", found a link that leads out of it");
                 }
                 return real;
             }
         }
-        throw new UnusableException("there is no texture '" + file + "' in "
+        throw new UnusableException("there is no texture " + Quote.of(file) + " in "
                 + String.join(" or ", folders.stream().map(TextureFolder::shown).toList()));
     }
 
@@ -118,6 +119,6 @@ final class TextureFolder {
     }
 
     private static String shown(Path folder) {
-        return "the folder '" + (folder.getFileName() == null ? folder : folder.getFileName()) + "'";
+        return "the folder " + Quote.of((folder.getFileName() == null ? folder : folder.getFileName()).toString());
     }
 }

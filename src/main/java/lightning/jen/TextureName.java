@@ -1,6 +1,7 @@
 package lightning.jen;
 
 import java.util.regex.Pattern;
+import lightning.text.Quote;
 
 /** What a scene file may write as the name of a texture. */
 final class TextureName {
@@ -24,15 +25,15 @@ final class TextureName {
     static void check(String file) {
         if (!ALLOWED.matcher(file).matches()) {
             throw new IllegalArgumentException("texture must be a file name of 1 to 200 letters, digits, spaces and "
-                    + "_ . , ( ) + - /, was '" + file.replaceAll("\\p{C}", "?") + "'");
+                    + "_ . , ( ) + - /, was " + Quote.of(file));
         }
         if (file.startsWith("/")) {
             throw new IllegalArgumentException("texture must be a file beside the scene or in its textures folder, "
-                    + "was the absolute path '" + file + "'");
+                    + "was the absolute path " + Quote.of(file));
         }
         for (String name : file.split("/", -1)) {
             if (name.isEmpty() || name.equals(".") || name.equals("..")) {
-                throw new IllegalArgumentException("texture must be a path without empty names, . and .., was '" + file + "'");
+                throw new IllegalArgumentException("texture must be a path without empty names, . and .., was " + Quote.of(file));
             }
         }
     }

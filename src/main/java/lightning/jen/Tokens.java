@@ -1,6 +1,7 @@
 package lightning.jen;
 
 import java.util.Arrays;
+import lightning.text.Quote;
 
 /**
  * The words of a scene file with their places, as columns: token {@code i} is the characters from
@@ -65,12 +66,11 @@ final class Tokens {
         return kind(i) == Kind.STRING ? text.substring(start(i) + 1, end(i) - 1) : text.substring(start(i), end(i));
     }
 
-    /** Token {@code i} as a message quotes it, shortened when long. */
+    /** Token {@code i} as a message quotes it. */
     String found(int i) {
         if (kind(i) == Kind.END) {
             return "the end of the file";
         }
-        String word = text.substring(start(i), end(i));
-        return "'" + (word.length() > 40 ? word.substring(0, word.offsetByCodePoints(0, 37)) + "…" : word) + "'";
+        return Quote.of(text.substring(start(i), end(i)));
     }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.text.Decimal;
 
 /** What follows a property's name in the file. Two values are equal when every bit is. */
 sealed interface Value {
@@ -18,7 +19,7 @@ sealed interface Value {
 
         @Override
         public String text() {
-            return all.stream().map(Value::number).collect(Collectors.joining(" "));
+            return all.stream().map(Decimal::text).collect(Collectors.joining(" "));
         }
     }
 
@@ -54,14 +55,5 @@ sealed interface Value {
 
     static Value yes(boolean v) {
         return new Word(v ? "yes" : "no");
-    }
-
-    /** The shortest decimal number that reads back as {@code v}, the sign of zero included. */
-    static String number(double v) {
-        if (v == 0) {
-            return 1 / v < 0 ? "-0" : "0";
-        }
-        return v == Math.rint(v) && Math.abs(v) < 1e7 ? Long.toString((long) v)
-                : Double.toString(v).replace(".0E", "E").replace('E', 'e');
     }
 }

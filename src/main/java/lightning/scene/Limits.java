@@ -1,8 +1,10 @@
 package lightning.scene;
 
+import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.text.Quote;
 
 /**
  * The ranges of everything that a scene may hold, stated once.
@@ -91,20 +93,21 @@ public final class Limits {
      * The scale of a shape times that of all groups around it must be within the range for one
      * placement, so that its transform can be inverted however deep it is nested.
      *
+     * @param what  the shape's or group's name in messages
      * @param least the product of the smallest absolute factors
      * @param most  the product of the largest
      */
-    public static void combinedScale(String what, double least, double most) {
+    public static void combinedScale(Supplier<String> what, double least, double most) {
         if (least < MIN_SCALE || most > MAX_SCALE) {
-            throw new IllegalArgumentException(what + ": scale times that of its groups must be from " + MIN_SCALE + " to "
+            throw new IllegalArgumentException(what.get() + ": scale times that of its groups must be from " + MIN_SCALE + " to "
                     + text(MAX_SCALE) + ", was " + text(least < MIN_SCALE ? least : most));
         }
     }
 
     public static String name(String name) {
-        if (name.length() > 100 || !NAME.matcher(name).matches()) {
+        if (name.codePointCount(0, name.length()) > 100 || !NAME.matcher(name).matches()) {
             throw new IllegalArgumentException("a name must begin with a letter or _, go on with letters, digits, - or _, "
-                    + "and have at most 100 characters, was '" + name + "'");
+                    + "and have at most 100 characters, was " + Quote.of(name));
         }
         return name;
     }

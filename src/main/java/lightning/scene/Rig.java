@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import lightning.text.Quote;
 
 /**
  * The lights of a scene, in the order in which their contributions are summed. Immutable; an edit of one light shares what
@@ -43,7 +44,7 @@ public final class Rig {
     }
 
     static IllegalArgumentException taken(Light light) {
-        return new IllegalArgumentException("light '" + light.name() + "': the name is already taken");
+        return new IllegalArgumentException("light " + Quote.of(light.name()) + ": the name is already taken");
     }
 
     public List<Light> lights() {
@@ -74,7 +75,7 @@ public final class Rig {
     public Rig with(Light light) {
         int place = place(light.name());
         if (place < 0) {
-            throw new IllegalArgumentException("there is no light '" + light.name() + "'");
+            throw new IllegalArgumentException("there is no light " + Quote.of(light.name()));
         }
         List<Light> all = new ArrayList<>(lights);
         all.set(place, light);

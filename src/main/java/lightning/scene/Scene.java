@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import lightning.text.Quote;
 
 /**
  * Everything a picture depends on. Two equal scenes give the same picture in every bit.
@@ -93,7 +94,7 @@ public record Scene(Picture picture, Camera camera, World world, Stage stage, Ri
     public Scene withMaterial(Material material) {
         if (material(material.name()).isEmpty()) {
             if (!material.name().equals(Material.DEFAULT.name())) {
-                throw new IllegalArgumentException("there is no material '" + material.name() + "'");
+                throw new IllegalArgumentException("there is no material " + Quote.of(material.name()));
             }
             List<Material> more = new ArrayList<>(materials());
             more.add(material);

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import lightning.math.Transform;
+import lightning.text.Quote;
 
 /**
  * What stands before the camera: shapes, in groups, and their materials. Checked once, when it is made, and shared by all
@@ -39,7 +40,7 @@ public final class Stage {
         Map<String, Material> found = HashMap.newHashMap(this.materials.size() + 1);
         for (Material material : this.materials) {
             if (found.put(material.name(), material) != null) {
-                throw new IllegalArgumentException("material '" + material.name() + "': the name is already taken");
+                throw new IllegalArgumentException("material " + Quote.of(material.name()) + ": the name is already taken");
             }
         }
         found.putIfAbsent(Material.DEFAULT.name(), Material.DEFAULT);
@@ -129,7 +130,7 @@ public final class Stage {
             Arrays.parallelSort(names);
             for (int i = 1; i < names.length; i++) {
                 if (names[i].equals(names[i - 1])) {
-                    throw new IllegalArgumentException("shape '" + names[i] + "': the name is already taken");
+                    throw new IllegalArgumentException("shape " + Quote.of(names[i]) + ": the name is already taken");
                 }
             }
         }
@@ -142,7 +143,7 @@ public final class Stage {
                 found.add(node.name());
                 double least = leastScale * node.placement().leastScale();
                 double most = mostScale * node.placement().mostScale();
-                Limits.combinedScale("shape '" + node.name() + "'", least, most);
+                Limits.combinedScale(() -> "shape " + Quote.of(node.name()), least, most);
                 switch (node) {
                     case Group g -> count += check(g.children(), found, nesting + 1, least, most);
                     case Shape s -> {
@@ -157,7 +158,7 @@ public final class Stage {
         void checkMaterials(Set<String> known) {
             users.forEach((material, shape) -> {
                 if (!known.contains(material)) {
-                    throw new IllegalArgumentException("shape '" + shape + "': there is no material '" + material + "'");
+                    throw new IllegalArgumentException("shape " + Quote.of(shape) + ": there is no material " + Quote.of(material));
                 }
             });
         }

@@ -52,6 +52,18 @@ class RenderCommandTest {
         assertThat(PictureFile.read(picture).sameBits(new ReferenceTracer(wanted).trace())).isTrue();
     }
 
+    @ParameterizedTest
+    @CsvSource({"--threads, 0x2", "--threads, 010b", "--threads, ٣", "--threads, 2.5", "--threads, 99999999999", "--depth, '#2'", "--exposure, 1d",
+        "--exposure, 0x1p3", "--exposure, NaN", "--threads, 1e999999999", "--threads, 1e99999999999"})
+    void optionThatIsNoNumber_isRefused(String option, String word) {
+        Cli.run("render", scene, "-o", folder.resolve("a.png"), option, word).isRefusedSaying(option, "number, found '" + word + "'");
+    }
+
+    @Test
+    void wholeNumber_mayBeWrittenAsInAScene() throws Exception {
+        Cli.run("render", scene, "-o", folder.resolve("a.png"), "--threads", "+2.0", "--depth", "010").isDone();
+    }
+
     @Test
     void exposure_brightensPng() throws Exception {
         Path plain = folder.resolve("plain.png");
@@ -129,7 +141,7 @@ class RenderCommandTest {
         "--depth | x | --depth",
         "--threads | 0 | --threads must be from 1 to 1024, was 0",
         "--view | rec709 | expected srgb or 1998, found 'rec709'",
-        "--exposure | NaN | --exposure must be from -64 to 64 stops, was NaN"})
+        "--exposure | 65 | --exposure must be from -64 to 64 stops, was 65"})
     void badOption_isRefused(String option, String value, String sentence) {
         Cli.run("render", scene, "-o", folder.resolve("a.png"), option, value).isRefusedSaying(sentence);
         assertThat(folder.resolve("a.png")).doesNotExist();

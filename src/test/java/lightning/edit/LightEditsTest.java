@@ -2,6 +2,7 @@ package lightning.edit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Light;
@@ -95,6 +96,16 @@ class LightEditsTest {
         assertThat(Desk.names(doubled)).containsExactly("key", "key2", "fill", "sun");
         assertThat(Desk.light(doubled, "key2").withName("key")).isEqualTo(Desk.light(scene, "key"));
         assertThat(Desk.names(Desk.done(LightEdits.duplicate(doubled, "key2")))).contains("key3");
+    }
+
+    @Test
+    void freeNameOfALongOne_cutsNoCharacterInTwo() {
+        String name = "a" + "𝐀".repeat(49);
+        Scene taken = LightEdits.add(scene, Light.of(name, LightType.POINT)).or(scene);
+        assertThat(LightEdits.freeName(taken, name)).isEqualTo(name + "2");
+        String longest = "a" + "𝐀".repeat(99);
+        assertThat(LightEdits.freeName(taken.withLights(List.of(Light.of(longest, LightType.POINT))), longest))
+                .isEqualTo("a" + "𝐀".repeat(92) + "2");
     }
 
     @Test

@@ -3,6 +3,8 @@ package lightning.edit;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIOException;
 import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -20,6 +22,8 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class MotionPathTest {
     private static final Light LIGHT = Light.of("key", LightType.SPOT);
@@ -144,12 +148,51 @@ class MotionPathTest {
         refuses("lightning-path 1\nat 0 high 0 direction 0 -1 0", "a.path:2: expected a number, found 'high'");
         refuses("lightning-path 1\nat 0 0 0", "a.path:2: expected at x y z direction x y z, found 'at 0 0 0'");
         refuses("lightning-path 1\nat 0 0 0 direction 0 0 0", "a.path:2: direction must not be zero, was 0 0 0");
-        assertThatIOException().isThrownBy(() -> MotionPathFile.read("lightning-path 1\nat NaN 0 0 direction 0 1 0", "a.path"))
-                .withMessageStartingWith("a.path:2: position x must be from ").withMessageEndingWith(", was NaN");
+        assertThatIOException().isThrownBy(() -> MotionPathFile.read("lightning-path 1\nat 2e12 0 0 direction 0 1 0", "a.path"))
+                .withMessageStartingWith("a.path:2: position x must be from ").withMessageEndingWith(", was 2.0E12");
     }
 
     private static void refuses(String text, String sentence) {
-        assertThatIOException().isThrownBy(() -> MotionPathFile.read(text, "a.path")).withMessage(sentence);
+        String told = assertThrows(IOException.class, () -> MotionPathFile.read(text, "a.path")).getMessage();
+        assertThat(told.substring(0, Math.min(told.length(), 1000))).isEqualTo(sentence);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1d", "1f", "0x1p3", "NaN", "Infinity", "1_0", "١", "1e"})
+    void numbers_areThoseOfSceneFiles(String word) {
+        refuses("lightning-path 1\nat 0 " + word + " 0 direction 0 1 0", "a.path:2: expected a number, found '" + word + "'");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"\u2028", "\u0085", "\u3000", "\f", "\u000b", "\r"})
+    void onlySpacesTabsAndLineEnds_areSpaces(String space) {
+        assertThatIOException().isThrownBy(() -> MotionPathFile.read("lightning-path 1\nat 0 0 0" + space + "direction 0 1 0", "a.path"));
+        assertThatIOException().isThrownBy(
+                () -> MotionPathFile.read("lightning-path 1\n# one" + space + "at 0 0 0 direction 0 1 0\n", "a.path"))
+                .withMessageContaining("at least one key");
+    }
+
+    @Test
+    void lineOfMegabytes_isQuotedByItsFirstCharacters() {
+        refuses("lightning-path 1\n" + "a".repeat(30 << 20),
+                "a.path:2: expected at x y z direction x y z, found '" + "a".repeat(99) + "…'");
+        refuses("lightning-path 1\n" + "1 ".repeat(15 << 20),
+                "a.path:2: expected at x y z direction x y z, found '" + "1 ".repeat(49) + "1…'");
+        refuses("lightning-path 1\nat 0 " + "𝟏".repeat(1 << 20) + " 0 direction 0 1 0",
+                "a.path:2: expected a number, found '" + "𝟏".repeat(99) + "…'");
+    }
+
+    @Test
+    void fileThatNeverEnds_isRefused() {
+        Path zeros = Path.of("/dev/zero");
+        assumeTrue(Files.exists(zeros));
+        assertThatIOException().isThrownBy(() -> MotionPathFile.load(zeros))
+                .withMessage("/dev/zero: a motion path may have at most 33554432 bytes");
+    }
+
+    @Test
+    void byteOrderMark_isPassedOver() throws IOException {
+        assertThat(MotionPathFile.read("\uFEFFlightning-path 1\nat 0 0 0 direction 0 1 0", "a.path").keys()).hasSize(1);
     }
 
     @Test

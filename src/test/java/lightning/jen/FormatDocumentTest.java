@@ -11,6 +11,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import lightning.scene.Limits;
+import lightning.text.Decimal;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -74,7 +75,7 @@ class FormatDocumentTest {
             case QUOTED -> "name in quotes";
         };
         String range = p.form() == Property.Form.NUMBERS
-                ? Value.number(p.min()) + " … " + Value.number(p.max()) : "";
+                ? Decimal.text(p.min()) + " … " + Decimal.text(p.max()) : "";
         return ("| `" + p.name() + "` | " + value + " | " + initial + " | " + range + " | " + p.unit() + " |").replaceAll(" +", " ");
     }
 

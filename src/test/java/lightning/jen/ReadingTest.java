@@ -176,6 +176,16 @@ class ReadingTest {
     }
 
     @Test
+    void longWordsOfSupplementaryCharacters_areQuotedByTheirFirstCharacters() {
+        String word = "𝐀".repeat(150);
+        String shortened = "'" + "𝐀".repeat(99) + "…'";
+        assertThat(problems("jen 1 " + word + " {}").getFirst()).endsWith("found " + shortened);
+        assertThat(problems("jen 1 world { " + word + " 1 }").getFirst()).contains("unknown property " + shortened);
+        assertThat(problems("jen 1 world { ambience " + "𝐀".repeat(21) + " }")).containsExactly(
+                "s.jen:1:24: world: ambience must be a number, found '" + "𝐀".repeat(21) + "'");
+    }
+
+    @Test
     void malformedUtf8_isAProblemAndTheRestIsRead() throws Exception {
         Path file = folder.resolve("bad.jen");
         byte[] bytes = "jen 1 # ?\nlight a point { intensity -1 }".getBytes(StandardCharsets.UTF_8);

@@ -101,18 +101,6 @@ class SavingLawsTest {
         assertThat(after).isEqualTo(before.substring(0, tokens.start(changed)) + "123.75" + before.substring(tokens.end(changed)));
     }
 
-    @Property
-    void anyDouble_isWrittenWithoutLoss(@ForAll long bits) {
-        double v = Double.longBitsToDouble(bits);
-        if (Double.isFinite(v)) {
-            String text = Value.number(v);
-            assertThat(Double.parseDouble(text)).isEqualTo(v);
-            assertThat(text.length()).isLessThanOrEqualTo(Double.toString(v).length());
-            var problems = new Problems();
-            assertThat(Lexer.tokens(text, problems).kind(0)).isEqualTo(Tokens.Kind.NUMBER);
-        }
-    }
-
     private static Scene read(String text) throws JenException {
         return JenReader.read(text, "s.jen", folder).scene();
     }

@@ -1,7 +1,10 @@
 package lightning.app.widget;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import lightning.edit.Steps;
+import lightning.text.Decimal;
+import lightning.text.Quote;
 
 /** A number that a widget edits. Both edits return why they were refused, a clause, and change nothing then. */
 public interface Gauge {
@@ -38,11 +41,9 @@ public interface Gauge {
 
             @Override
             public Optional<String> typed(String text) {
-                try {
-                    return set(Double.parseDouble(text.strip()), null);
-                } catch (NumberFormatException e) {
-                    return Optional.of(title + " must be a number, was '" + text.strip() + "'");
-                }
+                OptionalDouble number = Decimal.read(text.strip());
+                return number.isPresent() ? set(number.getAsDouble(), null)
+                        : Optional.of(title + " must be a number, was " + Quote.of(text.strip()));
             }
         };
     }
