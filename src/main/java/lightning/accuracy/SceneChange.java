@@ -5,6 +5,7 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import lightning.jen.NameText;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
@@ -33,11 +34,11 @@ final class SceneChange {
 
     private void lights(Scene before, Scene after) {
         LightMatch match = new LightMatch(before.lights(), after.lights());
-        match.gone().forEach(i -> words.add(before.lights().get(i).name() + " is deleted"));
+        match.gone().forEach(i -> words.add(NameText.of(before.lights().get(i).name()) + " is deleted"));
         for (int i = 0; i < after.lights().size(); i++) {
             Light light = after.lights().get(i);
             if (match.origin(i) < 0) {
-                words.add(light.name() + " is added, " + light.type().name().toLowerCase(Locale.ROOT));
+                words.add(NameText.of(light.name()) + " is added, " + light.type().name().toLowerCase(Locale.ROOT));
             } else {
                 light(before.lights().get(match.origin(i)), light);
             }
@@ -46,9 +47,9 @@ final class SceneChange {
 
     private void light(Light old, Light light) {
         if (!old.name().equals(light.name())) {
-            words.add(old.name() + " is named " + light.name());
+            words.add(NameText.of(old.name()) + " is named " + NameText.of(light.name()));
         }
-        String name = light.name() + ".";
+        String name = NameText.of(light.name()) + ".";
         set(name + "type", old.type().name().toLowerCase(Locale.ROOT), light.type().name().toLowerCase(Locale.ROOT));
         set(name + "color", text(old.color()), text(light.color()));
         set(name + "intensity", number(old.intensity()), number(light.intensity()));
@@ -67,7 +68,7 @@ final class SceneChange {
     }
 
     private void material(Material old, Material material) {
-        String name = material.name() + ".";
+        String name = NameText.of(material.name()) + ".";
         set(name + "ambient", text(old.ambient()), text(material.ambient()));
         set(name + "diffuse", text(old.diffuse()), text(material.diffuse()));
         set(name + "specular", text(old.specular()), text(material.specular()));

@@ -18,7 +18,7 @@ final class BlockPatch {
     /** Patches the name and the properties; children are the caller's. */
     void apply(Block block, Element wanted) {
         if (!block.name.equals(wanted.name())) {
-            replace(block.nameToken, wanted.name());
+            replace(block.nameToken, NameText.of(wanted.name()));
         }
         block.type.header().ifPresent(p -> change(block.entries.get(p.name()), wanted.values().get(p.name())));
         for (Property<?> property : block.type.properties()) {

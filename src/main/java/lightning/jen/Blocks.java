@@ -68,13 +68,13 @@ final class Blocks {
                     v.number("shininess"), v.color("reflective"), textureMap(v)));
 
     static final BlockType<Shape.Sphere> SPHERE =
-            shape("sphere", (name, v, children) -> new Shape.Sphere(name, v.word("material"), placement(v)));
+            shape("sphere", (name, v, children) -> new Shape.Sphere(name, v.name("material"), placement(v)));
     static final BlockType<Shape.Cone> CONE =
-            shape("cone", (name, v, children) -> new Shape.Cone(name, v.word("material"), placement(v)));
+            shape("cone", (name, v, children) -> new Shape.Cone(name, v.name("material"), placement(v)));
     static final BlockType<Shape.Cylinder> CYLINDER =
-            shape("cylinder", (name, v, children) -> new Shape.Cylinder(name, v.word("material"), placement(v)));
+            shape("cylinder", (name, v, children) -> new Shape.Cylinder(name, v.name("material"), placement(v)));
     static final BlockType<Shape.Plane> PLANE =
-            shape("plane", (name, v, children) -> new Shape.Plane(name, v.word("material"), placement(v)));
+            shape("plane", (name, v, children) -> new Shape.Plane(name, v.name("material"), placement(v)));
 
     static final BlockType<Group> GROUP = new BlockType<>("group", true, Optional.empty(), placed(),
             (name, v, children) -> new Group(name, placement(v), children));
@@ -117,8 +117,8 @@ final class Blocks {
     }
 
     private static <T extends Shape> BlockType<T> shape(String keyword, BlockType.Builder<T> builder) {
-        Property<T> material = Property.word("material", new Value.Word(Material.DEFAULT.name()),
-                "the name of a material", s -> new Value.Word(s.material()));
+        Property<T> material = Property.name("material", new Value.Name(Material.DEFAULT.name()),
+                "the name of a material", s -> new Value.Name(s.material()));
         return new BlockType<>(keyword, true, Optional.empty(),
                 Stream.concat(Stream.of(material), Blocks.<T>placed().stream()).toList(), builder);
     }

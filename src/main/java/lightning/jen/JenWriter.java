@@ -42,7 +42,7 @@ public final class JenWriter {
     static String block(Element element, String indent, String newline) {
         var head = new StringBuilder(indent).append(element.type().keyword());
         if (element.type().named()) {
-            head.append(' ').append(element.name());
+            head.append(' ').append(NameText.of(element.name()));
         }
         element.type().header().ifPresent(p -> head.append(' ').append(element.values().get(p.name()).text()));
         List<String> properties = element.type().properties().stream().filter(element::mustSay)

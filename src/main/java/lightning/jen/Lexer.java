@@ -50,16 +50,27 @@ final class Lexer {
     }
 
     private void string() {
-        int start = at++;
-        while (at < text.length() && text.charAt(at) != '"' && text.charAt(at) != '\n') {
-            at++;
-        }
-        if (at == text.length() || text.charAt(at) == '\n') {
+        int start = at;
+        int close = NameText.closing(text, start);
+        if (close < 0) {
             problems.add(start, "a '\"' must be closed by another in the same line");
+            int end = text.indexOf('\n', start);
+            at = end < 0 ? text.length() : end;
             return;
         }
-        at++;
+        escapes(start + 1, close);
+        at = close + 1;
         end(Tokens.Kind.STRING, start);
+    }
+
+    /** Reports a string with a backslash that stands before anything but a quote or a backslash. */
+    private void escapes(int from, int to) {
+        for (int i = text.indexOf('\\', from, to); i >= 0; i = text.indexOf('\\', i + 2, to)) {
+            if (!NameText.isEscaped(text.charAt(i + 1))) {
+                problems.add(from - 1, "a '\\' in quotes must stand before '\"' or another '\\', found " + shown(text.codePointAt(i + 1)));
+                return;
+            }
+        }
     }
 
     private void word(char first) {
@@ -67,14 +78,14 @@ final class Lexer {
         boolean number = first >= '0' && first <= '9' || first == '-' || first == '+' || first == '.';
         while (at < text.length()) {
             int c = text.codePointAt(at);
-            if (!isWordPart(c) && !(number && (c == '.' || c == '+'))) {
+            if (!NameText.isWordPart(c) && !(number && (c == '.' || c == '+'))) {
                 break;
             }
             at += Character.charCount(c);
         }
         if (number) {
             end(Decimal.is(text, start, at) ? Tokens.Kind.NUMBER : Tokens.Kind.BAD_NUMBER, start);
-        } else if (at > start && isWordStart(text.codePointAt(start))) {
+        } else if (at > start && NameText.isWordStart(text.codePointAt(start))) {
             end(Tokens.Kind.WORD, start);
         } else {
             int c = text.codePointAt(start);
@@ -85,9 +96,9 @@ final class Lexer {
 
     /** Adds a token, which must be followed by something that ends it. */
     private void end(Tokens.Kind kind, int start) {
-        if (at - start > JenLimits.TOKEN_LENGTH) {
+        if (at - start > JenLimits.TOKEN_LENGTH && text.codePointCount(start, at) > JenLimits.TOKEN_LENGTH) {
             problems.add(start, "a word, number or string may have at most " + JenLimits.TOKEN_LENGTH
-                    + " characters, found " + (at - start));
+                    + " characters, found " + text.codePointCount(start, at));
             return;
         }
         if (at < text.length() && "\t\n\r #{}".indexOf(text.charAt(at)) < 0) {
@@ -99,18 +110,5 @@ final class Lexer {
     private static String shown(int c) {
         boolean visible = c > ' ' && c < 0x7F || Character.isLetterOrDigit(c);
         return visible ? Quote.of(Character.toString(c)) : "U+%04X".formatted(c);
-    }
-
-    private static boolean isWordStart(int c) {
-        return c == '_' || Character.isLetter(c);
-    }
-
-    /** As {@link lightning.scene.Limits} defines names. */
-    private static boolean isWordPart(int c) {
-        if (c == '_' || c == '-' || Character.isLetterOrDigit(c)) {
-            return true;
-        }
-        int type = Character.getType(c);
-        return type == Character.LETTER_NUMBER || type == Character.OTHER_NUMBER;
     }
 }

@@ -123,7 +123,7 @@ final class Parser {
     }
 
     private void name(Block block) {
-        if (kind() != Kind.WORD) {
+        if (kind() != Kind.WORD && kind() != Kind.STRING) {
             problem(block.type.keyword() + ": expected a name, found " + tokens.found(at));
             if (isLiteral(kind())) {
                 at++;
@@ -193,7 +193,7 @@ final class Parser {
 
     /** Whether {@code material name \{} stands here and not the property {@code material name}. */
     private boolean isNamedBlock() {
-        return tokens.kind(at + 1) == Kind.WORD && tokens.kind(at + 2) == Kind.OPEN;
+        return tokens.isName(at + 1) && tokens.kind(at + 2) == Kind.OPEN;
     }
 
     /** Goes behind the next closed pair of braces, or to the next block, or to the end. */

@@ -17,7 +17,7 @@ import lightning.text.Quote;
  * @param labels  the names of the numbers, one for each ("" where the property's own name says it)
  * @param min     the least value of each number
  * @param max     the largest value of each number
- * @param choices the allowed words; empty where any name may stand
+ * @param choices the allowed words
  * @param initial the value where the file does not say
  * @param unit    for the documentation
  * @param whole   whether the numbers must be whole
@@ -30,6 +30,7 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
     enum Form {
         NUMBERS,
         WORD,
+        NAME,
         QUOTED
     }
 
@@ -64,8 +65,9 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         return choice(name, Value.yes(initial), List.of("yes", "no"), t -> Value.yes(get.apply(t)));
     }
 
-    static <T> Property<T> word(String name, Value initial, String unit, Function<T, Value> get) {
-        return new Property<>(name, Form.WORD, List.of(), 0, 0, List.of(), initial, unit, false, v -> {}, get);
+    /** The name of something. */
+    static <T> Property<T> name(String name, Value initial, String unit, Function<T, Value> get) {
+        return new Property<>(name, Form.NAME, List.of(), 0, 0, List.of(), initial, unit, false, v -> {}, get);
     }
 
     static <T> Property<T> quoted(String name, String unit, Consumer<Value> extra, Function<T, Value> get) {
@@ -99,7 +101,7 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
 
     /** @throws IllegalArgumentException if {@code word} is none of the choices */
     void checkWord(String word) {
-        if (!choices.isEmpty() && !choices.contains(word)) {
+        if (!choices.contains(word)) {
             throw new IllegalArgumentException(name + " must be " + alternatives() + ", was " + Quote.of(word)
                     + Nearest.hint(word, choices));
         }
@@ -114,7 +116,8 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
     String expected() {
         return switch (form) {
             case NUMBERS -> count() == 1 ? "a number" : count() + " numbers";
-            case WORD -> choices.isEmpty() ? "a name" : alternatives();
+            case WORD -> alternatives();
+            case NAME -> "a name";
             case QUOTED -> "a file name in quotes";
         };
     }

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.scene.Group;
 import lightning.scene.Light;
@@ -25,7 +26,8 @@ import lightning.text.Quote;
  *
  * <p>The part before the point is {@code picture}, {@code camera}, {@code world}, or the name of a light, a
  * shape, a group or a material, looked for in this order; {@code material:gold} means a material whatever else has
- * its name. The properties are those of the file, and {@code name} of everything but materials, {@code type} of lights, and
+ * its name. A name in double quotes, {@code "key light".intensity=0.4}, is never one of the three words, and may hold a point and an
+ * equals sign; {@link NameText} says how. The properties are those of the file, and {@code name} of everything but materials, {@code type} of lights, and
  * {@code texture=none} to take a texture away. The material {@code default} may be edited before it is written. A picture that
  * the scene has not read yet can be named where a folder is given, and is looked for as if the scene file were in it. Every method throws an
  * {@link IllegalArgumentException} whose message says in one sentence what is wrong.
@@ -58,13 +60,20 @@ public final class PropertyEdit {
     }
 
     private static Scene apply(Scene scene, String assignment, Function<String, Texture> textures) {
-        int equals = assignment.indexOf('=');
-        int point = assignment.lastIndexOf('.', Math.max(equals, 0));
-        if (point < 1) {
+        int name = target(assignment);
+        int equals = assignment.indexOf('=', name);
+        int point = name > 0 ? name : assignment.lastIndexOf('.', Math.max(equals, 0));
+        if (point < 1 || equals < point || assignment.charAt(point) != '.') {
             throw new IllegalArgumentException("an edit must be written as NAME.PROPERTY=VALUE, was " + Quote.of(assignment));
         }
         return set(scene, assignment.substring(0, point).strip(), assignment.substring(point + 1, equals).strip(),
                 assignment.substring(equals + 1).strip(), textures);
+    }
+
+    /** The place behind a name in quotes that an assignment begins with; 0 where its name has none. */
+    private static int target(String assignment) {
+        int start = assignment.startsWith(MATERIAL) ? MATERIAL.length() : 0;
+        return assignment.startsWith("\"", start) ? NameText.closing(assignment, start) + 1 : 0;
     }
 
     /**
@@ -85,7 +94,7 @@ public final class PropertyEdit {
      */
     public static Scene texture(Scene scene, String material, String file, Path folder) {
         TextureName.check(file);
-        return set(scene, MATERIAL + material, "texture", new Value.Quoted(file).text(), f -> texture(scene, f, folder));
+        return set(scene, MATERIAL + NameText.of(material), "texture", new Value.Quoted(file).text(), f -> texture(scene, f, folder));
     }
 
     /**
@@ -103,8 +112,8 @@ public final class PropertyEdit {
             case "camera" -> scene.withCamera(edited(textures, Blocks.CAMERA, "", scene.camera(), property, value));
             case "world" -> scene.withWorld(edited(textures, Blocks.WORLD, "", scene.world(), property, value));
             default -> target.startsWith(MATERIAL)
-                    ? setMaterial(scene, target.substring(MATERIAL.length()), property, value, textures)
-                    : setNamed(scene, target, property, value, textures);
+                    ? setMaterial(scene, NameText.read(target.substring(MATERIAL.length())), property, value, textures)
+                    : setNamed(scene, NameText.read(target), property, value, textures);
         };
     }
 
@@ -112,11 +121,11 @@ public final class PropertyEdit {
      * The scene with one more light, the last.
      *
      * @param text a block as in the file, {@code light fill point { intensity 0.5 }}, or short,
-     *     {@code fill point intensity=0.5 at=0 1 2}
+     *     {@code fill point intensity=0.5 at=0 1 2}, the name in quotes where it is no word
      * @throws IllegalArgumentException if the text is not one right light, or its name is taken
      */
     public static Scene add(Scene scene, String text) {
-        String block = text.indexOf('{') >= 0 ? text : block(text);
+        String block = hasBrace(text) ? text : block(text);
         var problems = new Problems();
         Tokens tokens = Lexer.tokens(block, problems);
         List<Block> blocks = Parser.fragment(tokens, problems);
@@ -130,11 +139,13 @@ public final class PropertyEdit {
     }
 
     /**
-     * The scene without the light {@code name}.
+     * The scene without a light.
      *
+     * @param light its name, in quotes or without
      * @throws IllegalArgumentException if there is no such light
      */
-    public static Scene delete(Scene scene, String name) {
+    public static Scene delete(Scene scene, String light) {
+        String name = NameText.read(light);
         List<String> names = scene.lights().stream().map(Light::name).toList();
         if (!names.contains(name)) {
             throw new IllegalArgumentException("there is no light " + Quote.of(name) + Nearest.hint(name, names));
@@ -142,12 +153,21 @@ public final class PropertyEdit {
         return scene.withLights(scene.lights().stream().filter(l -> !l.name().equals(name)).toList());
     }
 
+    private static boolean hasBrace(String text) {
+        Tokens tokens = Lexer.tokens(text, new Problems());
+        return IntStream.range(0, tokens.size()).anyMatch(i -> tokens.kind(i) == Tokens.Kind.OPEN);
+    }
+
     private static String block(String text) {
-        String[] words = text.strip().split("\\s+", 3);
-        if (words.length < 2) {
+        String light = text.strip();
+        int name = NameText.isQuoted(light) ? NameText.closing(light, 0) + 1 : 0;
+        String[] words = light.substring(name).strip().split("\\s+", name > 0 ? 2 : 3);
+        int type = name > 0 ? 0 : 1;
+        if (words.length <= type || words[type].isEmpty()) {
             throw new IllegalArgumentException("expected a light's name and type, as in 'fill point', found " + Quote.of(text));
         }
-        return "light " + words[0] + " " + words[1] + " { " + (words.length < 3 ? "" : words[2].replace('=', ' ')) + "\n}";
+        return "light " + (name > 0 ? light.substring(0, name) : words[0]) + " " + words[type] + " { "
+                + (words.length <= type + 1 ? "" : words[type + 1].replace('=', ' ')) + "\n}";
     }
 
     private static Scene setNamed(Scene scene, String target, String property, String value, Function<String, Texture> textures) {
@@ -164,7 +184,7 @@ public final class PropertyEdit {
             return setMaterial(scene, target, property, value, textures);
         }
         List<String> known = Stream.of(Stream.of("picture", "camera", "world"), scene.lights().stream().map(Light::name),
-                names(scene.nodes()), scene.materials().stream().map(Material::name)).flatMap(s -> s).toList();
+                names(scene.nodes()), scene.materials().stream().map(Material::name)).flatMap(s -> s).filter(k -> !k.equals(target)).toList();
         throw new IllegalArgumentException("the scene has nothing named " + Quote.of(target) + Nearest.hint(target, known));
     }
 
@@ -205,7 +225,7 @@ public final class PropertyEdit {
         Map<String, Value> values = new HashMap<>(type.values(record));
         String newName = name;
         if (property.equals(NAME) && type.named() && type != Blocks.MATERIAL) {
-            newName = Limits.name(value);
+            newName = Limits.name(NameText.read(value));
         } else if (type == Blocks.MATERIAL && property.equals("texture") && value.equals(NONE)) {
             values.put(property, new Value.Absent());
         } else {

@@ -46,27 +46,38 @@ final class PropertyParser {
     private int value(Block block, Property<?> property, int nameToken, int at) {
         return switch (property.form()) {
             case NUMBERS -> numbers(block, property, nameToken, at);
-            case WORD -> single(block, property, Kind.WORD, nameToken, at);
-            case QUOTED -> single(block, property, Kind.STRING, nameToken, at);
+            case WORD -> single(block, property, tokens.kind(at) == Kind.WORD, nameToken, at);
+            case NAME -> single(block, property, tokens.isName(at), nameToken, at);
+            case QUOTED -> single(block, property, tokens.kind(at) == Kind.STRING, nameToken, at);
         };
     }
 
-    private int single(Block block, Property<?> property, Kind kind, int nameToken, int at) {
-        if (tokens.kind(at) != kind) {
+    private int single(Block block, Property<?> property, boolean right, int nameToken, int at) {
+        if (!right) {
             String where = nameToken < 0 ? "" : property.name() + ": ";
             problem(at, at, block.title() + ": " + where + "expected " + property.expected() + ", found " + tokens.found(at));
             return isValue(tokens.kind(at)) ? at + 1 : at;
         }
-        String text = tokens.text(at);
         try {
-            property.checkWord(text);
-            Value value = kind == Kind.WORD ? new Value.Word(text) : new Value.Quoted(text);
+            Value value = value(property, tokens.text(at));
             property.checkTogether(value);
             block.entries.putIfAbsent(property.name(), new Block.Entry(property, nameToken, at, at + 1, value));
         } catch (IllegalArgumentException e) {
             problem(at, at, block.title() + ": " + e.getMessage());
         }
         return at + 1;
+    }
+
+    private static Value value(Property<?> property, String text) {
+        return switch (property.form()) {
+            case WORD -> {
+                property.checkWord(text);
+                yield new Value.Word(text);
+            }
+            case NAME -> new Value.Name(text);
+            case QUOTED -> new Value.Quoted(text);
+            case NUMBERS -> throw new IllegalStateException(property.name() + " is no single word");
+        };
     }
 
     private int numbers(Block block, Property<?> property, int nameToken, int from) {

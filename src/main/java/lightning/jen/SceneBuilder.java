@@ -124,9 +124,9 @@ final class SceneBuilder {
 
     private void checkMaterial(Block block) {
         Block.Entry entry = block.entries.get("material");
-        if (entry != null && !materialNames.contains(entry.value().text())) {
-            problems.add(tokens.start(entry.from()), block.title() + ": there is no material "
-                    + Quote.of(entry.value().text()) + Nearest.hint(entry.value().text(), materialNames));
+        if (entry != null && entry.value() instanceof Value.Name(String name) && !materialNames.contains(name)) {
+            problems.add(tokens.start(entry.from()), block.title() + ": there is no material " + Quote.of(name)
+                    + Nearest.hint(name, materialNames));
         }
     }
 

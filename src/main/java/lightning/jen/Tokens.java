@@ -53,6 +53,11 @@ final class Tokens {
         return i < size ? KINDS[kinds[i]] : Kind.END;
     }
 
+    /** Whether token {@code i} can be a name. */
+    boolean isName(int i) {
+        return kind(i) == Kind.WORD || kind(i) == Kind.STRING;
+    }
+
     int start(int i) {
         return starts[Math.min(i, size - 1)];
     }
@@ -61,9 +66,9 @@ final class Tokens {
         return ends[Math.min(i, size - 1)];
     }
 
-    /** The characters of token {@code i}, a string's without its quotes. */
+    /** The characters of token {@code i}, a string's without its quotes and escapes. */
     String text(int i) {
-        return kind(i) == Kind.STRING ? text.substring(start(i) + 1, end(i) - 1) : text.substring(start(i), end(i));
+        return kind(i) == Kind.STRING ? NameText.unescaped(text.substring(start(i) + 1, end(i) - 1)) : text.substring(start(i), end(i));
     }
 
     /** Token {@code i} as a message quotes it. */

@@ -23,7 +23,16 @@ sealed interface Value {
         }
     }
 
+    /** One of the words that a property may be. */
     record Word(String text) implements Value {}
+
+    /** The name of something in the scene, in quotes where it is no word. */
+    record Name(String name) implements Value {
+        @Override
+        public String text() {
+            return NameText.of(name);
+        }
+    }
 
     /** A file's name, written in quotes. */
     record Quoted(String file) implements Value {

@@ -44,6 +44,10 @@ record Values(Map<String, Value> all, Function<String, Texture> textures) {
         return ((Value.Word) all.get(property)).text();
     }
 
+    String name(String property) {
+        return ((Value.Name) all.get(property)).name();
+    }
+
     boolean yes(String property) {
         return word(property).equals("yes");
     }

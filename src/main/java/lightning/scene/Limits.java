@@ -1,10 +1,10 @@
 package lightning.scene;
 
 import java.util.function.Supplier;
-import java.util.regex.Pattern;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.text.Quote;
+import lightning.text.Visible;
 
 /**
  * The ranges of everything that a scene may hold, stated once.
@@ -40,7 +40,7 @@ public final class Limits {
     public static final double MAX_REPEAT = 1e6;
     public static final double MAX_ROTATION = 1e6;
 
-    private static final Pattern NAME = Pattern.compile("[\\p{L}_][\\p{L}\\p{N}_-]*");
+    public static final int MAX_NAME = 100;
 
     private Limits() {}
 
@@ -104,12 +104,21 @@ public final class Limits {
         }
     }
 
+    /**
+     * A name: 1 to 100 code points, all of which a line shows, neither a space nor a joiner at its ends. Two names are the same if
+     * all their code points are.
+     */
     public static String name(String name) {
-        if (name.codePointCount(0, name.length()) > 100 || !NAME.matcher(name).matches()) {
-            throw new IllegalArgumentException("a name must begin with a letter or _, go on with letters, digits, - or _, "
-                    + "and have at most 100 characters, was " + Quote.of(name));
+        if (name.isEmpty() || name.codePointCount(0, name.length()) > MAX_NAME || !Visible.is(name)
+                || isBlank(name.codePointAt(0)) || isBlank(name.codePointBefore(name.length()))) {
+            throw new IllegalArgumentException("a name must have 1 to " + MAX_NAME + " characters, no control characters and no spaces "
+                    + "at its ends, was " + Quote.of(name));
         }
         return name;
+    }
+
+    private static boolean isBlank(int c) {
+        return Character.getType(c) == Character.SPACE_SEPARATOR || Character.getType(c) == Character.FORMAT;
     }
 
     /** A number as the file writes it: whole numbers without a fraction. */

@@ -71,6 +71,7 @@ class BlocksTest {
                     p.checkTogether(p.initial());
                 }
                 case Value.Word(String word) -> p.checkWord(word);
+                case Value.Name(String name) -> lightning.scene.Limits.name(name);
                 case Value.Quoted q -> p.checkTogether(q);
                 case Value.Absent a -> assertThat(p.name()).isEqualTo("texture");
             }

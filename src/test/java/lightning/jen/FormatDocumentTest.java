@@ -71,8 +71,9 @@ class FormatDocumentTest {
         String value = switch (p.form()) {
             case NUMBERS -> (p.count() == 1 ? "" : p.count() + " ") + (p.whole() ? "whole " : "") + (p.count() == 1 ? "number" : "numbers:"
                     + String.join(",", p.labels()));
-            case WORD -> p.choices().isEmpty() ? "name" : "`" + String.join("`, `", p.choices()) + "`";
-            case QUOTED -> "name in quotes";
+            case WORD -> "`" + String.join("`, `", p.choices()) + "`";
+            case NAME -> "name";
+            case QUOTED -> "file name in quotes";
         };
         String range = p.form() == Property.Form.NUMBERS
                 ? Decimal.text(p.min()) + " … " + Decimal.text(p.max()) : "";

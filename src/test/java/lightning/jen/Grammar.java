@@ -6,8 +6,10 @@ import java.util.SplittableRandom;
 
 /** Makes scene files from the grammar, about half of them with a mistake somewhere. */
 final class Grammar {
-    private static final String[] MISTAKES = {"nan", "}", "{", "\"", "-1e999", "light", "0.1.2", "§", "\u0000", "'", "1e", "x y z",
+    private static final String[] MISTAKES = {"nan", "}", "{", "\"", "-1e999", "light", "0.1.2", "§", "\u0000", "\"", "\"a\\b\"", "\"\\\"", "\"\"", "\" a\"", "\"\u202E\"", "𝐀".repeat(41), "'", "1e", "x y z",
         "\"../a.png\"", "jen 1", "camera {", "on on", "\ud83d\ude00", "99999999999999999999", "-"};
+
+    private static final String[] NAMES = {"n", "n", "n", "old oak ", "3.", "\"", "\\", "=", "{ } # ", "नाम", "e\u0301", "𝐀 ", "n'"};
 
     private final SplittableRandom random;
     private final StringBuilder out = new StringBuilder();
@@ -41,11 +43,12 @@ final class Grammar {
     private void block(BlockType<?> type, int nesting) {
         word(type.keyword());
         if (type.named()) {
-            String name = "n" + (mistake() ? 0 : names++);
+            String name = NAMES[random.nextInt(NAMES.length)] + (mistake() ? 0 : names++);
             if (type == Blocks.MATERIAL) {
                 materials.add(name);
             }
-            word(name);
+            String text = NameText.of(name);
+            word(random.nextInt(8) == 0 && text.equals(name) ? '"' + name + '"' : text);
         }
         type.header().ifPresent(p -> word(p.choices().get(random.nextInt(p.choices().size()))));
         word("{");
@@ -71,7 +74,8 @@ final class Grammar {
                     word(number(p, i));
                 }
             }
-            case WORD -> word(p.choices().isEmpty() ? material() : p.choices().get(random.nextInt(p.choices().size())));
+            case WORD -> word(p.choices().get(random.nextInt(p.choices().size())));
+            case NAME -> word(NameText.of(material()));
             case QUOTED -> word("\"a.png\"");
         }
     }

@@ -149,7 +149,7 @@ final class Scenes {
     private List<Material> materials() {
         Set<String> taken = new HashSet<>();
         return list(4, () -> {
-            String name = List.of("wood", "default", "x", "scale").get(random.nextInt(4));
+            String name = List.of("wood", "default", "x", "scale", "old oak", "\"q\"", "b\\", "ß.9").get(random.nextInt(8));
             while (!taken.add(name)) {
                 name += "_";
             }
@@ -206,7 +206,8 @@ final class Scenes {
     }
 
     private String name() {
-        String[] words = {"key", "fill", "on", "light", "ä", "_", "A-1", "𝒜", "material", "jen"};
+        String[] words = {"key", "fill", "on", "light", "ä", "_", "A-1", "𝒜", "material", "jen", "key light", "1.5", "a=b", "\"", "\\",
+            "old oak {", "#", "ä\u0308", "नाम", "\u3042 \u3044", "👩\u200D🎨", "don't", "picture", "none"};
         String name = words[random.nextInt(words.length)];
         while (!names.add(name)) {
             name += random.nextInt(10);

@@ -119,7 +119,7 @@ class TextureTest {
         "x/../../a.png | a path without empty names, . and ..",
         "./a.png | a path without empty names, . and ..",
         "a//b.png | a path without empty names, . and ..",
-        "a\\b.png | must be a file name of 1 to 200 letters",
+        "a\\\\b.png | must be a file name of 1 to 200 letters",
         "C:a.png | must be a file name of 1 to 200 letters",
         "`` | must be a file name of 1 to 200 letters",
     })
