@@ -12,6 +12,7 @@ import lightning.edit.OpenDocument;
 import lightning.edit.Recovery;
 import lightning.image.DisplayCurve;
 import lightning.jen.JenException;
+import lightning.text.Quote;
 
 /** The editor of one document in one window, from opening to closing. */
 final class Editor implements AutoCloseable {
@@ -100,7 +101,7 @@ final class Editor implements AutoCloseable {
 
     /** Says that a scene could not be opened, and goes on when it was read. */
     void failed(Path file, Exception why) {
-        notices.failedAndRead(file + " could not be opened", why);
+        notices.failedAndRead(Quote.path(file) + " could not be opened", why);
     }
 
     private void closeWindow() {

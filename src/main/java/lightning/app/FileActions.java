@@ -15,6 +15,7 @@ import lightning.edit.OpenDocument;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
 import lightning.jen.JenException;
+import lightning.text.Quote;
 
 /** The commands about files. Files are read and pictures written on a thread of their own. */
 final class FileActions implements AutoCloseable {
@@ -58,7 +59,7 @@ final class FileActions implements AutoCloseable {
                     preferences.opened(file);
                 });
             } catch (IOException | JenException | RuntimeException e) {
-                model.window().execute(() -> notices.failed(file.getFileName() + " could not be opened", e));
+                model.window().execute(() -> notices.failed(Quote.path(file.getFileName()) + " could not be opened", e));
             }
         });
     }
@@ -113,7 +114,7 @@ final class FileActions implements AutoCloseable {
         thread.execute(() -> {
             try {
                 PictureFile.write(file, frame.film(), view);
-                model.window().execute(() -> model.say("Saved " + file.getFileName()));
+                model.window().execute(() -> model.say("Saved " + Quote.path(file.getFileName())));
             } catch (IOException | RuntimeException e) {
                 model.window().execute(() -> notices.failed("The picture could not be saved", e));
             }
@@ -133,7 +134,7 @@ final class FileActions implements AutoCloseable {
     /** One for each scene opened before that is still there. */
     List<MenuItem> recentItems() {
         List<MenuItem> items = preferences.recent().stream().filter(Files::isRegularFile).map(file -> {
-            var item = new MenuItem(file.toString());
+            var item = new MenuItem(Quote.path(file));
             item.setMnemonicParsing(false);
             item.setOnAction(_ -> load(file));
             return item;

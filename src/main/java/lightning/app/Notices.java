@@ -15,6 +15,7 @@ import javafx.stage.Window;
 import lightning.edit.Recovery;
 import lightning.jen.JenException;
 import lightning.jen.Problem;
+import lightning.text.Quote;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
@@ -86,8 +87,8 @@ final class Notices {
     }
 
     Optional<ButtonType> recover(Recovery.Found found) {
-        return alert(Alert.AlertType.CONFIRMATION, "Recover unsaved edits of " + found.file().getFileName() + "?",
-                "Lightning ended before they were saved to " + found.file() + ".", RECOVER, FORGET, LATER)
+        return alert(Alert.AlertType.CONFIRMATION, "Recover unsaved edits of " + Quote.path(found.file().getFileName()) + "?",
+                "Lightning ended before they were saved to " + Quote.path(found.file()) + ".", RECOVER, FORGET, LATER)
                 .showAndWait();
     }
 

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
+import lightning.text.Quote;
 
 /** What went wrong, as a sentence for the artist. */
 final class Sentence {
@@ -11,9 +12,9 @@ final class Sentence {
 
     static String of(Throwable problem) {
         return switch (problem) {
-            case NoSuchFileException missing -> missing.getFile() + ": there is no such file";
-            case AccessDeniedException denied -> denied.getFile() + ": permission denied";
-            case FileSystemException other when other.getReason() != null -> other.getFile() + ": " + other.getReason();
+            case NoSuchFileException missing -> Quote.path(missing.getFile()) + ": there is no such file";
+            case AccessDeniedException denied -> Quote.path(denied.getFile()) + ": permission denied";
+            case FileSystemException other when other.getReason() != null -> Quote.path(other.getFile()) + ": " + other.getReason();
             case IOException e when e.getMessage() != null -> e.getMessage();
             case OutOfMemoryError _ -> "There is not enough memory for this picture; choose a smaller size";
             default -> "An error of the program itself, not of your input: " + problem + "; please report it with the scene";

@@ -4,9 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import lightning.accuracy.PictureError;
+import lightning.text.Decimal;
 
 /**
- * One measurement. What a kind of measurement does not have is NaN, 0 or empty.
+ * One measurement. A text that a spreadsheet would compute has an apostrophe before it. What a kind of measurement does not have is NaN, 0 or empty.
  *
  * @param kind  {@code first-pass}, {@code full-trace}, {@code edit}, {@code peer}, {@code effect} (by how much it makes the first pass longer),
  *              {@code growth} or {@code drift}
@@ -21,6 +22,7 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
         long valuesThatDiffer, long maxUlp, double maxAbsolute, double meanAbsolute, double rmse, double linearPsnrDb,
         double displayPsnrDb, double ssim, double flip, double bound) {
 
+    private static final String COMPUTED = "=+-@\t\r\n'\uFF1D\uFF0B\uFF0D\uFF20";
     private static final double NONE = Double.NaN;
     private static final Work NO_WORK = new Work("", 0, 0, 0, 0, 0, NONE, NONE, NONE, NONE);
     private static final PictureError NO_ERROR = new PictureError(0, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE);
@@ -77,9 +79,19 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
 
     private static CsvRow row(String kind, String scene, int width, int height, String edit, String value, String level, Samples time,
             double saving, double paper, Work work, PictureError e) {
-        return new CsvRow(kind, scene, width, height, edit, value, level, time.samples().size(), time.median(), time.lowerQuartile(),
-                time.upperQuartile(), saving, work.cap(), paper, work.plan(), work.rowsTouched(), work.shadowRays(),
+        return new CsvRow(cell(kind), cell(scene), width, height, cell(edit), cell(value), cell(level), time.samples().size(), time.median(), time.lowerQuartile(),
+                time.upperQuartile(), saving, work.cap(), paper, cell(work.plan()), work.rowsTouched(), work.shadowRays(),
                 work.shadowRaysAvoided(), work.bytesMoved(), work.floorMs(), work.timesFloor(), e.values(), e.maxUlp(), e.maxAbsolute(),
                 e.meanAbsolute(), e.rmse(), e.linearPsnr(), e.displayPsnr(), e.ssim(), e.flip(), work.errorBound());
+    }
+
+    /**
+     * Text as a cell holds it. Spreadsheets compute what begins with = + - @ (or their wide forms), also behind a tab or a line
+     * end; an apostrophe before it keeps it text. It also stands before an apostrophe that is the text's own, so that whoever takes away the
+     * first one has the text again. A number stays one.
+     */
+    static String cell(String text) {
+        boolean computed = !text.isEmpty() && COMPUTED.indexOf(text.charAt(0)) >= 0 && Decimal.read(text).isEmpty();
+        return computed ? "'" + text : text;
     }
 }

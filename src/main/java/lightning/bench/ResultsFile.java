@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import lightning.file.SafeFile;
+import lightning.text.Quote;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.util.DefaultIndenter;
 import tools.jackson.core.util.DefaultPrettyPrinter;
@@ -53,7 +54,7 @@ public final class ResultsFile {
             return JSON.readValue(Files.readAllBytes(file), Results.class);
         } catch (JacksonException e) {
             var at = e.getLocation();
-            throw new IOException(file + (at == null ? "" : ":" + at.getLineNr() + ":" + at.getColumnNr())
+            throw new IOException(Quote.path(file) + (at == null ? "" : ":" + at.getLineNr() + ":" + at.getColumnNr())
                     + ": no results of 'lightning bench': " + e.getOriginalMessage(), e);
         }
     }

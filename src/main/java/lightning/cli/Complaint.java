@@ -8,6 +8,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.util.concurrent.CancellationException;
 import lightning.jen.JenException;
+import lightning.text.Quote;
 
 /** Turns whatever went wrong into sentences and an exit code; the only place that does. */
 final class Complaint {
@@ -20,7 +21,7 @@ final class Complaint {
             case InterruptedException _ -> cancelled(console);
             case IOException _ when Thread.currentThread().isInterrupted() -> cancelled(console);
             case JenException e -> {
-                e.problems().forEach(p -> console.err().println(p));
+                e.problems().forEach(p -> console.complain(p.toString()));
                 yield ExitCode.BAD_INPUT;
             }
             case BadInput e -> sentence(console, e.getMessage());
@@ -33,23 +34,23 @@ final class Complaint {
     }
 
     private static int cancelled(Console console) {
-        console.err().println("lightning: cancelled");
+        console.complain("lightning: cancelled");
         return ExitCode.CANCELLED;
     }
 
     private static int sentence(Console console, String sentence) {
-        console.err().println("lightning: " + sentence);
+        console.complain("lightning: " + sentence);
         return ExitCode.BAD_INPUT;
     }
 
     /** What Java's file errors mean; their own messages are mostly just the file's name. */
     static String sentence(IOException e) {
         return switch (e) {
-            case NoSuchFileException missing -> missing.getFile() + ": there is no such file";
-            case AccessDeniedException denied -> denied.getFile() + ": permission denied";
-            case NotDirectoryException no -> no.getFile() + ": is no folder";
-            case FileAlreadyExistsException there -> there.getFile() + ": is there already and is no folder";
-            case FileSystemException other when other.getReason() != null -> other.getFile() + ": " + other.getReason();
+            case NoSuchFileException missing -> Quote.path(missing.getFile()) + ": there is no such file";
+            case AccessDeniedException denied -> Quote.path(denied.getFile()) + ": permission denied";
+            case NotDirectoryException no -> Quote.path(no.getFile()) + ": is no folder";
+            case FileAlreadyExistsException there -> Quote.path(there.getFile()) + ": is there already and is no folder";
+            case FileSystemException other when other.getReason() != null -> Quote.path(other.getFile()) + ": " + other.getReason();
             default -> e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
         };
     }

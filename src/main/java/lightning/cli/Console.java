@@ -1,7 +1,12 @@
 package lightning.cli;
 
 import java.io.PrintStream;
+import java.nio.file.Path;
 import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lightning.text.Quote;
+import lightning.text.Visible;
 
 /**
  * Where a command writes to.
@@ -20,15 +25,27 @@ record Console(PrintStream out, PrintStream err, boolean terminal) {
 
     /** Prints one line of results, numbers as in every locale. */
     void line(String format, Object... values) {
-        out.println(text(format, values));
+        out.println(shown(text(format, values)));
     }
 
     /** Prints one line of remarks. */
     void remark(String format, Object... values) {
-        err.println(text(format, values));
+        err.println(shown(text(format, values)));
     }
 
+    /** Prints a complaint, one line whatever is quoted in it. */
+    void complain(String sentence) {
+        err.println(Visible.escaped(sentence));
+    }
+
+    /** The lines of a text without a character that would steer the terminal. */
+    private static String shown(String text) {
+        return text.lines().map(Visible::escaped).collect(Collectors.joining("\n"));
+    }
+
+    /** Fills in a format; files stand in it as {@link Quote#path} shows them. */
     static String text(String format, Object... values) {
-        return values.length == 0 ? format : String.format(Locale.ROOT, format, values);
+        Object[] shown = Stream.of(values).map(v -> v instanceof Path path ? Quote.path(path) : v).toArray();
+        return values.length == 0 ? format : String.format(Locale.ROOT, format, shown);
     }
 }

@@ -65,17 +65,17 @@ public final class Lightning {
     }
 
     private static int unknownCommand(Console console, CommandLine commands, String word) {
-        console.err().println("lightning: there is no command " + Quote.of(word) + "; expected a scene.jen or one of "
+        console.complain("lightning: there is no command " + Quote.of(word) + "; expected a scene.jen or one of "
                 + String.join(", ", commands.getSubcommands().keySet()) + ".");
-        console.err().println("Try 'lightning --help'.");
+        console.complain("Try 'lightning --help'.");
         return ExitCode.BAD_INPUT;
     }
 
     private static int badUsage(Console console, ParameterException e) {
         String name = e.getCommandLine().getCommandSpec().qualifiedName();
-        console.err().println(name + ": " + e.getMessage());
+        console.complain(name + ": " + e.getMessage());
         UnmatchedArgumentException.printSuggestions(e, writer(console.err()));
-        console.err().println("Try '" + name + " --help'.");
+        console.complain("Try '" + name + " --help'.");
         return ExitCode.BAD_INPUT;
     }
 

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import lightning.jen.JenDocument;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
+import lightning.text.Quote;
 import picocli.CommandLine.Parameters;
 
 /** The argument {@code scene.jen}. */
@@ -24,7 +25,7 @@ final class SceneFile {
     /** Reads a scene, with the file's name in every complaint. */
     static JenDocument read(Path path) throws IOException, JenException, BadInput {
         if (Files.isDirectory(path)) {
-            throw new BadInput(path + ": is a folder, expected a .jen file");
+            throw new BadInput(Quote.path(path) + ": is a folder, expected a .jen file");
         }
         return JenReader.read(path);
     }

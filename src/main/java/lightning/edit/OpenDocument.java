@@ -13,6 +13,7 @@ import lightning.jen.JenException;
 import lightning.jen.JenReader;
 import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.text.Quote;
 
 /** The open scene file: what it holds now, what was selected, what can be undone, and what is not saved yet. */
 public final class OpenDocument {
@@ -71,9 +72,9 @@ public final class OpenDocument {
         return file;
     }
 
-    /** The file's name without its folder. */
+    /** The file's name without its folder, as a line shows it. */
     public String name() {
-        return file.getFileName().toString();
+        return Quote.path(file.getFileName());
     }
 
     public Scene scene() {

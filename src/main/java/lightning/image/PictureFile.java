@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import lightning.file.SafeFile;
+import lightning.text.Quote;
 
 /**
  * Picture files; the extension decides what they hold.
@@ -87,7 +88,7 @@ public final class PictureFile {
     public static Film read(Path file) throws IOException {
         Format format = formatOf(file);
         if (!Files.isRegularFile(file)) {
-            throw new IOException(file + ": " + (Files.exists(file) ? "is no file" : "no such file"));
+            throw new IOException(Quote.path(file) + ": " + (Files.exists(file) ? "is no file" : "no such file"));
         }
         try {
             return switch (format) {
@@ -96,7 +97,7 @@ public final class PictureFile {
                 case PFM -> Pfm.read(file);
             };
         } catch (IOException e) {
-            throw new IOException(file + ": " + e.getMessage(), e);
+            throw new IOException(Quote.path(file) + ": " + e.getMessage(), e);
         }
     }
 
@@ -108,6 +109,6 @@ public final class PictureFile {
                 return format;
             }
         }
-        throw new IOException(file + ": a picture's name must end in " + extensions());
+        throw new IOException(Quote.path(file) + ": a picture's name must end in " + extensions());
     }
 }

@@ -1,5 +1,7 @@
 package lightning.jen;
 
+import lightning.text.Quote;
+
 /**
  * One thing that is wrong with a scene file.
  *
@@ -12,6 +14,6 @@ public record Problem(String file, int line, int column, String message) {
     /** {@code file:line:column: message}. */
     @Override
     public String toString() {
-        return file + ":" + line + ":" + column + ": " + message;
+        return Quote.path(file) + ":" + line + ":" + column + ": " + message;
     }
 }

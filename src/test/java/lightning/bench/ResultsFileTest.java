@@ -14,6 +14,8 @@ import net.jqwik.api.lifecycle.AfterContainer;
 import net.jqwik.api.lifecycle.BeforeContainer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class ResultsFileTest {
     private static Path shared;
@@ -48,6 +50,25 @@ class ResultsFileTest {
                 + results.growth().stream().flatMap(g -> g.points().stream()).mapToInt(p -> 1 + p.edits().size()).sum()
                 + results.drift().stream().mapToInt(d -> d.points().size()).sum();
         assertThat(CsvRow.of(results)).hasSize(rows);
+    }
+
+    @ParameterizedTest
+    @CsvSource(quoteCharacter = '`', value = {"bird, bird", "=1+1, '=1+1", "+a, '+a", "-2+3, '-2+3", "@sum, '@sum", "-0.5, -0.5", "+3, +3", "'a, ''a",
+        "＝1, '＝1", "`\t=1`, `'\t=1`"})
+    void csvCell_isNothingThatASpreadsheetComputes(String text, String cell) {
+        assertThat(CsvRow.cell(text)).isEqualTo(cell);
+    }
+
+    @Test
+    void csvOfASceneNamedLikeAFormula_holdsItAsText() throws IOException {
+        SceneResult formula = new SceneResult("=cmd|'/c calc'!A1", 300, 200, 3, 10, 3, null, null, Sample.scene(5).edits(), List.of(), null);
+        Results results = new Results(Sample.RUN, List.of(formula), List.of(), List.of(), List.of());
+        Path csv = folder.resolve("results.csv");
+        ResultsFile.writeCsv(csv, results);
+        assertThat(Files.readString(csv)).contains("edit,\"'=cmd|'/c calc'!A1\",300,");
+        Path json = folder.resolve("results.json");
+        ResultsFile.writeJson(json, results);
+        assertThat(ResultsFile.readJson(json)).isEqualTo(results);
     }
 
     @Test

@@ -88,7 +88,7 @@ public final class PovScene {
     }
 
     private static String image(Map<String, Texture> images, TextureMap map, String name) {
-        String file = name + "-" + map.file().replaceAll("[^\\p{Alnum}_-]", "_") + ".png";
+        String file = name.replaceAll("[\"\\\\\\p{C}]", "_") + "-" + map.file().replaceAll("[^\\p{Alnum}_-]", "_") + ".png";
         images.put(file, map.image());
         return file;
     }
