@@ -100,7 +100,8 @@ public final class Recovery {
             }
             String owner = content.substring(HEAD.length(), of);
             Path file = path(content.substring(of + OF.length(), line));
-            return isAlive(owner) || !file.isAbsolute() ? Optional.empty() : Optional.of(new Found(kept, file, content.substring(line + 1)));
+            boolean nameless = !file.isAbsolute() || file.getFileName() == null;
+            return nameless || isAlive(owner) ? Optional.empty() : Optional.of(new Found(kept, file, content.substring(line + 1)));
         } catch (IOException | IllegalArgumentException | FileSystemNotFoundException e) {
             return Optional.empty();
         }
@@ -122,9 +123,9 @@ public final class Recovery {
     }
 
     private static boolean isAlive(String owner) {
-        String[] parts = owner.split("-");
+        int dash = owner.indexOf('-');
         try {
-            return ProcessHandle.of(Long.parseLong(parts[0])).filter(ProcessHandle::isAlive)
+            return ProcessHandle.of(Long.parseLong(dash < 0 ? owner : owner.substring(0, dash))).filter(ProcessHandle::isAlive)
                     .map(Recovery::name).filter(owner::equals).isPresent();
         } catch (NumberFormatException e) {
             return false;

@@ -127,6 +127,15 @@ class LightListPaneTest {
     }
 
     @Test
+    void nameOfSpacesAndSigns_isTakenAndShownAsItIs(FxRobot robot) {
+        robot.clickOn("fill").push(KeyCode.F2).write("_7 \"a=b\" Ä").push(KeyCode.ENTER);
+        assertThat(names(robot)).containsExactly("key", "_7 \"a=b\" Ä", "sun");
+        assertThat(robot.lookup("_7 \"a=b\" Ä").tryQuery()).isPresent();
+        robot.interact(() -> model.edit(scene -> LightEdits.duplicate(scene, "_7 \"a=b\" Ä")));
+        assertThat(names(robot)).containsExactly("key", "_7 \"a=b\" Ä", "_7 \"a=b\" Ä2", "sun");
+    }
+
+    @Test
     void doubleClick_renamesInPlace(FxRobot robot) {
         robot.doubleClickOn("fill").write("rim").push(KeyCode.ENTER);
         assertThat(names(robot)).containsExactly("key", "rim", "sun");

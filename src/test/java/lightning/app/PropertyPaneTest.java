@@ -191,6 +191,13 @@ class PropertyPaneTest {
     }
 
     @Test
+    void typedNameOfSpacesAndAnyLetters_renames(FxRobot robot) {
+        rename(robot, "Führungslicht 7.30");
+        assertThat(model.selectedLight().name()).isEqualTo("Führungslicht 7.30");
+        assertThat(robot.lookup("#light-name").queryAs(TextField.class).getText()).isEqualTo("Führungslicht 7.30");
+    }
+
+    @Test
     void takenName_isMarkedWithTheReasonAndChangesNothing(FxRobot robot) {
         rename(robot, OpenEditor.SUN);
         assertThat(Refusals.shown(robot)).singleElement().asString().contains("'sun'").contains("already taken");

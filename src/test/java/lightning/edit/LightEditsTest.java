@@ -66,7 +66,8 @@ class LightEditsTest {
 
     @Test
     void renameToNoName_isRefused() {
-        assertThat(LightEdits.rename(scene, "fill", "1 2").refusal().orElseThrow()).startsWith("a name must begin with");
+        assertThat(LightEdits.rename(scene, "fill", "a\nb").refusal().orElseThrow()).startsWith("a name must have 1 to 100 characters");
+        assertThat(LightEdits.rename(scene, "fill", "").refusal()).isPresent();
     }
 
     @Test

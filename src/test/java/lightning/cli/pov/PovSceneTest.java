@@ -45,6 +45,29 @@ class PovSceneTest {
     }
 
     @Test
+    void namesOfAnyCharacters_stayInTheirComments() throws Exception {
+        Scene scene = JenReader.read("""
+                jen 1
+                material "*/ } oak" { specular 1 0 0 }
+                sphere "ball */ {" { material "*/ } oak" }
+                light "key \\"light\\" {" point { attenuation 1 1 1 }
+                light "} off" point { on no }
+                """, "p.jen", Path.of("")).scene();
+        PovScene pov = PovScene.of(scene, "x");
+        assertThat(pov.text()).contains("// ball */ {\n", "// key \"light\" {\n", "// light } off is off\n",
+                "// Not as in the scene: material */ } oak: specular");
+        String code = pov.text().replaceAll("//.*", "");
+        assertThat(code).doesNotContain("*/", "oak", "key", "off");
+        assertThat(code.chars().filter(c -> c == '{').count()).isEqualTo(code.chars().filter(c -> c == '}').count());
+    }
+
+    @Test
+    void nameOfTheFile_isInNoWayPartOfTheSyntax() throws Exception {
+        PovScene pov = PovScene.of(JenReader.read(Path.of("scenes/bird.jen")).scene(), "a\"b\\c\nd");
+        assertThat(pov.text()).doesNotContain("a\"b", "\\c");
+    }
+
+    @Test
     void matrix_mapsPointsAsTheTransformDoes() {
         Transform transform = Transform.translation(new Vec3(1, 2, 3)).times(Transform.rotation(new Vec3(10, 20, 30)))
                 .times(Transform.scaling(new Vec3(2, 3, 4)));
