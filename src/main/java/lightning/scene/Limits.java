@@ -3,6 +3,7 @@ package lightning.scene;
 import java.util.function.Supplier;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.text.Decimal;
 import lightning.text.Quote;
 import lightning.text.Visible;
 
@@ -99,7 +100,7 @@ public final class Limits {
      */
     public static void combinedScale(Supplier<String> what, double least, double most) {
         if (least < MIN_SCALE || most > MAX_SCALE) {
-            throw new IllegalArgumentException(what.get() + ": scale times that of its groups must be from " + MIN_SCALE + " to "
+            throw new IllegalArgumentException(what.get() + ": scale times that of its groups must be from " + text(MIN_SCALE) + " to "
                     + text(MAX_SCALE) + ", was " + text(least < MIN_SCALE ? least : most));
         }
     }
@@ -121,8 +122,8 @@ public final class Limits {
         return Character.getType(c) == Character.SPACE_SEPARATOR || Character.getType(c) == Character.FORMAT;
     }
 
-    /** A number as the file writes it: whole numbers without a fraction. */
+    /** A number as the file writes it; zero has no sign here. */
     public static String text(double v) {
-        return v == Math.rint(v) && Math.abs(v) < 1e7 ? Long.toString((long) v) : Double.toString(v);
+        return Decimal.text(v == 0 ? 0 : v);
     }
 }

@@ -20,7 +20,7 @@ public record Placement(Vec3 at, Vec3 rotate, Vec3 scale) {
         Limits.range("scale", scale, -Limits.MAX_SCALE, Limits.MAX_SCALE);
         double least = least(scale);
         if (least < Limits.MIN_SCALE) {
-            throw new IllegalArgumentException("scale must be at least " + Limits.MIN_SCALE
+            throw new IllegalArgumentException("scale must be at least " + Limits.text(Limits.MIN_SCALE)
                     + " in absolute value on every axis, was " + Limits.text(least));
         }
     }

@@ -149,7 +149,7 @@ class MotionPathTest {
         refuses("lightning-path 1\nat 0 0 0", "a.path:2: expected at x y z direction x y z, found 'at 0 0 0'");
         refuses("lightning-path 1\nat 0 0 0 direction 0 0 0", "a.path:2: direction must not be zero, was 0 0 0");
         assertThatIOException().isThrownBy(() -> MotionPathFile.read("lightning-path 1\nat 2e12 0 0 direction 0 1 0", "a.path"))
-                .withMessageStartingWith("a.path:2: position x must be from ").withMessageEndingWith(", was 2.0E12");
+                .withMessageStartingWith("a.path:2: position x must be from ").withMessageEndingWith(", was 2e12");
     }
 
     private static void refuses(String text, String sentence) {

@@ -121,7 +121,7 @@ class ReadingTest {
                 "s.jen:5:22: material 'm': diffuse red must be from 0 to 1, was 2",
                 "s.jen:5:29: material 'm': unknown property 'difuse', did you mean 'diffuse'?",
                 "s.jen:6:21: sphere 's': there is no material 'n'",
-                "s.jen:6:30: sphere 's': scale must be at least 1.0E-9 in absolute value on every axis, was 0",
+                "s.jen:6:30: sphere 's': scale must be at least 1e-9 in absolute value on every axis, was 0",
                 "s.jen:7:11: light 'key': type must be directional, point or spot, was 'spt', did you mean 'spot'?",
                 "s.jen:7:17: light 'key': unknown property 'intensty', did you mean 'intensity'?",
                 "s.jen:7:39: light 'key': intensity must be ≥ 0, was -3",

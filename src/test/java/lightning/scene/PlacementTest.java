@@ -37,7 +37,7 @@ class PlacementTest {
     void scaleAtTheLimits_isAccepted_andBeyondIsRefused() {
         new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(Limits.MIN_SCALE, -Limits.MIN_SCALE, Limits.MAX_SCALE));
         assertThatThrownBy(() -> new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(1, Math.nextDown(Limits.MIN_SCALE), 1)))
-                .hasMessageContaining("scale must be at least 1.0E-9 in absolute value on every axis");
+                .hasMessageContaining("scale must be at least 1e-9 in absolute value on every axis");
         assertThatThrownBy(() -> new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(1, 1, Math.nextUp(Limits.MAX_SCALE))))
                 .hasMessageContaining("scale");
     }
