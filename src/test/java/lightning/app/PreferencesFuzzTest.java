@@ -32,14 +32,14 @@ class PreferencesFuzzTest {
             Files.write(file, bytes);
             assertThatCode(() -> {
                 var preferences = new Preferences(folder);
-                preferences.number("width", 1);
-                preferences.number("height", 1);
-                preferences.text("theme", "");
+                assertThat(preferences.number("width", 200, 32_768, 1)).isFinite();
+                assertThat(preferences.number("height", 200, 32_768, 1)).isFinite();
+                preferences.choice("theme", Looks.DARK);
                 List<Path> files = preferences.recent();
                 preferences.set("width", 7);
                 preferences.save();
                 assertThat(new Preferences(folder).recent()).isEqualTo(files);
-                assertThat(new Preferences(folder).number("width", 1)).isEqualTo(7);
+                assertThat(new Preferences(folder).number("width", 1, 9, 0)).isEqualTo(7);
             }).as("try " + i + ": " + new String(bytes, StandardCharsets.UTF_8)).doesNotThrowAnyException();
             recent += new Preferences(folder).recent().isEmpty() ? 0 : 1;
         }
