@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -177,7 +176,7 @@ class CommandTest {
 
     @Test
     void fileChangedByOthers_canBeReloaded() throws Exception {
-        Files.setLastModifiedTime(document.file(), FileTime.fromMillis(1_000_000));
+        Files.writeString(document.file(), Desk.TEXT + "# theirs\n");
         assertEnabled(Command.RELOAD);
     }
 
