@@ -17,8 +17,8 @@ import lightning.text.Quote;
 
 /** The edits of lights that are more than one {@link Dial}. Each is refused if there is no light of the name given. */
 public final class LightEdits {
-    /** Leaves room for a number in a name of at most 100 characters. */
-    private static final int LONGEST_STEM = 93;
+    /** Leaves room for a number in a name of the greatest length. */
+    private static final int LONGEST_STEM = Limits.MAX_NAME - 7;
 
     private LightEdits() {}
 
