@@ -19,6 +19,7 @@ import javafx.scene.layout.VBox;
 import lightning.app.widget.Obstacle;
 import lightning.edit.MotionExport;
 import lightning.edit.MotionPath;
+import lightning.text.Quote;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
@@ -182,7 +183,7 @@ final class AnimationPane extends VBox {
         ask.fileToSave("Save Animation", sceneName + "." + EXTENSION, EXTENSION).ifPresent(file -> {
             try {
                 motion.save(file);
-                status.setText("Saved to " + file);
+                status.setText("Saved to " + Quote.path(file));
             } catch (IOException e) {
                 status.setText("Not saved: " + e.getMessage());
             }

@@ -102,15 +102,15 @@ final class Notices {
     }
 
     Optional<ButtonType> readOnly(Path file) {
-        return alert(Alert.AlertType.CONFIRMATION, "Replace " + file.getFileName() + ", which is read-only?",
+        return alert(Alert.AlertType.CONFIRMATION, "Replace " + Quote.path(file.getFileName()) + ", which is read-only?",
                 "Somebody wanted it to stay as it is. If you replace it, it is read-only again.", REPLACE, SAVE_AS,
                 ButtonType.CANCEL).showAndWait();
     }
 
     /** Whether the artist wants to lose a file that is there. */
     boolean mayReplace(Path file) {
-        return alert(Alert.AlertType.CONFIRMATION, "Replace " + file.getFileName() + "?",
-                file + " is there already.", REPLACE, ButtonType.CANCEL).showAndWait().filter(REPLACE::equals).isPresent();
+        return alert(Alert.AlertType.CONFIRMATION, "Replace " + Quote.path(file.getFileName()) + "?",
+                Quote.path(file) + " is there already.", REPLACE, ButtonType.CANCEL).showAndWait().filter(REPLACE::equals).isPresent();
     }
 
     void text(String title, String text) {

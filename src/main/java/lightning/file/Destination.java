@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFileAttributeView;
 import java.nio.file.attribute.PosixFilePermission;
 import java.util.Set;
+import lightning.text.Quote;
 
 /** The file that a name leads to. */
 final class Destination {
@@ -25,17 +26,17 @@ final class Destination {
     static Path of(Path named) throws IOException {
         Path file = followed(named);
         if (Files.isDirectory(file)) {
-            throw new IOException(named + ": is a folder, expected a file");
+            throw new IOException(Quote.path(named) + ": is a folder, expected a file");
         }
         Path folder = file.getParent();
         if (!Files.isDirectory(folder)) {
-            throw new IOException(named + ": there is no folder " + folder);
+            throw new IOException(Quote.path(named) + ": there is no folder " + Quote.path(folder));
         }
         if (Files.exists(file) && !Files.isRegularFile(file)) {
-            throw new IOException(named + ": is a device, a pipe or a socket, expected a file");
+            throw new IOException(Quote.path(named) + ": is a device, a pipe or a socket, expected a file");
         }
         if (!Files.isWritable(folder)) {
-            throw new IOException(named + ": permission denied to write into " + folder);
+            throw new IOException(Quote.path(named) + ": permission denied to write into " + Quote.path(folder));
         }
         return file;
     }
@@ -47,7 +48,7 @@ final class Destination {
         }
         for (int links = 0; Files.isSymbolicLink(file); links++) {
             if (links == MOST_LINKS) {
-                throw new IOException(named + ": is a symbolic link that leads in a circle");
+                throw new IOException(Quote.path(named) + ": is a symbolic link that leads in a circle");
             }
             file = file.resolveSibling(Files.readSymbolicLink(file));
         }

@@ -18,6 +18,8 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import lightning.text.Quote;
+import lightning.text.Visible;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -28,6 +30,14 @@ import org.junit.jupiter.api.io.TempDir;
 class SafeFileTest {
     @TempDir
     Path folder;
+
+    @Test
+    void nameThatALineCannotShow_isEscapedInComplaints() throws IOException {
+        Path directory = Files.createDirectory(folder.resolve("a\n\u001B[2J"));
+        assertThatThrownBy(() -> SafeFile.at(directory).check()).hasMessage(Quote.path(directory) + ": is a folder, expected a file");
+        assertThatThrownBy(() -> SafeFile.at(directory.resolve("no/b.jen")).check()).hasMessageStartingWith("\"")
+                .satisfies(e -> assertThat(e.getMessage()).matches(Visible::is, "is visible"));
+    }
 
     @Test
     void newFile_holdsTheContent() throws IOException {
