@@ -24,6 +24,7 @@ class RenderQueueModelTest {
         private final RenderQueue queue;
         private final List<RenderQueue.Work> finished = new ArrayList<>();
         private volatile boolean cancelled;
+        private boolean begun;
         private boolean rests;
         private Scene shown;
 
@@ -39,11 +40,23 @@ class RenderQueueModelTest {
                     return;
                 }
                 boolean late = cancelled;
+                begin();
                 law(!late || stop.isCancelled(), "what was cancelled is not begun");
                 if (!stop.isCancelled()) {
                     finish(work);
                 }
                 rests(queue.done(shown));
+            }
+        }
+
+        private synchronized void begin() {
+            begun = true;
+            notifyAll();
+        }
+
+        synchronized void awaitBegun() throws InterruptedException {
+            while (!begun) {
+                wait();
             }
         }
 
@@ -126,6 +139,7 @@ class RenderQueueModelTest {
             var taker = new Taker(queue);
             Schedules.Beside loop = Schedules.beside(taker::run);
             queue.reflections();
+            taker.awaitBegun();
             queue.render(FIRST);
             taker.awaitRest();
             law(taker.finished().contains(new RenderQueue.Work.Reflections()), "the mirrors are still wanted");
