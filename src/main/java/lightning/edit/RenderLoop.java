@@ -142,7 +142,7 @@ public final class RenderLoop implements AutoCloseable {
             case RenderQueue.Work.Reopen r -> reopen(r, stop);
             case RenderQueue.Work.Reflections _ -> mirror(stop);
             case RenderQueue.Work.Looks _ -> lookAgain(stop);
-            case RenderQueue.Work.Verify _ -> handToVerifier();
+            case RenderQueue.Work.Verify _ -> handToVerifier(stop);
         }
     }
 
@@ -214,9 +214,9 @@ public final class RenderLoop implements AutoCloseable {
         }
     }
 
-    private void handToVerifier() {
+    private void handToVerifier(RenderQueue.Stop stop) {
         if (rendered != null) {
-            verifier.verify(Promise.of(renderer, last), renderer.film().copy(), renderer.cache().geometry());
+            verifier.verify(Promise.of(renderer, last), renderer.film().copy(), renderer.cache().geometry(), stop);
         }
     }
 

@@ -52,11 +52,22 @@ final class Verifier implements AutoCloseable {
         workers = new Workers(threads);
     }
 
-    /** @param geometry the picture's, which only measuring gets for free */
-    synchronized void verify(Promise promise, Film picture, Geometry geometry) {
+    /**
+     * Begins a verification; nothing once closed.
+     *
+     * @param geometry the picture's, which only measuring gets for free
+     * @param asked    stops it too when it was asked for before this returns
+     */
+    synchronized void verify(Promise promise, Film picture, Geometry geometry, RenderQueue.Stop asked) {
         cancel();
+        if (thread.isShutdown()) {
+            return;
+        }
         var own = new RenderQueue.Stop(listener::verifying);
         stop = own;
+        if (asked.isCancelled()) {
+            cancel();
+        }
         running++;
         pause();
         thread.execute(() -> run(promise, picture, own));
