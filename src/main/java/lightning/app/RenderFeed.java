@@ -13,8 +13,8 @@ import lightning.relight.UpdatePlan;
 import lightning.scene.Scene;
 
 /**
- * Carries what the render loop tells from its threads to the window's: the one place that hops. However much is told
- * between two frames of the window, it hears once, of the newest state.
+ * Carries what the render loop tells from its threads to the window's. However much is told before the window has
+ * time to listen, it hears once, of the newest state.
  */
 final class RenderFeed implements RenderListener {
     private final AtomicReference<RenderState> state = new AtomicReference<>(RenderState.NONE);

@@ -1,7 +1,7 @@
 package lightning.image;
 
 /**
- * How a linear film becomes display pixels — the only place that clamps.
+ * How a linear film becomes display pixels: clamped, which a film never is.
  *
  * <p>Each channel becomes {@code curve(clamp(linear · 2^exposure, 0, 1))} in 8 bits, correctly rounded. The gain
  * {@code 2^exposure} is rounded to float and so is the product; NaN counts as 0.
