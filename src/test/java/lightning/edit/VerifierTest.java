@@ -2,10 +2,10 @@ package lightning.edit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import lightning.image.Film;
+import lightning.accuracy.Promise;
+import lightning.accuracy.Verification;
 import lightning.relight.Options;
 import lightning.relight.Renderer;
-import lightning.scene.Scene;
 import lightning.shading.Progress;
 import org.junit.jupiter.api.Test;
 
@@ -14,12 +14,10 @@ class VerifierTest {
     private final LoopEar ear = new LoopEar();
     private final Verifier verifier = new Verifier(1, ear);
 
-    private static Verification.Request request() {
-        Scene scene = Desk.scene();
+    private void verify(RenderQueue.Stop asked) {
         try (var renderer = new Renderer(Options.DEFAULT.withThreads(1))) {
-            renderer.render(scene, Progress.NONE);
-            Film film = renderer.film();
-            return new Verification.Request(film, scene, scene, renderer.cache().geometry());
+            Promise promise = Promise.of(renderer, renderer.render(Desk.scene(), Progress.NONE));
+            verifier.verify(promise, renderer.film(), renderer.cache().geometry(), asked);
         }
     }
 
@@ -31,7 +29,7 @@ class VerifierTest {
     void cancelledOnItsWay_isNotVerified() throws Exception {
         RenderQueue.Stop asked = stop();
         asked.ask();
-        verifier.verify(request(), asked);
+        verify(asked);
         ear.nextIs(LoopEar.Event.CANCELLED);
         verifier.close();
         assertThat(ear.events).noneMatch(Verification.class::isInstance);
@@ -41,7 +39,7 @@ class VerifierTest {
     @Test
     void closedOnItsWay_isForgotten() {
         verifier.close();
-        verifier.verify(request(), stop());
+        verify(stop());
         assertThat(verifier.isBusy()).isFalse();
         assertThat(ear.events).isEmpty();
     }
