@@ -8,6 +8,7 @@ import java.util.Map;
 import lightning.jen.JenReader;
 import lightning.math.Vec3;
 import lightning.relight.Options;
+import lightning.relight.Reflections;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
 import lightning.scene.Attenuation;
@@ -33,7 +34,7 @@ final class Pair {
     public static void main(String[] args) throws Exception {
         Scene read = JenReader.read(Path.of(args[0])).scene();
         Scene scene = read.withPicture(new Picture(1920, 1080, read.picture().depth()));
-        try (var renderer = new Renderer(Options.DEFAULT.withThreads(THREADS)); var workers = new Workers(THREADS)) {
+        try (var renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(THREADS)); var workers = new Workers(THREADS)) {
             var geometry = new Geometry(scene);
             print("full-trace", times(() -> {}, () -> new TraditionalTracer(scene, geometry).trace(workers, Progress.NONE)), 0, 0);
             double[] first = times(renderer::forget, () -> renderer.render(scene, Progress.NONE));

@@ -13,8 +13,6 @@ import lightning.relight.Options;
 import lightning.relight.Reflections;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
-import lightning.scene.Scene;
-import lightning.scene.VisiblePart;
 import lightning.shading.Progress;
 import lightning.shading.Sight;
 import lightning.shading.TraditionalTracer;
@@ -38,11 +36,7 @@ public record Promise(Sight sight, ViewEffects view, double bound) {
 
     /** Whether the mirrors show an older scene, as far as a picture can tell. */
     public boolean isStale() {
-        return mirrors(sight.scene()) && !VisiblePart.same(sight.scene(), sight.mirrored());
-    }
-
-    private static boolean mirrors(Scene scene) {
-        return scene.picture().depth() > 0 && scene.materials().stream().anyMatch(m -> !m.reflective().isBlack());
+        return !sight.isCurrent();
     }
 
     /** Whether a picture that differs so much from a full trace of the sight is as promised. */

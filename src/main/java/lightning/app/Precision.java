@@ -6,12 +6,12 @@ import lightning.relight.Reflections;
 
 /** What the artist chooses between speed and exactness. */
 public enum Precision {
-    RATIO("Ratio", "The paper's update on stored contributions: fastest, with an error bound that is shown",
-            Accuracy.RATIO, Reflections.STALE),
-    EXACT("Exact", "Bit-equal to a full trace; mirrors show an older light until Update Reflections",
+    EXACT("Exact", "Equal to a full trace in every bit of every pixel, mirrors too",
+            Accuracy.EXACT, Reflections.CURRENT),
+    ON_DEMAND("As in 1998: mirrors on demand", "Equal to a full trace in every bit, but mirrors show older lights until Update Reflections",
             Accuracy.EXACT, Reflections.STALE),
-    CURRENT("Exact, reflections current", "Bit-equal to a full trace in every pixel, mirrors too",
-            Accuracy.EXACT, Reflections.CURRENT);
+    RATIO("As in 1998: ratio", "The paper's own update, which multiplies what is stored, with an error bound that is shown; mirrors on demand",
+            Accuracy.RATIO, Reflections.STALE);
 
     private final String title;
     private final String explanation;

@@ -1,6 +1,5 @@
 package lightning.app;
 
-import javafx.animation.PauseTransition;
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.control.ProgressBar;
@@ -16,7 +15,10 @@ final class ProgressOverlay extends HBox {
     private final EditorModel model;
     private final Label what = new Label();
     private final ProgressBar bar = new ProgressBar(0);
-    private final PauseTransition wait = new PauseTransition(PATIENCE);
+    private final Lasting work = new Lasting(Lasting.Later.WINDOW, PATIENCE, text -> {
+        what.setText(text);
+        setVisible(!text.isEmpty());
+    });
 
     ProgressOverlay(EditorModel model) {
         this.model = model;
@@ -29,29 +31,15 @@ final class ProgressOverlay extends HBox {
         var cancel = new CommandButton(model, Command.CANCEL, false);
         cancel.button().setId("cancel-progress");
         getChildren().addAll(what, bar, cancel);
-        setVisible(false);
-        wait.setOnFinished(_ -> setVisible(isBusy()));
         model.situationProperty().subscribe(_ -> update());
         model.renderingProperty().subscribe(_ -> update());
     }
 
-    private boolean isBusy() {
-        Situation now = model.situationProperty().get();
-        return now.inWork().isPresent() || now.verifying();
-    }
-
     private void update() {
         RenderState state = model.renderingProperty().get();
-        if (!isBusy()) {
-            wait.stop();
-            setVisible(false);
-            return;
-        }
-        if (!isVisible() && wait.getStatus() != javafx.animation.Animation.Status.RUNNING) {
-            wait.playFromStart();
-        }
-        boolean rendering = model.situationProperty().get().inWork().isPresent();
-        what.setText(rendering ? "Tracing" : "Verifying");
+        Situation now = model.situationProperty().get();
+        boolean rendering = now.inWork().isPresent();
+        work.tell(rendering ? "Tracing" : now.verifying() ? "Verifying" : "");
         bar.setProgress(rendering ? state.progress() : (double) state.checked() / state.toCheck());
     }
 }

@@ -15,9 +15,11 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
 import lightning.accuracy.Verification;
 import lightning.app.widget.Obstacle;
 import lightning.edit.Command;
+import lightning.effects.Effect;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
@@ -36,8 +38,9 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
 
     private final EditorModel model;
     private final PictureView picture = new PictureView();
-    private final Label badge = new Label();
-    private final Label lookBadge = new Label();
+    private final Badge pending;
+    private final Badge mirrors;
+    private final Badge look;
     private final Label pixelLine = new Label();
     private final Label card = new Label();
     private final ToggleButton difference = new ToggleButton("Difference");
@@ -49,7 +52,15 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private TracedRaster.Pixels shown;
 
     public TracedPane(EditorModel model) {
+        this(model, Lasting.Later.WINDOW);
+    }
+
+    /** @param later when badges are looked at again */
+    TracedPane(EditorModel model, Lasting.Later later) {
         this.model = model;
+        pending = new Badge("pending", later);
+        mirrors = new Badge("mirrors", later);
+        look = new Badge("look", later);
         setId("traced");
         getStyleClass().add("canvas-pane");
         picture.setId("traced-picture");
@@ -60,13 +71,16 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         placer = new LightPlacer(model, mouse::pickNext);
         model.setAction(Command.PICK_MATERIAL, () ->
                 mouse.pickNext("Click the shape whose material to edit", at -> model.materials().chooseOf(at.shape())));
-        badge.setId("pending");
-        badge.getStyleClass().add("badge");
-        StackPane.setAlignment(badge, Pos.TOP_LEFT);
-        lookBadge.setId("look");
-        lookBadge.getStyleClass().addAll("badge", "look-badge");
-        lookBadge.setTooltip(new Tooltip("A way of looking, no part of the scene.\nSave Image and Verify take the picture itself."));
-        StackPane.setAlignment(lookBadge, Pos.TOP_RIGHT);
+        mirrors.setTooltip(new Tooltip("As in 1998, mirrors are updated on demand.\nA click here does it, and F6."));
+        mirrors.setOnMouseClicked(_ -> model.run(Command.UPDATE_REFLECTIONS));
+        var badges = new VBox(pending, mirrors);
+        badges.getStyleClass().add("badges");
+        badges.setPickOnBounds(false);
+        badges.setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
+        StackPane.setAlignment(badges, Pos.TOP_LEFT);
+        look.getStyleClass().add("look-badge");
+        look.setTooltip(new Tooltip("A way of looking, no part of the scene.\nSave Image and Verify take the picture itself."));
+        StackPane.setAlignment(look, Pos.TOP_RIGHT);
         Node progress = new ProgressOverlay(model);
         StackPane.setAlignment(progress, Pos.BOTTOM_CENTER);
         card.setId("pixel-lights");
@@ -74,7 +88,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         card.setMouseTransparent(true);
         card.visibleProperty().bind(card.textProperty().isNotEmpty());
         StackPane.setAlignment(card, Pos.BOTTOM_LEFT);
-        var stage = new StackPane(picture, mouse.overlay(), badge, lookBadge, card, progress);
+        var stage = new StackPane(picture, mouse.overlay(), badges, look, card, progress);
         stage.getStyleClass().add("canvas");
         setTop(header());
         setCenter(stage);
@@ -186,12 +200,12 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         if (model.raster().isPatched()) {
             remark = "A region shows edits that the rest does not";
         }
+        pending.tell(remark);
         var frame = model.renderingProperty().get().frame();
-        String look = frame == null ? "" : frame.look().label();
-        lookBadge.setText(look.isEmpty() ? "" : "View: " + look);
-        lookBadge.setVisible(!look.isEmpty());
-        badge.setText(remark);
-        badge.setVisible(!remark.isEmpty());
+        String shown = frame == null ? "" : frame.look().label();
+        look.tell(shown.isEmpty() ? "" : "View: " + shown);
+        boolean mirroring = frame != null && frame.look().effects().shows(Effect.REFLECTION);
+        mirrors.tell(mirroring ? model.situationProperty().get().mirrorsRemark().map(r -> r + ": Update Reflections").orElse("") : "");
         boolean verified = verified() != null;
         difference.setVisible(verified);
         difference.setManaged(verified);

@@ -10,6 +10,7 @@ import lightning.accuracy.PaperCases;
 import lightning.accuracy.Saving;
 import lightning.accuracy.SavingMeter;
 import lightning.relight.Options;
+import lightning.relight.Reflections;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
 
@@ -70,7 +71,7 @@ final class GrowthBench {
 
     private GrowthPoint point(String along, long at, String where, Scene scene, Progress progress) {
         List<PaperCase> cases = PaperCases.of(scene).stream().filter(PaperCase::isPrinted).toList();
-        try (SavingMeter meter = new SavingMeter(Options.DEFAULT.withThreads(settings.threads()), settings.repetitions(),
+        try (SavingMeter meter = new SavingMeter(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(settings.threads()), settings.repetitions(),
                 settings.patienceMs(), bytesPerMs)) {
             List<Saving> savings = meter.updates(scene, cases.stream().map(PaperCase::after).toList(), progress);
             List<GrowthPoint.EditTime> edits = new ArrayList<>();

@@ -18,6 +18,7 @@ import lightning.accuracy.Rung;
 import lightning.accuracy.SavingMeter;
 import lightning.image.Film;
 import lightning.relight.Options;
+import lightning.relight.Reflections;
 import lightning.scene.Scene;
 import lightning.shading.Progress;
 
@@ -67,7 +68,7 @@ final class SceneBench implements AutoCloseable {
         Scene after = moved.isEmpty() ? scene : moved.getFirst().after();
         // The ladder's pictures need not lie in memory beside all the samples.
         close();
-        EffectCosts costs = EffectCosts.of(scene, after, Options.DEFAULT.withThreads(settings.threads()),
+        EffectCosts costs = EffectCosts.of(scene, after, Options.DEFAULT.withReflections(Reflections.STALE).withThreads(settings.threads()),
                 settings.isWarm() ? EFFECTS * settings.repetitions() : 1, progress);
         page.effects(costs.effects().stream().filter(EffectCost::measured).map(EffectResult::of).toList());
         costs.tooLarge().forEach(effect -> ledger.problem(new Problem(Problem.Kind.UNMEASURED,
@@ -96,7 +97,7 @@ final class SceneBench implements AutoCloseable {
     private void firstPass(Progress progress) throws IOException {
         // The collector makes some of them slow; the median of a few would tell of it by chance.
         int times = FIRST_PASSES * settings.repetitions();
-        try (SavingMeter first = new SavingMeter(Options.DEFAULT.withThreads(settings.threads()), times, settings.patienceMs(),
+        try (SavingMeter first = new SavingMeter(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(settings.threads()), times, settings.patienceMs(),
                 bytesPerMs)) {
             page.firstPass(first.firstPass(scene, progress.silent()));
             if (pictures != null) {

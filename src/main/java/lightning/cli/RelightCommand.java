@@ -10,7 +10,6 @@ import lightning.jen.JenDocument;
 import lightning.relight.Accuracy;
 import lightning.relight.MirrorStorage;
 import lightning.relight.Options;
-import lightning.relight.Reflections;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
 import lightning.scene.Scene;
@@ -30,13 +29,13 @@ import picocli.CommandLine.Option;
             "Times are measured once each; 'lightning tour' measures with repetitions.",
             "",
             "--verify traces each edited scene in full and counts the pixels and values that differ. The exit code is 1 if a",
-            "picture is not what was promised: every bit at --accuracy exact, the stated bound at ratio. With stale reflections",
+            "picture is not what was promised: every bit at --accuracy exact, the stated bound at ratio. With --reflections stale",
             "the promise holds for a full trace whose mirrors show the scene of their last update; a second count tells how many",
             "pixels 'Update Reflections' would change."},
         footer = {
             "Examples:",
             "  lightning relight scenes/bird.jen -o red.png --set \"sun.color=1 0 0\" --set sun.intensity=0.3 --verify",
-            "  lightning relight scenes/bird.jen -o two.png --set stage.angle=12 --then --delete sun --reflections current",
+            "  lightning relight scenes/bird.jen -o two.png --set stage.angle=12 --then --delete sun",
             "  lightning relight scenes/bird.jen -o feet.png --case position-feet --update-reflections --verify",
             "  lightning relight scenes/balls.jen -o dull.png --set \"material:gold.reflective=0 0 0\" --set material:jade.shininess=20",
             "  lightning relight scenes/bird.jen -o new.png --add \"fill point intensity=0.5 at=0 3 2\" --save new.jen"})
@@ -60,10 +59,10 @@ final class RelightCommand implements Callable<Integer> {
     @Option(names = "--accuracy", paramLabel = "LEVEL", defaultValue = "exact",
             description = "exact (equal to a full trace in every bit) or ratio (the paper's method, with an error bound).")
     private Accuracy accuracy;
-    @Option(names = "--reflections", paramLabel = "WHEN", defaultValue = "stale",
-            description = "stale (mirrors keep showing the scene of the first trace) or current (edits reach mirrors at once).")
-    private Reflections reflections;
-    @Option(names = "--update-reflections", description = "After the last edit, make the mirrors show it too.")
+    @Mixin
+    private ReflectionsOption reflections;
+    @Option(names = "--update-reflections",
+            description = "As in 1998: mirrors are stale until the last edit was made, and are then updated in a step of their own.")
     private boolean updateReflections;
     private MirrorStorage storage = MirrorStorage.FULL_ROWS;
     @Option(names = "--verify", description = "Check each picture against full traces.")
@@ -96,7 +95,7 @@ final class RelightCommand implements Callable<Integer> {
         }
         JenDocument document = input.read();
         List<Scene> edited = edited(document.scene());
-        Options options = new Options(accuracy, reflections, storage, threads.count());
+        Options options = new Options(accuracy, updateReflections ? reflections.onDemand() : reflections.value(), storage, threads.count());
         boolean kept = true;
         try (Renderer renderer = new Renderer(options); Workers workers = new Workers(threads.count());
                 ProgressBar bar = new ProgressBar(console, "tracing")) {

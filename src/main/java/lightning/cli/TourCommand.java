@@ -19,6 +19,7 @@ import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
 import lightning.relight.Options;
+import lightning.relight.Reflections;
 import lightning.scene.Scene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -31,18 +32,21 @@ import picocli.CommandLine.Parameters;
             "Traces the scene, makes the paper's edits on it one by one, each from the scene as it is, writes the pictures, and",
             "prints a line for each edit: its plan, the rows of light layers it touched, its shadow rays, its time and a full",
             "trace's (medians of repetitions in turns), what it saves, what the paper saved on its own scene and machine, the",
-            "cap, and whether the picture equals a full trace in every bit. As in the paper, mirrors are not updated by an edit,",
-            "and the full trace compared for equality shows the same in its mirrors.",
+            "cap, and whether the picture equals a full trace in every bit. Edits reach mirrors at once; --reflections stale leaves",
+            "mirrors as they were, which is what the paper measured, and the full trace compared for equality shows the same in its",
+            "mirrors.",
             "",
             "The cap is what the edit could save at most if it cast its rays as fast as the full trace casts its own, and moved",
             "its bytes as fast as memory does: a fast full trace and few lights leave less to save.",
             "",
-            "The line '- its mirrors' brings the edit of the position to the mirrors, as the button Update Reflections does.",
+            "With stale reflections the line '- its mirrors' then brings the edit of the position to the mirrors, as the button",
+            "Update Reflections does.",
             "The exit code is 1 if a picture is not equal."},
         footer = {
             "Examples:",
             "  lightning tour",
             "  lightning tour scenes/balls.jen -o balls-tour --size 640x480 --repetitions 3",
+            "  lightning tour scenes/bird.jen --reflections stale",
             "  lightning tour scenes/house.jen --povray"})
 final class TourCommand implements Callable<Integer> {
     private static final Path BIRD = Path.of("scenes", "bird.jen");
@@ -58,6 +62,8 @@ final class TourCommand implements Callable<Integer> {
     private Size size;
     @Option(names = "--povray", description = "Also measure the full trace beside the installed POV-Ray's of the same scene.")
     private boolean povray;
+    @Mixin
+    private ReflectionsOption reflections;
     @Mixin
     private ThreadsOption threads;
     @Mixin
@@ -80,10 +86,14 @@ final class TourCommand implements Callable<Integer> {
         console.line("%s at %d x %d pixels, depth %d, %d threads; pictures go to %s", file, size.width(), size.height(),
                 read.picture().depth(), threads.count(), folder);
         List<PaperCase> cases = PaperCases.of(sized);
-        try (SavingMeter meter = new SavingMeter(Options.DEFAULT.withThreads(threads.count()), repetitions.count());
+        try (SavingMeter meter = new SavingMeter(options(), repetitions.count());
                 ProgressBar bar = new ProgressBar(console, "tour")) {
             return tour(sized, cases, pov, meter, bar) ? ExitCode.DONE : ExitCode.CHECK_FAILED;
         }
+    }
+
+    private Options options() {
+        return Options.DEFAULT.withReflections(reflections.value()).withThreads(threads.count());
     }
 
     /** The scene beside which the program was started, or the one installed with it. */
@@ -129,7 +139,7 @@ final class TourCommand implements Callable<Integer> {
     /** Brings the first edit that moves a light to the mirrors: the button Update Reflections. */
     private boolean reflections(List<PaperCase> cases, TourTable table, SavingMeter meter, ProgressBar bar) throws IOException {
         Optional<PaperCase> edit = cases.stream().filter(c -> c.name().equals("position")).findFirst();
-        if (edit.isEmpty()) {
+        if (edit.isEmpty() || reflections.value() == Reflections.CURRENT) {
             return true;
         }
         Saving saving = meter.reflections(edit.get().before(), edit.get().after(), bar.silent());

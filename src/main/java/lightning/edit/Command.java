@@ -1,8 +1,6 @@
 package lightning.edit;
 
 import java.util.Optional;
-import lightning.effects.Effect;
-import lightning.effects.Effects;
 import lightning.scene.Limits;
 import lightning.scene.VisiblePart;
 
@@ -75,7 +73,7 @@ public enum Command {
         if (VisiblePart.same(s.rendered().get(), s.mirrored().get())) {
             return Optional.of("the mirrors show the picture's lights already");
         }
-        return unless(Effects.of(s.rendered().get()).has(Effect.REFLECTION), "nothing in the picture mirrors");
+        return unless(s.mirrorsRemark().isPresent(), "nothing in the picture mirrors");
     }
 
     private static Optional<String> room(Situation s) {

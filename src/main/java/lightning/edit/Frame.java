@@ -23,7 +23,7 @@ public record Frame(Film film, Film seen, Look look, Scene scene, Scene mirrored
         return new Promise(new Sight(scene, mirrored), ViewEffects.ALL, update.errorBound());
     }
 
-    /** Whether the mirrors show the scene itself, as far as a picture can tell. */
+    /** Whether the mirrors, if there are any, show the scene itself, as far as a picture can tell. */
     public boolean mirrorsAreCurrent() {
         return !promise().isStale();
     }

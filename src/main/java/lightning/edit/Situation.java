@@ -5,6 +5,7 @@ import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 import lightning.scene.VisiblePart;
+import lightning.shading.Sight;
 
 /**
  * Everything that decides which commands have something to do.
@@ -65,6 +66,15 @@ public record Situation(Scene scene, Optional<Scene> rendered, Optional<Scene> m
     public Optional<String> pendingRemark() {
         return rendered.isPresent() && isPending() ? Optional.of("the picture does not show the edits since the last Go")
                 : Optional.empty();
+    }
+
+    /** What the canvas says of mirrors that are older than the rest of the picture; empty where they are not. */
+    public Optional<String> mirrorsRemark() {
+        if (rendered.isEmpty() || mirrored.isEmpty() || new Sight(rendered.get(), mirrored.get()).isCurrent()) {
+            return Optional.empty();
+        }
+        boolean dark = rendered.get().lights().stream().noneMatch(rendered.get()::shines);
+        return Optional.of(dark ? "No light shines here; the mirrors still show those of before" : "The mirrors are older than the lights");
     }
 
     Optional<LightType> type() {

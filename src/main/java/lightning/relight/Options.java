@@ -10,9 +10,9 @@ import lightning.shading.Workers;
  * @param view    which effects are shown; all of them in a picture
  */
 public record Options(Accuracy accuracy, Reflections reflections, MirrorStorage storage, int threads, ViewEffects view) {
-    /** Exact, reflections on demand as in the paper, full rows, all processors. */
+    /** Exact, mirrors and all; full rows, all processors. */
     public static final Options DEFAULT =
-            new Options(Accuracy.EXACT, Reflections.STALE, MirrorStorage.FULL_ROWS, Workers.available());
+            new Options(Accuracy.EXACT, Reflections.CURRENT, MirrorStorage.FULL_ROWS, Workers.available());
 
     /** All effects. */
     public Options(Accuracy accuracy, Reflections reflections, MirrorStorage storage, int threads) {

@@ -2,8 +2,8 @@ package lightning.relight;
 
 /** When an edit reaches the mirror images. */
 public enum Reflections {
-    /** On demand: mirror images keep showing the scene of their last update (paper §4.8). */
+    /** As in 1998, on demand: mirror images keep showing the scene of their last update (paper §4.8). */
     STALE,
-    /** With every edit. */
+    /** With every edit: the default. */
     CURRENT
 }

@@ -1,6 +1,9 @@
 package lightning.shading;
 
+import lightning.effects.Effect;
+import lightning.effects.Effects;
 import lightning.scene.Scene;
+import lightning.scene.VisiblePart;
 
 /**
  * What a picture shows whose mirrors are updated on demand (paper §4.8).
@@ -12,5 +15,10 @@ public record Sight(Scene scene, Scene mirrored) {
     /** Both the same. */
     public static Sight of(Scene scene) {
         return new Sight(scene, scene);
+    }
+
+    /** Whether mirrors show what the eye sees, as far as a picture can tell: equal visible parts, or nothing mirrors. */
+    public boolean isCurrent() {
+        return VisiblePart.same(scene, mirrored) || !Effects.of(scene).has(Effect.REFLECTION);
     }
 }

@@ -243,9 +243,9 @@ class PaperCasesTest {
         return (UpdatePlan.Relight) lastUpdate(edit).plan();
     }
 
-    /** What the last step did, with the paper's default: stale reflections. */
+    /** What the last step did, in the paper's way: stale reflections. */
     private static Update lastUpdate(PaperCase edit) {
-        try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(1))) {
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1))) {
             Update update = null;
             for (Scene step : edit.scenes()) {
                 update = renderer.render(step, Progress.NONE);

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.Arrays;
 import lightning.relight.Accuracy;
 import lightning.relight.Options;
+import lightning.relight.Reflections;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
 import lightning.relight.UpdatePlan;
@@ -77,7 +78,7 @@ class SavingMeterTest {
 
     @Test
     void reflections_areUpdatedAndKept() {
-        try (SavingMeter meter = new SavingMeter(Options.DEFAULT.withThreads(2), 1)) {
+        try (SavingMeter meter = new SavingMeter(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(2), 1)) {
             Saving saving = meter.reflections(before, after, Progress.NONE);
             assertThat(saving.update().plan().text()).isEqualTo("reflections");
             assertThat(saving.kept()).isTrue();

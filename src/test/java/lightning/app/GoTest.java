@@ -2,6 +2,7 @@ package lightning.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import javafx.application.Platform;
 import javafx.scene.control.Button;
@@ -19,6 +20,11 @@ import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
 class GoTest extends EditorDesk {
+
+    private void asIn1998() {
+        robot.interact(() -> model().precisionProperty().set(Precision.ON_DEMAND));
+        waitForPicture();
+    }
 
     private void dim() {
         robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
@@ -54,7 +60,7 @@ class GoTest extends EditorDesk {
     void edit_enablesGoAndMarksTheCanvas() {
         dim();
         assertThat(isEnabled(Command.GO)).isTrue();
-        assertThat(isShown("pending")).isTrue();
+        waitFor("the canvas is marked", () -> isShown("pending"));
         assertThat(text("pending")).isEqualTo("Edits not yet rendered");
     }
 
@@ -72,7 +78,19 @@ class GoTest extends EditorDesk {
     }
 
     @Test
+    void go_bringsTheEditToTheMirrorsToo() {
+        dim();
+        click("go");
+        waitForPicture();
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        assertThat(isShown("mirrors")).isFalse();
+        assertThat(model().reason(Command.UPDATE_REFLECTIONS)).contains("the mirrors show the picture's lights already");
+    }
+
+    @Test
     void staleGo_showsThePictureOfTheStaleOracle() {
+        asIn1998();
         Scene mirrored = model().scene();
         dim();
         click("go");
@@ -84,6 +102,7 @@ class GoTest extends EditorDesk {
 
     @Test
     void goAndUpdateReflections_giveThePictureOfAFullTrace() {
+        asIn1998();
         dim();
         click("go");
         waitForPicture();
@@ -184,6 +203,7 @@ class GoTest extends EditorDesk {
 
     @Test
     void verifyOfStaleMirrors_saysThatTheyAre() {
+        asIn1998();
         dim();
         click("go");
         waitForPicture();
@@ -211,7 +231,7 @@ class GoTest extends EditorDesk {
 
     @Test
     void anotherAccuracy_castsNoRay() {
-        for (Precision precision : new Precision[] {Precision.RATIO, Precision.CURRENT, Precision.EXACT}) {
+        for (Precision precision : new Precision[] {Precision.RATIO, Precision.EXACT, Precision.ON_DEMAND}) {
             Object before = model().frame();
             robot.interact(() -> model().precisionProperty().set(precision));
             waitFor("it is rendered", () -> model().frame() != before);
@@ -221,13 +241,39 @@ class GoTest extends EditorDesk {
     }
 
     @Test
-    void currentReflections_needNoUpdate() {
-        robot.interact(() -> model().precisionProperty().set(Precision.CURRENT));
+    void olderMirrors_areTellingUntilABadgesClickUpdatesThem() {
+        asIn1998();
+        dim();
+        click("go");
+        waitFor("it is told", () -> isShown("mirrors"));
+        assertThat(text("mirrors")).isEqualTo("The mirrors are older than the lights: Update Reflections");
+        click("mirrors");
+        waitFor("they are updated", () -> !isShown("mirrors"));
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+    }
+
+    @Test
+    void mirrorsThatShowLightsThatAreGone_areExplained() {
+        asIn1998();
+        robot.interact(() -> List.of("lamp", "sun", "stage").forEach(l -> model().edit(scene -> LightEdits.delete(scene, l))));
+        click("go");
+        waitFor("it is told", () -> isShown("mirrors"));
+        assertThat(text("mirrors")).isEqualTo("No light shines here; the mirrors still show those of before: Update Reflections");
+        robot.interact(() -> model().precisionProperty().set(Precision.EXACT));
+        waitFor("no ghost is left", () -> !isShown("mirrors"));
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+    }
+
+    @Test
+    void sceneWithoutMirrors_isNeverBehindInThem() {
+        asIn1998();
+        robot.interact(() -> model().edit(scene -> Dial.DEPTH.set(scene, "", 0)));
+        click("go");
         waitForPicture();
         dim();
         click("go");
         waitForPicture();
-        assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isFalse();
-        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertThat(model().situationProperty().get().mirrorsRemark()).isEmpty();
+        assertThat(text("status")).endsWith("exact");
     }
 }

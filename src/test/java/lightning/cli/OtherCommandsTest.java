@@ -149,6 +149,15 @@ class OtherCommandsTest {
     }
 
     @Test
+    void tour_updatesMirrorsInAStepOfTheirOwnOnlyAsIn1998() throws Exception {
+        String[] small = {"--size", "40x30", "--repetitions", "1", "-o", folder.resolve("tour").toString()};
+        Cli.run("tour", scene, small[0], small[1], small[2], small[3], small[4], small[5], "--reflections", "stale").isDone();
+        assertThat(folder.resolve("tour/position-mirrored.png")).exists();
+        String out = Cli.run("tour", scene, small[0], small[1], small[2], small[3], small[4], small[5]).isDone().out();
+        assertThat(out).contains(", reflections ").doesNotContain("its mirrors", " NO");
+    }
+
+    @Test
     void tourWithBadInput_isRefused() throws Exception {
         Cli.run("tour", scene, "--repetitions", "0").isRefusedSaying("--repetitions must be from 1 to 1000, was 0");
         Cli.run("tour", folder.resolve("no.jen")).isRefusedSaying("no.jen: there is no such file");

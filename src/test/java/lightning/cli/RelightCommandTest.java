@@ -48,8 +48,15 @@ class RelightCommandTest {
     }
 
     @Test
+    void edits_reachMirrorsAtOnceUnlessAskedOtherwise() throws Exception {
+        Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3").isDone();
+        Film reference = new ReferenceTracer(PropertyEdit.apply(scene, "lamp.intensity=3")).trace();
+        assertThat(PictureFile.read(picture).sameBits(reference)).isTrue();
+    }
+
+    @Test
     void staleReflections_showTheFirstScene() throws Exception {
-        String out = Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--verify").isDone().out();
+        String out = Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--reflections", "stale", "--verify").isDone().out();
         Scene edited = PropertyEdit.apply(scene, "lamp.intensity=3");
         Film reference = new ReferenceTracer(edited, scene).trace();
         assertThat(PictureFile.read(picture).sameBits(reference)).isTrue();
@@ -62,7 +69,7 @@ class RelightCommandTest {
     @Test
     void then_startsTheNextEdit() {
         String out = Cli.run("relight", path, "-o", picture, "--set", "stage.angle=12", "--set", "stage.dropoff=9", "--then",
-                "--delete", "sun", "--then", "--add", "fill point at=0 3 2 intensity=0.2").isDone().out();
+                "--delete", "sun", "--then", "--add", "fill point at=0 3 2 intensity=0.2", "--reflections", "stale").isDone().out();
         assertThat(out.lines().map(line -> line.replaceAll(": \\d+ rows.*", "")).skip(1)).containsExactly(
                 "1. stage: angle remove + falloff", "2. sun: delete", "3. fill: add");
     }
@@ -71,7 +78,7 @@ class RelightCommandTest {
     void eachEdit_isOneLineWithPlanRowsRaysTimesAndPromise() {
         String out = Cli.run("relight", path, "-o", picture, "--set", "sun.intensity=0.1").isDone().out();
         assertThat(out.lines().skip(1)).singleElement().asString().matches(
-                "1\\. sun: weight: \\d+ rows, 0 shadow rays, [\\d.]+ ms of a full trace's [\\d.]+ \\(saves -?[\\d.]+ %\\), exact, reflections of an older light");
+                "1\\. sun: weight, reflections: \\d+ rows, 0 shadow rays, [\\d.]+ ms of a full trace's [\\d.]+ \\(saves -?[\\d.]+ %\\), exact");
     }
 
     @Test
@@ -84,9 +91,16 @@ class RelightCommandTest {
     }
 
     @Test
+    void updateReflectionsOfMirrorsThatAreCurrent_isRefused() {
+        Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--reflections", "current", "--update-reflections")
+                .isRefusedSaying("--update-reflections updates mirrors on demand; with --reflections current they need no update");
+        assertThat(picture).doesNotExist();
+    }
+
+    @Test
     void caseWithSeveralScenes_rendersEach() {
         String out = Cli.run("relight", path, "-o", picture, "--case", "undo", "--verify").isDone().out();
-        assertThat(out.lines().filter(line -> line.matches("\\d\\. lamp: weight: .*"))).hasSize(2);
+        assertThat(out.lines().filter(line -> line.matches("\\d\\. lamp: weight, reflections: .*"))).hasSize(2);
     }
 
     static Stream<Arguments> casesOfAllScenes() throws Exception {

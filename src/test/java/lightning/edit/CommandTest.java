@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.EnumSet;
 import lightning.math.Vec3;
 import lightning.relight.Options;
+import lightning.relight.Reflections;
 import lightning.relight.Renderer;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -26,7 +27,7 @@ class CommandTest {
     @TempDir
     private Path folder;
 
-    private final Renderer renderer = new Renderer(Options.DEFAULT.withThreads(1));
+    private final Renderer renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1));
     private OpenDocument document;
     private Optional<Frame> frame = Optional.empty();
 

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 class RenderLoopTest {
-    private static final Options OPTIONS = Options.DEFAULT.withThreads(1);
+    private static final Options OPTIONS = Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1);
 
     private final LoopEar ear = new LoopEar();
     private final RenderLoop loop = new RenderLoop(OPTIONS, ear);

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The test's thread is the window's: it runs what the loop sends there. */
 class WorkbenchTest {
-    private static final Options OPTIONS = Options.DEFAULT.withThreads(1);
+    private static final Options OPTIONS = Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1);
 
     @TempDir
     private Path folder;

@@ -38,7 +38,7 @@ class RestoreTest {
 
     @Test
     void keptRows_serveARendererWithCurrentReflections() {
-        try (Renderer stale = new Renderer(Options.DEFAULT.withThreads(1));
+        try (Renderer stale = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1));
                 Renderer current = new Renderer(Options.DEFAULT.withThreads(1).withReflections(Reflections.CURRENT))) {
             stale.render(before, Progress.NONE);
             current.restore(stale.cache());
@@ -56,7 +56,7 @@ class RestoreTest {
         }
         Scene many = before.withLights(lights);
         Scene edited = many.withLight(lights.getFirst().withIntensity(0.5));
-        try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(1))) {
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1))) {
             renderer.render(many, Progress.NONE);
             PixelCache kept = renderer.cache();
             renderer.render(edited, Progress.NONE);
