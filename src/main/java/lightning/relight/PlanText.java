@@ -22,7 +22,7 @@ final class PlanText {
         if (plan.resampled()) {
             steps.add("samples");
         }
-        if (plan.mirrors() != null) {
+        if (plan.mirrors() != null && plan.depthTo() > 0 && plan.mirrors().materials().materials().reflectiveCount() > 0) {
             steps.add("reflections");
         }
         if (steps.isEmpty()) {

@@ -31,7 +31,7 @@ class EffectCostsTest {
     void everyEffect_isListedOnce() {
         EffectCosts costs = of(StudioScene.of(LightType.POINT));
         assertThat(costs.effects()).extracting(EffectCost::effect).containsExactly(Effect.values());
-        assertThat(costs.plan()).isEqualTo("key: weight");
+        assertThat(costs.plan()).isEqualTo("key: weight, reflections");
         assertThat(costs.bytes()).isPositive();
     }
 

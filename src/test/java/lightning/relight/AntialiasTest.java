@@ -38,7 +38,7 @@ class AntialiasTest {
     }
 
     private static Renderer renderer(Scene scene, Accuracy accuracy) {
-        Renderer renderer = new Renderer(Options.DEFAULT.withAccuracy(accuracy));
+        Renderer renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withAccuracy(accuracy));
         renderer.render(scene, Progress.NONE);
         return renderer;
     }

@@ -39,6 +39,22 @@ class DispatcherTest {
         return renderer;
     }
 
+    @Test
+    void planOfASceneWhereNothingMirrors_doesNotSpeakOfReflections() {
+        Scene mirroring = STUDIO.withPicture(STUDIO.picture().withDepth(2));
+        Scene brighter = mirroring.withLights(List.of(A.withIntensity(2), B));
+        try (Renderer renderer = rendered(Accuracy.EXACT, Reflections.CURRENT, mirroring)) {
+            assertThat(renderer.plan(brighter).text()).isEqualTo("a: weight, reflections");
+        }
+        UnaryOperator<Scene> matt = scene -> scene.withMaterials(scene.materials().stream().map(m -> m.withReflective(Rgb.BLACK)).toList());
+        for (Scene[] edit : new Scene[][] {{matt.apply(mirroring), matt.apply(brighter)},
+            {mirroring.withPicture(mirroring.picture().withDepth(0)), brighter.withPicture(brighter.picture().withDepth(0))}}) {
+            try (Renderer renderer = rendered(Accuracy.EXACT, Reflections.CURRENT, edit[0])) {
+                assertThat(renderer.plan(edit[1]).text()).isEqualTo("a: weight");
+            }
+        }
+    }
+
     /** The old layer and the update of each wanted light, after a picture with the lights A and B. */
     private static void assertOrigins(List<Light> wanted, List<Integer> from, List<LightUpdate> updates) {
         try (Renderer renderer = rendered(Accuracy.EXACT, Reflections.STALE, STUDIO)) {
