@@ -11,8 +11,9 @@ import lightning.shading.TraceCounts;
  * @param original the picture before the edit
  * @param rungs    one for each {@link Level}, in that order
  * @param fullRays the rays of the full trace
+ * @param warm     whether Java was warm to all of it: else the times tell little, and what they save nothing
  */
-public record Ladder(Scene before, Scene after, Film original, List<Rung> rungs, TraceCounts fullRays) {
+public record Ladder(Scene before, Scene after, Film original, List<Rung> rungs, TraceCounts fullRays, boolean warm) {
     public Ladder {
         rungs = List.copyOf(rungs);
     }

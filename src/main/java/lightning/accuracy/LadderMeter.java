@@ -32,7 +32,16 @@ public final class LadderMeter implements AutoCloseable {
      * @throws IllegalArgumentException if {@code threads} or {@code repetitions} is below 1
      */
     public LadderMeter(int threads, int repetitions, double patienceMs) {
-        turns = new Turns(repetitions, patienceMs);
+        this(threads, new Turns(repetitions, patienceMs));
+    }
+
+    /** A meter for a Java that has not run for long, as an editor's: works must be steady for a while. */
+    public static LadderMeter patient(int threads, int repetitions, double patienceMs) {
+        return new LadderMeter(threads, new Turns(repetitions, patienceMs, WarmSaving.STEADY_MS));
+    }
+
+    private LadderMeter(int threads, Turns turns) {
+        this.turns = turns;
         workers = new Workers(threads);
         for (Level level : Level.values()) {
             if (level != Level.FULL_TRACE) {
@@ -64,8 +73,9 @@ public final class LadderMeter implements AutoCloseable {
         List<Turns.Turn<RuntimeException>> works = new ArrayList<>();
         levels.forEach(level -> works.add(() -> level.edit(after, silent)));
         works.add(() -> Turns.time(() -> tracer.trace(workers, silent)));
-        List<Timing> times = turns.take(works, progress);
-        return new Ladder(before, after, kept.film(), rungs(times, full.film(), silent), full.rays());
+        boolean warm = turns.warmUp(works, silent);
+        List<Timing> times = turns.measure(works, progress);
+        return new Ladder(before, after, kept.film(), rungs(times, full.film(), silent), full.rays(), warm);
     }
 
     /** What is kept of the scene that the last measured edit started from. */

@@ -10,12 +10,15 @@ import lightning.shading.Progress;
  * Measures several works in turns, one after the other and again, so that whatever slows the machine for a while slows
  * all of them.
  *
- * <p>Before that it warms up until it is steady: until no work has become notably faster for two rounds, or patience ends.
+ * <p>Before that it warms up until it is steady: until no work has become notably faster for two rounds and for a while, or
+ * patience ends.
  *
  * @param repetitions  how often each work is measured, ≥ 1
  * @param patienceMs   how long it warms up at most, milliseconds, beyond the least number of rounds
+ * @param steadyMs     for how long, milliseconds of the works' own time, no work may have become faster: works that take next
+ *                     to nothing stay as slow as they are for many rounds, until Java comes to compile them
  */
-record Turns(int repetitions, double patienceMs) {
+record Turns(int repetitions, double patienceMs, double steadyMs) {
     /** One work; it may prepare something before the time that it tells. */
     @FunctionalInterface
     interface Turn<X extends Exception> {
@@ -35,6 +38,11 @@ record Turns(int repetitions, double patienceMs) {
         }
     }
 
+    /** Two rounds that are no faster are enough: for works that ran for a while before. */
+    Turns(int repetitions, double patienceMs) {
+        this(repetitions, patienceMs, 0);
+    }
+
     Turns(int repetitions) {
         this(repetitions, PATIENCE_MS);
     }
@@ -49,6 +57,11 @@ record Turns(int repetitions, double patienceMs) {
      */
     <X extends Exception> List<Timing> take(List<Turn<X>> works, Progress progress) throws X {
         warmUp(works, progress);
+        return measure(works, progress);
+    }
+
+    /** The same without warming up. */
+    <X extends Exception> List<Timing> measure(List<Turn<X>> works, Progress progress) throws X {
         List<List<Double>> samples = new ArrayList<>();
         works.forEach(_ -> samples.add(new ArrayList<>()));
         for (int round = 0; round < repetitions; round++) {
@@ -60,21 +73,30 @@ record Turns(int repetitions, double patienceMs) {
         return samples.stream().map(Timing::new).toList();
     }
 
-    private <X extends Exception> void warmUp(List<Turn<X>> works, Progress progress) throws X {
+    /** Works until all works are steady; returns false where patience ended before. */
+    <X extends Exception> boolean warmUp(List<Turn<X>> works, Progress progress) throws X {
         double[] best = new double[works.size()];
         Arrays.fill(best, Double.POSITIVE_INFINITY);
         long start = System.nanoTime();
         int steady = 0;
-        for (int round = 0; round < LEAST_WARM_UPS || steady < STEADY_ROUNDS && since(start) < patienceMs; round++) {
+        double steadyFor = 0;
+        for (int round = 0; round < LEAST_WARM_UPS || !isSteady(steady, steadyFor) && since(start) < patienceMs; round++) {
             steady++;
             for (int i = 0; i < best.length; i++) {
                 double ms = next(works.get(i), progress);
                 if (ms < NOTABLY * best[i]) {
                     steady = 0;
+                    steadyFor = 0;
                 }
+                steadyFor += ms;
                 best[i] = Math.min(best[i], ms);
             }
         }
+        return isSteady(steady, steadyFor);
+    }
+
+    private boolean isSteady(int rounds, double milliseconds) {
+        return rounds >= STEADY_ROUNDS && milliseconds >= steadyMs;
     }
 
     private static <X extends Exception> double next(Turn<X> work, Progress progress) throws X {

@@ -24,7 +24,7 @@ import lightning.shading.Workers;
 /** What accuracy costs: each level's time and error for the edit made last, measured when the artist asks for it. */
 final class AccuracyPane extends BorderPane {
     private static final int REPETITIONS = 5;
-    private static final double PATIENCE_MS = 1500;
+    private static final double PATIENCE_MS = 10_000;
 
     private final EditorModel model;
     private final Label edit = new Label();
@@ -122,7 +122,7 @@ final class AccuracyPane extends BorderPane {
     }
 
     private static Ladder ladder(LastEdit measured, Progress progress) {
-        try (var meter = new LadderMeter(Workers.available(), REPETITIONS, PATIENCE_MS)) {
+        try (var meter = LadderMeter.patient(Workers.available(), REPETITIONS, PATIENCE_MS)) {
             return meter.measure(measured.before(), measured.after(), progress);
         }
     }
@@ -132,7 +132,7 @@ final class AccuracyPane extends BorderPane {
         table.show(measured);
         chart.show(measured);
         table.getSelectionModel().select(measured.rung(Level.EXACT));
-        ended(text(measured));
+        ended(text(measured) + (measured.warm() ? "" : ". The times did not come to rest, so no savings are told"));
     }
 
     private void ended(String text) {

@@ -6,6 +6,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import lightning.accuracy.Verification;
+import lightning.accuracy.WarmSaving;
 import lightning.edit.Frame;
 import lightning.edit.RenderListener;
 import lightning.image.Film;
@@ -77,8 +78,8 @@ final class RenderFeed implements RenderListener {
     }
 
     @Override
-    public void measured(double fullTraceMs) {
-        tell(s -> s.measured(fullTraceMs));
+    public void measured(WarmSaving saving) {
+        tell(s -> s.measured(saving));
     }
 
     @Override

@@ -14,9 +14,9 @@ final class RungText {
         return StatusText.milliseconds(rung.time().median());
     }
 
-    /** Of the full trace's time. */
+    /** Of the full trace's time; empty where Java was not warm to both. */
     static String saving(Ladder ladder, Rung rung) {
-        return rung.level() == Level.FULL_TRACE ? "" : StatusText.saving(ladder.saving(rung.level()) / 100);
+        return rung.level() == Level.FULL_TRACE || !ladder.warm() ? "" : StatusText.saving(ladder.saving(rung.level()) / 100);
     }
 
     /** The largest error of a value, linear. */

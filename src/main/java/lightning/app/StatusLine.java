@@ -52,6 +52,6 @@ final class StatusLine extends HBox {
         if (state.verification() != null) {
             return StatusText.of(state.verification(), state.frame());
         }
-        return state.frame() == null ? "" : StatusText.of(state.frame(), state.fullTraceMs());
+        return state.frame() == null ? "" : StatusText.of(state.frame(), state.saving());
     }
 }

@@ -3,9 +3,12 @@ package lightning.cli;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import lightning.accuracy.Promise;
 import lightning.accuracy.Verification;
+import lightning.accuracy.WarmSaving;
+import lightning.cache.PixelCache;
 import lightning.jen.JenDocument;
 import lightning.relight.Accuracy;
 import lightning.relight.MirrorStorage;
@@ -13,7 +16,6 @@ import lightning.relight.Options;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
 import lightning.scene.Scene;
-import lightning.shading.TraditionalTracer;
 import lightning.shading.Workers;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
@@ -25,8 +27,9 @@ import picocli.CommandLine.Option;
         description = {
             "Traces the scene once, then makes the edits in their order. Edits up to a --then (or the end) are made at once and",
             "rendered as one. Each such group gets a line: its plan, the rows of light layers it touched, its shadow rays, its",
-            "time beside that of a full trace, what that saves, and whether the picture is exact or how far a value may be off.",
-            "Times are measured once each; 'lightning tour' measures with repetitions.",
+            "time, and whether the picture is exact or how far a value may be off. Then it is made again, in turns with a full trace",
+            "of the same picture, until both run as fast as they can: that tells what it saves. --no-savings leaves this out, and so",
+            "does a line whose times do not come to rest.",
             "",
             "--verify traces each edited scene in full and counts the pixels and values that differ. The exit code is 1 if a",
             "picture is not what was promised: every bit at --accuracy exact, the stated bound at ratio. With --reflections stale",
@@ -40,9 +43,8 @@ import picocli.CommandLine.Option;
             "  lightning relight scenes/balls.jen -o dull.png --set \"material:gold.reflective=0 0 0\" --set material:jade.shininess=20",
             "  lightning relight scenes/bird.jen -o new.png --add \"fill point intensity=0.5 at=0 3 2\" --save new.jen"})
 final class RelightCommand implements Callable<Integer> {
-    /** Nanoseconds. */
-    private static final long WARM_UP = 500_000_000;
-    private static final int MOST_WARM_UPS = 20;
+    /** How long the times of one line may take to come to rest, milliseconds. */
+    private static final double WARM_UP_MS = 5000;
 
     private final Console console;
 
@@ -67,6 +69,9 @@ final class RelightCommand implements Callable<Integer> {
     private MirrorStorage storage = MirrorStorage.FULL_ROWS;
     @Option(names = "--verify", description = "Check each picture against full traces.")
     private boolean verify;
+    @Option(names = "--no-savings",
+            description = "Leaves out what each update saves of a full trace, which takes a second or more to measure.")
+    private boolean noSavings;
     @Option(names = "--save", paramLabel = "edited.jen",
             description = "Writes the edited scene; comments, order and numbers that were not edited keep their characters.")
     private Path save;
@@ -99,16 +104,14 @@ final class RelightCommand implements Callable<Integer> {
         boolean kept = true;
         try (Renderer renderer = new Renderer(options); Workers workers = new Workers(threads.count());
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
-            renderer.setView(output.view().exposure(), output.view().curve());
             Update first = renderer.render(picture.apply(document.scene()), bar);
             console.line("first pass: %.1f ms, %d rays", first.milliseconds(), first.rays().all());
-            warmUp(renderer, workers, bar);
             for (int group = 0; group < edited.size(); group++) {
-                Update update = renderer.render(picture.apply(edited.get(group)), bar);
-                kept &= report(group + 1 + ".", update, renderer, workers, bar);
+                Scene wanted = picture.apply(edited.get(group));
+                kept &= make(group + 1 + ".", (r, progress) -> r.render(wanted, progress), renderer, workers, bar);
             }
             if (updateReflections) {
-                kept &= report("mirrors:", renderer.updateReflections(bar), renderer, workers, bar);
+                kept &= make("mirrors:", Renderer::updateReflections, renderer, workers, bar);
             }
             output.write(renderer.film(), console);
         }
@@ -118,9 +121,17 @@ final class RelightCommand implements Callable<Integer> {
         return kept ? ExitCode.DONE : ExitCode.CHECK_FAILED;
     }
 
-    /** Prints what an update did, and whether its promise was kept where that is asked; returns false if it was not. */
-    private boolean report(String title, Update update, Renderer renderer, Workers workers, ProgressBar bar) {
-        console.line("%s %s", title, line(update, Promise.of(renderer, update), fullTrace(renderer, workers, bar)));
+    /** Makes an update and prints what it did, and whether its promise was kept where that is asked; returns false if it was not. */
+    private boolean make(String title, WarmSaving.Step step, Renderer renderer, Workers workers, ProgressBar bar) {
+        PixelCache start = renderer.cache();
+        WarmSaving.Step shown = (r, progress) -> {
+            r.setView(output.view().exposure(), output.view().curve());
+            return step.on(r, progress);
+        };
+        Update update = shown.on(renderer, bar);
+        Optional<WarmSaving> saving = noSavings ? Optional.empty() : WarmSaving.Edit.of(update, start, renderer.options(), shown)
+                .flatMap(edit -> WarmSaving.measure(edit, workers, WARM_UP_MS, bar));
+        console.line("%s %s", title, line(update, Promise.of(renderer, update), saving));
         if (!verify) {
             return true;
         }
@@ -145,27 +156,10 @@ final class RelightCommand implements Callable<Integer> {
         return scenes;
     }
 
-    /** Lets the compiler get ready: a full trace in cold code would make each saving too large. */
-    private static void warmUp(Renderer renderer, Workers workers, ProgressBar bar) {
-        long start = System.nanoTime();
-        int traces = 0;
-        do {
-            fullTrace(renderer, workers, bar);
-            traces++;
-        } while (System.nanoTime() - start < WARM_UP && traces < MOST_WARM_UPS);
-    }
-
-    /** Milliseconds of a full trace of the renderer's scene, the tree of boxes left out. */
-    private static double fullTrace(Renderer renderer, Workers workers, ProgressBar bar) {
-        var tracer = new TraditionalTracer(renderer.scene(), renderer.cache().geometry());
-        long start = System.nanoTime();
-        tracer.trace(workers, bar);
-        return (System.nanoTime() - start) / 1e6;
-    }
-
-    private static String line(Update update, Promise promise, double fullTrace) {
-        return Console.text("%s: %d rows, %d shadow rays, %.1f ms of a full trace's %.1f (saves %.1f %%), %s",
-                update.plan().text(), update.rowsTouched(), update.rays().shadow(), update.milliseconds(), fullTrace,
-                100 * (1 - update.milliseconds() / fullTrace), promise.text(update));
+    private static String line(Update update, Promise promise, Optional<WarmSaving> saving) {
+        String time = saving.map(s -> Console.text("%.1f ms of a full trace's %.1f (saves %.1f %%)", s.update().median(), s.full().median(),
+                s.percent())).orElseGet(() -> Console.text("%.1f ms", update.milliseconds()));
+        return Console.text("%s: %d rows, %d shadow rays, %s, %s",
+                update.plan().text(), update.rowsTouched(), update.rays().shadow(), time, promise.text(update));
     }
 }

@@ -1,6 +1,7 @@
 package lightning.edit;
 
 import lightning.accuracy.Verification;
+import lightning.accuracy.WarmSaving;
 import lightning.image.Film;
 import lightning.relight.UpdatePlan;
 import lightning.scene.Scene;
@@ -25,8 +26,8 @@ public interface RenderListener {
     /** A picture is finished, or another look at it. */
     default void rendered(Frame frame) {}
 
-    /** A warm full trace of the last picture was found to take so long, milliseconds. */
-    default void measured(double fullTraceMs) {}
+    /** It was found out what an update saves: the last one, unless a newer one was made meanwhile. */
+    default void measured(WarmSaving saving) {}
 
     /** A full trace was compared with the last picture. */
     default void verified(Verification verification) {}

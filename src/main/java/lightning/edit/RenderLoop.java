@@ -2,8 +2,11 @@ package lightning.edit;
 
 import java.util.concurrent.CancellationException;
 import lightning.accuracy.Promise;
+import lightning.accuracy.WarmSaving;
+import lightning.cache.PixelCache;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
+import lightning.relight.Accuracy;
 import lightning.relight.Options;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
@@ -38,6 +41,7 @@ public final class RenderLoop implements AutoCloseable {
     private volatile Look look = Look.PLAIN;
     private final Looking looking = new Looking();
     private Update last;
+    private Accuracy madeAt;
     private Scene rendered;
 
     /** Starts the thread; nothing is rendered until a scene is wanted. */
@@ -146,11 +150,9 @@ public final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** While nobody works, what a full trace takes. */
+    /** While nobody works, what the last update saves. */
     private void measure() {
-        if (rendered != null) {
-            verifier.measure(rendered, renderer.cache().geometry());
-        }
+        verifier.measure();
     }
 
     private void reopen(RenderQueue.Work.Reopen work, RenderQueue.Stop stop) {
@@ -164,17 +166,33 @@ public final class RenderLoop implements AutoCloseable {
         UpdatePlan plan = renderer.plan(scene);
         listener.started(plan);
         if (plan instanceof UpdatePlan.FirstPass) {
-            verifier.forgetTime();
             coarse(scene, stop);
         }
-        renderer.setView(view.exposure(), view.curve());
-        show(renderer.render(scene, stop), stop);
+        make((r, progress) -> r.render(scene, progress), stop);
+    }
+
+    /** Updates the picture in a way that can be done again, to measure what it saves. */
+    private void make(WarmSaving.Step step, RenderQueue.Stop stop) {
+        PixelCache start = known();
+        ViewTransform shown = view;
+        WarmSaving.Step whole = (r, progress) -> {
+            r.setView(shown.exposure(), shown.curve());
+            return step.on(r, progress);
+        };
+        Update update = whole.on(renderer, stop);
+        verifier.done(WarmSaving.Edit.of(update, start, renderer.options(), whole));
+        madeAt = renderer.options().accuracy();
+        show(update, stop);
+    }
+
+    /** What an update starts from; null where it cannot start from there again, as it is of another accuracy. */
+    private PixelCache known() {
+        return renderer.hasPicture() && renderer.options().accuracy() == madeAt ? renderer.cache() : null;
     }
 
     private void mirror(RenderQueue.Stop stop) {
         if (rendered != null && !renderer.reflectionsAreCurrent()) {
-            renderer.setView(view.exposure(), view.curve());
-            show(renderer.updateReflections(stop), stop);
+            make(Renderer::updateReflections, stop);
         }
     }
 
@@ -216,7 +234,7 @@ public final class RenderLoop implements AutoCloseable {
 
     private void handToVerifier(RenderQueue.Stop stop) {
         if (rendered != null) {
-            verifier.verify(Promise.of(renderer, last), renderer.film().copy(), renderer.cache().geometry(), stop);
+            verifier.verify(Promise.of(renderer, last), renderer.film().copy(), stop);
         }
     }
 

@@ -1,36 +1,24 @@
 package lightning.edit;
 
-import java.util.Collections;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
-import lightning.accuracy.FullTraceTime;
 import lightning.accuracy.Promise;
 import lightning.accuracy.Verification;
+import lightning.accuracy.WarmSaving;
 import lightning.image.Film;
-import lightning.scene.Sampling;
-import lightning.scene.Scene;
 import lightning.shading.Workers;
-import lightning.trace.Geometry;
 
 /**
- * Traces in full on a thread of its own, to verify a picture and to find out how long that takes; a newer verification
+ * Traces in full on a thread of its own, to verify a picture and to find out what an update saves; a newer verification
  * replaces an older one. Safe for several threads.
  */
 final class Verifier implements AutoCloseable {
     private static final int PATIENCE_SECONDS = 10;
-    /** So often a full trace is measured, each time after other work: Java may have become faster. */
-    private static final int TIMES = 3;
-
-    /** What decides how long a full trace of one picture takes, but for where its lights are. */
-    private record Effort(int depth, Sampling sampling, long lights) {
-        static Effort of(Scene scene) {
-            Sampling sampling = scene.picture().sampling();
-            return new Effort(scene.picture().depth(), sampling.isFine() ? sampling : Sampling.DEFAULT,
-                    scene.lights().stream().filter(scene::shines).count());
-        }
-    }
+    /** How long a saving's times may take to come to rest, milliseconds, while nobody works. */
+    private static final double WARM_UP_MS = 20_000;
 
     private final Workers workers;
     private final RenderListener listener;
@@ -41,10 +29,8 @@ final class Verifier implements AutoCloseable {
     });
     private RenderQueue.Stop stop;
     private RenderQueue.Stop measuring;
-    private Effort known;
-    private double shortest;
-    private int measured;
-    private int pictures;
+    /** What a saving is to be measured of; null where there is nothing. */
+    private WarmSaving.Edit waiting;
     private int running;
 
     Verifier(int threads, RenderListener listener) {
@@ -55,10 +41,9 @@ final class Verifier implements AutoCloseable {
     /**
      * Begins a verification; nothing once closed.
      *
-     * @param geometry the picture's, which only measuring gets for free
-     * @param asked    stops it too when it was asked for before this returns
+     * @param asked stops it too when it was asked for before this returns
      */
-    synchronized void verify(Promise promise, Film picture, Geometry geometry, RenderQueue.Stop asked) {
+    synchronized void verify(Promise promise, Film picture, RenderQueue.Stop asked) {
         cancel();
         if (thread.isShutdown()) {
             return;
@@ -71,26 +56,30 @@ final class Verifier implements AutoCloseable {
         running++;
         pause();
         thread.execute(() -> run(promise, picture, own));
-        measure(promise.sight().scene(), geometry);
     }
 
-    /** Finds out what a warm full trace takes, unless it is known well or being found out; the listener hears of it. */
-    synchronized void measure(Scene scene, Geometry geometry) {
-        Effort effort = Effort.of(scene);
-        if (effort.equals(known) && measured >= TIMES || measuring != null || thread.isShutdown()) {
+    /** What was done last; a saving that is still being measured is of no use any more. */
+    synchronized void done(Optional<WarmSaving.Edit> edit) {
+        pause();
+        waiting = edit.orElse(null);
+    }
+
+    /** Finds out what the update made last saves, unless that is known or being found out; the listener hears of it. */
+    synchronized void measure() {
+        if (waiting == null || measuring != null || thread.isShutdown()) {
             return;
         }
         var own = new RenderQueue.Stop((_, _) -> { });
-        int picture = pictures;
+        WarmSaving.Edit edit = waiting;
         measuring = own;
         thread.execute(() -> {
             try {
-                measured(picture, effort, Collections.min(FullTraceTime.measure(scene, geometry, workers, own).milliseconds()));
+                measured(own, WarmSaving.measure(edit, workers, WARM_UP_MS, own));
             } catch (CancellationException e) {
                 // It is measured when there is time again.
             } catch (RuntimeException | OutOfMemoryError e) {
                 // A picture that cannot be traced in full has no time that savings could be savings of.
-                forget(own);
+                measured(own, Optional.empty());
             }
         });
     }
@@ -101,10 +90,6 @@ final class Verifier implements AutoCloseable {
             measuring.ask();
             measuring = null;
         }
-    }
-
-    private synchronized void forget(RenderQueue.Stop own) {
-        measuring = measuring == own ? null : measuring;
     }
 
     private void run(Promise promise, Film picture, RenderQueue.Stop own) {
@@ -122,14 +107,11 @@ final class Verifier implements AutoCloseable {
         outcome.run();
     }
 
-    private synchronized void measured(int picture, Effort effort, double milliseconds) {
-        if (picture == pictures) {
-            // What slowed one measurement down would make savings look larger than they are.
-            shortest = effort.equals(known) ? Math.min(shortest, milliseconds) : milliseconds;
-            measured = effort.equals(known) ? measured + 1 : 1;
-            known = effort;
+    private synchronized void measured(RenderQueue.Stop own, Optional<WarmSaving> saving) {
+        if (measuring == own) {
             measuring = null;
-            listener.measured(shortest);
+            waiting = null;
+            saving.ifPresent(listener::measured);
         }
     }
 
@@ -146,13 +128,6 @@ final class Verifier implements AutoCloseable {
         if (stop != null) {
             stop.ask();
         }
-    }
-
-    /** Another picture takes another time. */
-    synchronized void forgetTime() {
-        pictures++;
-        known = null;
-        pause();
     }
 
     private synchronized void shutdown() {

@@ -2,6 +2,7 @@ package lightning.edit;
 
 import java.util.function.Consumer;
 import lightning.accuracy.Verification;
+import lightning.accuracy.WarmSaving;
 import lightning.image.Film;
 import lightning.relight.UpdatePlan;
 import lightning.scene.Scene;
@@ -44,8 +45,8 @@ record WorkbenchEar(RenderListener canvas, Consumer<Runnable> tell, Consumer<Fra
     }
 
     @Override
-    public void measured(double fullTraceMs) {
-        canvas.measured(fullTraceMs);
+    public void measured(WarmSaving saving) {
+        canvas.measured(saving);
     }
 
     @Override

@@ -125,6 +125,11 @@ public final class Renderer implements AutoCloseable {
         return cache().scene();
     }
 
+    /** Whether something is known of a picture. */
+    public boolean hasPicture() {
+        return cache != null;
+    }
+
     /**
      * What is kept of the picture.
      *

@@ -41,6 +41,22 @@ class TurnsTest {
     }
 
     @Test
+    void worksThatTakeNextToNothing_mustBeSteadyForAWhile() {
+        // Java compiles late: the two are as slow for ten rounds and ten times as fast from then on.
+        double[] late = {4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 0.4};
+        List<Turns.Turn<RuntimeException>> works = List.of(work('a', late), work('b', late));
+        var turns = new Turns(1, 1e6, 100);
+        assertThat(turns.warmUp(works, Progress.NONE)).isTrue();
+        assertThat(turns.measure(works, Progress.NONE).getFirst().milliseconds()).containsExactly(0.4);
+    }
+
+    @Test
+    void impatientWarmUp_tellsThatItIsNotSteady() {
+        assertThat(new Turns(1, 0).warmUp(List.of(work('a', 1)), Progress.NONE)).isFalse();
+        assertThat(new Turns(1, 1e6).warmUp(List.of(work('a', 1)), Progress.NONE)).isTrue();
+    }
+
+    @Test
     void progress_hearsOfMeasuredRounds() {
         List<Integer> done = new ArrayList<>();
         new Turns(3, 0).take(List.of(work('a', 1)), new Progress() {

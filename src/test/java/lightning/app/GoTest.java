@@ -10,9 +10,13 @@ import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
+import lightning.accuracy.WarmSaving;
+import lightning.edit.Change;
 import lightning.edit.Command;
 import lightning.edit.Dial;
 import lightning.edit.LightEdits;
+import lightning.scene.Antialias;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.shading.ReferenceTracer;
 import lightning.shading.TraceCounts;
@@ -72,7 +76,7 @@ class GoTest extends EditorDesk {
         assertThat(isEnabled(Command.GO)).isFalse();
         assertThat(isShown("pending")).isFalse();
         assertThat(text("status")).contains("lamp: weight").contains("0 shadow rays");
-        waitFor("a full trace is measured", () -> !Double.isNaN(model().renderingProperty().get().fullTraceMs()));
+        waitFor("its saving is measured", () -> model().renderingProperty().get().saving().isPresent());
         // Which of the two it is depends on the machine: the picture is tiny.
         assertThat(text("status")).contains("for a full trace").containsPattern("% (saved|slower)");
     }
@@ -86,6 +90,21 @@ class GoTest extends EditorDesk {
         assertCanvasShows(new ReferenceTracer(model().scene()).trace());
         assertThat(isShown("mirrors")).isFalse();
         assertThat(model().reason(Command.UPDATE_REFLECTIONS)).contains("the mirrors show the picture's lights already");
+    }
+
+    @Test
+    void antialiasingSwitchedOn_isNotComparedWithTheTimeOfAnotherPicture() {
+        dim();
+        click("go");
+        waitForPicture();
+        waitFor("its saving is measured", () -> model().renderingProperty().get().saving().isPresent());
+        WarmSaving told = model().renderingProperty().get().measured();
+        robot.interact(() -> model().edit(scene -> new Change.To(scene.withPicture(scene.picture().withSampling(
+                new Sampling(Antialias.EDGES, 2))))));
+        click("go");
+        waitFor("the saving is another", () -> model().renderingProperty().get().measured() != told);
+        assertThat(model().renderingProperty().get().measured().isOf(model().frame().update())).isTrue();
+        assertThat(model().frame().update().plan().text()).contains("samples");
     }
 
     @Test

@@ -82,6 +82,13 @@ class RelightCommandTest {
     }
 
     @Test
+    void withoutSavings_theLineTellsItsOwnTimeAlone() {
+        String out = Cli.run("relight", path, "-o", picture, "--set", "sun.intensity=0.1", "--no-savings").isDone().out();
+        assertThat(out.lines().skip(1)).singleElement().asString().matches(
+                "1\\. sun: weight, reflections: \\d+ rows, 0 shadow rays, [\\d.]+ ms, exact");
+    }
+
+    @Test
     void updateReflections_bringsTheLastEditToTheMirrors() throws Exception {
         String out = Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--update-reflections", "--verify")
                 .isDone().out();
@@ -116,7 +123,7 @@ class RelightCommandTest {
     @ParameterizedTest
     @MethodSource("casesOfAllScenes")
     void everyCaseOfEveryScene_isVerified(Path file, String name) {
-        Cli relit = Cli.run("relight", file, "-o", picture, "--case", name, "--size", "36x24", "--update-reflections", "--verify");
+        Cli relit = Cli.run("relight", file, "-o", picture, "--case", name, "--size", "36x24", "--update-reflections", "--verify", "--no-savings");
         assertThat(relit.isDone().out()).contains("Verified: equal to a full trace in every bit").doesNotContain("NOT KEPT");
     }
 

@@ -5,6 +5,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import lightning.accuracy.Verification;
+import lightning.accuracy.WarmSaving;
 import lightning.image.Film;
 import lightning.relight.UpdatePlan;
 import lightning.scene.Scene;
@@ -18,8 +19,6 @@ final class LoopEar implements RenderListener {
     record Shown(Frame frame, Film film) {}
 
     record Coarse(Film film) {}
-
-    record Measured(double fullTraceMs) {}
 
     record Started(UpdatePlan plan) {}
 
@@ -106,8 +105,8 @@ final class LoopEar implements RenderListener {
     }
 
     @Override
-    public void measured(double fullTraceMs) {
-        events.add(new Measured(fullTraceMs));
+    public void measured(WarmSaving saving) {
+        events.add(saving);
     }
 
     @Override

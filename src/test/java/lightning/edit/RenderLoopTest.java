@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Optional;
 import java.util.Set;
 import lightning.accuracy.Verification;
+import lightning.accuracy.WarmSaving;
 import lightning.effects.Effect;
 import lightning.effects.ViewEffects;
 import lightning.image.Film;
@@ -13,6 +14,7 @@ import lightning.relight.LightShare;
 import lightning.relight.Options;
 import lightning.relight.Reflections;
 import lightning.relight.Renderer;
+import lightning.relight.Update;
 import lightning.relight.UpdatePlan;
 import lightning.scene.Scene;
 import lightning.shading.ReferenceTracer;
@@ -179,37 +181,48 @@ class RenderLoopTest {
     }
 
     @Test
-    void fullTrace_isMeasuredThriceForTheShortestTime() throws Exception {
-        double shortest = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < 3; i++) {
-            go(key(i));
-            double told = ear.next(LoopEar.Measured.class).fullTraceMs();
-            assertThat(told).isPositive().isLessThanOrEqualTo(shortest);
-            shortest = told;
-        }
-        go(key(4));
-        ear.nextIs(LoopEar.Event.IDLE);
-        go(sized(50, 40));
-        // The next size is measured anew, and nothing was in between.
-        assertThat(ear.next(LoopEar.Measured.class).fullTraceMs()).isPositive();
-        assertThat(ear.events).noneMatch(LoopEar.Measured.class::isInstance);
-    }
-
-    @Test
-    void anotherNumberOfLights_isMeasuredAnew() throws Exception {
+    void edit_isFollowedByWhatItSaves() throws Exception {
         go(scene);
-        ear.next(LoopEar.Measured.class);
-        go(Desk.done(LightEdits.duplicate(scene, "key")));
-        assertThat(ear.next(LoopEar.Measured.class).fullTraceMs()).isPositive();
+        for (int i = 1; i < 3; i++) {
+            Frame frame = go(key(i + 1)).frame();
+            assertThat(ear.next(WarmSaving.class).isOf(frame.update())).isTrue();
+        }
+        loop.updateReflections();
+        Frame mirrored = ear.next(LoopEar.Shown.class).frame();
+        assertThat(ear.next(WarmSaving.class).isOf(mirrored.update())).isTrue();
     }
 
     @Test
-    void workWhileMeasuring_isNotHeldUpAndMeasuringBeginsAgain() throws Exception {
+    void firstPictureAndAnotherAccuracy_saveNothing() throws Exception {
+        go(scene);
+        go(sized(50, 40));
+        loop.reopen(OPTIONS.withAccuracy(Accuracy.RATIO));
+        Update converted = ear.next(LoopEar.Shown.class).frame().update();
+        Scene brighter = sized(50, 40).withLight(Desk.light(scene, "key").withIntensity(2));
+        Update edited = go(brighter).frame().update();
+        WarmSaving first = ear.next(WarmSaving.class);
+        assertThat(first.isOf(converted)).isFalse();
+        assertThat(first.isOf(edited)).isTrue();
+    }
+
+    @Test
+    void workWhileMeasuring_isNotHeldUpAndTheNewerEditIsMeasured() throws Exception {
         go(sized(400, 300));
+        Scene brighter = sized(400, 300).withLight(Desk.light(scene, "key").withIntensity(2));
+        go(brighter);
         ear.nextIs(LoopEar.Event.IDLE);
-        LoopEar.Shown shown = go(key(2));
-        assertThat(shown.frame().scene()).isEqualTo(key(2));
-        assertThat(ear.next(LoopEar.Measured.class).fullTraceMs()).isPositive();
+        Update newer = go(brighter.withLight(Desk.light(scene, "key").withIntensity(3))).frame().update();
+        assertThat(ear.next(WarmSaving.class).isOf(newer)).isTrue();
+    }
+
+    @Test
+    void verificationWhileMeasuring_letsItBeginAgain() throws Exception {
+        go(scene);
+        Update update = go(key(2)).frame().update();
+        ear.nextIs(LoopEar.Event.IDLE);
+        loop.verify();
+        ear.next(Verification.class);
+        assertThat(ear.next(WarmSaving.class).isOf(update)).isTrue();
     }
 
     @Test

@@ -17,7 +17,7 @@ class VerifierTest {
     private void verify(RenderQueue.Stop asked) {
         try (var renderer = new Renderer(Options.DEFAULT.withThreads(1))) {
             Promise promise = Promise.of(renderer, renderer.render(Desk.scene(), Progress.NONE));
-            verifier.verify(promise, renderer.film(), renderer.cache().geometry(), asked);
+            verifier.verify(promise, renderer.film(), asked);
         }
     }
 
