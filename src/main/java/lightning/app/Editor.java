@@ -21,6 +21,7 @@ final class Editor implements AutoCloseable {
     /** What a window may have had: less cannot be taken hold of, more no screen has. */
     private static final double LEAST_SIDE = 200;
     private static final double MOST_SIDE = 32_768;
+    private static final String GLOWING = "glowing textures";
 
     private final Stage stage;
     private final Preferences preferences = new Preferences(Folders.data());
@@ -44,6 +45,7 @@ final class Editor implements AutoCloseable {
         model = new EditorModel(document, recovery, hops);
         model.precisionProperty().set(preferences.choice("precision", Precision.EXACT));
         model.viewProperty().set(model.viewProperty().get().withCurve(preferences.choice("curve", DisplayCurve.SRGB)));
+        model.litPreviewProperty().set(!preferences.is("preview", GLOWING));
         files = new FileActions(model, prompt, notices, preferences, this::closeWindow);
         window = new EditorWindow(model, files, notices);
         disk = new DiskBar(model, hops, files::compareWithDisk);
@@ -113,6 +115,7 @@ final class Editor implements AutoCloseable {
         preferences.set("height", stage.getScene().getHeight());
         preferences.set("theme", Looks.worn().name());
         preferences.set("curve", model.viewProperty().get().curve().name());
+        preferences.set("preview", model.litPreviewProperty().get() ? "" : GLOWING);
         preferences.set("precision", model.precisionProperty().get().name());
         preferences.save();
     }

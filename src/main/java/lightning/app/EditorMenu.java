@@ -64,7 +64,15 @@ final class EditorMenu extends MenuBar {
                 item("Preview Along X", "Shortcut+F2", () -> look(PreviewCamera.alongX(model.scene()))),
                 item("Preview from Above", "Shortcut+F3", () -> look(PreviewCamera.alongMinusY(model.scene()))),
                 item("Reset the Preview", "Shortcut+F4", () -> look(PreviewCamera.of(model.scene()))),
-                item("Show All Lights", "Shortcut+F5", preview.canvas()::frameLights), new SeparatorMenuItem(), light());
+                item("Show All Lights", "Shortcut+F5", preview.canvas()::frameLights), glowing(), new SeparatorMenuItem(), light());
+    }
+
+    private MenuItem glowing() {
+        var glowing = new CheckMenuItem("Glowing Textures in the Preview, as in 1998");
+        glowing.setId("glowing-textures");
+        model.litPreviewProperty().subscribe(lit -> glowing.setSelected(!lit));
+        glowing.setOnAction(_ -> model.litPreviewProperty().set(!glowing.isSelected()));
+        return glowing;
     }
 
     private static MenuItem light() {

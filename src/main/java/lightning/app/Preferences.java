@@ -50,6 +50,11 @@ final class Preferences {
         return values.getProperty(key, "");
     }
 
+    /** Whether a value is this one. */
+    boolean is(String key, String value) {
+        return text(key).equals(value);
+    }
+
     /** A number from {@code least} to {@code most}; {@code otherwise} where there is none. */
     double number(String key, double least, double most, double otherwise) {
         try {

@@ -17,6 +17,7 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Region;
 import javafx.util.Duration;
 import lightning.edit.Viewport;
+import lightning.effects.ViewEffects;
 
 /** The drawn preview with the lights' wireframes over it; takes the mouse and the keyboard. */
 final class PreviewCanvas extends Region implements AutoCloseable {
@@ -47,6 +48,7 @@ final class PreviewCanvas extends Region implements AutoCloseable {
         model.sceneProperty().subscribe(_ -> requestLayout());
         model.selectedLightProperty().subscribe(_ -> requestLayout());
         model.viewProperty().subscribe(_ -> requestLayout());
+        model.litPreviewProperty().subscribe(_ -> requestLayout());
         size.subscribe(_ -> requestLayout());
         model.previewCameraProperty().subscribe(_ -> {
             moving = true;
@@ -132,7 +134,7 @@ final class PreviewCanvas extends Region implements AutoCloseable {
         mouse.setCanvas(new Viewport(frame.shownWidth(), frame.shownHeight()));
         gizmos.draw(model.scene(), model.selectedLight(), model.previewCameraProperty().get(), mouse.canvas());
         loop.draw(new PreviewLoop.Wish(model.scene(), model.previewCameraProperty().get(), frame.width(), frame.height(),
-                model.viewProperty().get(), moving));
+                model.viewProperty().get(), model.litPreviewProperty().get() ? ViewEffects.PREVIEW : ViewEffects.PREVIEW_1998, moving));
     }
 
     private void drawn(PreviewLoop.Picture picture) {

@@ -13,8 +13,7 @@ import lightning.shading.Progress;
 import lightning.effects.ViewEffects;
 
 /**
- * Draws the preview on a thread of its own, the newest wish each time: the engine without shadows and mirrors, and with
- * glowing textures. A light's edit is an update of the sharp picture; while the camera moves, a coarser picture comes at
+ * Draws the preview on a thread of its own, the newest wish each time: the engine without shadows and mirrors. A light's edit is an update of the sharp picture; while the camera moves, a coarser picture comes at
  * once and the sharp one when the camera rests.
  */
 final class PreviewLoop implements AutoCloseable {
@@ -28,9 +27,10 @@ final class PreviewLoop implements AutoCloseable {
      * What is to be drawn.
      *
      * @param width pixels; likewise {@code height}
+     * @param effects which effects are shown
      * @param moving whether a better wish follows soon
      */
-    record Wish(Scene scene, PreviewCamera camera, int width, int height, ViewTransform view, boolean moving) {
+    record Wish(Scene scene, PreviewCamera camera, int width, int height, ViewTransform view, ViewEffects effects, boolean moving) {
         Scene at(int coarseness) {
             return scene.withCamera(camera.camera()).withPicture(scene.picture()
                     .withSize(Math.max(1, width / coarseness), Math.max(1, height / coarseness)));
@@ -95,6 +95,8 @@ final class PreviewLoop implements AutoCloseable {
 
     private void attempt(Wish wish) {
         try {
+            sharp.change(OPTIONS.withView(wish.effects()));
+            quick.change(OPTIONS.withView(wish.effects()));
             draw(wish, sharp.plan(wish.at(1)) instanceof UpdatePlan.FirstPass);
         } catch (CancellationException e) {
             // The newer wish is next.

@@ -3,6 +3,8 @@ package lightning.app;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -14,6 +16,8 @@ import lightning.jen.JenReader;
 import lightning.relight.Options;
 import lightning.relight.Renderer;
 import lightning.scene.Scene;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
 import lightning.shading.Progress;
 import lightning.effects.ViewEffects;
 import org.junit.jupiter.api.AfterEach;
@@ -51,7 +55,11 @@ class PreviewLoopTest {
     }
 
     private static PreviewLoop.Wish wish(Scene scene, PreviewCamera camera, boolean moving) {
-        return new PreviewLoop.Wish(scene, camera, WIDTH, HEIGHT, ViewTransform.DEFAULT, moving);
+        return wish(scene, camera, ViewEffects.PREVIEW, moving);
+    }
+
+    private static PreviewLoop.Wish wish(Scene scene, PreviewCamera camera, ViewEffects effects, boolean moving) {
+        return new PreviewLoop.Wish(scene, camera, WIDTH, HEIGHT, ViewTransform.DEFAULT, effects, moving);
     }
 
     private PreviewLoop.Picture next() throws InterruptedException {
@@ -62,8 +70,12 @@ class PreviewLoopTest {
 
     /** What the preview must show. */
     private static int[] expected(Scene scene, PreviewCamera camera) {
+        return expected(scene, camera, ViewEffects.PREVIEW);
+    }
+
+    private static int[] expected(Scene scene, PreviewCamera camera, ViewEffects effects) {
         Scene seen = scene.withCamera(camera.camera()).withPicture(scene.picture().withSize(WIDTH, HEIGHT));
-        try (Renderer renderer = new Renderer(Options.DEFAULT.withView(ViewEffects.PREVIEW).withThreads(1))) {
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withView(effects).withThreads(1))) {
             renderer.render(seen, Progress.NONE);
             return ViewTransform.DEFAULT.toPixels(renderer.film());
         }
@@ -86,6 +98,23 @@ class PreviewLoopTest {
         Scene edited = Dial.ANGLE.set(SCENE, "key", 40).or(SCENE);
         loop.draw(wish(edited, camera, false));
         assertThat(next().pixels()).isEqualTo(expected(edited, camera));
+    }
+
+    /** A floor of one colour under a spot: lit, its pool is on it; glowing, it is the same everywhere. */
+    @Test
+    void texture_showsASpotsPoolUnlessItGlowsAsIn1998() throws InterruptedException {
+        var texture = new TextureMap("one.png", 1, 1, new Texture(1, 1, new float[] {0.5f, 0.5f, 0.5f}));
+        Scene floor = SCENE.withMaterials(SCENE.materials().stream().map(m -> m.withTexture(Optional.of(texture))).toList());
+        PreviewCamera camera = PreviewCamera.of(floor);
+        loop.draw(wish(floor, camera, false));
+        int[] lit = next().pixels();
+        assertThat(lit).isEqualTo(expected(floor, camera));
+        loop.draw(wish(floor, camera, ViewEffects.PREVIEW_1998, false));
+        int[] glowing = next().pixels();
+        assertThat(glowing).isEqualTo(expected(floor, camera, ViewEffects.PREVIEW_1998));
+        int bottom = (HEIGHT - 1) * WIDTH;
+        assertThat(Arrays.stream(glowing, bottom, bottom + WIDTH).distinct()).hasSize(1);
+        assertThat(lit).isNotEqualTo(glowing);
     }
 
     @Test

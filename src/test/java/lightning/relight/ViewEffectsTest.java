@@ -115,7 +115,7 @@ class ViewEffectsTest {
     void unlitTextures_showTheirOwnColour() {
         Texture blue = new Texture(1, 1, new float[] {0, 0, 0.25f});
         Film[] film = new Film[1];
-        render(floor(Rgb.BLACK, Optional.of(new TextureMap("t.png", 1, 1, blue))), ViewEffects.PREVIEW, film);
+        render(floor(Rgb.BLACK, Optional.of(new TextureMap("t.png", 1, 1, blue))), ViewEffects.PREVIEW_1998, film);
         assertThat(film[0].blue(4, 4)).isEqualTo(0.25f);
         assertThat(film[0].green(4, 4)).isZero();
     }
