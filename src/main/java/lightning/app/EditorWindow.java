@@ -41,6 +41,7 @@ public final class EditorWindow extends BorderPane implements AutoCloseable {
         setCenter(all);
         setBottom(new StatusLine(model));
         model.setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, window()).show());
+        UndoKeys.take(this, model);
         setOnDragOver(this::dragOver);
         setOnDragDropped(this::dropped);
     }
