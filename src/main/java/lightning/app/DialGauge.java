@@ -26,6 +26,8 @@ record DialGauge(EditorModel model, Dial dial) implements Gauge {
         widget.setObstacle(dial.obstacle(light));
         if (dial.isOfScene() || light.isPresent()) {
             widget.show(dial.value(now.scene(), light.map(Light::name).orElse("")));
+        } else {
+            widget.showNothing();
         }
     }
 

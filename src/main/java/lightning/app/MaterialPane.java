@@ -88,7 +88,7 @@ final class MaterialPane extends VBox {
         texture.setObstacle(obstacle);
         unnamed.set(obstacle);
         if (material == null) {
-            users.setText("");
+            showNothing();
             return;
         }
         if (!material.name().equals(shown)) {
@@ -101,6 +101,17 @@ final class MaterialPane extends VBox {
         colors.forEach((color, sliders) -> sliders.show(color.of(material)));
         shininess.show(material.shininess());
         texture.show(material);
+    }
+
+    private void showNothing() {
+        shown = "";
+        users.setText("");
+        showing = true;
+        name.setValue(null);
+        showing = false;
+        colors.values().forEach(ColorSliders::showNothing);
+        shininess.showNothing();
+        texture.showNothing();
     }
 
     private void showNames() {

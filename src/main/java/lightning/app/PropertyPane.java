@@ -15,7 +15,7 @@ import lightning.edit.Attribute;
 import lightning.edit.Command;
 import lightning.edit.Dial;
 import lightning.edit.LightEdits;
-import lightning.edit.Selection;
+import lightning.edit.OpenDocument;
 import lightning.edit.Situation;
 import lightning.math.Vec3;
 import lightning.scene.Light;
@@ -30,7 +30,10 @@ public final class PropertyPane extends VBox {
     private final ColorSliders color;
     private final VectorField position;
     private final VectorField direction;
-    private Selection shown = Selection.NONE;
+    private Shown shown;
+
+    /** @param light its number in the document's history; −1 for none */
+    private record Shown(OpenDocument document, long light) {}
 
     public PropertyPane(EditorModel model) {
         this.model = model;
@@ -73,8 +76,9 @@ public final class PropertyPane extends VBox {
     }
 
     private void show(Situation now) {
-        if (!shown.equals(model.document().selection())) {
-            shown = model.document().selection();
+        var selected = new Shown(model.document(), now.selected().map(l -> model.document().history().id(l.name())).orElse(-1L));
+        if (!selected.equals(shown)) {
+            shown = selected;
             // What was typed was meant for the other light.
             header.revert();
             color.revert();
@@ -85,10 +89,14 @@ public final class PropertyPane extends VBox {
         color.setObstacle(now.selected().isEmpty() ? NO_LIGHT : Optional.empty());
         position.setObstacle(now.selected().isEmpty() ? NO_LIGHT : Optional.empty());
         direction.setObstacle(obstacle(now, Attribute.DIRECTION));
-        now.selected().ifPresent(light -> {
+        now.selected().ifPresentOrElse(light -> {
             color.show(light.color());
             position.show(light.position());
             direction.show(light.direction());
+        }, () -> {
+            color.showNothing();
+            position.showNothing();
+            direction.showNothing();
         });
     }
 

@@ -124,6 +124,14 @@ final class TexturePart extends VBox {
         repeatV.show(material.texture().map(TextureMap::repeatV).orElse(1.0));
     }
 
+    /** Shows that there is no material. */
+    void showNothing() {
+        shown = null;
+        revert();
+        repeatU.showNothing();
+        repeatV.showNothing();
+    }
+
     void setObstacle(Optional<String> reason) {
         obstacle.set(reason);
         if (reason.isPresent()) {

@@ -2,7 +2,9 @@ package lightning.edit;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
@@ -138,6 +140,14 @@ public final class History {
     public Optional<Light> light(long id) {
         int place = state.ids().indexOf(id);
         return place < 0 ? Optional.empty() : Optional.of(state.scene().lights().get(place));
+    }
+
+    /** The light that stands now where one that is gone stood last, or the last light; empty if there are none. */
+    Optional<Light> neighbour(long id) {
+        List<Light> lights = state.scene().lights();
+        int place = Stream.concat(done.stream().map(Step::before), undone.stream().map(Step::after))
+                .mapToInt(s -> s.ids().indexOf(id)).filter(p -> p >= 0).findFirst().orElse(lights.size());
+        return lights.isEmpty() ? Optional.empty() : Optional.of(lights.get(Math.min(place, lights.size() - 1)));
     }
 
     private long freshId() {

@@ -135,6 +135,7 @@ public final class OpenDocument {
     /** The same as part of a gesture: see {@link History#edit(Scene, Object)}. */
     public Optional<String> apply(Change change, Object gesture) {
         if (change instanceof Change.To to) {
+            settleSelection();
             history.edit(to.scene(), gesture);
         }
         return change.refusal();
@@ -148,12 +149,17 @@ public final class OpenDocument {
         selection = v;
     }
 
+    /** From the next edit on, the light that stands in for one that is gone is the selected one. */
+    void settleSelection() {
+        selectedLight().ifPresent(light -> selectLight(light.name()));
+    }
+
     /** Selects the light of that name; nothing if there is none. */
     public void selectLight(String light) {
         selection = Selection.light(history, light);
     }
 
-    /** The selected light as it is now; empty if it is gone or none is selected. */
+    /** The selected light as it is now, or its neighbour where it is gone; empty if none is selected or there are no lights. */
     public Optional<Light> selectedLight() {
         return selection.light(history);
     }

@@ -3,7 +3,10 @@ package lightning.edit;
 import java.util.Optional;
 import lightning.scene.Light;
 
-/** What the artist works on. It follows the light through renames, and is there again when undo brings the light back. */
+/**
+ * What the artist works on. It follows a light through renames. Where the light is gone, its neighbour stands in for it
+ * until undo brings it back.
+ */
 public sealed interface Selection {
     Selection NONE = new None();
 
@@ -20,12 +23,12 @@ public sealed interface Selection {
         return id < 0 ? NONE : new OfLight(id);
     }
 
-    /** The selected light as it is now; empty if it is gone or none is selected. */
+    /** The selected light as it is now, or its neighbour where it is gone; empty if none is selected or there are no lights. */
     default Optional<Light> light(History history) {
         return switch (this) {
             case None _ -> Optional.empty();
             case OfShape _ -> Optional.empty();
-            case OfLight selected -> history.light(selected.id());
+            case OfLight selected -> history.light(selected.id()).or(() -> history.neighbour(selected.id()));
         };
     }
 }

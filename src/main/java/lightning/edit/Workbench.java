@@ -147,6 +147,7 @@ public final class Workbench implements AutoCloseable {
     }
 
     private Optional<String> ofSelected(LongFunction<Change> step) {
+        document.settleSelection();
         long id = document.selectedLight().map(l -> document.history().id(l.name())).orElse(-1L);
         Optional<String> refusal = step.apply(id).refusal();
         edited();

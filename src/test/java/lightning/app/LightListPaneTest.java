@@ -84,6 +84,9 @@ class LightListPaneTest {
     void deleteKey_deletesTheSelectedLight(FxRobot robot) {
         robot.clickOn("fill").push(KeyCode.DELETE);
         assertThat(names(robot)).containsExactly("key", "sun");
+        assertThat(selected(robot)).isEqualTo("sun");
+        robot.push(KeyCode.DELETE);
+        assertThat(selected(robot)).isEqualTo("key");
     }
 
     @Test

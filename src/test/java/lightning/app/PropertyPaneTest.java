@@ -20,6 +20,7 @@ import lightning.app.widget.Typing;
 import lightning.edit.Command;
 import lightning.edit.Dial;
 import lightning.edit.Kelvin;
+import lightning.edit.LightEdits;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Light;
@@ -77,6 +78,29 @@ class PropertyPaneTest {
         assertThat(robot.lookup("#light-name").query().isDisabled()).isTrue();
         type(robot, "ambience", "0.5");
         assertThat(model.scene().world().ambience()).isEqualTo(0.5);
+    }
+
+    @Test
+    void withoutLights_nothingOfTheLastOneIsShown(FxRobot robot) {
+        for (Light light : model.lights()) {
+            robot.interact(() -> model.edit(scene -> LightEdits.delete(scene, light.name())));
+        }
+        Set<TextField> fields = robot.lookup(node -> node instanceof TextField && isIn(node, "properties") && !isIn(node, "ambience"))
+                .queryAllAs(TextField.class);
+        assertThat(fields).hasSizeGreaterThan(10).allMatch(f -> f.getText().isEmpty());
+        assertThat(robot.lookup("#light-type").queryAs(ComboBox.class).getValue()).isNull();
+        assertThat(robot.lookup(".ikonli-font-icon").<Node>queryAll()).isNotEmpty().allMatch(Node::isDisabled);
+        robot.interact(() -> model.run(Command.UNDO));
+        assertThat(field(robot, "intensity").getText()).isEqualTo("0.3");
+    }
+
+    private static boolean isIn(Node node, String id) {
+        for (Node n = node; n != null; n = n.getParent()) {
+            if (id.equals(n.getId())) {
+                return true;
+            }
+        }
+        return false;
     }
 
     @Test

@@ -190,10 +190,44 @@ class HistoryTest {
         history.edit(Desk.done(LightEdits.rename(scene, "key", "rim")));
         assertThat(selection.light(history)).map(Light::name).contains("rim");
         history.edit(Desk.done(LightEdits.delete(history.scene(), "rim")));
-        assertThat(selection.light(history)).isEmpty();
         history.undo();
         history.undo();
         assertThat(selection.light(history)).map(Light::name).contains("key");
+    }
+
+    /** Lights a, b, c: without b, c stands where it stood; without c too, the last does. */
+    @Test
+    void selectionOfADeletedLight_isItsNeighbour() {
+        String second = scene.lights().get(1).name();
+        String third = scene.lights().get(2).name();
+        Selection selection = Selection.light(history, second);
+        history.edit(Desk.done(LightEdits.delete(scene, second)));
+        assertThat(selection.light(history)).map(Light::name).contains(third);
+        history.edit(Desk.done(LightEdits.delete(history.scene(), third)));
+        assertThat(selection.light(history)).contains(history.scene().lights().getLast());
+        history.undo();
+        history.undo();
+        assertThat(selection.light(history)).map(Light::name).contains(second);
+    }
+
+    @Test
+    void selectionOfALightWhoseAddingIsUndone_isItsNeighbour() {
+        String first = scene.lights().getFirst().name();
+        history.edit(Desk.done(LightEdits.duplicate(scene, first)));
+        Selection selection = Selection.light(history, history.scene().lights().get(1).name());
+        history.undo();
+        assertThat(selection.light(history)).contains(scene.lights().get(1));
+        history.redo();
+        assertThat(selection.light(history)).contains(history.scene().lights().get(1));
+    }
+
+    @Test
+    void withoutLights_nothingIsSelected() {
+        Selection selection = Selection.light(history, scene.lights().getFirst().name());
+        for (Light light : scene.lights()) {
+            history.edit(Desk.done(LightEdits.delete(history.scene(), light.name())));
+        }
+        assertThat(selection.light(history)).isEmpty();
     }
 
     @Test

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
 import java.util.Set;
 import lightning.file.ChangedFileException;
 import lightning.file.FileState;
@@ -165,6 +166,19 @@ class OpenDocumentTest {
         document.save();
         look();
         assertThat(document.isChangedOnDisk()).isFalse();
+    }
+
+    /** So that undo of that edit does not jump away from what was edited. */
+    @Test
+    void neighbourThatIsEdited_staysSelected() {
+        List<String> names = document.scene().lights().stream().map(Light::name).toList();
+        document.selectLight(names.getFirst());
+        document.apply(LightEdits.delete(document.scene(), names.getFirst()));
+        assertThat(document.selectedLight()).map(Light::name).contains(names.get(1));
+        document.apply(LightEdits.delete(document.scene(), names.get(2)));
+        document.history().undo();
+        document.history().undo();
+        assertThat(document.selectedLight()).map(Light::name).contains(names.get(1));
     }
 
     @Test

@@ -37,6 +37,11 @@ public final class ArrowWidget extends VBox {
         field.show(value);
     }
 
+    /** Shows that there is no value. */
+    public void showNothing() {
+        field.showNothing();
+    }
+
     /** Forgets what was typed. */
     public void revert() {
         field.revert();

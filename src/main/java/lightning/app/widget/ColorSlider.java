@@ -74,6 +74,15 @@ final class ColorSlider extends VBox {
         slider.setStyle("-track-paint: " + Paints.gradient(share -> color.apply(scale.at(share))) + ";");
     }
 
+    /** Shows that there is no colour: the thumb rests at the left of a track without colours. */
+    void showNothing() {
+        field.showNothing();
+        showing = true;
+        slider.setValue(slider.getMin());
+        showing = false;
+        slider.setStyle("");
+    }
+
     void revert() {
         field.revert();
     }

@@ -135,6 +135,16 @@ public final class ColorSliders extends VBox {
         kelvin.show(Math.rint(Kelvin.of(color)), Kelvin::rgb);
     }
 
+    /** Shows that there is no colour. */
+    public void showNothing() {
+        well.setStyle("-well-color: transparent;");
+        well.setAccessibleText(prefix + "colour: none");
+        rgb.forEach(ColorSlider::showNothing);
+        hsv.forEach(ColorSlider::showNothing);
+        kelvin.showNothing();
+        square.show(new Hsv(0, 0, 0));
+    }
+
     /** Forgets what was typed. */
     public void revert() {
         rgb.forEach(ColorSlider::revert);

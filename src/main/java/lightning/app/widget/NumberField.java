@@ -55,7 +55,7 @@ public final class NumberField extends TextField {
         return refusal.getReadOnlyProperty();
     }
 
-    /** The value that was shown last, to all its digits. */
+    /** The value that was shown last, to all its digits; NaN where there is none. */
     public double value() {
         return value;
     }
@@ -66,6 +66,12 @@ public final class NumberField extends TextField {
             value = v;
             revert();
         }
+    }
+
+    /** Shows that there is no value. */
+    public void showNothing() {
+        value = Double.NaN;
+        revert();
     }
 
     /** Forgets what was typed. */
@@ -99,6 +105,9 @@ public final class NumberField extends TextField {
 
     /** All digits where they can be edited, and few enough to read where not. */
     private String shown() {
+        if (Double.isNaN(value)) {
+            return "";
+        }
         return isFocused() ? Limits.text(value)
                 : Limits.text(BigDecimal.valueOf(value).round(SHORT).doubleValue());
     }

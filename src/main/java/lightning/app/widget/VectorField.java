@@ -59,6 +59,11 @@ public final class VectorField extends VBox {
         fields.get(2).show(v.z());
     }
 
+    /** Shows that there is no vector. */
+    public void showNothing() {
+        fields.forEach(NumberField::showNothing);
+    }
+
     /** Forgets what was typed. */
     public void revert() {
         fields.forEach(NumberField::revert);
