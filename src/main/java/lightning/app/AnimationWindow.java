@@ -14,7 +14,7 @@ public final class AnimationWindow extends Stage {
 
     /** Begins the animation; closing the window ends it. A light must be selected. */
     public AnimationWindow(EditorModel model, Window owner) {
-        this(model, owner, PathAsk.inWindows(owner));
+        this(model, owner, PathAsk.inWindows(owner, model.document().file().toAbsolutePath().getParent()));
     }
 
     AnimationWindow(EditorModel model, Window owner, PathAsk ask) {
@@ -42,6 +42,7 @@ public final class AnimationWindow extends Stage {
             // Over the properties, so that both pictures can be seen.
             setX(Math.max(owner.getX(), owner.getX() + owner.getWidth() - getWidth() - MARGIN));
             setY(Math.max(owner.getY(), owner.getY() + owner.getHeight() - getHeight() - MARGIN));
+            OnScreen.fit(this);
             timer.start();
         });
         setOnHidden(_ -> {

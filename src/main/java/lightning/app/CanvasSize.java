@@ -16,8 +16,8 @@ record CanvasSize(String title, int width, int height) {
     static final CanvasSize FREE = new CanvasSize("Free", 0, 0);
 
     /** The paper's default first. */
-    static final List<CanvasSize> FIXED = List.of(of(200, 200), of(300, 300), of(400, 400), of(600, 600), of(800, 600),
-            of(1280, 720), of(1920, 1080), of(2560, 1440), of(3840, 2160));
+    static final List<CanvasSize> FIXED = List.of(of(200, 200), of(300, 300), of(400, 400), of(600, 600), of(320, 240),
+            of(640, 480), of(800, 600), of(1024, 768), of(1280, 720), of(1920, 1080), of(2560, 1440), of(3840, 2160));
 
     static CanvasSize of(int width, int height) {
         return new CanvasSize(width + " × " + height, width, height);

@@ -1,8 +1,9 @@
 package lightning.app;
 
 import java.util.Locale;
-import javafx.scene.AccessibleRole;
 import javafx.scene.control.Button;
+import javafx.scene.control.ButtonBase;
+import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.StackPane;
 import javafx.util.Duration;
@@ -18,10 +19,14 @@ final class CommandButton extends StackPane {
 
     /** @param titled whether the title stands beside the icon */
     CommandButton(EditorModel model, Command command, boolean titled) {
+        this(model, command, titled, new Button());
+    }
+
+    private CommandButton(EditorModel model, Command command, boolean titled, ButtonBase button) {
         CommandFace face = CommandFace.of(command);
-        var button = new Button(titled ? face.title() : "", new FontIcon(face.icon()));
+        button.setText(titled ? face.title() : "");
+        button.setGraphic(new FontIcon(face.icon()));
         button.setId(id(command));
-        button.setAccessibleRole(AccessibleRole.BUTTON);
         button.setAccessibleText(face.title());
         button.setOnAction(_ -> model.run(command));
         button.getStyleClass().add(titled ? "titled-command" : "button-icon");
@@ -38,15 +43,21 @@ final class CommandButton extends StackPane {
         });
     }
 
-    /** A button for the header of a pane. */
-    static CommandButton small(EditorModel model, Command command) {
-        var small = new CommandButton(model, command, false);
-        small.button().getStyleClass().add("view-button");
-        return small;
+    /** The eye of the selected light, which stays down while the preview looks through it. */
+    static CommandButton lookThrough(EditorModel model) {
+        var eye = new ToggleButton();
+        var button = new CommandButton(model, Command.LOOK_THROUGH_LIGHT, false, eye);
+        var on = model.lookThrough().onProperty();
+        on.subscribe(eye::setSelected);
+        eye.setOnAction(_ -> {
+            model.run(Command.LOOK_THROUGH_LIGHT);
+            eye.setSelected(on.get());
+        });
+        return button;
     }
 
-    Button button() {
-        return (Button) getChildren().getFirst();
+    ButtonBase button() {
+        return (ButtonBase) getChildren().getFirst();
     }
 
     /** {@code go} for {@code GO}, {@code save-scene} for {@code SAVE_SCENE}. */

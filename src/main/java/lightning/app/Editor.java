@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Executor;
-import javafx.scene.Scene;
 import javafx.scene.control.ButtonType;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
@@ -16,11 +15,6 @@ import lightning.text.Quote;
 
 /** The editor of one document in one window, from opening to closing. */
 final class Editor implements AutoCloseable {
-    private static final double WIDTH = 1600;
-    private static final double HEIGHT = 950;
-    /** What a window may have had: less cannot be taken hold of, more no screen has. */
-    private static final double LEAST_SIDE = 200;
-    private static final double MOST_SIDE = 32_768;
     private static final String GLOWING = "glowing textures";
 
     private final Stage stage;
@@ -40,7 +34,7 @@ final class Editor implements AutoCloseable {
      */
     Editor(Stage stage, OpenDocument document, Executor hops, FilePrompt prompt, double mostWidth, double mostHeight) {
         this.stage = stage;
-        preferences.choice("theme", Looks.DARK).wear();
+        Looks.preferred(preferences).wear();
         notices = new Notices(stage);
         model = new EditorModel(document, recovery, hops);
         model.precisionProperty().set(preferences.choice("precision", Precision.EXACT));
@@ -50,10 +44,6 @@ final class Editor implements AutoCloseable {
         window = new EditorWindow(model, files, notices);
         disk = new DiskBar(model, hops, files::compareWithDisk);
         window.addLine(disk);
-        var scene = new Scene(window, Math.min(mostWidth, preferences.number("width", LEAST_SIDE, MOST_SIDE, WIDTH)),
-                Math.min(mostHeight, preferences.number("height", LEAST_SIDE, MOST_SIDE, HEIGHT)));
-        Looks.dress(scene);
-        stage.setScene(scene);
         model.situationProperty().subscribe(now ->
                 stage.setTitle((now.dirty() ? "• " : "") + model.document().name() + " – Lightning"));
         stage.focusedProperty().subscribe(_ -> disk.look());
@@ -65,7 +55,7 @@ final class Editor implements AutoCloseable {
             }
         });
         preferences.opened(document.file());
-        stage.show();
+        EditorStage.show(stage, window, preferences, mostWidth, mostHeight);
         window.focus();
     }
 

@@ -34,7 +34,7 @@ final class EditorMenu extends MenuBar {
                 new SeparatorMenuItem(), item(Command.PICK_MATERIAL));
         var light = menu("Light", item(Command.ADD_LIGHT), item(Command.DUPLICATE_LIGHT), item(Command.DELETE_LIGHT),
                 new SeparatorMenuItem(), item(Command.RENAME_LIGHT), item(Command.SWITCH_ON), item(Command.SOLO),
-                item(Command.LOOK_THROUGH_LIGHT), new SeparatorMenuItem(), item(Command.AIM),
+                lookThrough(), new SeparatorMenuItem(), item(Command.AIM),
                 placing("Place Highlight…", "Shortcut+Shift+G", traced.placer(), traced.placer()::highlight),
                 placing("Place Shadow…", "Shortcut+Shift+D", traced.placer(), traced.placer()::shadow), new SeparatorMenuItem(), item(Command.MAKE_ANIMATION));
         var live = new CheckMenuItem("Live");
@@ -44,7 +44,7 @@ final class EditorMenu extends MenuBar {
                 item(Command.CANCEL), new SeparatorMenuItem(), item("What Accuracy Costs…", "F9", windows::accuracy),
                 item("Effects…", "Shift+F9", windows::effects),
                 new SeparatorMenuItem(), precision(), sizes(), SamplingMenu.of(model, "menu-antialias"));
-        var help = menu("Help", item("Mouse and Keyboard", "F1", () -> About.showKeys(notices)),
+        var help = menu("Help", item("Mouse and Keyboard", "F1", windows::keys),
                 item("About Lightning", "", () -> About.show(notices)));
         getMenus().setAll(file, edit, light, render, view(traced, preview), help);
     }
@@ -106,17 +106,34 @@ final class EditorMenu extends MenuBar {
         return item;
     }
 
+    private MenuItem lookThrough() {
+        var item = new CheckMenuItem();
+        var on = model.lookThrough().onProperty();
+        on.subscribe(item::setSelected);
+        command(item, Command.LOOK_THROUGH_LIGHT);
+        item.setOnAction(_ -> {
+            model.run(Command.LOOK_THROUGH_LIGHT);
+            item.setSelected(on.get());
+        });
+        return item;
+    }
+
     private MenuItem item(Command command) {
+        var item = new MenuItem();
+        command(item, command);
+        item.setOnAction(_ -> model.run(command));
+        return item;
+    }
+
+    private void command(MenuItem item, Command command) {
         CommandFace face = CommandFace.of(command);
-        var item = new MenuItem(face.title(), new FontIcon(face.icon()));
+        item.setGraphic(new FontIcon(face.icon()));
         item.setId("menu-" + CommandButton.id(command));
         item.setAccelerator(face.keys());
-        item.setOnAction(_ -> model.run(command));
         model.situationProperty().subscribe(now -> {
             item.setDisable(!model.enabled(command));
             item.setText(title(command, face));
         });
-        return item;
     }
 
     /** Undo and redo say what of. */

@@ -52,10 +52,10 @@ public final class EditorModel implements AutoCloseable {
     private final Map<Command, Runnable> actions = new EnumMap<>(Command.class);
     private final TracedRaster raster = new TracedRaster();
     private final Executor window;
-    private final RenderFeed feed;
     private final Workbench workbench;
     private final PictureLook look;
     private final MaterialChoice materials;
+    private final LookThrough lookThrough;
     /** What an open animation shows in place of the document; null where none is open. */
     private Scene staged;
 
@@ -67,12 +67,13 @@ public final class EditorModel implements AutoCloseable {
      */
     public EditorModel(OpenDocument first, Recovery recovery, Executor window) {
         this.window = window;
-        feed = new RenderFeed(window, raster, this::heard);
+        var feed = new RenderFeed(window, raster, this::heard);
         workbench = new Workbench(first, precision.get().options(), recovery, window, this::refresh, feed,
                 why -> window.execute(() -> say("The last edits could not be kept for the case of a crash: " + Sentence.of(why))));
         LightActions.addTo(this);
         look = new PictureLook(this);
         materials = new MaterialChoice(this);
+        lookThrough = new LookThrough(this);
         precision.addListener((_, _, now) -> workbench.reopen(now.options()));
         view.addListener((_, _, now) -> {
             workbench.setView(now);
@@ -90,7 +91,6 @@ public final class EditorModel implements AutoCloseable {
     /** Takes another document in place of the open one, and traces it. Unsaved edits are lost: ask before. */
     public void open(OpenDocument other) {
         staged = null;
-        feed.reset();
         workbench.open(other);
         opened();
     }
@@ -103,7 +103,6 @@ public final class EditorModel implements AutoCloseable {
      */
     public void recover(Recovery.Found found) throws IOException, JenException {
         staged = null;
-        feed.reset();
         workbench.recover(found);
         opened();
     }
@@ -184,6 +183,11 @@ public final class EditorModel implements AutoCloseable {
     /** Which material is edited. */
     MaterialChoice materials() {
         return materials;
+    }
+
+    /** Whether the preview looks through the selected light. */
+    LookThrough lookThrough() {
+        return lookThrough;
     }
 
     /** What the artist should read next: why an edit was refused, what was saved; empty where there is nothing. */

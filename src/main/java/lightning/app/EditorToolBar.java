@@ -12,6 +12,9 @@ import javafx.scene.control.Spinner;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.ToolBar;
 import javafx.scene.control.Tooltip;
+import javafx.scene.layout.Region;
+import javafx.scene.text.Font;
+import javafx.scene.text.Text;
 import lightning.edit.Command;
 import lightning.edit.Dial;
 import lightning.scene.Limits;
@@ -24,7 +27,10 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
 
 /** The buttons of the canvas window (paper §3.3 to §3.7), grouped by what they are for. */
 final class EditorToolBar extends ToolBar {
-    private static final double PRECISION_WIDTH = 150;
+    /** What a choice takes beside its text, pixels. */
+    private static final double ARROW = 40;
+    /** As the style sheet has it, pixels. */
+    private static final double FONT = 12;
 
     private final EditorModel model;
 
@@ -70,6 +76,7 @@ final class EditorToolBar extends ToolBar {
     private static Label note(String text) {
         var label = new Label(text);
         label.getStyleClass().add("pane-note");
+        label.setMinWidth(Region.USE_PREF_SIZE);
         return label;
     }
 
@@ -86,12 +93,22 @@ final class EditorToolBar extends ToolBar {
         choice.setId("precision");
         choice.getItems().setAll(Precision.values());
         choice.valueProperty().bindBidirectional(model.precisionProperty());
-        choice.setPrefWidth(PRECISION_WIDTH);
+        choice.setPrefWidth(widest(choice) + ARROW);
+        choice.setMinWidth(Region.USE_PREF_SIZE);
         choice.setAccessibleText("Accuracy");
         var tooltip = new Tooltip();
         choice.setTooltip(tooltip);
         choice.valueProperty().subscribe(p -> tooltip.setText("Accuracy: " + p + "\n" + p.explanation() + "."));
         return choice;
+    }
+
+    /** The longest title of a choice, pixels; the box itself would take as much as its menu. */
+    private static double widest(ChoiceBox<?> choice) {
+        return choice.getItems().stream().mapToDouble(item -> {
+            var text = new Text(item.toString());
+            text.setFont(Font.font(FONT));
+            return text.getLayoutBounds().getWidth();
+        }).max().orElseThrow();
     }
 
     private MenuButton size() {

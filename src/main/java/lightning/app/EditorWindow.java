@@ -15,7 +15,8 @@ import lightning.edit.Command;
 
 /** Everything inside the editor's frame: traced picture, preview, and beside them the lights and their properties. */
 public final class EditorWindow extends BorderPane implements AutoCloseable {
-    private static final double CANVASES = 0.74;
+    /** The share of the two pictures in the window's width. */
+    static final double CANVASES = 0.74;
     private static final double LIST = 0.28;
 
     private final PreviewPane preview;

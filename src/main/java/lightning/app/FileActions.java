@@ -51,15 +51,20 @@ final class FileActions implements AutoCloseable {
         if (!mayLeave()) {
             return;
         }
+        model.say("Reading " + file.getFileName() + " …");
         thread.execute(() -> {
             try {
                 OpenDocument opened = OpenDocument.open(file);
                 model.window().execute(() -> {
+                    model.say("");
                     model.open(opened);
                     preferences.opened(file);
                 });
             } catch (IOException | JenException | RuntimeException e) {
-                model.window().execute(() -> notices.failed(Quote.path(file.getFileName()) + " could not be opened", e));
+                model.window().execute(() -> {
+                    model.say("");
+                    notices.failed(Quote.path(file.getFileName()) + " could not be opened", e);
+                });
             }
         });
     }

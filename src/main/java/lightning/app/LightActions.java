@@ -4,7 +4,6 @@ import java.util.function.BiFunction;
 import lightning.edit.Change;
 import lightning.edit.Command;
 import lightning.edit.LightEdits;
-import lightning.edit.PreviewCamera;
 import lightning.edit.Workbench;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -36,8 +35,7 @@ final class LightActions {
         model.setAction(Command.SOLO, () -> actions.edit((s, n) -> LightEdits.solo(s, n, !model.selectedLight().solo())));
         model.setAction(Command.COPY_SETTINGS, bench::copySettings);
         model.setAction(Command.PASTE_SETTINGS, () -> bench.pasteSettings().ifPresent(model::say));
-        model.setAction(Command.LOOK_THROUGH_LIGHT, () ->
-                model.previewCameraProperty().set(PreviewCamera.through(model.selectedLight(), model.scene())));
+        model.setAction(Command.LOOK_THROUGH_LIGHT, () -> model.lookThrough().toggle());
     }
 
     private void edit(BiFunction<Scene, String, Change> edit) {

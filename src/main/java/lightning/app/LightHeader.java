@@ -51,7 +51,7 @@ final class LightHeader extends VBox {
                 new CommandButton(model, Command.REDO_LIGHT, false),
                 new CommandButton(model, Command.COPY_SETTINGS, false),
                 new CommandButton(model, Command.PASTE_SETTINGS, false),
-                new CommandButton(model, Command.LOOK_THROUGH_LIGHT, false));
+                CommandButton.lookThrough(model));
         getChildren().addAll(identity, refusal, commands);
         model.setAction(Command.CHANGE_TYPE, type::show);
         model.situationProperty().subscribe(this::show);
@@ -59,6 +59,7 @@ final class LightHeader extends VBox {
 
     private void buildName() {
         name.setId("light-name");
+        name.setPromptText("no light");
         name.setAccessibleText("name");
         name.setOnAction(_ -> rename());
         name.focusedProperty().addListener((_, wasFocused, _) -> {

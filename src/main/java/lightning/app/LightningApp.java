@@ -28,26 +28,46 @@ public final class LightningApp extends Application {
 
     @Override
     public void start(Stage stage) {
-        Looks.DARK.wear();
         List<String> arguments = getParameters() == null ? List.of() : getParameters().getUnnamed();
         Path first = Folders.firstScene();
         Path file = arguments.isEmpty() ? first : Path.of(arguments.getFirst());
+        var preferences = new Preferences(Folders.data());
+        Looks.preferred(preferences).wear();
+        Rectangle2D screen = Screen.getPrimary().getVisualBounds();
+        EditorStage.show(stage, new OpeningPane(file), preferences, screen.getWidth(), screen.getHeight());
+        var reading = new Thread(() -> read(stage, file, first), "lightning-open");
+        reading.setDaemon(true);
+        reading.start();
+    }
+
+    /** A large scene takes its time, and the window is there before. */
+    private void read(Stage stage, Path file, Path first) {
         try {
-            show(stage, OpenDocument.open(file));
-            Platform.runLater(editor::offerRecovery);
-        } catch (IOException | JenException e) {
-            instead(stage, file, first, e);
+            OpenDocument document = OpenDocument.open(file);
+            unlessClosed(stage, () -> {
+                show(stage, document);
+                editor.offerRecovery();
+            });
+        } catch (IOException | JenException | RuntimeException e) {
+            unlessClosed(stage, () -> instead(stage, file, first, e));
         }
+    }
+
+    /** Nobody waits for a scene whose window was closed while it was read. */
+    private static void unlessClosed(Stage stage, Runnable then) {
+        Platform.runLater(() -> {
+            if (stage.isShowing()) {
+                then.run();
+            }
+        });
     }
 
     /** A window on the first scene takes the place of one on a scene that cannot be opened. */
     private void instead(Stage stage, Path file, Path first, Exception why) {
         try {
             show(stage, OpenDocument.open(first));
-            Platform.runLater(() -> {
-                editor.failed(file, why);
-                editor.offerRecovery();
-            });
+            editor.failed(file, why);
+            editor.offerRecovery();
         } catch (IOException | JenException e) {
             new Alert(Alert.AlertType.ERROR, Sentence.of(why), ButtonType.CLOSE).showAndWait();
             Platform.exit();

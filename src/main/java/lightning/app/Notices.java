@@ -133,6 +133,7 @@ final class Notices {
         content.setMaxWidth(WIDTH);
         alert.getDialogPane().setContent(content);
         alert.getDialogPane().setMinHeight(Region.USE_PREF_SIZE);
+        alert.setOnShown(_ -> OnScreen.fit(alert.getDialogPane().getScene().getWindow()));
         return alert;
     }
 

@@ -10,6 +10,7 @@ final class Panels implements AutoCloseable {
     private final Supplier<Window> owner;
     private Stage accuracy;
     private Stage effects;
+    private Stage keys;
 
     /** @param owner the editor's window, once there is one */
     Panels(EditorModel model, Supplier<Window> owner) {
@@ -37,6 +38,14 @@ final class Panels implements AutoCloseable {
         open(effects);
     }
 
+    /** What mouse and keyboard do. */
+    void keys() {
+        if (keys == null) {
+            keys = new PanelWindow(owner.get(), "Mouse and Keyboard", new KeysPane(), 880, 720);
+        }
+        open(keys);
+    }
+
     private static void open(Stage stage) {
         stage.show();
         stage.toFront();
@@ -44,7 +53,7 @@ final class Panels implements AutoCloseable {
 
     @Override
     public void close() {
-        for (Stage stage : new Stage[] {accuracy, effects}) {
+        for (Stage stage : new Stage[] {accuracy, effects, keys}) {
             if (stage != null) {
                 stage.close();
             }

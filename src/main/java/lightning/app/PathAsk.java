@@ -1,5 +1,6 @@
 package lightning.app;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import javafx.stage.DirectoryChooser;
@@ -15,33 +16,49 @@ interface PathAsk {
 
     Optional<Path> folder(String title);
 
-    /** Asks with the windows of the system. */
-    static PathAsk inWindows(Window owner) {
+    /**
+     * Asks with the windows of the system.
+     *
+     * @param from the folder where they open
+     */
+    static PathAsk inWindows(Window owner, Path from) {
         return new PathAsk() {
             @Override
             public Optional<Path> fileToOpen(String title, String extension) {
-                return Optional.ofNullable(chooser(title, extension).showOpenDialog(owner)).map(f -> f.toPath());
+                return Optional.ofNullable(chooser(title, extension, from).showOpenDialog(owner)).map(f -> f.toPath());
             }
 
             @Override
             public Optional<Path> fileToSave(String title, String name, String extension) {
-                FileChooser chooser = chooser(title, extension);
+                FileChooser chooser = chooser(title, extension, from);
                 chooser.setInitialFileName(name);
                 return Optional.ofNullable(chooser.showSaveDialog(owner)).map(f -> f.toPath());
             }
 
             @Override
             public Optional<Path> folder(String title) {
-                DirectoryChooser chooser = new DirectoryChooser();
-                chooser.setTitle(title);
-                return Optional.ofNullable(chooser.showDialog(owner)).map(f -> f.toPath());
+                return Optional.ofNullable(folders(title, from).showDialog(owner)).map(f -> f.toPath());
             }
         };
     }
 
-    private static FileChooser chooser(String title, String extension) {
+    /** A window that asks for a folder, and opens at one. */
+    static DirectoryChooser folders(String title, Path from) {
+        var chooser = new DirectoryChooser();
+        chooser.setTitle(title);
+        if (Files.isDirectory(from)) {
+            chooser.setInitialDirectory(from.toFile());
+        }
+        return chooser;
+    }
+
+    /** A window that asks for a file, and opens at a folder. */
+    static FileChooser chooser(String title, String extension, Path from) {
         FileChooser chooser = new FileChooser();
         chooser.setTitle(title);
+        if (Files.isDirectory(from)) {
+            chooser.setInitialDirectory(from.toFile());
+        }
         chooser.getExtensionFilters().addAll(new FileChooser.ExtensionFilter("*." + extension, "*." + extension),
                 new FileChooser.ExtensionFilter("All files", "*"));
         return chooser;

@@ -2,6 +2,8 @@ package lightning.app;
 
 import java.nio.IntBuffer;
 import java.util.Optional;
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.image.ImageView;
 import javafx.scene.image.PixelBuffer;
@@ -20,6 +22,7 @@ final class PictureView extends Region {
 
     private final ImageView image = new ImageView();
     private final Wipe wipe = new Wipe();
+    private final ReadOnlyBooleanWrapper empty = new ReadOnlyBooleanWrapper(true);
     private PixelBuffer<IntBuffer> buffer;
     private boolean fit = true;
     private double zoom = 1;
@@ -44,6 +47,7 @@ final class PictureView extends Region {
     void setPixels(int width, int height, int[] pixels) {
         buffer = new PixelBuffer<>(width, height, IntBuffer.wrap(pixels), PixelFormat.getIntArgbPreInstance());
         image.setImage(new WritableImage(buffer));
+        empty.set(false);
         requestLayout();
     }
 
@@ -62,7 +66,18 @@ final class PictureView extends Region {
     }
 
     boolean isEmpty() {
-        return buffer == null;
+        return empty.get();
+    }
+
+    ReadOnlyBooleanProperty emptyProperty() {
+        return empty.getReadOnlyProperty();
+    }
+
+    /** Shows nothing. */
+    void clear() {
+        buffer = null;
+        empty.set(true);
+        image.setImage(null);
     }
 
     /** The whole picture, as large as there is room, but at most so that it stays sharp. */

@@ -5,6 +5,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import javafx.animation.PauseTransition;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import javafx.beans.value.ObservableBooleanValue;
 import javafx.geometry.Point2D;
 import javafx.scene.AccessibleRole;
 import javafx.scene.image.ImageView;
@@ -60,6 +61,11 @@ final class PreviewCanvas extends Region implements AutoCloseable {
             requestLayout();
         });
         listen();
+    }
+
+    /** Whether nothing is drawn yet. */
+    ObservableBooleanValue emptyProperty() {
+        return image.imageProperty().isNull();
     }
 
     /** How large the preview is drawn. */

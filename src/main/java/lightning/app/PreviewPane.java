@@ -6,11 +6,7 @@ import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.BorderPane;
-import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
-import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
-import lightning.edit.Command;
 import lightning.edit.PreviewCamera;
 
 /** The interactive preview: every light in real time, and the place where lights are taken by hand. */
@@ -23,13 +19,18 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         setId("preview");
         getStyleClass().add("canvas-pane");
         canvas = new PreviewCanvas(model);
-        var stage = new StackPane(canvas);
+        var waiting = new Label("Drawing …");
+        waiting.getStyleClass().add("canvas-note");
+        waiting.visibleProperty().bind(canvas.emptyProperty());
+        waiting.setMouseTransparent(true);
+        var stage = new StackPane(canvas, waiting);
         stage.getStyleClass().add("canvas");
         setTop(header());
         setCenter(stage);
         var hint = new Label("Left: rotate · Middle or Alt: along the view · Right: in the plane · Shift: camera");
         hint.getStyleClass().add("pane-footer");
         hint.setMaxWidth(Double.MAX_VALUE);
+        hint.setWrapText(true);
         setBottom(hint);
     }
 
@@ -38,11 +39,6 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
     }
 
     private Node header() {
-        var title = new Label("Preview");
-        title.getStyleClass().add("pane-title");
-        title.setMinWidth(Region.USE_PREF_SIZE);
-        var space = new Region();
-        HBox.setHgrow(space, Priority.ALWAYS);
         var sizes = new MenuButton(canvas.sizeProperty().get().title());
         sizes.setId("preview-size");
         sizes.getStyleClass().add("flat");
@@ -55,13 +51,17 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         all.setTooltip(new Tooltip("Go back until all lights are in view (A)"));
         all.getStyleClass().add("view-button");
         all.setOnAction(_ -> canvas.frameLights());
-        var box = new HBox(title, sizes, space, all,
+        return new PaneHeader("Preview", sizes, all,
                 view("view-x", "X", "Along the x axis (X)", () -> PreviewCamera.alongX(model.scene())),
                 view("view-y", "−Y", "From above, along the negative y axis (Y)", () -> PreviewCamera.alongMinusY(model.scene())),
                 view("view-z", "−Z", "Reset: the scene's own camera (Z)", () -> PreviewCamera.of(model.scene())),
-                CommandButton.small(model, Command.LOOK_THROUGH_LIGHT));
-        box.getStyleClass().add("pane-header");
-        return box;
+                eye());
+    }
+
+    private CommandButton eye() {
+        var eye = CommandButton.lookThrough(model);
+        eye.button().getStyleClass().add("view-button");
+        return eye;
     }
 
     private Button view(String id, String title, String help, java.util.function.Supplier<PreviewCamera> camera) {

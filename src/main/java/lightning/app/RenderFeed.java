@@ -45,11 +45,6 @@ final class RenderFeed implements RenderListener {
         }
     }
 
-    /** Another document: nothing of it is rendered yet. */
-    void reset() {
-        tell(_ -> RenderState.NONE);
-    }
-
     @Override
     public void started(UpdatePlan plan) {
         tell(s -> s.started(plan));
@@ -75,6 +70,13 @@ final class RenderFeed implements RenderListener {
     public void rendered(Frame frame) {
         raster.show(frame.seen());
         tell(s -> s.rendered(frame));
+    }
+
+    /** Nothing of the next document is rendered yet, and nothing of the last is shown under its name. */
+    @Override
+    public void forgotten() {
+        raster.clear();
+        tell(_ -> RenderState.NONE);
     }
 
     @Override

@@ -13,6 +13,7 @@ import javafx.scene.control.TextInputDialog;
 import javafx.scene.control.ToggleGroup;
 import lightning.edit.Change;
 import lightning.scene.Limits;
+import lightning.scene.Picture;
 import lightning.text.Quote;
 
 /** The sizes of the two canvases (paper §3.6). */
@@ -24,6 +25,8 @@ final class SizeMenu {
     /** Sizes of the traced picture; another size traces it anew. */
     static List<MenuItem> ofPicture(EditorModel model) {
         List<MenuItem> items = new ArrayList<>();
+        items.add(own(model));
+        items.add(new SeparatorMenuItem());
         var group = new ToggleGroup();
         for (CanvasSize size : CanvasSize.FIXED) {
             var item = new RadioMenuItem(size.title());
@@ -42,6 +45,20 @@ final class SizeMenu {
         items.add(new SeparatorMenuItem());
         items.add(other);
         return items;
+    }
+
+    /** The size that the scene's file says. */
+    private static MenuItem own(EditorModel model) {
+        var item = new MenuItem();
+        item.setId("size-own");
+        item.setOnAction(_ -> trace(model, ofFile(model)));
+        model.situationProperty().subscribe(_ -> item.setText("The scene's own, " + ofFile(model).title()));
+        return item;
+    }
+
+    private static CanvasSize ofFile(EditorModel model) {
+        Picture picture = model.document().savedScene().picture();
+        return CanvasSize.of(picture.width(), picture.height());
     }
 
     /** Sizes of the preview. */

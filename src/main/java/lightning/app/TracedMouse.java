@@ -2,9 +2,13 @@ package lightning.app;
 
 import java.util.function.Consumer;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ReadOnlyStringProperty;
+import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.scene.Cursor;
 import javafx.scene.Node;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Pane;
@@ -22,11 +26,15 @@ final class TracedMouse implements AutoCloseable {
     private final PixelInspector inspector;
     private final RegionTracer regions = new RegionTracer();
     private final BooleanProperty region = new SimpleBooleanProperty();
+    private final ReadOnlyStringWrapper prompt = new ReadOnlyStringWrapper("");
     private final Rectangle frame = new Rectangle();
     private final ShapeMenu menu;
     private final Pane overlay = new Pane(frame);
     /** Hears of the next click; null where a click selects. */
     private Consumer<PixelReport> pick;
+    private String wish = "";
+    /** What the region shows that was traced last; null before the first. */
+    private volatile Scene patched;
     private double pressX;
     private double pressY;
     private double lastX;
@@ -48,14 +56,32 @@ final class TracedMouse implements AutoCloseable {
         picture.setOnMousePressed(this::pressed);
         picture.setOnMouseDragged(this::dragged);
         picture.setOnMouseReleased(this::released);
-        region.subscribe(_ -> cursor());
+        region.subscribe(_ -> ask());
+        picture.sceneProperty().subscribe(scene -> {
+            if (scene != null) {
+                scene.addEventFilter(KeyEvent.KEY_PRESSED, this::key);
+            }
+        });
+    }
+
+    private void key(KeyEvent e) {
+        if (e.getCode() == KeyCode.ESCAPE && !prompt.get().isEmpty()) {
+            region.set(false);
+            endPick();
+            e.consume();
+        }
     }
 
     /** The next click tells what is there instead of selecting a light; a right click ends it. */
     void pickNext(String hint, Consumer<PixelReport> picked) {
         pick = picked;
-        model.say(hint);
-        cursor();
+        wish = hint;
+        ask();
+    }
+
+    /** What the artist shall do in the picture, over which it stands; empty where nothing is asked. */
+    ReadOnlyStringProperty promptProperty() {
+        return prompt.getReadOnlyProperty();
     }
 
     /** Lies over the picture. */
@@ -63,12 +89,18 @@ final class TracedMouse implements AutoCloseable {
         return overlay;
     }
 
+    /** What the region shows that was traced last; null before the first. */
+    Scene patched() {
+        return patched;
+    }
+
     /** Whether a drag frames a region. */
     BooleanProperty regionProperty() {
         return region;
     }
 
-    private void cursor() {
+    private void ask() {
+        prompt.set(pick != null ? wish : region.get() ? "Drag a frame around what to trace" : "");
         picture.setCursor(pick != null || region.get() ? Cursor.CROSSHAIR : Cursor.DEFAULT);
     }
 
@@ -141,6 +173,7 @@ final class TracedMouse implements AutoCloseable {
         Scene scene = model.scene().withPicture(model.scene().picture().withSize(shown.width(), shown.height()));
         regions.trace(scene, part, film -> {
             model.raster().patch(film, part);
+            patched = scene;
             model.window().execute(model::repaint);
         }, problem -> model.window().execute(() -> model.say(Sentence.of(problem))));
     }
@@ -164,8 +197,7 @@ final class TracedMouse implements AutoCloseable {
 
     private void endPick() {
         pick = null;
-        model.say("");
-        cursor();
+        ask();
     }
 
     @Override

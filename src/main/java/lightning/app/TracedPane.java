@@ -1,30 +1,26 @@
 package lightning.app;
 
-import java.util.Locale;
 import java.util.Optional;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
-import javafx.scene.control.Slider;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.BorderPane;
-import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
-import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.accuracy.Verification;
 import lightning.app.widget.Obstacle;
 import lightning.edit.Command;
+import lightning.edit.Situation;
 import lightning.effects.Effect;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
+import lightning.scene.VisiblePart;
 import org.kordamp.ikonli.javafx.FontIcon;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignB;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignE;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
@@ -32,7 +28,6 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 
 /** The ray-traced canvas: the picture, what it does not show yet, how far it is, and what a pixel of it is made of. */
 public final class TracedPane extends BorderPane implements AutoCloseable {
-    private static final double MOST_STOPS = 8;
     private static final String NOT_PLAIN = "The view does not show the whole picture";
     private static final String REGION_HINT = "Trace a region alone: drag a frame in the picture; it shows the edits that are not rendered yet";
 
@@ -43,6 +38,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private final Badge look;
     private final Label pixelLine = new Label();
     private final Label card = new Label();
+    private final Label prompt = new Label();
+    private final Label waiting = new Label();
     private final ToggleButton difference = new ToggleButton("Difference");
     private final ToggleButton compare = new ToggleButton("", new FontIcon(MaterialDesignC.COMPARE));
     private final StackPane compareBox = new StackPane(compare);
@@ -88,7 +85,16 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         card.setMouseTransparent(true);
         card.visibleProperty().bind(card.textProperty().isNotEmpty());
         StackPane.setAlignment(card, Pos.BOTTOM_LEFT);
-        var stage = new StackPane(picture, mouse.overlay(), badges, look, card, progress);
+        waiting.setId("waiting");
+        waiting.getStyleClass().add("canvas-note");
+        waiting.visibleProperty().bind(picture.emptyProperty());
+        prompt.setId("prompt");
+        prompt.getStyleClass().add("prompt");
+        prompt.setMouseTransparent(true);
+        prompt.textProperty().bind(mouse.promptProperty().map(p -> p.isEmpty() ? "" : p + "  ·  Esc ends"));
+        prompt.visibleProperty().bind(mouse.promptProperty().isNotEmpty());
+        StackPane.setAlignment(prompt, Pos.TOP_CENTER);
+        var stage = new StackPane(waiting, picture, mouse.overlay(), badges, look, card, progress, prompt);
         stage.getStyleClass().add("canvas");
         setTop(header());
         setCenter(stage);
@@ -128,11 +134,6 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     }
 
     private Node header() {
-        var title = new Label("Ray traced");
-        title.getStyleClass().add("pane-title");
-        title.setMinWidth(Region.USE_PREF_SIZE);
-        var space = new Region();
-        HBox.setHgrow(space, Priority.ALWAYS);
         var region = new ToggleButton("", new FontIcon(MaterialDesignS.SELECTION_DRAG));
         region.setId("region");
         region.setAccessibleText("Trace a region");
@@ -141,10 +142,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         var regionBox = new StackPane(region);
         var obstacle = new Obstacle(regionBox, region, REGION_HINT);
         model.renderingProperty().subscribe(_ -> obstacle.set(isPlain() ? Optional.empty() : Optional.of(NOT_PLAIN)));
-        var box = new HBox(title, space, difference, only(), snapshot(), compareBox, new ExposureSlider(model, MOST_STOPS), viewMenu(),
-                regionBox, ZoomButtons.of(picture, "traced"));
-        box.getStyleClass().add("pane-header");
-        return box;
+        return new PaneHeader("Ray traced", difference, only(), snapshot(), compareBox, new ExposureControl(model), viewMenu(), regionBox,
+                ZoomButtons.of(picture, "traced"));
     }
 
     private ToggleButton only() {
@@ -195,12 +194,31 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         }
     }
 
-    private void mark() {
-        String remark = model.situationProperty().get().pendingRemark().isPresent() ? "Edits not yet rendered" : "";
-        if (model.raster().isPatched()) {
-            remark = "A region shows edits that the rest does not";
+    /** How the picture is behind the edits; empty where it is not. */
+    private String remark() {
+        Situation now = model.situationProperty().get();
+        if (model.raster().isPatched() && mouse.patched() != null && now.rendered().isPresent()
+                && !VisiblePart.same(mouse.patched(), now.rendered().get())) {
+            return VisiblePart.same(mouse.patched(), now.scene()) ? "A region shows edits that the rest does not"
+                    : "A region shows other edits than the rest";
         }
-        pending.tell(remark);
+        // What is played is always on its way.
+        boolean comes = now.animating() && now.inWork().isPresent();
+        return now.pendingRemark().isPresent() && !comes ? "Edits not yet rendered" : "";
+    }
+
+    /** What is said in the place of a picture that is not there yet. */
+    private String waiting() {
+        RenderState state = model.renderingProperty().get();
+        if (state.problem() != null) {
+            return Sentence.of(state.problem());
+        }
+        return state.cancelled() ? "Cancelled. Go traces the picture." : "Tracing " + model.document().name() + " …";
+    }
+
+    private void mark() {
+        waiting.setText(waiting());
+        pending.tell(remark());
         var frame = model.renderingProperty().get().frame();
         String shown = frame == null ? "" : frame.look().label();
         look.tell(shown.isEmpty() ? "" : "View: " + shown);
@@ -233,6 +251,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         TracedRaster.Pixels pixels = model.raster().pixels();
         TracedRaster.Dirty dirty = model.raster().takeDirty();
         if (pixels == null) {
+            picture.clear();
+            shown = null;
             return;
         }
         if (pixels != shown) {
@@ -247,33 +267,5 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     @Override
     public void close() {
         mouse.close();
-    }
-
-    /** The slider of the brightness of the view, which is no part of the scene. */
-    private static final class ExposureSlider extends HBox {
-        ExposureSlider(EditorModel model, double most) {
-            var slider = new Slider(-most, most, 0);
-            slider.setId("exposure");
-            slider.setAccessibleText("Exposure");
-            slider.setBlockIncrement(0.5);
-            slider.setPrefWidth(72);
-            var value = new Label("0.0");
-            value.setMinWidth(32);
-            value.getStyleClass().add("pane-note");
-            Tooltip.install(this, new Tooltip("Exposure of the view in stops; double-click for 0.\nNo part of the scene."));
-            setAlignment(Pos.CENTER);
-            setSpacing(4);
-            getChildren().addAll(new FontIcon(MaterialDesignB.BRIGHTNESS_6), slider, value);
-            slider.setOnMouseClicked(e -> {
-                if (e.getClickCount() == 2) {
-                    slider.setValue(0);
-                }
-            });
-            slider.valueProperty().subscribe(v -> {
-                double stops = Math.rint(v.doubleValue() * 10) / 10;
-                value.setText(String.format(Locale.ROOT, "%+.1f", stops));
-                model.viewProperty().set(model.viewProperty().get().withExposure(stops));
-            });
-        }
     }
 }

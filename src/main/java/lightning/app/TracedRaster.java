@@ -36,6 +36,15 @@ final class TracedRaster {
         return pixels;
     }
 
+    /** Forgets the picture: that of another document is none of this one. */
+    synchronized void clear() {
+        pixels = null;
+        shown = null;
+        coarse = null;
+        dirty = Dirty.NONE;
+        patch = Dirty.NONE;
+    }
+
     /** What changed since the last call. */
     synchronized Dirty takeDirty() {
         Dirty taken = dirty;

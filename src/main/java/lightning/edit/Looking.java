@@ -40,7 +40,6 @@ final class Looking implements AutoCloseable {
     /** The picture as it is; what hiding took is given back. */
     Film plain(Renderer picture) {
         close();
-        hiding = null;
         return picture.film();
     }
 
@@ -48,6 +47,7 @@ final class Looking implements AutoCloseable {
     public void close() {
         if (hiding != null) {
             hiding.close();
+            hiding = null;
         }
     }
 }

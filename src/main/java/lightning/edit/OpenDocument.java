@@ -90,6 +90,11 @@ public final class OpenDocument {
         return saved.with(scene());
     }
 
+    /** The scene as the file holds it. */
+    public Scene savedScene() {
+        return saved.scene();
+    }
+
     /** What the file holds. */
     JenDocument saved() {
         return saved;

@@ -26,6 +26,9 @@ public interface RenderListener {
     /** A picture is finished, or another look at it. */
     default void rendered(Frame frame) {}
 
+    /** The last picture is dropped: see {@link RenderLoop#open}. Nothing of it is told after this. */
+    default void forgotten() {}
+
     /** It was found out what an update saves: the last one, unless a newer one was made meanwhile. */
     default void measured(WarmSaving saving) {}
 

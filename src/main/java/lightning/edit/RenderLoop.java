@@ -1,5 +1,6 @@
 package lightning.edit;
 
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.accuracy.Promise;
 import lightning.accuracy.WarmSaving;
@@ -99,6 +100,12 @@ public final class RenderLoop implements AutoCloseable {
         verifier.cancel();
     }
 
+    /** Stops everything, drops all that is known of the picture, and renders another document's scene. */
+    public void open(Scene scene) {
+        queue.open(scene);
+        verifier.cancel();
+    }
+
     /** Whether the picture is being worked at. A verification runs beside and does not count. */
     public boolean isBusy() {
         return queue.isBusy();
@@ -147,6 +154,7 @@ public final class RenderLoop implements AutoCloseable {
             case RenderQueue.Work.Reflections _ -> mirror(stop);
             case RenderQueue.Work.Looks _ -> lookAgain(stop);
             case RenderQueue.Work.Verify _ -> handToVerifier(stop);
+            case RenderQueue.Work.Forget _ -> drop();
         }
     }
 
@@ -188,6 +196,15 @@ public final class RenderLoop implements AutoCloseable {
     /** What an update starts from; null where it cannot start from there again, as it is of another accuracy. */
     private PixelCache known() {
         return renderer.hasPicture() && renderer.options().accuracy() == madeAt ? renderer.cache() : null;
+    }
+
+    private void drop() {
+        renderer.forget();
+        looking.close();
+        rendered = null;
+        last = null;
+        verifier.done(Optional.empty());
+        listener.forgotten();
     }
 
     private void mirror(RenderQueue.Stop stop) {

@@ -17,6 +17,9 @@ final class RenderQueue {
 
         record Verify() implements Work {}
 
+        /** All that is known of the picture is dropped. */
+        record Forget() implements Work {}
+
         /** The picture that there is, to be looked at in another way. */
         record Looks() implements Work {}
 
@@ -58,6 +61,7 @@ final class RenderQueue {
     private boolean reflections;
     private boolean verify;
     private boolean look;
+    private boolean forget;
     private boolean closed;
     private Work running;
     private Scene rendered;
@@ -80,7 +84,7 @@ final class RenderQueue {
             case Work.Render r -> !samePicture(r.scene(), wanted);
             case Work.Reopen r -> r.scene() != null && !samePicture(r.scene(), wanted);
             case Work.Reflections _ -> true;
-            case Work.Verify _, Work.Looks _ -> false;
+            case Work.Verify _, Work.Looks _, Work.Forget _ -> false;
         };
     }
 
@@ -102,6 +106,13 @@ final class RenderQueue {
     synchronized void look() {
         look = true;
         notifyAll();
+    }
+
+    /** What waits, what runs and what is known is of no use any more. */
+    synchronized void open(Scene wanted) {
+        cancel();
+        forget = true;
+        render(wanted);
     }
 
     synchronized void reopen(Options wanted) {
@@ -141,7 +152,7 @@ final class RenderQueue {
     }
 
     private boolean isWaiting() {
-        return scene != null || options != null || reflections || look || verify;
+        return scene != null || options != null || reflections || look || verify || forget;
     }
 
     /** Waits for work; returns null when the queue was closed. */
@@ -158,6 +169,10 @@ final class RenderQueue {
     }
 
     private Work next() {
+        if (forget) {
+            forget = false;
+            return new Work.Forget();
+        }
         if (options != null) {
             var work = new Work.Reopen(options, scene == null ? rendered : scene);
             options = null;

@@ -49,7 +49,7 @@ public final class Workbench implements AutoCloseable {
         this.changed = changed;
         this.recovery = recovery;
         autosave = new Autosave(recovery, Autosave.DEFAULT_DELAY, trouble);
-        loop = new RenderLoop(options, new WorkbenchEar(canvas, this::tell, this::take, this::refresh));
+        loop = new RenderLoop(options, new WorkbenchEar(canvas, this::tell, this::take, this::nothingShown, this::refresh));
     }
 
     public OpenDocument document() {
@@ -80,6 +80,11 @@ public final class Workbench implements AutoCloseable {
         frame = Optional.of(finished);
     }
 
+    private void nothingShown() {
+        frame = Optional.empty();
+        previous = Optional.empty();
+    }
+
     /** The edit made last; empty where there is none, or it made another picture of it. */
     public Optional<LastEdit> lastEdit() {
         return LastEdit.of(scene(), frame.map(Frame::scene), previous);
@@ -93,16 +98,14 @@ public final class Workbench implements AutoCloseable {
 
     /** Puts another document in place of the open one and renders it. The open one's unsaved edits are lost. */
     public void open(OpenDocument other) {
-        loop.cancel();
+        loop.open(other.scene());
+        inWork = Optional.of(other.scene());
         autosave.forget();
         document = other;
-        frame = Optional.empty();
-        previous = Optional.empty();
+        nothingShown();
         animating = false;
         autosave.changed(document);
-        go();
-        // Shapes that the other document had too would mirror its lights.
-        loop.updateReflections();
+        changed.run();
     }
 
     /** Opens what a crash left unsaved: see {@link OpenDocument#recover}. Until it is saved it can be recovered again. */

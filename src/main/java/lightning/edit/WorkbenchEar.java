@@ -11,12 +11,13 @@ import lightning.scene.Scene;
  * Tells the canvas what the render loop does, on the loop's own threads, and then the workbench, on the thread that that
  * belongs to.
  *
- * @param tell     brings a task to the workbench's thread
- * @param finished takes a finished picture there
- * @param settled  looks there again at what is in work
+ * @param tell      brings a task to the workbench's thread
+ * @param finished  takes a finished picture there
+ * @param dropped   takes there that there is no picture any more
+ * @param settled   looks there again at what is in work
  */
-record WorkbenchEar(RenderListener canvas, Consumer<Runnable> tell, Consumer<Frame> finished, Runnable settled)
-        implements RenderListener {
+record WorkbenchEar(RenderListener canvas, Consumer<Runnable> tell, Consumer<Frame> finished, Runnable dropped,
+        Runnable settled) implements RenderListener {
 
     @Override
     public void started(UpdatePlan plan) {
@@ -42,6 +43,12 @@ record WorkbenchEar(RenderListener canvas, Consumer<Runnable> tell, Consumer<Fra
     public void rendered(Frame frame) {
         canvas.rendered(frame);
         tell.accept(() -> finished.accept(frame));
+    }
+
+    @Override
+    public void forgotten() {
+        canvas.forgotten();
+        tell.accept(dropped);
     }
 
     @Override

@@ -112,6 +112,15 @@ class AnimationWindowTest {
     }
 
     @Test
+    void windowsThatAsk_openAtTheScene(FxRobot robot) {
+        robot.interact(() -> {
+            assertThat(PathAsk.folders("Export", folder).getInitialDirectory()).isEqualTo(folder.toFile());
+            assertThat(PathAsk.chooser("Save", "path", folder).getInitialDirectory()).isEqualTo(folder.toFile());
+            assertThat(PathAsk.folders("Export", folder.resolve("gone")).getInitialDirectory()).isNull();
+        });
+    }
+
+    @Test
     void scrub_showsTheFrame(FxRobot robot) throws Exception {
         load(robot, 0, 8);
         robot.interact(() -> robot.lookup("#scrub").queryAs(Slider.class).setValue(5));

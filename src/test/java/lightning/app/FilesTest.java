@@ -12,6 +12,7 @@ import javafx.scene.control.ListView;
 import javafx.stage.WindowEvent;
 import lightning.edit.Command;
 import lightning.edit.Dial;
+import lightning.edit.OpenDocument;
 import lightning.image.PictureFile;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
@@ -108,6 +109,31 @@ class FilesTest extends EditorDesk {
         waitForPicture();
         assertThat(model().raster().pixels().width()).isEqualTo(40);
         assertThat(text("traced-sizes")).isEqualTo("40 × 30");
+    }
+
+    @Test
+    void anotherScene_isTracedFromNothing() throws IOException {
+        String text = Files.readString(folder.resolve("desk.jen")).replace("fov 40", "fov 50");
+        answer = Files.writeString(folder.resolve("wide.jen"), text);
+        begin(Command.LOAD_FILE);
+        waitFor("it is open", () -> model().document().name().equals("wide.jen"));
+        waitForPicture();
+        assertThat(text("status")).startsWith("first pass: no picture yet");
+    }
+
+    /** The picture is that of the scene in the title, or none. */
+    @Test
+    void titleOfAnotherScene_standsOverNothingOfTheLast() throws Exception {
+        // Small enough for no coarse picture, large enough to take its time.
+        String text = Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 500 500  antialias every  samples 3");
+        answer = Files.writeString(folder.resolve("other.jen"), text);
+        var opened = OpenDocument.open(answer);
+        robot.interact(() -> model().open(opened));
+        waitFor("the old picture is gone", () -> model().raster().pixels() == null);
+        robot.interact(() -> model().run(Command.CANCEL));
+        waitFor("it is stopped", () -> model().renderingProperty().get().cancelled());
+        assertThat(stage.getTitle()).startsWith("other.jen");
+        assertThat(isShown("waiting")).isTrue();
     }
 
     @Test

@@ -8,7 +8,9 @@ import javafx.application.Platform;
 import javafx.scene.control.Button;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
+import javafx.scene.control.Spinner;
 import javafx.scene.control.TextField;
+import javafx.scene.control.ToolBar;
 import javafx.scene.input.KeyCode;
 import lightning.accuracy.WarmSaving;
 import lightning.edit.Change;
@@ -162,7 +164,10 @@ class GoTest extends EditorDesk {
 
     @Test
     void depthSpinner_isAnEditLikeAnyOther() {
-        robot.clickOn(robot.lookup("#depth .increment-arrow-button").<javafx.scene.Node>query());
+        // In a narrow window it is in the tool bar's overflow.
+        Spinner<?> depth = robot.lookup("#toolbar").<ToolBar>query().getItems().stream().filter(Spinner.class::isInstance)
+                .map(Spinner.class::cast).findFirst().orElseThrow();
+        robot.interact(() -> depth.increment());
         assertThat(model().scene().picture().depth()).isEqualTo(3);
         assertThat(isEnabled(Command.GO)).isTrue();
         click("undo");
@@ -175,6 +180,23 @@ class GoTest extends EditorDesk {
         waitForPicture();
         assertThat(model().frame().film().width()).isEqualTo(200);
         assertThat(model().raster().pixels().pixels()).isEqualTo(model().viewProperty().get().toPixels(model().frame().film()));
+    }
+
+    @Test
+    void sizes_areOfFourToThreeToo() {
+        for (String size : new String[] {"320x240", "640x480", "1024x768"}) {
+            assertThat(sizeItem("size-" + size)).isNotNull();
+        }
+    }
+
+    @Test
+    void scenesOwnSize_comesBack() {
+        assertThat(sizeItem("size-own").getText()).isEqualTo("The scene's own, 64 × 48");
+        size(200, 200);
+        robot.interact(sizeItem("size-own")::fire);
+        waitForPicture();
+        assertThat(model().frame().film().width()).isEqualTo(64);
+        assertThat(model().frame().film().height()).isEqualTo(48);
     }
 
     private void typeSize(String typed) {

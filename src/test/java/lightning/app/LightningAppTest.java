@@ -2,6 +2,8 @@ package lightning.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Path;
+import javafx.scene.control.Label;
 import javafx.stage.Stage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -14,11 +16,13 @@ import org.testfx.framework.junit5.Stop;
 class LightningAppTest {
     private final LightningApp app = new LightningApp();
     private Stage stage;
+    private String first;
 
     @Start
     private void start(Stage primary) throws Exception {
         stage = primary;
         app.start(primary);
+        first = primary.getScene().getRoot().getId();
     }
 
     @Stop
@@ -26,9 +30,26 @@ class LightningAppTest {
         app.stop();
     }
 
+    /** A large scene is read for a while, and the window is there before, with its panes. */
     @Test
-    void window_hasBothCanvasesAndWhatStandsBesideThem(FxRobot robot) {
+    void window_isThereBeforeItsScene(FxRobot robot) throws Exception {
+        assertThat(first).isEqualTo("opening");
+        OpenEditor.await(() -> robot.lookup("#editor").tryQuery().isPresent());
+        assertThat(stage.getScene().getRoot().getId()).isEqualTo("editor");
+    }
+
+    @Test
+    void panesOfASceneThatIsRead_saySo(FxRobot robot) throws Exception {
+        OpenEditor.await(() -> robot.lookup("#editor").tryQuery().isPresent());
+        robot.interact(() -> stage.getScene().setRoot(new OpeningPane(Path.of("scenes/large.jen"))));
+        QuickRobot.settle();
+        assertThat(robot.lookup(n -> n instanceof Label l && l.getText().equals("Reading large.jen …")).queryAll()).hasSize(3);
+    }
+
+    @Test
+    void window_hasBothCanvasesAndWhatStandsBesideThem(FxRobot robot) throws Exception {
         assertThat(stage.isShowing()).isTrue();
+        OpenEditor.await(() -> robot.lookup("#editor").tryQuery().isPresent());
         for (String pane : new String[] {"#traced", "#preview", "#lights", "#properties"}) {
             assertThat(robot.lookup(pane).tryQuery()).as(pane).isPresent();
         }

@@ -82,7 +82,7 @@ class MaterialPaneTest extends EditorDesk {
     void pickedShape_showsItsMaterialUntilALightIsSelected() {
         robot.interact(() -> model().materials().choose("mirror"));
         robot.interact(() -> model().run(Command.PICK_MATERIAL));
-        assertThat(text("message")).isEqualTo("Click the shape whose material to edit");
+        assertThat(text("prompt")).startsWith("Click the shape whose material to edit");
         robot.clickOn("#traced-picture");
         waitFor("the material is in front", () -> tab().equals("material-tab"));
         assertThat(edited()).isEqualTo("matt");

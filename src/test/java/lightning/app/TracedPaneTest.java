@@ -10,7 +10,10 @@ import javafx.scene.control.CheckMenuItem;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.Slider;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
+import lightning.app.widget.Typing;
 import lightning.edit.Command;
 import lightning.edit.Dial;
 import lightning.edit.LightEdits;
@@ -79,7 +82,7 @@ class TracedPaneTest extends EditorDesk {
             model().selectLight("lamp");
             traced().placer().highlight();
         });
-        assertThat(text("message")).isEqualTo("Click where the highlight should be");
+        assertThat(text("prompt")).startsWith("Click where the highlight should be");
         robot.clickOn(pixel(28, 22));
         waitFor("it is placed", () -> model().enabled(Command.UNDO));
         var placed = new PixelExplainer(model().scene()).pixel(28, 22).lights().getFirst();
@@ -94,7 +97,7 @@ class TracedPaneTest extends EditorDesk {
             traced().placer().shadow();
         });
         robot.clickOn(pixel(32, 22));
-        waitFor("it asks for the second place", () -> text("message").equals("Click where the shadow should fall"));
+        waitFor("it asks for the second place", () -> text("prompt").startsWith("Click where the shadow should fall"));
         robot.clickOn(pixel(46, 36));
         waitFor("it is placed", () -> model().enabled(Command.UNDO));
         var placed = new PixelExplainer(model().scene()).pixel(46, 36).lights().getFirst();
@@ -123,13 +126,46 @@ class TracedPaneTest extends EditorDesk {
             model().run(Command.AIM);
         });
         robot.clickOn(pixel(32, 24), MouseButton.SECONDARY);
-        assertThat(text("message")).isEmpty();
+        assertThat(isShown("prompt")).isFalse();
         robot.clickOn(pixel(32, 24));
         assertThat(light("stage").direction()).isEqualTo(before);
     }
 
+    @Test
+    void whatIsAskedFor_standsOverThePictureUntilEscape() {
+        robot.interact(() -> traced().placer().highlight());
+        Bounds asked = robot.lookup("#prompt").query().localToScreen(robot.lookup("#prompt").query().getBoundsInLocal());
+        Bounds canvas = robot.lookup("#traced-picture").query().localToScreen(robot.lookup("#traced-picture").query().getBoundsInLocal());
+        assertThat(canvas.contains(asked)).isTrue();
+        robot.push(KeyCode.ESCAPE);
+        assertThat(isShown("prompt")).isFalse();
+        click("region");
+        assertThat(text("prompt")).startsWith("Drag a frame");
+        robot.push(KeyCode.ESCAPE);
+        assertThat(robot.lookup("#region").<ToggleButton>query().isSelected()).isFalse();
+    }
+
     private TracedPane traced() {
         return robot.lookup("#traced").query();
+    }
+
+    @Test
+    void exposureIsTyped_toAnyNumber() {
+        Typing.over(robot, robot.lookup("#exposure-stops").query(), "-1.37").push(KeyCode.ENTER);
+        assertThat(model().viewProperty().get().exposure()).isEqualTo(-1.37);
+        assertThat(robot.lookup("#exposure").<Slider>query().getValue()).isEqualTo(-1.37);
+        Typing.over(robot, robot.lookup("#exposure-stops").query(), "9").push(KeyCode.ENTER);
+        assertThat(model().viewProperty().get().exposure()).isEqualTo(-1.37);
+        assertThat(text("message")).containsIgnoringCase("exposure must be from -8 to 8");
+    }
+
+    /** A hand that drags by a pixel changes the picture by no more than a quarter of a stop. */
+    @Test
+    void exposureSlider_isWideEnoughForAHand() {
+        Slider slider = robot.lookup("#exposure").query();
+        assertThat((slider.getMax() - slider.getMin()) / slider.getWidth()).isLessThan(0.12);
+        robot.drag(slider, MouseButton.PRIMARY).dropBy(4, 0);
+        assertThat(model().viewProperty().get().exposure()).isBetween(0.1, 0.8);
     }
 
     @Test
@@ -224,9 +260,36 @@ class TracedPaneTest extends EditorDesk {
         assertThat(after[24 * 64 + 32]).isNotEqualTo(before[24 * 64 + 32]);
         assertThat(after[40 * 64 + 10]).isEqualTo(before[40 * 64 + 10]);
         assertThat(isEnabled(Command.GO)).isTrue();
+        assertThat(text("pending")).isEqualTo("A region shows edits that the rest does not");
+        click("undo");
+        assertThat(text("pending")).isEqualTo("A region shows other edits than the rest");
+        click("redo");
         click("go");
         waitForPicture();
         assertThat(model().raster().pixels().pixels()).isEqualTo(model().raster().view().toPixels(model().frame().film()));
+    }
+
+    @Test
+    void regionOfWhatTheRestShowsToo_isNotRemarked() {
+        click("region");
+        robot.drag(pixel(28, 20), MouseButton.PRIMARY);
+        robot.dropTo(pixel(36, 28));
+        waitFor("it is traced", () -> model().raster().isPatched());
+        robot.interact(model()::repaint);
+        assertThat(isShown("pending")).isFalse();
+    }
+
+    /** While an animation plays each picture is on its way: nothing waits for Go. */
+    @Test
+    void playedEdits_areNotPending() {
+        robot.interact(() -> {
+            model().beginAnimation();
+            model().animate(model().scene().withLight(light("lamp").withIntensity(3)));
+            assertThat(isShown("pending")).isFalse();
+        });
+        waitForPicture();
+        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 5)));
+        assertThat(isShown("pending")).isTrue();
     }
 
     @Test

@@ -14,6 +14,7 @@ import lightning.accuracy.Verification;
 import lightning.math.Vec3;
 import lightning.relight.Options;
 import lightning.relight.Reflections;
+import lightning.relight.UpdatePlan;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.AfterEach;
@@ -229,6 +230,7 @@ class WorkbenchTest {
         settle();
         assertThat(shown().light("moon")).isPresent();
         assertThat(bench.frame().orElseThrow().mirrorsAreCurrent()).as("its mirrors show nothing of the other document").isTrue();
+        assertThat(bench.frame().orElseThrow().update().plan()).isEqualTo(new UpdatePlan.FirstPass("no picture yet"));
     }
 
     @Test

@@ -1,0 +1,39 @@
+package lightning.app;
+
+import javafx.scene.Parent;
+import javafx.scene.Scene;
+import javafx.stage.Stage;
+
+/** The editor's window on the screen: as large as it was left, and wholly seen. */
+final class EditorStage {
+    private static final double WIDTH = 1600;
+    private static final double HEIGHT = 950;
+    /** Below these there is no room for two pictures and the properties, pixels. */
+    private static final double LEAST_WIDTH = 860;
+    private static final double LEAST_HEIGHT = 480;
+    /** What a window may have had: less cannot be taken hold of, more no screen has. */
+    private static final double LEAST_SIDE = 200;
+    private static final double MOST_SIDE = 32_768;
+
+    private EditorStage() {}
+
+    /**
+     * Opens the window, or shows something else in it where it is open.
+     *
+     * @param mostWidth the largest size of the window, pixels: the screen's; likewise {@code mostHeight}
+     */
+    static void show(Stage stage, Parent content, Preferences preferences, double mostWidth, double mostHeight) {
+        if (stage.getScene() == null) {
+            var scene = new Scene(content, Math.min(mostWidth, preferences.number("width", LEAST_SIDE, MOST_SIDE, WIDTH)),
+                    Math.min(mostHeight, preferences.number("height", LEAST_SIDE, MOST_SIDE, HEIGHT)));
+            Looks.dress(scene);
+            stage.setScene(scene);
+            stage.setMinWidth(Math.min(mostWidth, LEAST_WIDTH));
+            stage.setMinHeight(Math.min(mostHeight, LEAST_HEIGHT));
+            OnScreen.open(stage);
+        } else {
+            stage.getScene().setRoot(content);
+        }
+        stage.show();
+    }
+}

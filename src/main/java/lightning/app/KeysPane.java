@@ -1,0 +1,76 @@
+package lightning.app;
+
+import java.util.List;
+import javafx.scene.control.Label;
+import javafx.scene.layout.ColumnConstraints;
+import javafx.scene.layout.GridPane;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import lightning.edit.Command;
+
+/** What mouse and keyboard do, as a table. */
+final class KeysPane extends GridPane {
+    /** @param mouse empty where the mouse has nothing of its own; likewise {@code keys} */
+    private record Row(String what, String mouse, String keys) {}
+
+    private static final List<Row> LIGHTS = List.of(
+            new Row("Select a light", "click", "[  and  ]"),
+            new Row("Rotate it", "left drag", "arrows"),
+            new Row("Move it in the viewing plane", "right drag", "Ctrl + arrows"),
+            new Row("Move it along the view; up is away", "middle drag, or Alt + drag", "Page Up, Page Down"));
+    private static final List<Row> CAMERA = List.of(
+            new Row("Zoom", "Shift + drag that begins upright", "Shift + up, down"),
+            new Row("Pan", "Shift + drag that begins sideways", "Shift + left, right"),
+            new Row("Turn the scene", "Shift + drag from near the edge", "Shift + Ctrl + arrows"),
+            new Row("Along the x axis, from above, the scene's camera", "X, −Y, −Z", "X, Y, Z"),
+            new Row("All lights in view", "All", "A"),
+            new Row("Through the selected light, and back", "the eye", "L"));
+    private static final List<Row> PICTURE = List.of(
+            new Row("What a pixel is made of", "hover", ""),
+            new Row("Select the light that matters most there", "click", ""),
+            new Row("A menu with the shape's material, here or in the preview", "right click", ""),
+            new Row("Zoom", "wheel", "Ctrl + =, Ctrl + −"),
+            new Row("Move the picture", "middle drag", ""),
+            new Row("Fit, one to one", "", "Ctrl + 0, Ctrl + 1"),
+            new Row("Trace a region", "", "Ctrl + B"),
+            new Row("Only the selected light", "", "Ctrl + I"));
+    private static final List<Row> LIST = List.of(
+            new Row("Rename the selected light", "double click", "F2"),
+            new Row("Switch it on or off", "the bulb", "Space"),
+            new Row("Let it shine alone", "S", "S"),
+            new Row("Delete it", "", "Delete"));
+    private static final List<Row> NUMBERS = List.of(
+            new Row("One step more or less", "click the arrow's upper or lower half", "up, down"),
+            new Row("Ten steps", "the same with Ctrl", "Page Up, Page Down"),
+            new Row("A tenth of a step", "the same with Shift", "Shift + up, down"),
+            new Row("Bring the old value back", "", "Escape"));
+
+    KeysPane() {
+        setId("keys");
+        getStyleClass().add("keys");
+        var text = new ColumnConstraints();
+        text.setHgrow(Priority.ALWAYS);
+        getColumnConstraints().setAll(text, new ColumnConstraints(), new ColumnConstraints());
+        section("Lights, in the preview", LIGHTS);
+        section("The preview's camera", CAMERA);
+        section("The traced picture", PICTURE);
+        section("The list of lights", LIST);
+        section("Numbers", NUMBERS);
+        section("Commands", List.of(Command.values()).stream().map(CommandFace::of).filter(f -> f.keys() != null)
+                .map(f -> new Row(f.title().replace("…", ""), "", f.keys().getDisplayText())).toList());
+    }
+
+    private void section(String title, List<Row> rows) {
+        addRow(getRowCount(), label(title, "keys-title"), label("Mouse", "caption"), label("Keys", "caption"));
+        for (Row row : rows) {
+            addRow(getRowCount(), label(row.what(), "keys-what"), label(row.mouse(), "keys-how"), label(row.keys(), "keys-how"));
+        }
+    }
+
+    private static Label label(String text, String styleClass) {
+        var label = new Label(text);
+        label.getStyleClass().add(styleClass);
+        label.setMinWidth(Region.USE_PREF_SIZE);
+        return label;
+    }
+}

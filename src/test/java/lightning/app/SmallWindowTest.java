@@ -1,0 +1,166 @@
+package lightning.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import javafx.geometry.Bounds;
+import javafx.geometry.Rectangle2D;
+import javafx.scene.Node;
+import javafx.scene.control.Labeled;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.control.SplitPane;
+import javafx.scene.input.KeyCode;
+import javafx.scene.layout.Region;
+import javafx.scene.text.Text;
+import javafx.stage.Stage;
+import lightning.edit.Command;
+import org.junit.jupiter.api.Test;
+import org.kordamp.ikonli.javafx.FontIcon;
+
+/** On a small screen, or a large one at twice the scale, nothing is out of reach. */
+class SmallWindowTest extends EditorDesk {
+
+    private void resize(double width, double height) {
+        robot.interact(() -> {
+            stage.setWidth(width);
+            stage.setHeight(height);
+        });
+        QuickRobot.settle();
+    }
+
+    private static Bounds onScreen(Node node) {
+        return node.localToScreen(node.getBoundsInLocal());
+    }
+
+    private Bounds window() {
+        return onScreen(stage.getScene().getRoot());
+    }
+
+    private List<Region> panes() {
+        return List.of("#traced", "#preview", "#lights", "#side").stream().map(id -> robot.lookup(id).<Region>query()).toList();
+    }
+
+    @Test
+    void everyPane_isWhollyInTheWindow() {
+        resize(960, 540);
+        for (Region pane : panes()) {
+            assertThat(window().contains(onScreen(pane))).as(pane.getId()).isTrue();
+            assertThat(pane.getWidth()).as(pane.getId()).isGreaterThan(150);
+            assertThat(pane.getHeight()).as(pane.getId()).isGreaterThan(80);
+        }
+    }
+
+    @Test
+    void everyControlOfAPanesHeader_isInThePane() {
+        resize(960, 540);
+        for (String pane : new String[] {"#traced", "#preview"}) {
+            Bounds all = onScreen(robot.lookup(pane).query());
+            Set<Node> controls = robot.from(robot.lookup(pane + " .pane-header").<Node>query()).lookup(Node::isFocusTraversable).queryAll();
+            assertThat(controls).hasSizeGreaterThan(4);
+            assertThat(controls.stream().filter(c -> c.isVisible() && !all.contains(onScreen(c))).map(Node::getId)).isEmpty();
+        }
+    }
+
+    @Test
+    void lastProperty_isReachedByScrolling() {
+        resize(960, 540);
+        ScrollPane scroll = robot.lookup("#properties .scroll-pane").query();
+        robot.interact(() -> scroll.setVvalue(1));
+        QuickRobot.settle();
+        Node last = robot.lookup("#ambience").query();
+        assertThat(onScreen(scroll)).as(onScreen(last) + " is in it").matches(b -> b.contains(onScreen(last)));
+        assertThat(window()).as(onScreen(last) + " is in it").matches(b -> b.contains(onScreen(last)));
+    }
+
+    @Test
+    void toolBar_keepsWhatHasNoRoomInItsOverflow() {
+        resize(860, 540);
+        Node overflow = robot.lookup("#toolbar .tool-bar-overflow-button").query();
+        assertThat(overflow.isVisible()).isTrue();
+        assertThat(window()).as(onScreen(overflow) + " is in it").matches(b -> b.contains(onScreen(overflow)));
+        assertThat(onScreen(overflow).getWidth()).isGreaterThan(8);
+        robot.clickOn(overflow);
+        assertThat(robot.lookup("#effects-panel").tryQuery()).isPresent();
+        robot.push(KeyCode.ESCAPE);
+    }
+
+    @Test
+    void growingBack_restoresEveryPane() {
+        resize(1000, 700);
+        List<Bounds> before = panes().stream().map(SmallWindowTest::onScreen).toList();
+        resize(860, 500);
+        resize(1000, 700);
+        List<Bounds> after = panes().stream().map(SmallWindowTest::onScreen).toList();
+        for (int i = 0; i < before.size(); i++) {
+            assertThat(after.get(i).getWidth()).as(panes().get(i).getId()).isCloseTo(before.get(i).getWidth(), within(2.0));
+            assertThat(after.get(i).getHeight()).as(panes().get(i).getId()).isCloseTo(before.get(i).getHeight(), within(2.0));
+        }
+    }
+
+    @Test
+    void window_hasASmallestSize() {
+        assertThat(stage.getMinWidth()).isBetween(600.0, 960.0);
+        assertThat(stage.getMinHeight()).isBetween(300.0, 540.0);
+        assertThat(robot.lookup(".split-pane").queryAllAs(SplitPane.class)).isNotEmpty();
+    }
+
+    @Test
+    void noLabelOfAHeader_isCut() {
+        for (double width : new double[] {1000, 960}) {
+            resize(width, 540);
+            robot.interact(() -> model().run(Command.VERIFY));
+            waitFor("it is verified", () -> isShown("difference"));
+            Set<String> cut = robot.lookup(n -> n instanceof Labeled && isIn(n, "pane-header", "tool-bar", "lights-tools"))
+                    .queryAllAs(Labeled.class).stream().filter(SmallWindowTest::isCut).map(Labeled::getText).collect(Collectors.toSet());
+            assertThat(cut).isEmpty();
+        }
+    }
+
+    @Test
+    void everyAccuracy_isReadInFull() {
+        for (Precision precision : Precision.values()) {
+            robot.interact(() -> model().precisionProperty().set(precision));
+            Set<String> cut = robot.lookup("#precision .label").queryAllAs(Labeled.class).stream().filter(SmallWindowTest::isCut).map(Labeled::getText).collect(Collectors.toSet());
+            assertThat(cut).isEmpty();
+        }
+    }
+
+    private static boolean isIn(Node node, String... classes) {
+        for (Node n = node; n != null; n = n.getParent()) {
+            if (n.getStyleClass().stream().anyMatch(Set.of(classes)::contains)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The text that is drawn is shorter than what it should be. */
+    private static boolean isCut(Labeled labeled) {
+        return labeled.isVisible() && labeled.getText() != null && labeled.getChildrenUnmodifiable().stream()
+                .anyMatch(n -> n instanceof Text t && !(n instanceof FontIcon) && !t.getText().equals(labeled.getText()));
+    }
+
+    @Test
+    void windowBesideTheEditors_isWhollyOnTheScreenAndScrolled() {
+        robot.push(KeyCode.F1);
+        QuickRobot.settle();
+        Node keys = robot.lookup("#keys").query();
+        Stage window = (Stage) keys.getScene().getWindow();
+        assertThat(window.getX()).isGreaterThanOrEqualTo(0);
+        assertThat(window.getY() + window.getHeight()).isLessThanOrEqualTo(1000);
+        assertThat(robot.from(keys).lookup("Rotate it").tryQuery()).isPresent();
+        assertThat(robot.from(keys).lookup("Ctrl+Z").tryQuery()).isPresent();
+        robot.push(KeyCode.ESCAPE);
+    }
+
+    @Test
+    void windowBeyondTheScreen_comesBack() {
+        var screen = new Rectangle2D(100, 50, 960, 540);
+        assertThat(OnScreen.within(screen, new Rectangle2D(900, -200, 400, 300))).isEqualTo(new Rectangle2D(660, 50, 400, 300));
+        assertThat(OnScreen.within(screen, new Rectangle2D(0, 400, 1600, 300))).isEqualTo(new Rectangle2D(100, 290, 960, 300));
+        assertThat(OnScreen.within(screen, new Rectangle2D(200, 100, 400, 300))).isEqualTo(new Rectangle2D(200, 100, 400, 300));
+    }
+}
