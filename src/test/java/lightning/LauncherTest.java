@@ -14,6 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The launcher script, with scripts in place of Java that say what they were called with. */
 @DisabledOnOs(OS.WINDOWS)
@@ -40,6 +42,7 @@ class LauncherTest {
                 .replace("/Library/Java", folder + "/Library");
         Files.writeString(launcher, withoutInstalledJava);
         assertThat(launcher.toFile().setExecutable(true)).isTrue();
+        Files.copy(Path.of("src/main/launcher/java.options"), launcher.resolveSibling("java.options"));
     }
 
     @Test
@@ -57,6 +60,50 @@ class LauncherTest {
         Path second = Files.createSymbolicLink(folder.resolve("second"), Path.of("elsewhere/first"));
         Result result = run(Map.of("JAVA_HOME", java), "", second);
         assertThat(result.out()).contains("[-Dlightning.home=" + folder.toRealPath() + "/installed here]");
+    }
+
+    @Test
+    void home_isFoundWhereCdpathHasAFolderOfTheSameName() throws Exception {
+        Path java = java("25", "printf '[%s]' \"$@\"");
+        Files.createDirectories(folder.resolve("elsewhere/installed here/bin"));
+        Result result = run(Map.of("JAVA_HOME", java, "CDPATH", folder.resolve("elsewhere")), "", Path.of("installed here/bin/lightning"));
+        assertThat(result.out()).contains("[-Dlightning.home=" + folder.toRealPath() + "/installed here]");
+    }
+
+    @Test
+    void colonInThePath_isRefusedInOneSentenceWithExitCode2() throws Exception {
+        Path java = java("25", "echo started");
+        Path there = Files.move(launcher.getParent().getParent(), folder.resolve("a:b"));
+        Result result = run(Map.of("JAVA_HOME", java), "", there.resolve("bin/lightning"));
+        assertThat(result).isEqualTo(new Result(2, "", "lightning: Java cannot run from a folder with ':' in its path, which is "
+                + there.toRealPath() + "; move or rename it.\n"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS", "_JAVA_OPTIONS"})
+    void collectorOfTheUsersOwn_takesThePlaceOfOurs(String variable) throws Exception {
+        Path options = Path.of("-XX:+UseSerialGC");
+        Result result = run(Map.of("JAVA_HOME", realJava(), variable, options), "", launcher, "--version");
+        // There is no program beside the launcher: Java itself got as far as to look for it.
+        assertThat(result.out() + result.err()).contains("lightning").doesNotContain("Conflicting", "does not start");
+    }
+
+    @Test
+    void optionsOfTheUsersThatJavaCannotStartWith_areRefusedWithExitCode2() throws Exception {
+        Result result = run(Map.of("JAVA_HOME", realJava(), "JAVA_TOOL_OPTIONS", Path.of("-XX:+NoSuchThing")), "", launcher);
+        assertThat(result.code()).isEqualTo(2);
+        assertThat(result.out()).isEmpty();
+        assertThat(result.err()).startsWith("lightning: Java does not start with JAVA_TOOL_OPTIONS").contains("NoSuchThing").hasLineCount(1);
+    }
+
+    @Test
+    void withoutOptionsOfTheUsersOwn_javaIsStartedOnce() throws Exception {
+        Path java = java("25", "echo started");
+        assertThat(run(Map.of("JAVA_HOME", java), "", launcher).out()).isEqualTo("started\n");
+    }
+
+    private static Path realJava() {
+        return Path.of(System.getProperty("java.home"));
     }
 
     @Test
@@ -151,6 +198,7 @@ class LauncherTest {
         builder.environment().put("HOME", folder.toString());
         builder.environment().put("PATH", toolsWithoutJava().toString());
         variables.forEach((name, value) -> builder.environment().put(name, value.toString()));
+        builder.directory(folder.toFile());
         Process process = builder.start();
         return new Result(process.waitFor(), Files.readString(out), Files.readString(err));
     }
