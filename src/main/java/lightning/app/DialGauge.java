@@ -1,5 +1,6 @@
 package lightning.app;
 
+import java.util.Locale;
 import java.util.Optional;
 import lightning.app.widget.ArrowWidget;
 import lightning.app.widget.Gauge;
@@ -16,7 +17,7 @@ record DialGauge(EditorModel model, Dial dial) implements Gauge {
     /** The arrow widget of a dial, which follows the model. */
     static ArrowWidget widget(EditorModel model, Dial dial, String label) {
         ArrowWidget widget = new ArrowWidget(label, dial.title(), new DialGauge(model, dial));
-        widget.setId(dial.name().toLowerCase());
+        widget.setId(dial.name().toLowerCase(Locale.ROOT));
         model.situationProperty().subscribe(now -> show(now, dial, widget));
         return widget;
     }

@@ -2,6 +2,7 @@ package lightning.app;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import javafx.scene.chart.NumberAxis;
@@ -9,6 +10,7 @@ import javafx.scene.chart.ScatterChart;
 import javafx.scene.chart.XYChart;
 import javafx.scene.control.Label;
 import javafx.scene.layout.Region;
+import javafx.util.converter.NumberStringConverter;
 import lightning.accuracy.Ladder;
 import lightning.accuracy.Rung;
 
@@ -39,6 +41,8 @@ final class LadderChart extends ScatterChart<Number, Number> {
         axis.setForceZeroInRange(true);
         axis.setAnimated(false);
         axis.setMinorTickVisible(false);
+        // The axis's own would write in the default locale.
+        axis.setTickLabelFormatter(new NumberStringConverter(Locale.ROOT, "#,##0.######"));
         return axis;
     }
 

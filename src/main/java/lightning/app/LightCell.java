@@ -1,5 +1,6 @@
 package lightning.app;
 
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import javafx.css.PseudoClass;
@@ -101,7 +102,7 @@ final class LightCell extends ListCell<Light> {
         bulb.setIconCode(LightTypes.bulb(light.on()));
         describe(on, light.name() + " on", light.on() ? "Switch off" : "Switch on");
         showShining();
-        setAccessibleText(light.name() + ", " + LightTypes.title(light.type()).toLowerCase() + " light"
+        setAccessibleText(light.name() + ", " + LightTypes.title(light.type()).toLowerCase(Locale.ROOT) + " light"
                 + (light.on() ? "" : ", off") + (light.solo() ? ", solo" : ""));
     }
 

@@ -1,5 +1,6 @@
 package lightning.app;
 
+import java.util.Locale;
 import javafx.util.StringConverter;
 import lightning.scene.LightType;
 import org.kordamp.ikonli.Ikon;
@@ -17,7 +18,7 @@ final class LightTypes {
 
         @Override
         public LightType fromString(String text) {
-            return LightType.valueOf(text.toUpperCase());
+            return LightType.valueOf(text.toUpperCase(Locale.ROOT));
         }
     };
 

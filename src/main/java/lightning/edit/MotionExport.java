@@ -2,6 +2,7 @@ package lightning.edit;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
@@ -50,7 +51,7 @@ public record MotionExport(Scene scene, String light, MotionPath path, int pictu
     /** The name of one picture's file: {@code name-0001.png} for the first. */
     public String file(String name, int number) {
         int digits = Math.max(LEAST_DIGITS, Integer.toString(pictures).length());
-        return name + "-" + String.format("%0" + digits + "d", number + 1) + ".png";
+        return name + "-" + String.format(Locale.ROOT, "%0" + digits + "d", number + 1) + ".png";
     }
 
     /**

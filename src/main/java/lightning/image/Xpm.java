@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.apache.commons.imaging.bytesource.ByteSource;
@@ -39,8 +40,8 @@ final class Xpm {
     static void write(OutputStream out, int width, int height, int[] pixels) throws IOException {
         int[] palette = Arrays.stream(pixels).map(pixel -> pixel & 0xFFFFFF).sorted().distinct().toArray();
         int characters = charactersFor(palette.length);
-        text(out, "/* XPM */\nstatic char *picture[] = {\n\"%d %d %d %d\",\n"
-                .formatted(width, height, palette.length, characters));
+        text(out, String.format(Locale.ROOT, "/* XPM */\nstatic char *picture[] = {\n\"%d %d %d %d\",\n", width, height, palette.length,
+                characters));
         byte[] name = new byte[characters];
         for (int i = 0; i < palette.length; i++) {
             name(i, name, 0, characters);

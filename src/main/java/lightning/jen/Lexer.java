@@ -1,5 +1,6 @@
 package lightning.jen;
 
+import java.util.Locale;
 import lightning.text.Decimal;
 import lightning.text.Quote;
 
@@ -109,6 +110,6 @@ final class Lexer {
 
     private static String shown(int c) {
         boolean visible = c > ' ' && c < 0x7F || Character.isLetterOrDigit(c);
-        return visible ? Quote.of(Character.toString(c)) : "U+%04X".formatted(c);
+        return visible ? Quote.of(Character.toString(c)) : String.format(Locale.ROOT, "U+%04X", c);
     }
 }

@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
 import java.nio.charset.CoderResult;
 import java.nio.charset.StandardCharsets;
+import java.util.Locale;
 
 /**
  * The characters of a scene file and their places.
@@ -27,8 +28,8 @@ record Source(String name, String text) {
             if (result.isUnderflow()) {
                 return new Source(name, out.flip().toString());
             }
-            problems.add(out.position(), "the file must be UTF-8 text, found the malformed byte 0x%02X"
-                    .formatted(in.get(in.position())));
+            problems.add(out.position(), String.format(Locale.ROOT,
+                    "the file must be UTF-8 text, found the malformed byte 0x%02X", in.get(in.position())));
             in.position(in.position() + result.length());
             out.put(REPLACEMENT);
         }
@@ -41,7 +42,7 @@ record Source(String name, String text) {
                 if (Character.isSupplementaryCodePoint(text.codePointAt(i))) {
                     i++;
                 } else {
-                    problems.add(i, "found half of a character, U+%04X".formatted((int) text.charAt(i)));
+                    problems.add(i, String.format(Locale.ROOT, "found half of a character, U+%04X", (int) text.charAt(i)));
                 }
             }
         }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
 import javafx.geometry.Pos;
@@ -107,7 +108,7 @@ class PropertyPaneTest {
     void everyDial_showsAndSetsItsNumber(FxRobot robot) {
         for (Dial dial : List.of(Dial.INTENSITY, Dial.ANGLE, Dial.DROPOFF, Dial.CONSTANT, Dial.LINEAR, Dial.QUADRATIC,
                 Dial.AMBIENCE)) {
-            type(robot, dial.name().toLowerCase(), "1.5");
+            type(robot, dial.name().toLowerCase(Locale.ROOT), "1.5");
             assertThat(dial.value(model.scene(), OpenEditor.SPOT)).as(dial.title()).isEqualTo(1.5);
         }
     }

@@ -7,6 +7,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -37,7 +38,7 @@ class InterruptTest {
             line.addAll(List.of("--set", "sun.intensity=" + edit, "--then"));
         }
         Process process = new ProcessBuilder(line).redirectErrorStream(true).start();
-        try (var out = new BufferedReader(new InputStreamReader(process.getInputStream()))) {
+        try (var out = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
             // The first pass is done; so many edits keep it at work for long.
             assertThat(out.lines().anyMatch(text -> text.startsWith("first pass"))).isTrue();
             // Process.destroy would close the streams too.
@@ -63,7 +64,7 @@ class InterruptTest {
                     out.write(new byte[1_000_000]);
                 });
             } catch (IOException e) {
-                var print = new PrintStream(err, true);
+                var print = new PrintStream(err, true, StandardCharsets.UTF_8);
                 exit[0] = Complaint.report(new Console(print, print, false), e);
             }
         });

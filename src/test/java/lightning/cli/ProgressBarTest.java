@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 
@@ -12,7 +13,7 @@ class ProgressBarTest {
     private final AtomicLong clock = new AtomicLong(-5_000_000_000L);
 
     private ProgressBar bar(boolean terminal) {
-        var print = new PrintStream(screen, true);
+        var print = new PrintStream(screen, true, StandardCharsets.UTF_8);
         return new ProgressBar(new Console(print, print, terminal), "tracing", clock::get);
     }
 
@@ -26,7 +27,7 @@ class ProgressBarTest {
             pass(0.9);
             bar.tiles(5, 10);
         }
-        assertThat(screen.toString()).isEmpty();
+        assertThat(screen.toString(StandardCharsets.UTF_8)).isEmpty();
     }
 
     @Test
@@ -34,7 +35,7 @@ class ProgressBarTest {
         ProgressBar bar = bar(true);
         pass(2);
         bar.tiles(25, 100);
-        assertThat(screen.toString()).endsWith("tracing [#######-----------------------]  25 %, 6 s left");
+        assertThat(screen.toString(StandardCharsets.UTF_8)).endsWith("tracing [#######-----------------------]  25 %, 6 s left");
     }
 
     @Test
@@ -57,7 +58,7 @@ class ProgressBarTest {
             pass(20);
             bar.tiles(5, 10);
         }
-        assertThat(screen.toString()).isEmpty();
+        assertThat(screen.toString(StandardCharsets.UTF_8)).isEmpty();
     }
 
     @Test
@@ -66,7 +67,7 @@ class ProgressBarTest {
             pass(2);
             bar.tiles(5, 10);
         }
-        assertThat(screen.toString()).endsWith("left\r\u001b[K");
+        assertThat(screen.toString(StandardCharsets.UTF_8)).endsWith("left\r\u001b[K");
     }
 
     @Test

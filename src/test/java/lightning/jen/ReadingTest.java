@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
@@ -213,10 +214,10 @@ class ReadingTest {
         String open = "group g%d {";
         StringBuilder text = new StringBuilder("jen 1 ");
         for (int i = 0; i < Limits.MAX_NESTING; i++) {
-            text.append(open.formatted(i));
+            text.append(String.format(Locale.ROOT, open, i));
         }
         assertThat(read(text + "}".repeat(Limits.MAX_NESTING)).nodes()).hasSize(1);
-        text.append(open.formatted(99));
+        text.append(String.format(Locale.ROOT, open, 99));
         assertThat(problems(text + "}".repeat(Limits.MAX_NESTING + 1))).singleElement().asString().contains("nested 32 deep");
     }
 

@@ -1,5 +1,6 @@
 package lightning.app.widget;
 
+import java.util.Locale;
 import java.util.Optional;
 import javafx.scene.AccessibleRole;
 import javafx.scene.Cursor;
@@ -61,7 +62,7 @@ final class ColorSquare extends Region {
             drawnHue = color.hue();
             draw();
         }
-        setAccessibleHelp(String.format("saturation %.2f, value %.2f", color.saturation(), color.value()));
+        setAccessibleHelp(String.format(Locale.ROOT, "saturation %.2f, value %.2f", color.saturation(), color.value()));
         requestLayout();
     }
 

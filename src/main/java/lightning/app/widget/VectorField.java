@@ -2,6 +2,7 @@ package lightning.app.widget;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
@@ -44,7 +45,7 @@ public final class VectorField extends VBox {
         String name = title + " " + axis;
         NumberField field = new NumberField(name, Gauge.of(name, STEPS, (v, _) -> setter.set(v)));
         HBox.setHgrow(field, Priority.ALWAYS);
-        Label label = new Label(axis.toUpperCase());
+        Label label = new Label(axis.toUpperCase(Locale.ROOT));
         label.setLabelFor(field);
         label.getStyleClass().addAll("axis", "axis-" + axis);
         fields.add(field);

@@ -45,7 +45,7 @@ enum Ink {
     /** What the page calls a colour of a chart; the colour itself if it is none of these. */
     static String variable(int red, int green, int blue) {
         Ink ink = BY_COLOR.get(red << 16 | green << 8 | blue);
-        return ink == null ? String.format("rgb(%d,%d,%d)", red, green, blue) : ink.variable();
+        return ink == null ? String.format(Locale.ROOT, "rgb(%d,%d,%d)", red, green, blue) : ink.variable();
     }
 
     static Ink of(Level level) {

@@ -1,7 +1,9 @@
 package lightning.bench.report;
 
 import java.awt.BasicStroke;
+import java.text.NumberFormat;
 import java.util.List;
+import java.util.Locale;
 import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.axis.NumberTickUnit;
 import org.jfree.chart.labels.CategoryItemLabelGenerator;
@@ -52,7 +54,7 @@ final class ShareChart {
         }
         NumberAxis axis = new NumberAxis();
         axis.setRange(0, Math.min(most, MOST) * 1.2);
-        axis.setTickUnit(new NumberTickUnit(most > 150 ? 50 : 20));
+        axis.setTickUnit(new NumberTickUnit(most > 150 ? 50 : 20, NumberFormat.getIntegerInstance(Locale.ROOT)));
         CategoryPlot plot = PlotLook.rows(axis);
         plot.setDataset(0, shares);
         plot.setRenderer(0, bars());

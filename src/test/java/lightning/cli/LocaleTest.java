@@ -1,0 +1,87 @@
+package lightning.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+import lightning.sample.DefaultLocale;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** All commands under locales whose digits (Egypt), upper and lower case (Turkey) or decimal point (Germany) are not those of English. */
+class LocaleTest {
+    @TempDir
+    private Path folder;
+
+    static Stream<Locale> locales() {
+        return Stream.of(Locale.of("ar", "EG"), Locale.of("tr", "TR"), Locale.GERMANY);
+    }
+
+    @ParameterizedTest
+    @MethodSource("locales")
+    void filesAndWords_areTheSameInEveryLocale(Locale locale) throws Exception {
+        Path scene = Cli.scene(folder);
+        Path here = Files.createDirectory(folder.resolve("here"));
+        Path abroad = Files.createDirectory(folder.resolve("abroad"));
+        List<String> expected = DefaultLocale.during(Locale.ROOT, () -> exactCommands(scene, here));
+        assertThat(DefaultLocale.during(locale, () -> exactCommands(scene, abroad))).isEqualTo(expected);
+        assertThat(names(here)).hasSizeGreaterThan(6).isEqualTo(names(abroad));
+        for (String file : names(here)) {
+            assertThat(abroad.resolve(file)).hasSameBinaryContentAs(here.resolve(file));
+        }
+    }
+
+    /** What commands say that measure nothing; folders and times taken out. */
+    private static List<String> exactCommands(Path scene, Path to) {
+        List<String> said = new ArrayList<>();
+        run(said, to, "check", scene);
+        for (String picture : List.of("a.xpm", "a.png", "a.pfm")) {
+            run(said, to, "render", scene, "-o", to.resolve(picture), "--antialias", "edges", "--samples", "2");
+        }
+        run(said, to, "relight", scene, "-o", to.resolve("b.png"), "--accuracy", "ratio", "--reflections", "current", "--storage", "shapes",
+                "--set", "lamp.intensity=0.25", "--then", "--set", "lamp.type=directional", "--verify", "--save", to.resolve("b.jen"));
+        run(said, to, "compare", to.resolve("a.png"), to.resolve("b.png"), "-o", to.resolve("d.png"));
+        run(said, to, "explain", scene, "20,20");
+        run(said, to, "export", scene, "-o", to.resolve("a.pov"));
+        assertThat(said).allMatch(text -> text.startsWith("0\n"));
+        run(said, to, "check", to.resolve("missing.jen"));
+        run(said, to, "RENDER");
+        run(said, to, "--help");
+        return said;
+    }
+
+    private static void run(List<String> said, Path folder, Object... arguments) {
+        Cli done = Cli.run(arguments);
+        said.add(done.exit() + "\n" + (done.out() + done.err()).replace(folder.toString(), "FOLDER").replaceAll("\\d+\\.\\d+|-?\\d\\.\\d %", "TIME"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("locales")
+    void measurements_areWrittenInPlainDigits(Locale locale) throws Exception {
+        Path scene = Cli.scene(folder);
+        List<String> texts = DefaultLocale.during(locale, () -> List.of(
+                Cli.run("tour", scene, "-o", folder.resolve("tour"), "--size", "24x16", "--repetitions", "1").isDone().out(),
+                Cli.run("effects", scene, "--repetitions", "1").isDone().out(),
+                Cli.run("bench", scene, "-o", folder.resolve("bench"), "--quick", "--repetitions", "1", "--size", "24x16").isDone().out(),
+                read("bench/report.html"), read("bench/results.csv"), read("bench/results.json")));
+        assertThat(texts).allSatisfy(text -> assertThat(text).containsPattern("[0-9]").doesNotContainPattern("[\\p{Nd}&&[^0-9]]"));
+        assertThat(texts.get(3)).containsPattern("<svg class=\"chart\" viewBox=\"0 0 [0-9]+ [0-9]+\" style=\"max-width:[0-9]+px\"");
+    }
+
+    private String read(String file) throws IOException {
+        return Files.readString(folder.resolve(file), StandardCharsets.UTF_8);
+    }
+
+    private static List<String> names(Path folder) throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString()).sorted().toList();
+        }
+    }
+}
