@@ -12,6 +12,7 @@ import lightning.accuracy.BrokenPromise;
 import lightning.accuracy.LadderMeter;
 import lightning.accuracy.PaperCase;
 import lightning.accuracy.PaperCases;
+import lightning.relight.PictureTooLarge;
 import lightning.shading.Progress;
 import lightning.shading.Workers;
 
@@ -148,6 +149,8 @@ public final class Harness {
             part.work().measure(progress);
         } catch (BrokenPromise e) {
             ledger.problem(new Problem(Problem.Kind.BROKEN, part.where(), e.getMessage()));
+        } catch (PictureTooLarge e) {
+            ledger.problem(new Problem(Problem.Kind.UNMEASURED, part.where(), e.getMessage()));
         } catch (OutOfMemoryError e) {
             ledger.problem(new Problem(Problem.Kind.UNMEASURED, part.where(), "there is not enough memory for it"));
         }

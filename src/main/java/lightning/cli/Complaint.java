@@ -8,6 +8,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.util.concurrent.CancellationException;
 import lightning.jen.JenException;
+import lightning.relight.PictureTooLarge;
 import lightning.text.Quote;
 
 /** Turns whatever went wrong into sentences and an exit code; the only place that does. */
@@ -26,6 +27,7 @@ final class Complaint {
             }
             case BadInput e -> sentence(console, e.getMessage());
             case IOException e -> sentence(console, sentence(e));
+            case PictureTooLarge e -> sentence(console, e.getMessage());
             case OutOfMemoryError _ -> sentence(console, "there is not enough memory for this picture; ask for a smaller --size, "
                     + "or give Java more with JAVA_TOOL_OPTIONS=-Xmx8g");
             default -> sentence(console, "an error of the program itself, not of your input: " + problem

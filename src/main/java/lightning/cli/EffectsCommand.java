@@ -9,6 +9,7 @@ import lightning.accuracy.PaperCase;
 import lightning.accuracy.PaperCases;
 import lightning.cache.PixelCache;
 import lightning.effects.Effects;
+import lightning.relight.MemoryNeed;
 import lightning.relight.Options;
 import lightning.relight.Renderer;
 import lightning.scene.Scene;
@@ -53,6 +54,7 @@ final class EffectsCommand implements Callable<Integer> {
         Scene scene = picture.apply(input.read().scene());
         Scene after = edited(scene);
         Options options = Options.DEFAULT.withThreads(threads.count());
+        MemoryNeed.check(scene, options);
         try (Renderer renderer = new Renderer(options); ProgressBar bar = new ProgressBar(console, "effects")) {
             EffectCosts costs = EffectCosts.of(scene, after, options, repetitions.count(), bar);
             renderer.render(scene, bar.silent());

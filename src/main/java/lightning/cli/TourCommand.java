@@ -18,6 +18,7 @@ import lightning.cli.pov.PovScene;
 import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
+import lightning.relight.MemoryNeed;
 import lightning.relight.Options;
 import lightning.relight.Reflections;
 import lightning.scene.Scene;
@@ -78,6 +79,7 @@ final class TourCommand implements Callable<Integer> {
         Path file = scene == null ? bird() : scene;
         Scene read = SceneFile.read(file).scene();
         Scene sized = read.withPicture(read.picture().withSize(size.width(), size.height()));
+        MemoryNeed.check(sized, Options.DEFAULT.withThreads(threads.count()));
         Optional<PovRay> pov = povray ? PovRay.find() : Optional.empty();
         if (povray && pov.isEmpty()) {
             throw new BadInput("--povray: there is no program povray on the PATH; install POV-Ray 3.7 (Debian package povray)");

@@ -81,6 +81,7 @@ public final class Renderer implements AutoCloseable {
     /**
      * Makes the film show the wanted scene.
      *
+     * @throws PictureTooLarge if it needs a first pass that does not fit into memory; everything is then as before the call
      * @throws CancellationException if {@code progress} asked to stop; everything
      *         is then as before the call
      */
@@ -207,6 +208,7 @@ public final class Renderer implements AutoCloseable {
     }
 
     private Work firstPass(Scene wanted, Progress progress) {
+        MemoryNeed.check(wanted, options);
         boolean coding = wanted.picture().sampling().antialias() == Antialias.EDGES;
         // Anti-aliasing looks into mirrors for edges, so what mirrors nothing must not be followed then.
         boolean everyMirror = options.view().forces(Effect.REFLECTION) && !coding;

@@ -1,0 +1,101 @@
+package lightning.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.data.Percentage.withPercentage;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import lightning.cache.PixelCache;
+import lightning.jen.JenException;
+import lightning.jen.JenReader;
+import lightning.scene.Antialias;
+import lightning.scene.Picture;
+import lightning.scene.Sampling;
+import lightning.scene.Scene;
+import lightning.shading.Progress;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Memory reckoned beforehand, against what pictures then take. */
+class MemoryNeedTest {
+    private static final Options OPTIONS = Options.DEFAULT.withThreads(1);
+
+    private static Scene balls(int width, int height, Antialias antialias, int grid) throws IOException, JenException {
+        Scene scene = JenReader.read(Path.of("scenes/balls.jen")).scene();
+        return scene.withPicture(new Picture(width, height, scene.picture().depth()).withSampling(new Sampling(antialias, grid)));
+    }
+
+    /** Rows, layers, samples and films of a first pass. */
+    private static long taken(Scene scene, Options options) {
+        try (Renderer renderer = new Renderer(options)) {
+            renderer.render(scene, Progress.NONE);
+            PixelCache cache = renderer.cache();
+            long film = scene.picture().sampling().isFine() ? 12L * scene.picture().width() * scene.picture().height() : 0;
+            return cache.bytes() + cache.all().size() * 12L * 1024 + film;
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(Antialias.class)
+    void most_isNeverExceeded(Antialias antialias) throws Exception {
+        for (Accuracy accuracy : Accuracy.values()) {
+            for (MirrorStorage storage : MirrorStorage.values()) {
+                Options options = OPTIONS.withAccuracy(accuracy).withStorage(storage);
+                Scene scene = balls(96, 64, antialias, 3);
+                assertThat(taken(scene, options)).isLessThanOrEqualTo(MemoryNeed.most(scene, options));
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(Antialias.class)
+    void expected_isNearToWhatIsTaken(Antialias antialias) throws Exception {
+        Scene scene = balls(640, 448, antialias, 2);
+        // Small pictures have part of their tiles empty, and know edges of a few pixels only.
+        assertThat(MemoryNeed.expected(scene, OPTIONS)).isCloseTo(taken(scene, OPTIONS), withPercentage(25));
+    }
+
+    @Test
+    void pictureThatDoesNotFit_isRefusedWithASizeThatDoes() throws Exception {
+        long available = 1_000_000_000;
+        Scene huge = balls(16384, 16384, Antialias.EVERY, 8);
+        assertThatThrownBy(() -> MemoryNeed.check(huge, OPTIONS, available)).isInstanceOf(PictureTooLarge.class)
+                .hasMessageMatching("the picture needs about \\d{3,4}\\.\\d GB of memory and may have 1\\.0 GB; it would fit with a size of .+")
+                .satisfies(e -> {
+                    Matcher size = Pattern.compile("(\\d+)x(\\d+)").matcher(e.getMessage());
+                    assertThat(size.find()).isTrue();
+                    Picture smaller = huge.picture().withSize(Integer.parseInt(size.group(1)), Integer.parseInt(size.group(2)));
+                    MemoryNeed.check(huge.withPicture(smaller), OPTIONS, available);
+                });
+    }
+
+    @Test
+    void fewerSamples_areNamedWhereTheyFit() throws Exception {
+        Scene fine = balls(1920, 1080, Antialias.EVERY, 8);
+        assertThatThrownBy(() -> MemoryNeed.check(fine, OPTIONS, 2_500_000_000L)).hasMessageContaining("samples (--samples ");
+    }
+
+    @Test
+    void pictureThatFitsAlthoughTheFormulaFears_isNotRefused() throws Exception {
+        Scene scene = balls(1920, 1080, Antialias.EDGES, 8);
+        long available = 2_500_000_000L;
+        assertThat(MemoryNeed.most(scene, OPTIONS)).isGreaterThan(available);
+        assertThatCode(() -> MemoryNeed.check(scene, OPTIONS, available)).doesNotThrowAnyException();
+    }
+
+    @Test
+    void rendererRefusesBeforeItWorks_andKeepsItsPicture() throws Exception {
+        Scene small = balls(64, 48, Antialias.OFF, 2);
+        try (Renderer renderer = new Renderer(OPTIONS)) {
+            renderer.render(small, Progress.NONE);
+            Scene huge = balls(16384, 16384, Antialias.EVERY, 8);
+            assertThatThrownBy(() -> renderer.render(huge, Progress.NONE)).isInstanceOf(PictureTooLarge.class);
+            assertThat(renderer.scene()).isEqualTo(small);
+        }
+    }
+}
