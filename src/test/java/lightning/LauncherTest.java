@@ -102,6 +102,18 @@ class LauncherTest {
         assertThat(run(Map.of("JAVA_HOME", java), "", launcher).out()).isEqualTo("started\n");
     }
 
+    @Test
+    void localeWithoutLetters_becomesOneOfUtf8() throws Exception {
+        Path java = java("25", "printf '%s' \"$LC_ALL\"");
+        assertThat(run(Map.of("JAVA_HOME", java, "LC_ALL", Path.of("C")), "", launcher).out()).isEqualTo("C.UTF-8");
+    }
+
+    @Test
+    void localeWithLetters_isKept() throws Exception {
+        Path java = java("25", "printf '%s' \"$LC_ALL\"");
+        assertThat(run(Map.of("JAVA_HOME", java, "LC_ALL", Path.of("de_DE.UTF-8")), "", launcher).out()).isEqualTo("de_DE.UTF-8");
+    }
+
     private static Path realJava() {
         return Path.of(System.getProperty("java.home"));
     }

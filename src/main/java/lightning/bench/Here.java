@@ -4,12 +4,17 @@ import com.sun.management.OperatingSystemMXBean;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.net.URISyntaxException;
-import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import jdk.incubator.vector.FloatVector;
 
 /** The machine and the program that run now. */
 final class Here {
+    private static final String UNKNOWN = "unknown";
+    private static final long PATIENCE_SECONDS = 5;
+
     private Here() {}
 
     static Machine machine() {
@@ -20,19 +25,57 @@ final class Here {
                 Runtime.getRuntime().maxMemory(), System.getProperty("java.vm.name") + " " + Runtime.version());
     }
 
-    /** The commit that the program was built from, if it still lies in its repository; else {@code unknown}. */
+    /** The commit that the program was built from, if it still lies in its own repository; else {@code unknown}. */
     static String commit() {
         try {
-            Path program = Path.of(Here.class.getProtectionDomain().getCodeSource().getLocation().toURI()).getParent();
-            Process git = new ProcessBuilder("git", "describe", "--always", "--dirty").directory(program.toFile())
-                    .redirectError(ProcessBuilder.Redirect.DISCARD).start();
-            String said = new String(git.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip();
-            return git.waitFor() == 0 && !said.isEmpty() ? said : "unknown";
-        } catch (IOException | URISyntaxException e) {
-            return "unknown";
+            return commit(Path.of(Here.class.getProtectionDomain().getCodeSource().getLocation().toURI()));
+        } catch (URISyntaxException e) {
+            return UNKNOWN;
+        }
+    }
+
+    /** @param program the program's jar or classes */
+    static String commit(Path program) {
+        Optional<Path> repository = repository(program);
+        return repository.isEmpty() ? UNKNOWN : describe(repository.get());
+    }
+
+    /** The nearest folder around it with Maven's project of this program and Git's folder: another's says nothing of this program. */
+    private static Optional<Path> repository(Path program) {
+        for (Path folder = program.toAbsolutePath().getParent(); folder != null; folder = folder.getParent()) {
+            if (Files.exists(folder.resolve(".git"))) {
+                return Files.isRegularFile(folder.resolve("src/main/java/lightning/Main.java")) ? Optional.of(folder) : Optional.empty();
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static String describe(Path repository) {
+        try {
+            // Into a file, not a pipe: a pipe would be read until the process ends, however long that takes.
+            Path said = Files.createTempFile("lightning", ".commit");
+            try {
+                return describe(repository, said);
+            } finally {
+                Files.deleteIfExists(said);
+            }
+        } catch (IOException e) {
+            return UNKNOWN;
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            return "unknown";
+            return UNKNOWN;
+        }
+    }
+
+    private static String describe(Path repository, Path said) throws IOException, InterruptedException {
+        Process git = new ProcessBuilder("git", "describe", "--always", "--dirty").directory(repository.toFile())
+                .redirectOutput(said.toFile()).redirectError(ProcessBuilder.Redirect.DISCARD).start();
+        try {
+            boolean ended = git.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            String commit = ended && git.exitValue() == 0 ? Files.readString(said).strip() : "";
+            return commit.isEmpty() ? UNKNOWN : commit;
+        } finally {
+            git.destroyForcibly();
         }
     }
 }

@@ -23,6 +23,8 @@ import tools.jackson.dataformat.csv.CsvMapper;
 public final class ResultsFile {
     /** A line for each property, so that two results can be compared by eye; spaces before it would double the file. */
     private static final DefaultIndenter LINES = new DefaultIndenter("", "\n");
+    /** Results of a full run have some MB. */
+    private static final long MOST_BYTES = 200_000_000;
     private static final JsonMapper JSON = JsonMapper.builder()
             .disable(MapperFeature.SORT_PROPERTIES_ALPHABETICALLY)
             .enable(SerializationFeature.INDENT_OUTPUT)
@@ -50,6 +52,12 @@ public final class ResultsFile {
      * @throws IOException if the file cannot be read, or holds no results; the message says where and why
      */
     public static Results readJson(Path file) throws IOException {
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
+            throw new IOException(file + ": is no file, expected results of 'lightning bench'");
+        }
+        if (Files.exists(file) && Files.size(file) > MOST_BYTES) {
+            throw new IOException(file + ": no results of 'lightning bench': they have at most " + MOST_BYTES + " bytes, it has " + Files.size(file));
+        }
         try {
             return JSON.readValue(Files.readAllBytes(file), Results.class);
         } catch (JacksonException e) {

@@ -1,5 +1,6 @@
 package lightning.bench;
 
+import java.util.Objects;
 import lightning.accuracy.Level;
 import lightning.accuracy.PictureError;
 
@@ -13,4 +14,11 @@ import lightning.accuracy.PictureError;
  * @param difference the file of the false-colour picture of its difference to the full trace; null where none was
  *                   written or there is none
  */
-public record RungResult(Level level, Samples time, double saving, PictureError error, Work work, String picture, String difference) {}
+public record RungResult(Level level, Samples time, double saving, PictureError error, Work work, String picture, String difference) {
+    public RungResult {
+        // Results that are read may lack anything, and would be missed only after all was measured.
+        Objects.requireNonNull(level, "a level is missing");
+        Objects.requireNonNull(time, "a time is missing");
+        Objects.requireNonNull(error, "an error is missing");
+    }
+}

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
+import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.util.concurrent.CancellationException;
@@ -25,10 +26,12 @@ final class Complaint {
                 e.problems().forEach(p -> console.complain(p.toString()));
                 yield ExitCode.BAD_INPUT;
             }
+            case InvalidPathException e -> sentence(console, "the name '" + e.getInput() + "' cannot be a file's here: " + e.getReason()
+                    + "; where it has letters beyond ASCII, start with a locale of UTF-8, as LC_ALL=C.UTF-8");
             case BadInput e -> sentence(console, e.getMessage());
             case IOException e -> sentence(console, sentence(e));
             case PictureTooLarge e -> sentence(console, e.getMessage());
-            case OutOfMemoryError _ -> sentence(console, "there is not enough memory for this picture; ask for a smaller --size, "
+            case OutOfMemoryError _ -> sentence(console, "there is not enough memory; ask for a smaller --size where the picture is large, "
                     + "or give Java more with JAVA_TOOL_OPTIONS=-Xmx8g");
             default -> sentence(console, "an error of the program itself, not of your input: " + problem
                     + place(problem) + "; please report it with the command and the scene");

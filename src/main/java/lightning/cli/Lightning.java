@@ -2,10 +2,13 @@ package lightning.cli;
 
 import java.io.PrintStream;
 import java.io.PrintWriter;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import lightning.text.Quote;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Runs the command that the arguments name. */
@@ -27,8 +30,12 @@ public final class Lightning {
         try {
             CommandLine commands = commands(console);
             int exit = isUnknown(commands, args) ? unknownCommand(console, commands, args[0]) : commands.execute(args);
-            out.flush();
             err.flush();
+            // PrintStream keeps its errors to itself; checkError flushes too.
+            if (out.checkError()) {
+                console.err().println("lightning: the results could not be written to the standard output; is its device full or closed?");
+                return exit == ExitCode.DONE ? ExitCode.BAD_INPUT : exit;
+            }
             return exit;
         } catch (Throwable e) {
             // Whatever it is, a user gets a sentence.
@@ -49,6 +56,7 @@ public final class Lightning {
                 .addSubcommand(new CompareCommand(console));
         NumberOptions.register(commands);
         return commands
+                .registerConverter(Path.class, Lightning::path)
                 .setOut(writer(console.out()))
                 .setErr(writer(console.err()))
                 .setColorScheme(CommandLine.Help.defaultColorScheme(console.terminal() ? Ansi.AUTO : Ansi.OFF))
@@ -56,6 +64,15 @@ public final class Lightning {
                 .setCaseInsensitiveEnumValuesAllowed(true)
                 .setExecutionExceptionHandler((e, _, _) -> Complaint.report(console, e))
                 .setParameterExceptionHandler((e, _) -> badUsage(console, e));
+    }
+
+    private static Path path(String text) {
+        try {
+            return Path.of(text);
+        } catch (InvalidPathException e) {
+            throw new TypeConversionException("'" + text + "' cannot be a file's name here: " + e.getReason()
+                    + "; where it has letters beyond ASCII, start with a locale of UTF-8, as LC_ALL=C.UTF-8");
+        }
     }
 
     /** A word that is neither a command nor a scene; picocli would complain about what follows it. */

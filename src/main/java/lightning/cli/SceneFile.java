@@ -27,6 +27,9 @@ final class SceneFile {
         if (Files.isDirectory(path)) {
             throw new BadInput(Quote.path(path) + ": is a folder, expected a .jen file");
         }
+        if (Files.exists(path) && !Files.isRegularFile(path)) {
+            throw new BadInput(path + ": is no file but a pipe or a device, expected a .jen file");
+        }
         return JenReader.read(path);
     }
 }
