@@ -3,6 +3,7 @@ package lightning;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -94,6 +95,14 @@ class LauncherTest {
         assertThat(result.code()).isEqualTo(2);
         assertThat(result.out()).isEmpty();
         assertThat(result.err()).startsWith("lightning: Java does not start with JAVA_TOOL_OPTIONS").contains("NoSuchThing").hasLineCount(1);
+    }
+
+    @Test
+    void optionsOfTheProgram_areTakenByJava() throws Exception {
+        Process java = new ProcessBuilder(realJava().resolve("bin/java").toString(), "@src/main/launcher/java.options", "-version")
+                .redirectErrorStream(true).start();
+        assertThat(new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8)).doesNotContain("Unrecognized", "warning");
+        assertThat(java.waitFor()).isZero();
     }
 
     @Test
