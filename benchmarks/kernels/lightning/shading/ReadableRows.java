@@ -5,7 +5,7 @@ import lightning.trace.Agreement;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
-import lightning.trace.Ray;
+import lightning.trace.WayEnd;
 
 /** What {@link RowKernels} compute, row by row with {@link LightingEquation}. */
 final class ReadableRows {
@@ -44,6 +44,7 @@ final class ReadableRows {
     }
 
     private void reshade(Lamp lamp, LightRows layer) {
+        WayEnd end = geometry.end(lamp.source());
         for (int r = 0; r < rows.runs; r++) {
             int material = rows.runMaterial[r];
             for (int i = rows.runStart(r); i < rows.runEnd[r]; i++) {
@@ -52,7 +53,7 @@ final class ReadableRows {
                 Vec3 point = new Vec3(rows.px[i], rows.py[i], rows.pz[i]);
                 int state = !(cosine > 0) ? LightRows.AWAY
                         : !equation.insideCone() ? LightRows.OUTSIDE
-                                : geometry.blockedByAny(new Ray(point, lamp.source().minus(point)), 1) ? LightRows.SHADOWED
+                                : geometry.blockedByAny(point, end) ? LightRows.SHADOWED
                                         : LightRows.LIT;
                 Agreement.require(layer.state(i) == state, "state of row", i);
                 Agreement.require(layer.cosine[i], state == LightRows.LIT ? cosine : 0, "cosine of row", i);

@@ -37,14 +37,39 @@ public record Transform(
         return rz.times(ry).times(rx);
     }
 
+    /** This map with the absolute value of every number. */
+    public Transform absolute() {
+        return new Transform(Math.abs(m00), Math.abs(m01), Math.abs(m02), Math.abs(t0), Math.abs(m10), Math.abs(m11), Math.abs(m12), Math.abs(t1),
+                Math.abs(m20), Math.abs(m21), Math.abs(m22), Math.abs(t2));
+    }
+
+    /** This map without its translation. */
+    public Transform linear() {
+        return new Transform(m00, m01, m02, 0, m10, m11, m12, 0, m20, m21, m22, 0);
+    }
+
+    /** The sum, number by number. */
+    public Transform plus(Transform o) {
+        return new Transform(m00 + o.m00, m01 + o.m01, m02 + o.m02, t0 + o.t0, m10 + o.m10, m11 + o.m11, m12 + o.m12, t1 + o.t1,
+                m20 + o.m20, m21 + o.m21, m22 + o.m22, t2 + o.t2);
+    }
+
+    /** Every number times a factor. */
+    public Transform times(double f) {
+        return new Transform(f * m00, f * m01, f * m02, f * t0, f * m10, f * m11, f * m12, f * t1, f * m20, f * m21, f * m22, f * t2);
+    }
+
     /** This map without its translation and with rows and columns exchanged: the inverse of a rotation. */
     public Transform transposed() {
         return new Transform(m00, m10, m20, 0, m01, m11, m21, 0, m02, m12, m22, 0);
     }
 
-    /** The sine of an angle in degrees, exact at multiples of 90. */
+    /**
+     * The sine of an angle in degrees, exact at multiples of 90. Whole turns go first: 90 taken from a million degrees would
+     * round by more than a double's sine does.
+     */
     public static double sinDegrees(double degrees) {
-        return cosDegrees(degrees - 90);
+        return cosDegrees(degrees % 360 - 90);
     }
 
     /** The cosine of an angle in degrees, exact at multiples of 90. */

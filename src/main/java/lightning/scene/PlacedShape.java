@@ -7,5 +7,6 @@ import lightning.math.Transform;
  *
  * @param toWorld        maps the shape's own coordinates to the scene's
  * @param directionsBack maps directions in the scene to the shape's own: the inverse without translation
+ * @param error          how far both may be off
  */
-public record PlacedShape(Shape shape, Material material, Transform toWorld, Transform directionsBack) {}
+public record PlacedShape(Shape shape, Material material, Transform toWorld, Transform directionsBack, PlacementError error) {}

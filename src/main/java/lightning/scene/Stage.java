@@ -84,17 +84,18 @@ public final class Stage {
     /** All shapes, in the order of the file, with materials and groups resolved. */
     public List<PlacedShape> placedShapes() {
         List<PlacedShape> placed = new ArrayList<>(tree.shapes);
-        place(tree.nodes, Transform.IDENTITY, Transform.IDENTITY, placed);
+        place(tree.nodes, Transform.IDENTITY, Transform.IDENTITY, PlacementError.NONE, placed);
         return placed;
     }
 
-    private void place(List<Node> nodes, Transform outer, Transform back, List<PlacedShape> placed) {
+    private void place(List<Node> nodes, Transform outer, Transform back, PlacementError outerError, List<PlacedShape> placed) {
         for (Node node : nodes) {
             Transform toWorld = outer.times(node.placement().transform());
             Transform directionsBack = node.placement().directionsBack().times(back);
+            PlacementError error = outerError.within(outer, back, node.placement());
             switch (node) {
-                case Group g -> place(g.children(), toWorld, directionsBack, placed);
-                case Shape s -> placed.add(new PlacedShape(s, byName.get(s.material()), toWorld, directionsBack));
+                case Group g -> place(g.children(), toWorld, directionsBack, error, placed);
+                case Shape s -> placed.add(new PlacedShape(s, byName.get(s.material()), toWorld, directionsBack, error));
             }
         }
     }

@@ -12,6 +12,7 @@ import lightning.trace.HitCode;
 import lightning.trace.MaterialTable;
 import lightning.trace.Ray;
 import lightning.trace.SurfacePoint;
+import lightning.trace.WayEnd;
 
 /**
  * The oracle: traces every pixel from the scene alone, ray by ray, as §2.1 of the paper tells it.
@@ -24,6 +25,7 @@ public final class ReferenceTracer {
     private final Geometry geometry;
     private final MaterialTable materials;
     private final Lamp[] lamps;
+    private final WayEnd[] ends;
     private final ReferenceTracer mirrors;
 
     public ReferenceTracer(Scene scene) {
@@ -40,6 +42,7 @@ public final class ReferenceTracer {
         geometry = new Geometry(scene);
         materials = geometry.materials();
         lamps = Lamp.all(scene);
+        ends = Arrays.stream(lamps).map(lamp -> lamp.type().hasPosition() ? geometry.end(lamp.source()) : null).toArray(WayEnd[]::new);
     }
 
     /** The whole picture. */
@@ -132,15 +135,15 @@ public final class ReferenceTracer {
     private int state(int light, SurfacePoint at, LightingEquation equation, float cosine) {
         return !(cosine > 0) ? LightRows.AWAY
                 : !equation.insideCone() ? LightRows.OUTSIDE
-                        : isVisible(lamps[light], at) ? LightRows.LIT : LightRows.SHADOWED;
+                        : isVisible(light, at) ? LightRows.LIT : LightRows.SHADOWED;
     }
 
     /** Whether nothing stands between a point and a light. */
-    private boolean isVisible(Lamp lamp, SurfacePoint at) {
+    private boolean isVisible(int light, SurfacePoint at) {
         Vec3 point = new Vec3(at.px(), at.py(), at.pz());
-        return lamp.type().hasPosition()
-                ? !geometry.blockedByAny(new Ray(point, lamp.source().minus(point)), 1)
-                : !geometry.blockedByAny(new Ray(point, lamp.source()), Double.POSITIVE_INFINITY);
+        return lamps[light].type().hasPosition()
+                ? !geometry.blockedByAny(point, ends[light])
+                : !geometry.blockedByAny(new Ray(point, lamps[light].source()), Double.POSITIVE_INFINITY);
     }
 
     /**

@@ -1,15 +1,19 @@
 package lightning.shading;
 
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
 import jdk.incubator.vector.DoubleVector;
 import lightning.effects.Effect;
 import lightning.effects.ViewEffects;
+import lightning.math.Vec3;
 import lightning.trace.Beam;
 import lightning.trace.Candidates;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
 import lightning.trace.PacketTracer;
 import lightning.trace.RayPacket;
+import lightning.trace.WayEnd;
 
 /** Asks for chosen rows whether the way to a light is free. Holds scratch memory: one for each thread. */
 final class ShadowCaster {
@@ -18,6 +22,8 @@ final class ShadowCaster {
     private final Beam beam = new Beam();
     private final Candidates blockers = new Candidates();
     private final RayPacket packet = new RayPacket();
+    /** Where the ways to lights end that rays were cast to. */
+    private final Map<Vec3, WayEnd> ends = new HashMap<>();
     private final boolean casts;
     private final boolean forced;
     private long rays;
@@ -66,8 +72,10 @@ final class ShadowCaster {
         beam.origins(rows.box());
         if (lamp.type().hasPosition()) {
             beam.towards(lamp.source());
+            packet.end = ends.computeIfAbsent(lamp.source(), geometry::end);
         } else {
             beam.along(lamp.source());
+            packet.end = WayEnd.OPEN;
         }
         blockers.collect(geometry, beam);
     }

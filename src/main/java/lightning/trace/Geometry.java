@@ -91,7 +91,7 @@ public final class Geometry {
     /** The shape with the given index. */
     public PlacedShape shape(int index) {
         PlacedShape shape = placed.get(index);
-        return new PlacedShape(shape.shape(), materials.material(shapes.material[index]), shape.toWorld(), shape.directionsBack());
+        return new PlacedShape(shape.shape(), materials.material(shapes.material[index]), shape.toWorld(), shape.directionsBack(), shape.error());
     }
 
     /** The index of the material of the shape with the given index. */
@@ -155,11 +155,33 @@ public final class Geometry {
         return false;
     }
 
+    /** Where ways to a light at a point in render space end. */
+    public WayEnd end(Vec3 point) {
+        return WayEnd.at(point, shapes);
+    }
+
+    /** Whether any shape stands between a point and a light, both in render space; every shape is asked. */
+    public boolean blockedByAny(Vec3 point, WayEnd end) {
+        Ray way = new Ray(point, end.point().minus(point));
+        for (int s = 0; s < shapes.count; s++) {
+            if ((end.touches(s, point) ? distance(s, way, Touch.END) : distance(s, way)) < 1) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** The distance along a ray to a shape, or {@code +∞}. */
     public double distance(int shape, Ray ray) {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
         return shapes.distance(shape, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+    }
+
+    private double distance(int shape, Ray way, Touch touch) {
+        Vec3 o = way.origin();
+        Vec3 d = way.direction();
+        return shapes.distance(shape, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), touch);
     }
 
     /**

@@ -17,6 +17,8 @@ public final class RayPacket {
     public final double[] dz = new double[WIDTH];
     /** Shapes at this distance or beyond do not block; only {@link PacketTracer#blocked} asks. */
     public final double[] limit = new double[WIDTH];
+    /** Where the ways end at distance 1, if they end at a light; only {@link PacketTracer#blocked} asks. */
+    public WayEnd end = WayEnd.OPEN;
 
     /** The distance of the nearest hit, {@code +∞} for a miss. */
     public final double[] t = new double[WIDTH];

@@ -36,6 +36,24 @@ final class SolidLanes {
     }
 
     private void distances(RayPacket p, int s, int from, int to) {
+        cross(p, s, from, to);
+        if (shapes.isUnderEye(s)) {
+            for (int i = from; i < to; i++) {
+                own[i] = shapes.distance(s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]);
+            }
+        }
+    }
+
+    /** The distances of the ways to a light that lies on the shape. */
+    private void distancesToLight(RayPacket p, int s, int index, int from, int to) {
+        for (int i = from; i < to; i++) {
+            if (p.end.touches(index, p.ox[i], p.oy[i], p.oz[i])) {
+                own[i] = shapes.distance(s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i], Touch.END);
+            }
+        }
+    }
+
+    private void cross(RayPacket p, int s, int from, int to) {
         double[] m = shapes.inverse;
         int i = 12 * s;
         switch (shapes.kind[s]) {
@@ -87,6 +105,10 @@ final class SolidLanes {
     /** One bit for each lane that meets shape {@code s} at a distance below its {@code limit}. */
     int below(RayPacket p, int s, int from, int to) {
         distances(p, s, from, to);
+        int index = p.end.indexOf(s);
+        if (index >= 0) {
+            distancesToLight(p, s, index, from, to);
+        }
         int mask = 0;
         for (int h = from; h < to; h += Lanes.COUNT) {
             DoubleVector limit = fromArray(SPECIES, p.limit, h);

@@ -37,8 +37,28 @@ final class Solids {
         return t > 0 && t < MISS && Math.abs(c * a) <= 2 * q * q ? t : MISS;
     }
 
+    /** The unit sphere for a way that ends on it, or begins there. */
+    static double sphere(double ox, double oy, double oz, double dx, double dy, double dz, Touch touch, double margin) {
+        double a = dx * dx + dy * dy + dz * dz;
+        double b = -(ox * dx + oy * dy + oz * dz);
+        double c = ox * ox + oy * oy + oz * oz - 1;
+        double u = oy * dz - oz * dy;
+        double v = oz * dx - ox * dz;
+        double w = ox * dy - oy * dx;
+        double root = Math.sqrt(a - (u * u + v * v + w * w));
+        double q = b >= 0 ? b + root : b - root;
+        double t0 = c / q;
+        double t1 = q / a;
+        return Math.abs(c * a) <= 2 * q * q ? met(t0 < t1 ? t0 : t1, t0 < t1 ? t1 : t0, touch, margin) : MISS;
+    }
+
     /** The cylinder of radius 1 about the y axis, from y = 0 to y = 1, with its caps. */
     static double cylinder(double ox, double oy, double oz, double dx, double dy, double dz) {
+        return cylinder(ox, oy, oz, dx, dy, dz, Touch.NEITHER, 0);
+    }
+
+    /** The cylinder for a way of which an end may lie on it. */
+    static double cylinder(double ox, double oy, double oz, double dx, double dy, double dz, Touch touch, double margin) {
         double a = dx * dx + dz * dz;
         double b = -(ox * dx + oz * dz);
         double c = ox * ox + oz * oz - 1;
@@ -52,7 +72,7 @@ final class Solids {
         double far = c <= 0 ? MISS : -MISS;
         double sideIn = parallel ? -far : touches ? MISS : t0 < t1 ? t0 : t1;
         double sideOut = parallel ? far : t0 < t1 ? t1 : t0;
-        return withinSlab(sideIn, sideOut, oy, dy);
+        return withinSlab(sideIn, sideOut, oy, dy, touch, margin);
     }
 
     /**
@@ -66,6 +86,11 @@ final class Solids {
      * discriminant is a sum of squares, w²·(dh²/side − 1) among them; b² − ac rounds to either side of 0 at the apex.
      */
     static double cone(double ox, double oy, double oz, double dx, double dy, double dz) {
+        return cone(ox, oy, oz, dx, dy, dz, Touch.NEITHER, 0);
+    }
+
+    /** The cone for a way of which an end may lie on it. */
+    static double cone(double ox, double oy, double oz, double dx, double dy, double dz, Touch touch, double margin) {
         double top = 1 - oy;
         double dh = -dy;
         double side = dx * dx + dz * dz;
@@ -96,7 +121,7 @@ final class Solids {
         double sideOut = steep || generator ? (forwards ? MISS : bound) : high;
         // Where there is no real root, one end of the interval at least is NaN: a miss by itself.
         boolean none = Math.abs(c * a) > 2 * q * q;
-        return withinSlab(none ? MISS : sideIn, none ? -MISS : sideOut, oy, dy);
+        return withinSlab(none ? MISS : sideIn, none ? -MISS : sideOut, oy, dy, touch, margin);
     }
 
     /** The unit square about the origin in the plane y = 0. */
@@ -109,7 +134,7 @@ final class Solids {
     }
 
     /** Cuts an interval with the one in which 0 ≤ y ≤ 1. NaN in the interval is a miss. */
-    private static double withinSlab(double sideIn, double sideOut, double oy, double dy) {
+    private static double withinSlab(double sideIn, double sideOut, double oy, double dy, Touch touch, double margin) {
         double inverse = 1 / dy;
         double t0 = -oy * inverse;
         double t1 = (1 - oy) * inverse;
@@ -119,7 +144,24 @@ final class Solids {
         double slabOut = level ? far : t0 < t1 ? t1 : t0;
         double in = sideIn < slabIn ? slabIn : sideIn;
         double out = slabOut < sideOut ? slabOut : sideOut;
-        return nearest(in, out);
+        return met(in, out, touch, margin);
+    }
+
+    /**
+     * What a way meets of a solid that it is in from {@code in} to {@code out}.
+     *
+     * <p>An end on the surface is, by rounding, a little before it or behind it, and {@code in} or {@code out} tells nothing
+     * there. The middle of the interval does: it lies on the way if the way goes through the solid, else beyond its end.
+     *
+     * @param margin twice the distance from the end up to which the middle tells nothing either, as where a way only
+     *               cuts off the tip of an edge or of an apex on which the end lies
+     */
+    private static double met(double in, double out, Touch touch, double margin) {
+        return switch (touch) {
+            case NEITHER -> nearest(in, out);
+            case START -> in <= out && in + out > margin && out < MISS ? out : MISS;
+            case END -> in <= out && in > 0 && in + out < 2 - margin ? in : MISS;
+        };
     }
 
     /** The first positive end of an interval; a miss if it is empty, behind or NaN. */

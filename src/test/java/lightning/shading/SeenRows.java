@@ -94,7 +94,7 @@ public final class SeenRows {
         return p -> {
             Vec3 point = new Vec3(p.px(), p.py(), p.pz());
             return light.type().hasPosition()
-                    ? !geometry.blockedByAny(new Ray(point, lamp.source().minus(point)), 1)
+                    ? !geometry.blockedByAny(point, geometry.end(lamp.source()))
                     : !geometry.blockedByAny(new Ray(point, lamp.source()), Double.POSITIVE_INFINITY);
         };
     }

@@ -73,7 +73,8 @@ final class ExactSolids {
         return i.isEmpty() ? "nowhere" : i.in.doubleValue() + " … " + i.out.doubleValue();
     }
 
-    private static Interval inside(int kind, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
+    /** Where a ray is inside the solid grown by a margin. */
+    static Interval inside(int kind, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
         BigDecimal radius = BigDecimal.ONE.add(grow);
         return switch (kind) {
             case ShapeTable.SPHERE -> between(dot(d, d), dot(o, d).negate(), dot(o, o).subtract(square(radius)));

@@ -30,6 +30,7 @@ final class NumericsPictures {
         write("acne", panel(x -> shadowed(x, at, 2, Leaving.FROM_THE_HIT)), panel(x -> shadowed(x, at, 2, Leaving.LIGHTNING)));
         write("epsilon", panel(x -> shadowed(x, new Vec3(0, 0, -4e-4), 1e-4, Leaving.BY_EPSILON)),
                 panel(x -> shadowed(x, new Vec3(0, 0, -4e-4), 1e-4, Leaving.LIGHTNING)));
+        write("lamp", panel(x -> lamp(x, false)), panel(x -> lamp(x, true)));
         write("far-scene", panel(x -> normalFromFloats(x, new Vec3(4e6, 2e6, -3e6))), panel(x -> normalFromFloats(x, Vec3.ZERO)));
     }
 
@@ -94,6 +95,24 @@ final class NumericsPictures {
             dark |= t > least && t < Solids.MISS;
         }
         return 0.1 + (dark ? 0 : Math.max(0, TO_LIGHT.dot(normal)));
+    }
+
+    /** A lamp on a tilted square above a floor, seen from above; {@code lies} is whether it is asked if the lamp lies on the square. */
+    private static double lamp(double[] x, boolean lies) {
+        Placement square = new Placement(new Vec3(0, 2, -0.5), new Vec3(37, 20, 10), new Vec3(1.5, 1, 1.5));
+        Vec3 eye = new Vec3(0, 7, 5);
+        Geometry geometry = new Geometry(TraceScenes.overFloor(ShapeTable.PLANE, square, eye));
+        Vec3 light = geometry.toRenderSpace(square.transform().point(new Vec3(0.1, 0, 0.2)));
+        Ray ray = new Ray(Vec3.ZERO, new Vec3(3 * x[0], 0.5 + 2.5 * x[1], -2 * x[1]).minus(eye).normalized());
+        int shape = geometry.nearestOfAll(ray);
+        if (shape < 0) {
+            return 0.02;
+        }
+        SurfacePoint p = geometry.surface(shape, ray);
+        Vec3 from = new Vec3(p.px(), p.py(), p.pz());
+        Vec3 to = light.minus(from);
+        boolean dark = lies ? geometry.blockedByAny(from, geometry.end(light)) : geometry.blockedByAny(new Ray(from, to), 1);
+        return 0.1 + (dark ? 0 : Math.max(0, to.normalized().dot(new Vec3(p.nx(), p.ny(), p.nz()))));
     }
 
     /** A light beside the row, of which only a float of its place is known, measured from an origin far away or at the eye. */

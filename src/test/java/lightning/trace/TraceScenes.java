@@ -58,6 +58,23 @@ final class TraceScenes {
                 new TraceScenes().add(kind, placement.at(), placement.rotate(), placement.scale()).nodes, List.of());
     }
 
+    /** One shape over a floor of 12 × 12, seen from a camera. */
+    static Scene overFloor(int kind, Placement placement, Vec3 camera) {
+        return new TraceScenes().add(kind, placement.at(), placement.rotate(), placement.scale()).add(ShapeTable.PLANE, 0, 0, 0, 12, 1, 12)
+                .seenFrom(camera.x(), camera.y(), camera.z());
+    }
+
+    /** One shape within groups, the outermost first, seen from a camera. */
+    static Scene one(int kind, List<Placement> placements, Vec3 camera) {
+        Placement own = placements.getLast();
+        Node node = new TraceScenes().add(kind, own.at(), own.rotate(), own.scale()).nodes.getFirst();
+        for (int g = placements.size() - 2; g >= 0; g--) {
+            node = new Group("g" + g, placements.get(g), List.of(node));
+        }
+        return new Scene(Picture.DEFAULT, new Camera(camera, camera.plus(new Vec3(0, 0, -1 - camera.maxAbs())), Vec3.Y, 40), World.DEFAULT,
+                List.of(), List.of(node), List.of());
+    }
+
     /** Four spheres over a floor. */
     static Scene balls() {
         return new TraceScenes()

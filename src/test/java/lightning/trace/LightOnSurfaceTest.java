@@ -1,0 +1,172 @@
+package lightning.trace;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.math.BigDecimal;
+import java.util.Random;
+import lightning.math.Vec3;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * A surface on which a light lies does not come between at that end; what lies before it does. Each answer is compared with one
+ * of many digits, made from the numbers of the scene: it must be right for a solid that is larger or smaller by no more than the
+ * bound of {@link ShapeTable#off}. {@code -Dlightning.places=100000} takes as many lights for each kind of shape.
+ */
+class LightOnSurfaceTest {
+    private static final int PLACES = Integer.getInteger("lightning.places", 100);
+    private static final int ROWS = 12;
+
+    private final RayPacket p = new RayPacket();
+    private int blocked;
+    private int clear;
+    private int open;
+
+    static Vec3 lightOn(int kind, Random random) {
+        return switch (random.nextInt(6)) {
+            case 0 -> kind == ShapeTable.SPHERE || kind == ShapeTable.CONE ? Vec3.Y : Vec3.ZERO;
+            case 1 -> kind == ShapeTable.SPHERE ? new Vec3(0, 0, -1) : kind == ShapeTable.PLANE ? new Vec3(0.5, 0, 0.25) : new Vec3(1, 0, 0);
+            case 2 -> kind == ShapeTable.SPHERE ? new Vec3(0.6, 0, 0.8) : kind == ShapeTable.CONE ? new Vec3(0, 0.75, 0.25) : Vec3.ZERO;
+            default -> HardRay.onSurface(kind, random);
+        };
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {ShapeTable.SPHERE, ShapeTable.CONE, ShapeTable.CYLINDER, ShapeTable.PLANE})
+    void surfaceUnderTheLight_doesNotComeBetween(int kind) {
+        Random random = new Random(kind);
+        for (int n = 0; n < PLACES; n++) {
+            ExactPlace place = ExactPlace.random(kind, random);
+            Vec3 own = lightOn(kind, random);
+            Vec3 light = ExactPlace.doubles(place.exact().toScene(ExactPlace.exact(own))).minus(place.camera());
+            WayEnd end = place.geometry().end(light);
+            for (int r = 0; r < ROWS; r++) {
+                Vec3 row = row(place, own, random);
+                double far = ExactPlace.sum(light) + ExactPlace.sum(row);
+                double error = error(place, far);
+                if (error < 1e-3) {
+                    check(place, end, row, onSurface(kind, place.toOwn(row), ExactPlace.exact(own), error));
+                }
+            }
+        }
+        assertThat(clear).as("ways that must be clear").isGreaterThan(PLACES * ROWS / 4);
+        assertThat(blocked).as("ways that must be blocked").isGreaterThan(kind == ShapeTable.PLANE ? -1 : PLACES * ROWS / 4);
+        assertThat(open).as("ways of which the bound lets nobody tell").isLessThan(PLACES * ROWS / 20);
+    }
+
+    /** Well off the surface, the surface is one like any other. */
+    @ParameterizedTest
+    @ValueSource(ints = {ShapeTable.SPHERE, ShapeTable.CONE, ShapeTable.CYLINDER, ShapeTable.PLANE})
+    void surfaceBesideTheLight_doesComeBetween(int kind) {
+        Random random = new Random(kind);
+        for (int n = 0; n < PLACES; n++) {
+            ExactPlace place = ExactPlace.random(kind, random);
+            Vec3 on = HardRay.onSurface(kind, random);
+            double error = error(place, 2 * ExactPlace.sum(place.toRender(on)));
+            Vec3 away = kind == ShapeTable.PLANE ? Vec3.Y : on.minus(new Vec3(0.01, kind == ShapeTable.SPHERE ? 0.01 : 0.3, 0));
+            Vec3 light = place.toRender(on.plus(away.times((random.nextBoolean() ? 1 : -1) * error * 100)));
+            WayEnd end = place.geometry().end(light);
+            for (int r = 0; r < ROWS; r++) {
+                Vec3 row = row(place, on, random);
+                double most = error(place, ExactPlace.sum(light) + ExactPlace.sum(row));
+                if (most < 5 * error && most < 1e-6) {
+                    check(place, end, row, offSurface(kind, place.toOwn(row), place.toOwn(light), most));
+                }
+            }
+        }
+        assertThat(clear).as("ways that must be clear").isGreaterThan(PLACES);
+        assertThat(blocked).as("ways that must be blocked").isGreaterThan(PLACES);
+        assertThat(open).as("ways of which the bound lets nobody tell").isLessThan((clear + blocked) / 20);
+    }
+
+    /** The bound in the shape's own units. */
+    private static double error(ExactPlace place, double far) {
+        ShapeTable shapes = place.geometry().shapes();
+        return shapes.offLight(0, far) * shapes.rate(0);
+    }
+
+    /** A row, as rows are: floats in render space; about the shape, within it, and near the light. */
+    private static Vec3 row(ExactPlace place, Vec3 light, Random random) {
+        Vec3 own = switch (random.nextInt(4)) {
+            case 0 -> HardRay.direction(random).times(Math.pow(10, 2 * random.nextDouble()));
+            case 1 -> HardRay.direction(random).times(0.3);
+            case 2 -> light.plus(HardRay.direction(random).times(0.1));
+            default -> HardRay.direction(random).times(2);
+        };
+        Vec3 row = place.toRender(own);
+        return new Vec3((float) row.x(), (float) row.y(), (float) row.z());
+    }
+
+    /** @param expected 1 blocked, −1 clear, 0 either */
+    private void check(ExactPlace place, WayEnd end, Vec3 row, int expected) {
+        boolean answer = place.geometry().blockedByAny(row, end);
+        if (expected == 0) {
+            open++;
+        } else {
+            assertThat(answer).as("%s kind %s, light %s, row %s", place.placements(), place.kind(), end.point(), row).isEqualTo(expected > 0);
+            blocked += expected > 0 ? 1 : 0;
+            clear += expected < 0 ? 1 : 0;
+        }
+        p.end = end;
+        for (int i = 0; i < RayPacket.WIDTH; i++) {
+            p.ox[i] = row.x();
+            p.oy[i] = row.y();
+            p.oz[i] = row.z();
+            p.dx[i] = end.point().x() - row.x();
+            p.dy[i] = end.point().y() - row.y();
+            p.dz[i] = end.point().z() - row.z();
+            p.limit[i] = 1;
+        }
+        assertThat(new PacketTracer(place.geometry()).blocked(p, RayPacket.WIDTH)).isEqualTo(answer ? -1 >>> -RayPacket.WIDTH : 0);
+    }
+
+    private static int onSurface(int kind, BigDecimal[] row, BigDecimal[] light, double error) {
+        if (kind == ShapeTable.PLANE) {
+            return -1;
+        }
+        BigDecimal[] d = minus(light, row);
+        ExactSolids.Interval grown = ExactSolids.inside(kind, row, d, new BigDecimal(error));
+        ExactSolids.Interval shrunk = ExactSolids.inside(kind, row, d, new BigDecimal(-error));
+        ExactSolids.Interval core = ExactSolids.inside(kind, row, d, new BigDecimal(-16 * error));
+        boolean within = !shrunk.isEmpty() && shrunk.in().signum() <= 0 && shrunk.out().signum() >= 0;
+        boolean without = grown.isEmpty() || grown.in().signum() > 0;
+        boolean tip = (shrunk.isEmpty() || shrunk.in().compareTo(BigDecimal.ONE) >= 0)
+                && (1 - grown.in().doubleValue()) * ExactPlace.doubles(d).length() <= 3 * error;
+        if (within || grown.isEmpty() || without && tip || !shrunk.isEmpty() && without && shrunk.in().compareTo(BigDecimal.ONE) >= 0
+                && grown.in().add(shrunk.out()).compareTo(BigDecimal.TWO) >= 0) {
+            return -1;
+        }
+        return without && !core.isEmpty() && core.in().signum() > 0 && core.in().compareTo(BigDecimal.ONE) < 0 ? 1 : 0;
+    }
+
+    private static int offSurface(int kind, BigDecimal[] row, BigDecimal[] light, double error) {
+        BigDecimal[] d = minus(light, row);
+        if (kind == ShapeTable.PLANE) {
+            return throughThePatch(ExactPlace.doubles(row), ExactPlace.doubles(light), error);
+        }
+        ExactSolids.Interval grown = ExactSolids.inside(kind, row, d, new BigDecimal(error));
+        ExactSolids.Interval shrunk = ExactSolids.inside(kind, row, d, new BigDecimal(-error));
+        boolean within = !shrunk.isEmpty() && shrunk.in().signum() <= 0 && shrunk.out().signum() >= 0;
+        if (grown.isEmpty() || grown.in().compareTo(BigDecimal.ONE) >= 0 || grown.out().signum() <= 0
+                || within && shrunk.out().compareTo(BigDecimal.ONE) >= 0) {
+            return -1;
+        }
+        boolean enters = !shrunk.isEmpty() && grown.in().signum() > 0 && shrunk.in().compareTo(BigDecimal.ONE) < 0;
+        return enters || within && grown.out().compareTo(BigDecimal.ONE) < 0 ? 1 : 0;
+    }
+
+    private static int throughThePatch(Vec3 row, Vec3 light, double error) {
+        if (row.y() * light.y() > 0) {
+            return -1;
+        }
+        double t = row.y() / (row.y() - light.y());
+        Vec3 d = light.minus(row);
+        double beside = Math.max(Math.abs(row.x() + t * d.x()), Math.abs(row.z() + t * d.z())) - 0.5;
+        double margin = 2 * error * (1 + d.length() / Math.abs(d.y()));
+        return Math.abs(row.y()) <= error || Math.abs(beside) <= margin ? 0 : beside < 0 ? 1 : -1;
+    }
+
+    private static BigDecimal[] minus(BigDecimal[] a, BigDecimal[] b) {
+        return new BigDecimal[] {a[0].subtract(b[0]), a[1].subtract(b[1]), a[2].subtract(b[2])};
+    }
+}
