@@ -12,6 +12,7 @@ import lightning.math.Vec3;
 import lightning.relight.Options;
 import lightning.relight.Reflections;
 import lightning.relight.Renderer;
+import lightning.file.FileState;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Limits;
@@ -178,6 +179,7 @@ class CommandTest {
     @Test
     void fileChangedByOthers_canBeReloaded() throws Exception {
         Files.writeString(document.file(), Desk.TEXT + "# theirs\n");
+        document.hear(new DiskNews(document.file(), document.known(), FileState.of(document.file()), false));
         assertEnabled(Command.RELOAD);
     }
 
