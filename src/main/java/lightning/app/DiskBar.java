@@ -6,6 +6,7 @@ import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
+import lightning.app.widget.Obstacle;
 import lightning.edit.Command;
 import lightning.edit.DiskNews;
 import lightning.edit.DiskWatch;
@@ -23,9 +24,10 @@ final class DiskBar extends HBox implements AutoCloseable {
     private final DiskWatch watch;
     private final Label text = new Label();
     private final Button reload = button("Reload", "disk-reload");
+    private final Obstacle reloading = new Obstacle(this, reload);
     private final Button keep = button("Keep Mine", "disk-keep");
     private final Button compare = button("Compare…", "disk-compare");
-    private final Button read = button("OK", "disk-read");
+    private final Button read = button("Hide", "disk-read");
     /** What the artist has read. */
     private DiskNews dismissed;
 
@@ -89,7 +91,7 @@ final class DiskBar extends HBox implements AutoCloseable {
         show(keep, news.isChanged());
         show(compare, news.isChanged());
         show(read, !news.isChanged());
-        reload.setDisable(!model.enabled(Command.RELOAD));
+        reloading.set(model.reason(Command.RELOAD));
     }
 
     private static void show(Button button, boolean shown) {

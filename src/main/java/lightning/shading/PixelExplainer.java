@@ -106,9 +106,7 @@ public final class PixelExplainer {
     /** The shape between the point and the light that is nearest to the point, or −1. */
     private int blocker(Lamp lamp, SurfacePoint at) {
         Vec3 point = new Vec3(at.px(), at.py(), at.pz());
-        boolean placed = lamp.type().hasPosition();
-        Ray ray = new Ray(point, placed ? lamp.source().minus(point) : lamp.source());
-        int nearest = geometry.nearestOfAll(ray);
-        return nearest >= 0 && geometry.distance(nearest, ray) < (placed ? 1 : Double.POSITIVE_INFINITY) ? nearest : -1;
+        return lamp.type().hasPosition() ? geometry.blocker(point, geometry.end(lamp.source()))
+                : geometry.nearestOfAll(new Ray(point, lamp.source()));
     }
 }

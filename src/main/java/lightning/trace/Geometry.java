@@ -164,11 +164,30 @@ public final class Geometry {
     public boolean blockedByAny(Vec3 point, WayEnd end) {
         Ray way = new Ray(point, end.point().minus(point));
         for (int s = 0; s < shapes.count; s++) {
-            if ((end.touches(s, point) ? distance(s, way, Touch.END) : distance(s, way)) < 1) {
+            if (distance(s, way, end) < 1) {
                 return true;
             }
         }
         return false;
+    }
+
+    /**
+     * The shape that stands nearest to a point on its way to a light, both in render space; every shape is asked.
+     *
+     * @return its index, or −1 where the way is free
+     */
+    public int blocker(Vec3 point, WayEnd end) {
+        Ray way = new Ray(point, end.point().minus(point));
+        int nearest = -1;
+        double least = 1;
+        for (int s = 0; s < shapes.count; s++) {
+            double t = distance(s, way, end);
+            if (t < least) {
+                least = t;
+                nearest = s;
+            }
+        }
+        return nearest;
     }
 
     /** The distance along a ray to a shape, or {@code +∞}. */
@@ -178,10 +197,11 @@ public final class Geometry {
         return shapes.distance(shape, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
     }
 
-    private double distance(int shape, Ray way, Touch touch) {
+    /** The distance along the way to a light, 1 at the light, to a shape that comes between; {@code +∞} where it does not. */
+    private double distance(int shape, Ray way, WayEnd end) {
         Vec3 o = way.origin();
         Vec3 d = way.direction();
-        return shapes.distance(shape, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), touch);
+        return end.touches(shape, o) ? shapes.distance(shape, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), Touch.END) : distance(shape, way);
     }
 
     /**

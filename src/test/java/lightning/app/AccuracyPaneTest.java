@@ -2,6 +2,7 @@ package lightning.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import javafx.scene.input.KeyCode;
 import javafx.scene.Node;
 import javafx.scene.control.TableView;
 import lightning.accuracy.Level;
@@ -41,7 +42,7 @@ class AccuracyPaneTest extends EditorDesk {
 
     @Test
     void withoutAnEdit_thereIsNothingToMeasure() {
-        click("accuracy-panel");
+        robot.push(KeyCode.F9);
         assertThat(isDisabled("measure")).isTrue();
         assertThat(isDisabled("cancel-measure")).isTrue();
         assertThat(text("accuracy-edit")).isEqualTo("Edit a light first.");
@@ -51,7 +52,7 @@ class AccuracyPaneTest extends EditorDesk {
     void eachLevel_isMeasuredForTheEditsThatAreNotRenderedYet() {
         Scene before = model().scene();
         dim();
-        click("accuracy-panel");
+        robot.push(KeyCode.F9);
         assertThat(text("accuracy-edit")).isEqualTo("The edits that are not rendered yet");
         measure();
         assertThat(table().getItems()).extracting(Rung::level).containsExactly(Level.values());
@@ -66,7 +67,7 @@ class AccuracyPaneTest extends EditorDesk {
         dim();
         click("go");
         waitForPicture();
-        click("accuracy-panel");
+        robot.push(KeyCode.F9);
         measure();
         Film full = new ReferenceTracer(model().scene()).trace();
         Rung fast = table().getItems().get(Level.FAST_SHADING.ordinal());
@@ -84,7 +85,7 @@ class AccuracyPaneTest extends EditorDesk {
         click("go");
         waitForPicture();
         dim();
-        click("accuracy-panel");
+        robot.push(KeyCode.F9);
         click("measure");
         waitFor("it runs", () -> !isDisabled("cancel-measure"));
         click("cancel-measure");

@@ -2,6 +2,7 @@ package lightning.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import javafx.scene.input.KeyCode;
 import javafx.scene.Node;
 import lightning.edit.Command;
 import lightning.edit.Dial;
@@ -17,7 +18,7 @@ class EffectsPaneTest extends EditorDesk {
 
     @Test
     void effects_areToldWithWhoCallsForThem() {
-        click("effects-panel");
+        robot.push(KeyCode.SHIFT, KeyCode.F9);
         assertThat(text("effects-summary")).startsWith("desk.jen calls for ");
         assertThat(isListed("effect-reflection")).isTrue();
         assertThat(robot.lookup("up to 2 bounces: mirror").tryQuery()).isPresent();
@@ -27,7 +28,7 @@ class EffectsPaneTest extends EditorDesk {
 
     @Test
     void editThatEndsAnEffect_takesItFromTheList() {
-        click("effects-panel");
+        robot.push(KeyCode.SHIFT, KeyCode.F9);
         assertThat(isListed("effect-spot-cone")).isTrue();
         robot.interact(() -> model().edit(scene -> lightning.edit.LightEdits.delete(scene, "stage")));
         assertThat(isListed("effect-spot-cone")).isFalse();
@@ -35,7 +36,7 @@ class EffectsPaneTest extends EditorDesk {
 
     @Test
     void hiddenEffect_isGoneFromTheViewAloneUntilAllIsShown() {
-        click("effects-panel");
+        robot.push(KeyCode.SHIFT, KeyCode.F9);
         assertThat(robot.lookup("#show-all-effects").<Node>query().isDisabled()).isTrue();
         click("effect-specular");
         waitFor("it is hidden", () -> isShown("look"));
@@ -54,7 +55,7 @@ class EffectsPaneTest extends EditorDesk {
     }
 
     private void openAndMeasure() {
-        click("effects-panel");
+        robot.push(KeyCode.SHIFT, KeyCode.F9);
         click("measure-effects");
         waitFor("it is measured", () -> text("effects-outcome").startsWith("First pass"));
     }
@@ -101,7 +102,7 @@ class EffectsPaneTest extends EditorDesk {
 
     @Test
     void cancelledMeasuring_tellsNothing() {
-        click("effects-panel");
+        robot.push(KeyCode.SHIFT, KeyCode.F9);
         click("measure-effects");
         click("cancel-measure-effects");
         waitFor("it is over", () -> text("effects-outcome").equals("Cancelled"));

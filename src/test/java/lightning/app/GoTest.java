@@ -256,6 +256,7 @@ class GoTest extends EditorDesk {
 
     @Test
     void updatedReflections_takeTheVerdictAndTheDifferenceAway() {
+        asIn1998();
         dim();
         click("go");
         waitForPicture();

@@ -17,6 +17,7 @@ import lightning.sample.StudioScene;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 import lightning.shading.TraceCounts;
+import lightning.trace.Geometry;
 import lightning.trace.MaterialSet;
 import org.junit.jupiter.api.Test;
 
@@ -24,7 +25,7 @@ class RenderStateTest {
     private static final Scene SCENE = StudioScene.of(LightType.POINT);
     private static final Film FILM = Film.black(2, 2);
     private static final UpdatePlan SAMPLES = new UpdatePlan.Relight(new LevelPlan(List.of(), List.of(), true,
-            new MaterialUpdate(null, MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE)), null, 2, 2, true);
+            new MaterialUpdate(new Geometry(SCENE).materials(), MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE)), null, 2, 2, true);
 
     /** Took 60 ms in cold code. */
     private static Frame frame(UpdatePlan plan) {

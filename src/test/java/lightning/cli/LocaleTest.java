@@ -50,7 +50,7 @@ class LocaleTest {
         run(said, to, "compare", to.resolve("a.png"), to.resolve("b.png"), "-o", to.resolve("d.png"));
         run(said, to, "explain", scene, "20,20");
         run(said, to, "export", scene, "-o", to.resolve("a.pov"));
-        assertThat(said).allMatch(text -> text.startsWith("0\n"));
+        assertThat(said.stream().filter(text -> !text.startsWith("0\n"))).singleElement().asString().startsWith("1\ndifferent: ");
         run(said, to, "check", to.resolve("missing.jen"));
         run(said, to, "RENDER");
         run(said, to, "--help");
