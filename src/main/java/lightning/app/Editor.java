@@ -34,7 +34,7 @@ final class Editor implements AutoCloseable {
      */
     Editor(Stage stage, OpenDocument document, Executor hops, FilePrompt prompt, double mostWidth, double mostHeight) {
         this.stage = stage;
-        Looks.preferred(preferences).wear();
+        preferences.choice("theme", Looks.DARK).wear();
         notices = new Notices(stage);
         model = new EditorModel(document, recovery, hops);
         model.precisionProperty().set(preferences.choice("precision", Precision.EXACT));

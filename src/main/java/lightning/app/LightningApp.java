@@ -32,7 +32,7 @@ public final class LightningApp extends Application {
         Path first = Folders.firstScene();
         Path file = arguments.isEmpty() ? first : Path.of(arguments.getFirst());
         var preferences = new Preferences(Folders.data());
-        Looks.preferred(preferences).wear();
+        preferences.choice("theme", Looks.DARK).wear();
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
         EditorStage.show(stage, new OpeningPane(file), preferences, screen.getWidth(), screen.getHeight());
         var reading = new Thread(() -> read(stage, file, first), "lightning-open");

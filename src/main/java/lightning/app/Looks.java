@@ -30,11 +30,6 @@ enum Looks {
         return worn;
     }
 
-    /** The theme that was worn last. */
-    static Looks preferred(Preferences preferences) {
-        return preferences.choice("theme", DARK);
-    }
-
     /** What the theme lacks. */
     static void dress(Scene scene) {
         List<String> sheets = new ArrayList<>();
