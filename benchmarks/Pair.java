@@ -7,8 +7,8 @@ import java.util.Locale;
 import java.util.Map;
 import lightning.jen.JenReader;
 import lightning.math.Vec3;
-import lightning.relight.Options;
-import lightning.relight.Reflections;
+import lightning.relight.tile.Options;
+import lightning.relight.plan.Reflections;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
 import lightning.scene.Attenuation;
@@ -16,9 +16,9 @@ import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
+import lightning.work.Progress;
 import lightning.shading.TraditionalTracer;
-import lightning.shading.Workers;
+import lightning.work.Workers;
 import lightning.trace.Geometry;
 
 /**

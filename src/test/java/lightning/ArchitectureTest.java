@@ -40,6 +40,11 @@ class ArchitectureTest {
     }
 
     @Test
+    void rows_areToldOnlyRowsBeforeThem() {
+        assertThat(Architecture.rowsToldALaterOne()).isEmpty();
+    }
+
+    @Test
     void program_onlyAppSeesJavaFx() {
         Architecture.onlyAppSeesJavaFx().check(PROGRAM);
     }
@@ -73,6 +78,20 @@ class ArchitectureTest {
         assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.cli knows only rows above it",
                 "package lightning.app; public class Window {}",
                 "package lightning.cli; class Bad { lightning.app.Window window; }");
+    }
+
+    @Test
+    void planKnowingTheTiles_isCaught() throws IOException {
+        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.relight.plan knows only rows above it",
+                "package lightning.relight.tile; public class Worker {}",
+                "package lightning.relight.plan; class Bad { lightning.relight.tile.Worker worker; }");
+    }
+
+    @Test
+    void paneKnowingAnotherPane_isCaught() throws IOException {
+        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.app.traced knows only rows above it",
+                "package lightning.app.preview; public class Pane {}",
+                "package lightning.app.traced; class Bad { lightning.app.preview.Pane pane; }");
     }
 
     @Test

@@ -3,8 +3,8 @@ package lightning.accuracy;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import lightning.shading.Progress;
-import lightning.shading.Workers;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /** How fast this machine's memory is, by the triad {@code a[i] = b[i] + s·c[i]} (McCalpin, STREAM, 1995). */
 public final class Bandwidth {

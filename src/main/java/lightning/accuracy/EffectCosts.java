@@ -5,10 +5,10 @@ import java.util.List;
 import lightning.effects.Effect;
 import lightning.effects.Effects;
 import lightning.effects.ViewEffects;
-import lightning.relight.Options;
+import lightning.relight.tile.Options;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
 import lightning.shading.TraceCounts;
+import lightning.work.Progress;
 
 /**
  * What every effect takes on one scene, in its first pass and in the update after one edit.

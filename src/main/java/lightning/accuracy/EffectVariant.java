@@ -5,15 +5,15 @@ import java.util.List;
 import lightning.cache.PixelCache;
 import lightning.effects.Effect;
 import lightning.effects.ViewEffects;
-import lightning.relight.Options;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
+import lightning.relight.tile.Options;
 import lightning.scene.Antialias;
 import lightning.scene.Picture;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
 import lightning.shading.TraceCounts;
+import lightning.work.Progress;
 
 /** One way to render a scene and an edit of it: with all that it calls for, without one effect, or with one forced. */
 final class EffectVariant implements AutoCloseable {

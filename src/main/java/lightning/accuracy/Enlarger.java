@@ -3,8 +3,8 @@ package lightning.accuracy;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
 import lightning.image.Film;
-import lightning.shading.Progress;
-import lightning.shading.Workers;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /** Enlarges a picture: each pixel takes the colour of the small picture's pixel that its centre falls in. */
 final class Enlarger {

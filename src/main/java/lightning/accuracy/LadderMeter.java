@@ -6,10 +6,10 @@ import lightning.cache.PixelCache;
 import lightning.effects.ViewEffects;
 import lightning.image.Film;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
 import lightning.shading.Sight;
 import lightning.shading.TraditionalTracer;
-import lightning.shading.Workers;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /**
  * Measures the ladder of an edit: every level of accuracy, in turns with a full trace.

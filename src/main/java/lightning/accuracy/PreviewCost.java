@@ -1,14 +1,14 @@
 package lightning.accuracy;
 
 import java.util.Arrays;
+import lightning.effects.ViewEffects;
 import lightning.math.Vec3;
-import lightning.relight.Options;
 import lightning.relight.Renderer;
+import lightning.relight.tile.Options;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
-import lightning.effects.ViewEffects;
+import lightning.work.Progress;
 
 /**
  * What the editor's preview costs at 600×600 pixels.

@@ -8,16 +8,16 @@ import java.util.concurrent.CancellationException;
 import lightning.effects.ViewEffects;
 import lightning.image.Difference;
 import lightning.image.Film;
-import lightning.relight.Accuracy;
-import lightning.relight.Options;
-import lightning.relight.Reflections;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
-import lightning.shading.Progress;
+import lightning.relight.plan.Accuracy;
+import lightning.relight.plan.Reflections;
+import lightning.relight.tile.Options;
 import lightning.shading.Sight;
 import lightning.shading.TraditionalTracer;
-import lightning.shading.Workers;
 import lightning.trace.Geometry;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /**
  * What a picture is said to be: the one promise that the status line, Verify, {@code relight --verify}, the harness and the

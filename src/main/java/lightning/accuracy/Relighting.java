@@ -1,20 +1,20 @@
 package lightning.accuracy;
 
-import lightning.cache.PixelCache;
-import lightning.image.Film;
-import lightning.relight.Accuracy;
-import lightning.relight.Options;
-import lightning.relight.Reflections;
-import lightning.relight.Renderer;
-import lightning.relight.Update;
-import lightning.scene.Picture;
-import lightning.scene.Scene;
-import lightning.shading.Progress;
 import java.util.Set;
+import lightning.cache.PixelCache;
 import lightning.effects.Effect;
 import lightning.effects.ViewEffects;
-import lightning.shading.Workers;
+import lightning.image.Film;
+import lightning.relight.Renderer;
+import lightning.relight.Update;
+import lightning.relight.plan.Accuracy;
+import lightning.relight.plan.Reflections;
+import lightning.relight.tile.Options;
+import lightning.scene.Picture;
+import lightning.scene.Scene;
 import lightning.trace.Geometry;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /** A level's renderer: makes an edit again and again from the same start. */
 final class Relighting implements AutoCloseable {

@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import lightning.cache.PixelCache;
-import lightning.relight.Options;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
+import lightning.relight.tile.Options;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
 import lightning.shading.TraceCounts;
 import lightning.shading.TraditionalTracer;
-import lightning.shading.Workers;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /**
  * Measures updates beside full traces, in turns, so that whatever slows the machine for a while slows both.

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CancellationException;
-import lightning.shading.Progress;
+import lightning.work.Progress;
 
 /**
  * Measures several works in turns, one after the other and again, so that whatever slows the machine for a while slows

@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.cache.PixelCache;
-import lightning.relight.Options;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
-import lightning.relight.UpdatePlan;
-import lightning.shading.Progress;
+import lightning.relight.plan.UpdatePlan;
+import lightning.relight.tile.Options;
 import lightning.shading.TraditionalTracer;
-import lightning.shading.Workers;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /**
  * What an update saves of a full trace of the very picture that it led to, measured when Java was warm to both. An edit is made

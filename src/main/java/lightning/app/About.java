@@ -1,5 +1,7 @@
 package lightning.app;
 
+import lightning.app.command.Notices;
+
 /** What the program is, for the Help menu. */
 final class About {
     private About() {}

@@ -6,6 +6,7 @@ import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
+import lightning.app.model.EditorModel;
 import lightning.app.widget.Obstacle;
 import lightning.edit.Command;
 import lightning.edit.DiskNews;

@@ -3,6 +3,9 @@ package lightning.app;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
 import javafx.stage.Stage;
+import lightning.app.model.Preferences;
+import lightning.app.widget.Looks;
+import lightning.app.widget.OnScreen;
 
 /** The editor's window on the screen: as large as it was left, and wholly seen. */
 final class EditorStage {

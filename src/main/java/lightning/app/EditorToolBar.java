@@ -15,14 +15,19 @@ import javafx.scene.control.Tooltip;
 import javafx.scene.layout.Region;
 import javafx.scene.text.Font;
 import javafx.scene.text.Text;
+import lightning.app.command.CommandButton;
+import lightning.app.command.SizeMenu;
+import lightning.app.model.EditorModel;
+import lightning.app.model.Precision;
+import lightning.app.traced.SamplingMenu;
 import lightning.edit.Command;
 import lightning.edit.Dial;
 import lightning.scene.Limits;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignL;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignL;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
 
 /** The buttons of the canvas window (paper §3.3 to §3.7), grouped by what they are for. */

@@ -11,6 +11,15 @@ import javafx.scene.input.TransferMode;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.VBox;
 import javafx.stage.Window;
+import lightning.app.animation.AnimationWindow;
+import lightning.app.command.FileActions;
+import lightning.app.command.Notices;
+import lightning.app.command.UndoKeys;
+import lightning.app.model.EditorModel;
+import lightning.app.preview.PreviewPane;
+import lightning.app.property.LightListPane;
+import lightning.app.property.SidePane;
+import lightning.app.traced.TracedPane;
 import lightning.edit.Command;
 
 /** Everything inside the editor's frame: traced picture, preview, and beside them the lights and their properties. */

@@ -6,6 +6,7 @@ import javafx.scene.layout.ColumnConstraints;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
+import lightning.app.command.CommandFace;
 import lightning.edit.Command;
 
 /** What mouse and keyboard do, as a table. */

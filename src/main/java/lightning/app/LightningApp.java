@@ -10,6 +10,10 @@ import javafx.scene.control.Alert;
 import javafx.scene.control.ButtonType;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
+import lightning.app.command.FilePrompt;
+import lightning.app.model.Preferences;
+import lightning.app.model.Sentence;
+import lightning.app.widget.Looks;
 import lightning.edit.OpenDocument;
 import lightning.jen.JenException;
 

@@ -6,6 +6,7 @@ import javafx.scene.control.SplitPane;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
+import lightning.app.widget.PaneHeader;
 
 /** The editor's panes before there is a scene in them; they say what is being read. */
 final class OpeningPane extends SplitPane {

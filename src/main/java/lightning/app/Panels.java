@@ -3,6 +3,10 @@ package lightning.app;
 import java.util.function.Supplier;
 import javafx.stage.Stage;
 import javafx.stage.Window;
+import lightning.app.measure.AccuracyPane;
+import lightning.app.measure.EffectsPane;
+import lightning.app.model.EditorModel;
+import lightning.app.widget.PanelWindow;
 
 /** The windows beside the editor's, each open at most once. */
 final class Panels implements AutoCloseable {

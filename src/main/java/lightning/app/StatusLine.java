@@ -5,6 +5,10 @@ import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
+import lightning.app.model.EditorModel;
+import lightning.app.model.RenderState;
+import lightning.app.model.Sentence;
+import lightning.app.model.StatusText;
 
 /** What the last update did and cost, and what the artist should read next. */
 final class StatusLine extends HBox {

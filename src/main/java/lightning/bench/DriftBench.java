@@ -5,15 +5,15 @@ import java.util.List;
 import lightning.accuracy.OrdinaryEdits;
 import lightning.accuracy.PictureError;
 import lightning.image.Film;
-import lightning.relight.Accuracy;
-import lightning.relight.Options;
-import lightning.relight.Reflections;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
+import lightning.relight.plan.Accuracy;
+import lightning.relight.plan.Reflections;
+import lightning.relight.tile.Options;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
 import lightning.shading.TraditionalTracer;
-import lightning.shading.Workers;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /** Measures what becomes of a picture after 1, 10, 100, … edits, at the levels ratio and exact. */
 final class DriftBench {

@@ -9,10 +9,10 @@ import lightning.accuracy.PaperCase;
 import lightning.accuracy.PaperCases;
 import lightning.accuracy.Saving;
 import lightning.accuracy.SavingMeter;
-import lightning.relight.Options;
-import lightning.relight.Reflections;
+import lightning.relight.plan.Reflections;
+import lightning.relight.tile.Options;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
+import lightning.work.Progress;
 
 /** Measures how the times of edits grow with pixels, lights, shapes and mirror bounces, on generated scenes. */
 final class GrowthBench {

@@ -13,8 +13,8 @@ import lightning.accuracy.LadderMeter;
 import lightning.accuracy.PaperCase;
 import lightning.accuracy.PaperCases;
 import lightning.relight.PictureTooLarge;
-import lightning.shading.Progress;
-import lightning.shading.Workers;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /**
  * A run: measures scenes, part by part.

@@ -2,9 +2,9 @@ package lightning.bench;
 
 import lightning.effects.Effect;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
 import lightning.shading.TraditionalTracer;
-import lightning.shading.Workers;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /**
  * How fast a scene is traced in full here: what predictions are made of.

@@ -1,7 +1,7 @@
 package lightning.bench;
 
 import java.io.IOException;
-import lightning.shading.Progress;
+import lightning.work.Progress;
 
 /**
  * A part of a run.
@@ -12,7 +12,7 @@ import lightning.shading.Progress;
 record Part(String where, double predictedMs, Work work) {
     /** What is done; it writes into the run's ledger itself. */
     @FunctionalInterface
-    interface Work {
+    public interface Work {
         /**
          * @throws IOException if a picture cannot be written or another program fails
          * @throws InterruptedException if this thread was interrupted

@@ -4,15 +4,15 @@ import java.io.IOException;
 import java.util.Optional;
 import lightning.accuracy.SavingMeter;
 import lightning.accuracy.TurnTimes;
-import lightning.cli.pov.PovRay;
-import lightning.cli.pov.PovScene;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
-import lightning.relight.Options;
+import lightning.pov.PovRay;
+import lightning.pov.PovScene;
+import lightning.relight.tile.Options;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
 import lightning.shading.TraditionalTracer;
-import lightning.shading.Workers;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /** Measures POV-Ray beside our full trace, and compares what the two see. */
 final class PovPeer {

@@ -18,10 +18,10 @@ import lightning.accuracy.Rung;
 import lightning.accuracy.SavingMeter;
 import lightning.image.Film;
 import lightning.relight.MemoryNeed;
-import lightning.relight.Options;
-import lightning.relight.Reflections;
+import lightning.relight.plan.Reflections;
+import lightning.relight.tile.Options;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
+import lightning.work.Progress;
 
 /** Measures one scene at one size: its first pass, and the ladder of each edit with each value. */
 final class SceneBench implements AutoCloseable {

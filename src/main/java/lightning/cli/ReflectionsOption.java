@@ -1,6 +1,6 @@
 package lightning.cli;
 
-import lightning.relight.Reflections;
+import lightning.relight.plan.Reflections;
 import picocli.CommandLine.Option;
 
 /** The option {@code --reflections}. */

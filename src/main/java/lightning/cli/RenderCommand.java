@@ -2,12 +2,12 @@ package lightning.cli;
 
 import java.util.concurrent.Callable;
 import lightning.image.Film;
-import lightning.relight.Options;
 import lightning.relight.Renderer;
+import lightning.relight.tile.Options;
 import lightning.scene.Scene;
 import lightning.shading.TraceCounts;
 import lightning.shading.TraditionalTracer;
-import lightning.shading.Workers;
+import lightning.work.Workers;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;

@@ -27,7 +27,7 @@ public final class LightEdits {
      *
      * @throws IllegalArgumentException if there is none
      */
-    static Light light(Scene scene, String name) {
+    public static Light light(Scene scene, String name) {
         return scene.light(name).orElseThrow(() -> new IllegalArgumentException("there is no light " + Quote.of(name)));
     }
 

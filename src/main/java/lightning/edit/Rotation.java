@@ -3,7 +3,7 @@ package lightning.edit;
 import lightning.math.Vec3;
 
 /** Turns vectors about axes, by Rodrigues' formula. */
-final class Rotation {
+public final class Rotation {
     private Rotation() {}
 
     /**
@@ -23,7 +23,7 @@ final class Rotation {
      *
      * @param share 0 gives {@code from}, 1 gives {@code to}
      */
-    static Vec3 between(Vec3 from, Vec3 to, double share) {
+    public static Vec3 between(Vec3 from, Vec3 to, double share) {
         Vec3 a = from.normalized();
         Vec3 b = to.normalized();
         Vec3 axis = a.cross(b);

@@ -1,6 +1,7 @@
 package lightning.edit;
 
 import java.util.Optional;
+import lightning.edit.loop.Frame;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;

@@ -3,8 +3,10 @@ package lightning.edit;
 import java.util.function.Consumer;
 import lightning.accuracy.Verification;
 import lightning.accuracy.WarmSaving;
+import lightning.edit.loop.Frame;
+import lightning.edit.loop.RenderListener;
 import lightning.image.Film;
-import lightning.relight.UpdatePlan;
+import lightning.relight.plan.UpdatePlan;
 import lightning.scene.Scene;
 
 /**
@@ -16,7 +18,7 @@ import lightning.scene.Scene;
  * @param dropped   takes there that there is no picture any more
  * @param settled   looks there again at what is in work
  */
-record WorkbenchEar(RenderListener canvas, Consumer<Runnable> tell, Consumer<Frame> finished, Runnable dropped,
+public record WorkbenchEar(RenderListener canvas, Consumer<Runnable> tell, Consumer<Frame> finished, Runnable dropped,
         Runnable settled) implements RenderListener {
 
     @Override

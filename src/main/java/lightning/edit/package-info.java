@@ -10,6 +10,6 @@
  *
  * <p>An edit is a function from a scene to a {@link lightning.edit.Change}: another scene, or the reason why there is
  * none. Pixels count from the left and from the top of a canvas; angles are in degrees unless a name says radians.
- * Nothing here is safe for several threads but {@link lightning.edit.RenderLoop} and {@link lightning.edit.Autosave}.
+ * Nothing here is safe for several threads but {@link lightning.edit.loop.RenderLoop} and {@link lightning.edit.Autosave}.
  */
 package lightning.edit;

@@ -3,7 +3,7 @@ package lightning.image;
 import java.awt.image.BufferedImage;
 
 /** Display pixels read from a file. */
-final class Pixels {
+public final class Pixels {
 
     private Pixels() {}
 

@@ -9,17 +9,26 @@ import lightning.cache.FineTile;
 import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
 import lightning.cache.TileLevel;
+import lightning.relight.plan.LayerPlan;
+import lightning.relight.plan.LevelPlan;
+import lightning.relight.plan.LightUpdate;
+import lightning.relight.plan.MaterialUpdate;
+import lightning.relight.plan.UpdatePlan;
+import lightning.relight.tile.LayerUpdater;
+import lightning.relight.tile.Options;
+import lightning.relight.tile.TilePainter;
+import lightning.relight.tile.Work;
 import lightning.scene.Scene;
 import lightning.shading.Lamp;
 import lightning.shading.LightKernel;
 import lightning.shading.LightLayer;
-import lightning.shading.Progress;
 import lightning.shading.RatioKernel;
 import lightning.shading.TraceCounts;
-import lightning.shading.Workers;
 import lightning.trace.Geometry;
 import lightning.trace.MaterialTable;
 import lightning.trace.PacketTracer;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /**
  * Brings what is known of a picture from one level of accuracy to another. Both keep each row's state, so that the terms

@@ -3,20 +3,21 @@ package lightning.relight;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.Function;
 import java.util.concurrent.CancellationException;
+import java.util.function.Function;
 import lightning.cache.CachedTile;
 import lightning.cache.PixelCache;
+import lightning.effects.ViewEffects;
 import lightning.image.Film;
 import lightning.math.Rgb;
+import lightning.relight.tile.TilePainter;
 import lightning.scene.Light;
 import lightning.scene.Rig;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.shading.Lamp;
-import lightning.shading.Progress;
-import lightning.effects.ViewEffects;
-import lightning.shading.Workers;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /**
  * What one light gives to a picture: the picture that is left when all other lights, the ambience and the background are

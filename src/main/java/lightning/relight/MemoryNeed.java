@@ -7,12 +7,15 @@ import java.util.Locale;
 import lightning.cache.CachedTile;
 import lightning.cache.PixelCache;
 import lightning.image.Film;
+import lightning.relight.plan.Accuracy;
+import lightning.relight.tile.MirrorStorage;
+import lightning.relight.tile.Options;
 import lightning.scene.Antialias;
 import lightning.scene.Limits;
 import lightning.scene.Picture;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
+import lightning.work.Progress;
 
 /**
  * How much memory a picture takes, before any work begins: by the formula of docs/architecture.md, where every ray hits and every

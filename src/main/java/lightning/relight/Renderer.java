@@ -6,12 +6,23 @@ import lightning.cache.PixelCache;
 import lightning.effects.Effect;
 import lightning.image.DisplayCurve;
 import lightning.image.Film;
+import lightning.relight.plan.Accuracy;
+import lightning.relight.plan.Dispatcher;
+import lightning.relight.plan.ErrorBound;
+import lightning.relight.plan.LevelPlan;
+import lightning.relight.plan.Reflections;
+import lightning.relight.plan.UpdatePlan;
+import lightning.relight.tile.Drag;
+import lightning.relight.tile.Job;
+import lightning.relight.tile.Options;
+import lightning.relight.tile.TileRun;
+import lightning.relight.tile.Work;
 import lightning.scene.Antialias;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
 import lightning.shading.Sight;
-import lightning.shading.Workers;
 import lightning.trace.Geometry;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /**
  * The running renderer: keeps the pixel cache of one picture and brings it to whatever scene is

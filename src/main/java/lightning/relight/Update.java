@@ -1,5 +1,6 @@
 package lightning.relight;
 
+import lightning.relight.plan.UpdatePlan;
 import lightning.shading.TraceCounts;
 
 /**

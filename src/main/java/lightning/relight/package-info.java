@@ -1,7 +1,7 @@
 /**
  * Relighting: finds what an edit changed and recomputes only that (paper §4).
  *
- * <p>The {@link lightning.relight.Dispatcher} compares two scenes, the one rendered last and the one
+ * <p>The {@link lightning.relight.plan.Dispatcher} compares two scenes, the one rendered last and the one
  * wanted, and finds the least update for each light's layer and for the rows of edited materials; nobody sets flags. The
  * {@link lightning.relight.Renderer} runs it over the tiles of the pixel cache.
  *

@@ -12,6 +12,7 @@ import lightning.trace.MaterialTable;
 import lightning.trace.PacketTracer;
 import lightning.trace.SamplePlaces;
 import lightning.trace.TileVisibility;
+import lightning.work.Progress;
 
 /** Traces one tile after the other and keeps nothing but their pixels. One for each thread. */
 final class TileTracer {

@@ -6,6 +6,8 @@ import lightning.image.Film;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /**
  * The yardstick of every saving: a full trace by the fastest code there is, tile by tile, which keeps

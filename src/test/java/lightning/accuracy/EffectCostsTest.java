@@ -6,12 +6,12 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.effects.Effect;
-import lightning.relight.Options;
+import lightning.relight.tile.Options;
 import lightning.sample.StudioScene;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
 import lightning.trace.HitRows;
+import lightning.work.Progress;
 import org.junit.jupiter.api.Test;
 
 /** What effects take: bytes and rays, which no noise changes. */

@@ -3,8 +3,8 @@ package lightning.accuracy;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.image.Film;
-import lightning.shading.Progress;
-import lightning.shading.Workers;
+import lightning.work.Progress;
+import lightning.work.Workers;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;

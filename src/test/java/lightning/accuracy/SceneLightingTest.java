@@ -8,10 +8,10 @@ import lightning.image.Film;
 import lightning.image.ViewTransform;
 import lightning.scene.Light;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
 import lightning.shading.TraditionalTracer;
-import lightning.shading.Workers;
 import lightning.trace.Geometry;
+import lightning.work.Progress;
+import lightning.work.Workers;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 

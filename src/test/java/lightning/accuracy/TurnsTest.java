@@ -7,7 +7,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
-import lightning.shading.Progress;
+import lightning.work.Progress;
 import org.junit.jupiter.api.Test;
 
 class TurnsTest {

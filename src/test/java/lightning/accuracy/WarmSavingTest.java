@@ -7,14 +7,14 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import lightning.cache.PixelCache;
-import lightning.relight.Options;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
-import lightning.relight.UpdatePlan;
+import lightning.relight.plan.UpdatePlan;
+import lightning.relight.tile.Options;
 import lightning.scene.Light;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
-import lightning.shading.Workers;
+import lightning.work.Progress;
+import lightning.work.Workers;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

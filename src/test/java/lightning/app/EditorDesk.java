@@ -14,6 +14,12 @@ import javafx.geometry.Point2D;
 import javafx.scene.Node;
 import javafx.scene.control.Labeled;
 import javafx.stage.Stage;
+import lightning.app.command.CommandButton;
+import lightning.app.command.FilePrompt;
+import lightning.app.model.EditorModel;
+import lightning.app.preview.PreviewCanvas;
+import lightning.app.widget.Looks;
+import lightning.app.widget.PictureView;
 import lightning.edit.Command;
 import lightning.edit.OpenDocument;
 import lightning.edit.Viewport;
@@ -30,7 +36,7 @@ import org.testfx.util.WaitForAsyncUtils;
 
 /** An editor on a small scene with one light of each type, all of them in view. */
 @ExtendWith(JavaFxNeeds.class)
-abstract class EditorDesk {
+public abstract class EditorDesk {
     private static final int PATIENCE_SECONDS = 30;
     private static final String SCENE = """
             jen 1
@@ -47,13 +53,13 @@ abstract class EditorDesk {
             """;
 
     @TempDir
-    Path folder;
+    public Path folder;
 
-    final FxRobot robot = new QuickRobot();
+    public final FxRobot robot = new QuickRobot();
     Stage stage;
     Editor editor;
     /** What the artist answers when asked for a file; null is Cancel. */
-    volatile Path answer;
+    public volatile Path answer;
 
     @BeforeEach
     void open() throws Exception {
@@ -98,16 +104,16 @@ abstract class EditorDesk {
         }
     }
 
-    EditorModel model() {
+    public EditorModel model() {
         return editor.model();
     }
 
-    Light light(String name) {
+    public Light light(String name) {
         return model().scene().light(name).orElseThrow();
     }
 
     /** Waits until something holds, as seen from the window's thread. */
-    void waitFor(String what, Callable<Boolean> holds) {
+    public void waitFor(String what, Callable<Boolean> holds) {
         try {
             WaitForAsyncUtils.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS,
                     () -> WaitForAsyncUtils.asyncFx(holds).get(PATIENCE_SECONDS, TimeUnit.SECONDS));
@@ -117,46 +123,46 @@ abstract class EditorDesk {
     }
 
     /** Waits until the picture shows everything. */
-    void waitForPicture() {
+    public void waitForPicture() {
         waitFor("the picture is there", () -> !model().situationProperty().get().isPending()
                 && model().situationProperty().get().inWork().isEmpty());
     }
 
     /** Clicks the control of that id. */
-    void click(String id) {
+    public void click(String id) {
         robot.clickOn("#" + id);
     }
 
-    boolean isEnabled(Command command) {
+    public boolean isEnabled(Command command) {
         return !robot.lookup("#" + CommandButton.id(command)).<Node>query().isDisabled();
     }
 
-    String text(String id) {
+    public String text(String id) {
         return robot.lookup("#" + id).<Labeled>query().getText();
     }
 
-    boolean isShown(String id) {
+    public boolean isShown(String id) {
         return robot.lookup("#" + id).tryQuery().map(Node::isVisible).orElse(false);
     }
 
-    PreviewCanvas preview() {
+    public PreviewCanvas preview() {
         return robot.lookup("#preview-canvas").query();
     }
 
     /** Where a point of the scene is seen in the preview. */
-    Point2D inPreview(Vec3 point) {
+    public Point2D inPreview(Vec3 point) {
         Viewport canvas = preview().viewport();
         return preview().onScreen(canvas.pixel(model().previewCameraProperty().get(), point));
     }
 
     /** That every pixel of the canvas, as it is on the screen's side, is a film's. */
-    void assertCanvasShows(lightning.image.Film expected) {
+    public void assertCanvasShows(lightning.image.Film expected) {
         PictureView picture = robot.lookup("#traced-picture").query();
         int[] shown = WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(picture::pixels));
         assertThat(shown).as("the pixels of the canvas").isEqualTo(model().viewProperty().get().toPixels(expected));
     }
 
-    void assertFilmIs(lightning.image.Film expected) {
+    public void assertFilmIs(lightning.image.Film expected) {
         assertThat(model().frame().film().sameBits(expected)).as("every bit of the picture").isTrue();
     }
 }

@@ -13,6 +13,7 @@ import javafx.scene.control.TextField;
 import javafx.scene.control.ToolBar;
 import javafx.scene.input.KeyCode;
 import lightning.accuracy.WarmSaving;
+import lightning.app.model.Precision;
 import lightning.edit.Change;
 import lightning.edit.Command;
 import lightning.edit.Dial;

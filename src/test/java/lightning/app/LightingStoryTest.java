@@ -8,6 +8,7 @@ import javafx.scene.control.TextField;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Window;
+import lightning.app.command.CommandButton;
 import lightning.app.widget.Typing;
 import lightning.edit.Command;
 import lightning.jen.JenReader;

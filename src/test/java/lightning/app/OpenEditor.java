@@ -10,6 +10,8 @@ import javafx.application.Platform;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
 import javafx.stage.Stage;
+import lightning.app.model.EditorModel;
+import lightning.app.widget.Looks;
 import lightning.edit.OpenDocument;
 import lightning.edit.Recovery;
 import lightning.jen.JenException;
@@ -17,10 +19,10 @@ import lightning.scene.Light;
 import org.testfx.util.WaitForAsyncUtils;
 
 /** A model with a small scene of a light of each type, to show panes of. */
-final class OpenEditor {
-    static final String SPOT = "key";
-    static final String POINT = "fill";
-    static final String SUN = "sun";
+public final class OpenEditor {
+    public static final String SPOT = "key";
+    public static final String POINT = "fill";
+    public static final String SUN = "sun";
     private static final long MOST_SECONDS = 20;
     private static final String TEXT = """
             jen 1
@@ -37,13 +39,13 @@ final class OpenEditor {
     private OpenEditor() {}
 
     /** On the window's thread; the first light is selected. */
-    static EditorModel model(Path folder) throws IOException, JenException {
+    public static EditorModel model(Path folder) throws IOException, JenException {
         Path file = Files.writeString(folder.resolve("desk.jen"), TEXT);
         return new EditorModel(OpenDocument.open(file), new Recovery(folder.resolve("recovery")), Platform::runLater);
     }
 
     /** Shows one pane alone. */
-    static void show(Stage stage, Parent pane) {
+    public static void show(Stage stage, Parent pane) {
         Looks.DARK.wear();
         Scene scene = new Scene(pane, 320, 960);
         Looks.dress(scene);
@@ -51,12 +53,12 @@ final class OpenEditor {
         stage.show();
     }
 
-    static Light light(EditorModel model, String name) {
+    public static Light light(EditorModel model, String name) {
         return model.scene().light(name).orElseThrow();
     }
 
     /** Returns as soon as the condition holds. */
-    static void await(BooleanSupplier condition) throws TimeoutException {
+    public static void await(BooleanSupplier condition) throws TimeoutException {
         WaitForAsyncUtils.waitFor(MOST_SECONDS, TimeUnit.SECONDS, condition::getAsBoolean);
     }
 }

@@ -2,8 +2,8 @@ package lightning.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import lightning.relight.Accuracy;
-import lightning.shading.Progress;
+import lightning.relight.plan.Accuracy;
+import lightning.work.Progress;
 import org.junit.jupiter.api.Test;
 
 class DriftBenchTest {

@@ -12,7 +12,7 @@ import lightning.accuracy.Level;
 import lightning.accuracy.Timing;
 import lightning.image.Film;
 import lightning.image.PictureFile;
-import lightning.shading.Progress;
+import lightning.work.Progress;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -9,9 +9,9 @@ import java.util.List;
 import java.util.Optional;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
-import lightning.relight.Accuracy;
-import lightning.relight.Options;
 import lightning.relight.Renderer;
+import lightning.relight.plan.Accuracy;
+import lightning.relight.tile.Options;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
 import lightning.scene.Light;
@@ -24,7 +24,7 @@ import lightning.scene.Shape;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 import lightning.scene.World;
-import lightning.shading.Progress;
+import lightning.work.Progress;
 import org.junit.jupiter.api.Test;
 
 /** The formula of docs/architecture.md against the arrays, and the arrays against the heap. */

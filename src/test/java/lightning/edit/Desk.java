@@ -10,7 +10,7 @@ import lightning.scene.Scene;
 import java.nio.file.Path;
 
 /** A small scene to edit: a mirror under a ball, and a light of each type. */
-final class Desk {
+public final class Desk {
     static final String TEXT = """
             jen 1
             # a comment that edits must not lose
@@ -26,7 +26,7 @@ final class Desk {
 
     private Desk() {}
 
-    static Scene scene() {
+    public static Scene scene() {
         try {
             return JenReader.read(TEXT, "desk.jen", Path.of("")).scene();
         } catch (JenException e) {
@@ -34,12 +34,12 @@ final class Desk {
         }
     }
 
-    static Light light(Scene scene, String name) {
+    public static Light light(Scene scene, String name) {
         return scene.light(name).orElseThrow();
     }
 
     /** The scene after an edit that is allowed. */
-    static Scene done(Change change) {
+    public static Scene done(Change change) {
         return switch (change) {
             case Change.To to -> to.scene();
             case Change.Refused refused -> throw new AssertionError(refused.reason());

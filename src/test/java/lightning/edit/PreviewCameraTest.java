@@ -13,7 +13,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 
-class PreviewCameraTest {
+public class PreviewCameraTest {
     private static final Viewport CANVAS = new Viewport(600, 400);
 
     private final Scene scene = Desk.scene();
@@ -187,7 +187,7 @@ class PreviewCameraTest {
         }
     }
 
-    static void assertClose(Vec3 actual, Vec3 expected, double tolerance) {
+    public static void assertClose(Vec3 actual, Vec3 expected, double tolerance) {
         assertThat(actual.minus(expected).length()).as("%s, expected %s", actual, expected).isLessThanOrEqualTo(tolerance);
     }
 }

@@ -1,7 +1,7 @@
 package lightning.relight;
 
 import java.util.concurrent.atomic.AtomicInteger;
-import lightning.shading.Progress;
+import lightning.work.Progress;
 
 /** Asks to stop from the n-th question on; until then hears everything. */
 final class CancelAfter implements Progress {

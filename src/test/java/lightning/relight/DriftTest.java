@@ -4,10 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.accuracy.OrdinaryEdits;
 import lightning.image.FilmAssert;
+import lightning.relight.plan.Accuracy;
+import lightning.relight.plan.ErrorBound;
+import lightning.relight.plan.Reflections;
+import lightning.relight.tile.MirrorStorage;
+import lightning.relight.tile.Options;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
 import lightning.shading.ReferenceTracer;
+import lightning.work.Progress;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;

@@ -3,11 +3,11 @@ package lightning.relight;
 import lightning.image.Film;
 
 /** How far two films are apart. */
-final class FilmErrors {
+public final class FilmErrors {
     private FilmErrors() {}
 
     /** The largest difference of two values, linear. */
-    static double largestError(Film actual, Film expected) {
+    public static double largestError(Film actual, Film expected) {
         float[] a = actual.toScanlines();
         float[] e = expected.toScanlines();
         double largest = 0;

@@ -5,13 +5,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import lightning.image.Film;
+import lightning.relight.plan.Accuracy;
+import lightning.relight.plan.Reflections;
+import lightning.relight.tile.MirrorStorage;
+import lightning.relight.tile.Options;
 import lightning.sample.Session;
 import lightning.sample.StudioScene;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
 import lightning.shading.ReferenceTracer;
+import lightning.work.Progress;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;

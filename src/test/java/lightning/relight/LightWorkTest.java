@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.stream.Stream;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.relight.plan.LightUpdate;
+import lightning.relight.plan.UpdatePlan;
 import lightning.sample.StudioScene;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;

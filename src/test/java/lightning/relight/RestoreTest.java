@@ -6,12 +6,16 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.cache.PixelCache;
 import lightning.image.FilmAssert;
+import lightning.relight.plan.Reflections;
+import lightning.relight.plan.UpdatePlan;
+import lightning.relight.tile.Drag;
+import lightning.relight.tile.Options;
 import lightning.sample.StudioScene;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
 import lightning.shading.ReferenceTracer;
+import lightning.work.Progress;
 import org.junit.jupiter.api.Test;
 
 /** Going back to what was kept of an earlier picture. */

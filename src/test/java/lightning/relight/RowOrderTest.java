@@ -4,12 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.cache.PixelCache;
 import lightning.cache.TileLevel;
+import lightning.relight.plan.Accuracy;
+import lightning.relight.plan.Reflections;
+import lightning.relight.tile.MirrorStorage;
+import lightning.relight.tile.Options;
 import lightning.sample.Session;
 import lightning.scene.Scene;
 import lightning.shading.LightRows;
-import lightning.shading.Progress;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
+import lightning.work.Progress;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;

@@ -5,12 +5,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
+import lightning.relight.plan.Accuracy;
+import lightning.relight.plan.LayerPlan;
+import lightning.relight.plan.LightUpdate;
+import lightning.relight.plan.Reflections;
+import lightning.relight.plan.UpdatePlan;
+import lightning.relight.tile.MirrorStorage;
+import lightning.relight.tile.Options;
 import lightning.sample.StudioScene;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
-import lightning.shading.Progress;
 import lightning.shading.SeenRows;
+import lightning.work.Progress;
 
 /** The studio's scene and a renderer whose work is counted. */
 final class Studio implements AutoCloseable {

@@ -29,6 +29,8 @@ import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.World;
+import lightning.work.Progress;
+import lightning.work.Workers;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;

@@ -23,6 +23,8 @@ import lightning.scene.World;
 import lightning.trace.Eye;
 import lightning.trace.Geometry;
 import lightning.trace.Ray;
+import lightning.work.Progress;
+import lightning.work.Workers;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;

@@ -18,6 +18,8 @@ import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.World;
+import lightning.work.Progress;
+import lightning.work.Workers;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

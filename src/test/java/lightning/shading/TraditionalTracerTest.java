@@ -5,6 +5,8 @@ import lightning.jen.JenWriter;
 import lightning.sample.SceneArbitraries;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
+import lightning.work.Progress;
+import lightning.work.Workers;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;

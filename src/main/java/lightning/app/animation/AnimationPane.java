@@ -1,0 +1,246 @@
+package lightning.app.animation;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import javafx.concurrent.Worker;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.ProgressBar;
+import javafx.scene.control.Slider;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
+import lightning.app.command.PathAsk;
+import lightning.app.widget.Obstacle;
+import lightning.edit.motion.MotionExport;
+import lightning.edit.motion.MotionPath;
+import lightning.text.Quote;
+import org.kordamp.ikonli.Ikon;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
+
+/** What the animation window holds: record, stop, play and scrub, files, and the export of pictures. */
+final class AnimationPane extends VBox {
+    private static final String EXTENSION = "path";
+
+    private final Motion motion;
+    private final PathAsk ask;
+    private final String sceneName;
+    private final WholeNumber resolution = new WholeNumber("resolution", "Resolution: preview frames from key to key",
+            "resolution", MotionPath.MAX_EVERY, MotionPath.DEFAULT_EVERY);
+    private final WholeNumber pictures = new WholeNumber("pictures", "Pictures to export", "the number of pictures",
+            MotionExport.MAX_PICTURES, 1);
+    private final Slider scrub = new Slider(0, 1, 0);
+    private final Label status = new Label();
+    private final ProgressBar bar = new ProgressBar(0);
+    private final List<Runnable> obstacles = new ArrayList<>();
+    private ExportTask export;
+    private boolean showing;
+
+    /**
+     * @param sceneName how the files that are saved are called, unless the artist says otherwise
+     * @param close     closes the window
+     */
+    AnimationPane(Motion motion, String sceneName, PathAsk ask, Runnable close) {
+        this.motion = motion;
+        this.sceneName = sceneName;
+        this.ask = ask;
+        getStyleClass().add("animation");
+        status.setId("animation-status");
+        status.getStyleClass().add("status");
+        status.setWrapText(true);
+        bar.setMaxWidth(Double.MAX_VALUE);
+        bar.setAccessibleText("export progress");
+        bar.setVisible(false);
+        getChildren().addAll(transport(), scrub(), resolution.widget(), pictures.widget(), files(), bar, status,
+                bottom(close));
+        obstacles.add(() -> pictures.widget().setObstacle(needsPath()));
+        obstacles.add(() -> resolution.widget().setObstacle(unless(!is(Motion.State.RECORDING), "it is recording")));
+        motion.stateProperty().subscribe(this::tell);
+        motion.frameProperty().subscribe(_ -> showFrame());
+        motion.pathProperty().subscribe(this::showPath);
+    }
+
+    private HBox transport() {
+        return tools(
+                button("record", "Record", MaterialDesignR.RECORD, "Records position and direction while you move the light",
+                        () -> motion.record(resolution.get()), () -> unless(!is(Motion.State.RECORDING), "it is recording")),
+                button("stop", "Stop", MaterialDesignS.STOP, "Stops recording or playing", motion::stop,
+                        () -> unless(!is(Motion.State.RESTING), "nothing is recording or playing")),
+                button("play", "Play", MaterialDesignP.PLAY, "Renders the picture again and again as the light moves",
+                        motion::play, () -> is(Motion.State.PLAYING) ? Optional.of("it is playing") : needsPath()));
+    }
+
+    private Node scrub() {
+        scrub.setId("scrub");
+        scrub.setAccessibleText("frame");
+        scrub.setBlockIncrement(1);
+        scrub.valueProperty().addListener((_, _, now) -> {
+            if (!showing) {
+                motion.stop();
+                motion.show((int) Math.rint(now.doubleValue()));
+            }
+        });
+        return explained(scrub, "The frame that is shown", this::needsPath);
+    }
+
+    private HBox files() {
+        return tools(
+                button("save-animation", "Save…", MaterialDesignC.CONTENT_SAVE_OUTLINE, "Save Animation: the path as a text file",
+                        this::save, this::needsPath),
+                button("load-animation", "Load…", MaterialDesignF.FOLDER_OPEN_OUTLINE, "Load Animation: a path from a file",
+                        this::load, Optional::empty),
+                button("export", "Export…", MaterialDesignI.IMAGE_MULTIPLE_OUTLINE, "Writes numbered PNG pictures to a folder",
+                        this::export, () -> export != null ? Optional.of("an export is running") : needsPath()),
+                button("cancel-export", "Cancel", MaterialDesignC.CANCEL, "Stops the export; finished pictures stay",
+                        () -> export.cancel(false), () -> unless(export != null, "no export is running")));
+    }
+
+    private HBox bottom(Runnable close) {
+        Region gap = new Region();
+        HBox.setHgrow(gap, Priority.ALWAYS);
+        return tools(gap, button("close-animation", "Close", MaterialDesignC.CLOSE, "Restores the scene as it was before",
+                close, Optional::empty));
+    }
+
+    private static HBox tools(Node... nodes) {
+        HBox tools = new HBox(nodes);
+        tools.getStyleClass().add("tools");
+        return tools;
+    }
+
+    private StackPane button(String id, String text, Ikon icon, String hint, Runnable action,
+            Supplier<Optional<String>> reason) {
+        Button button = new Button(text, FontIcon.of(icon));
+        button.setId(id);
+        button.setOnAction(_ -> action.run());
+        return explained(button, hint, reason);
+    }
+
+    private StackPane explained(Node control, String hint, Supplier<Optional<String>> reason) {
+        StackPane around = new StackPane(control);
+        var obstacle = new Obstacle(around, control, hint);
+        obstacles.add(() -> obstacle.set(reason.get()));
+        return around;
+    }
+
+    private boolean is(Motion.State state) {
+        return motion.state() == state;
+    }
+
+    private Optional<String> needsPath() {
+        return is(Motion.State.RECORDING) ? Optional.of("it is recording")
+                : unless(motion.path().isPresent(), "nothing is recorded or loaded yet");
+    }
+
+    private static Optional<String> unless(boolean possible, String reason) {
+        return possible ? Optional.empty() : Optional.of(reason);
+    }
+
+    private void tell(Motion.State now) {
+        obstacles.forEach(Runnable::run);
+        status.setText(switch (now) {
+            case RECORDING -> "Move " + motion.light() + " in the preview, then press Stop.";
+            case PLAYING -> "Playing";
+            case RESTING -> motion.path().map(p -> p.keys().size() + " keys over " + p.frames() + " frames")
+                    .orElse("Press Record, then move " + motion.light() + " in the preview.");
+        });
+    }
+
+    private void showPath(MotionPath path) {
+        if (path != null) {
+            pictures.set(Math.min(path.frames(), MotionExport.MAX_PICTURES));
+            showing = true;
+            scrub.setMax(Math.max(1, path.frames() - 1));
+            showing = false;
+        }
+        showFrame();
+        tell(motion.state());
+    }
+
+    private void showFrame() {
+        switch (motion.state()) {
+            case RECORDING -> status.setText("Recording: " + motion.recorded() + " frames");
+            case PLAYING, RESTING -> {
+                showing = true;
+                scrub.setValue(motion.frameProperty().get());
+                showing = false;
+            }
+        }
+    }
+
+    private void save() {
+        ask.fileToSave("Save Animation", sceneName + "." + EXTENSION, EXTENSION).ifPresent(file -> {
+            try {
+                motion.save(file);
+                status.setText("Saved to " + Quote.path(file));
+            } catch (IOException e) {
+                status.setText("Not saved: " + e.getMessage());
+            }
+        });
+    }
+
+    private void load() {
+        ask.fileToOpen("Load Animation", EXTENSION).ifPresent(file -> {
+            try {
+                motion.load(file);
+            } catch (IOException e) {
+                status.setText("Not loaded: " + e.getMessage());
+            }
+        });
+    }
+
+    private void export() {
+        ask.folder("Export pictures to").ifPresent(folder -> {
+            motion.stop();
+            ExportTask task = new ExportTask(motion.export(pictures.get()), folder, sceneName);
+            export = task;
+            bar.progressProperty().bind(task.progressProperty());
+            bar.setVisible(true);
+            obstacles.forEach(Runnable::run);
+            task.valueProperty().subscribe(written -> exported(task, written));
+            task.stateProperty().addListener((_, _, now) -> ended(task, now));
+            task.begin();
+        });
+    }
+
+    /** The last pictures of an export that was cancelled are told of after its end. */
+    private void exported(ExportTask task, int written) {
+        if (export == task) {
+            status.setText("Exporting: " + written + " of " + task.pictures());
+        }
+    }
+
+    private void ended(ExportTask task, Worker.State now) {
+        switch (now) {
+            case READY, SCHEDULED, RUNNING -> {
+                return;
+            }
+            case SUCCEEDED -> status.setText("Exported " + task.pictures() + " pictures to " + task.folder());
+            case CANCELLED -> status.setText("Export cancelled after " + task.getValue() + " of " + task.pictures() + " pictures");
+            case FAILED -> status.setText("Export failed: " + task.getException().getMessage());
+        }
+        export = null;
+        bar.progressProperty().unbind();
+        bar.setVisible(false);
+        obstacles.forEach(Runnable::run);
+    }
+
+    /** Stops an export that runs; finished pictures stay. */
+    void stopExport() {
+        if (export != null) {
+            export.cancel(false);
+        }
+    }
+}

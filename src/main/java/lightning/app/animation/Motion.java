@@ -1,0 +1,162 @@
+package lightning.app.animation;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import javafx.beans.property.IntegerProperty;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.SimpleIntegerProperty;
+import javafx.beans.value.ChangeListener;
+import lightning.app.model.EditorModel;
+import lightning.edit.motion.MotionExport;
+import lightning.edit.motion.MotionPath;
+import lightning.edit.motion.MotionPathFile;
+import lightning.edit.motion.MotionRecorder;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+
+/** The animation of one light, from Make Animation to Close: what it does, without a window. */
+final class Motion {
+    /** What it does now. */
+    enum State {
+        RESTING, RECORDING, PLAYING
+    }
+
+    private final EditorModel model;
+    private final String light;
+    private final ReadOnlyObjectWrapper<State> state = new ReadOnlyObjectWrapper<>(State.RESTING);
+    private final ReadOnlyObjectWrapper<MotionPath> path = new ReadOnlyObjectWrapper<>();
+    private final IntegerProperty frame = new SimpleIntegerProperty();
+    private final ChangeListener<Number> drawn = (_, _, _) -> recordFrame();
+    private MotionRecorder recorder;
+    private Scene awaited;
+
+    /** Begins an animation of the selected light, which must be there. */
+    Motion(EditorModel model) {
+        this.model = model;
+        light = model.selectedLight().name();
+        model.beginAnimation();
+        model.previewFramesProperty().addListener(drawn);
+    }
+
+    String light() {
+        return light;
+    }
+
+    ReadOnlyObjectProperty<State> stateProperty() {
+        return state.getReadOnlyProperty();
+    }
+
+    State state() {
+        return state.get();
+    }
+
+    /** The way recorded or loaded; null before. */
+    ReadOnlyObjectProperty<MotionPath> pathProperty() {
+        return path.getReadOnlyProperty();
+    }
+
+    Optional<MotionPath> path() {
+        return Optional.ofNullable(path.get());
+    }
+
+    /** The frame that is shown, from 0. */
+    IntegerProperty frameProperty() {
+        return frame;
+    }
+
+    /** Frames recorded so far. */
+    int recorded() {
+        return recorder == null ? 0 : recorder.frames();
+    }
+
+    /** @param every the resolution number: frames of the preview from one key to the next, within the path's limits */
+    void record(int every) {
+        stop();
+        recorder = new MotionRecorder(every);
+        state.set(State.RECORDING);
+        recordFrame();
+    }
+
+    private void recordFrame() {
+        if (state.get() == State.RECORDING) {
+            model.scene().light(light).ifPresent(recorder::frame);
+            frame.set(recorder.frames() - 1);
+        }
+    }
+
+    /** From the begin if it stands at the end. */
+    void play() {
+        stop();
+        if (path.get() != null) {
+            state.set(State.PLAYING);
+            show(frame.get() >= last() ? 0 : frame.get());
+        }
+    }
+
+    void stop() {
+        if (state.get() == State.RECORDING) {
+            path.set(recorder.path().orElse(null));
+            frame.set(last());
+        }
+        awaited = null;
+        state.set(State.RESTING);
+    }
+
+    /** A frame of the window passed: shows the next frame of the path, once the picture shows the last. */
+    void pulse() {
+        if (state.get() != State.PLAYING) {
+            return;
+        }
+        if (model.renderingProperty().get().cancelled() || model.renderingProperty().get().problem() != null) {
+            stop();
+        } else if (model.frame() != null && model.frame().scene().equals(awaited)) {
+            show(frame.get() >= last() ? 0 : frame.get() + 1);
+        }
+    }
+
+    /** Shows one frame of the path; nothing without a path. */
+    void show(int number) {
+        frame.set(number);
+        if (path.get() != null) {
+            still().ifPresent(l -> {
+                awaited = model.scene().withLight(path.get().at(l, number));
+                model.animate(awaited);
+            });
+        }
+    }
+
+    private Optional<Light> still() {
+        return model.scene().light(light);
+    }
+
+    private int last() {
+        return path.get() == null ? 0 : path.get().frames() - 1;
+    }
+
+    /** @throws IOException if the file cannot be written */
+    void save(Path file) throws IOException {
+        MotionPathFile.save(path.get(), file);
+    }
+
+    /** @throws IOException if the file cannot be read or is no motion path; nothing changes then */
+    void load(Path file) throws IOException {
+        MotionPath loaded = MotionPathFile.load(file);
+        stop();
+        path.set(loaded);
+        show(0);
+    }
+
+    /** The pictures of the path. */
+    MotionExport export(int pictures) {
+        return new MotionExport(model.scene(), light, path.get(), pictures, model.viewProperty().get());
+    }
+
+    /** Restores the scene as it was. */
+    void close() {
+        state.set(State.RESTING);
+        model.previewFramesProperty().removeListener(drawn);
+        model.endAnimation();
+    }
+}

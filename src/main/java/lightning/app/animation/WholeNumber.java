@@ -1,0 +1,44 @@
+package lightning.app.animation;
+
+import java.util.Optional;
+import lightning.app.widget.ArrowWidget;
+import lightning.app.widget.Gauge;
+import lightning.edit.Steps;
+import lightning.scene.Limits;
+
+/** A whole number from 1 that belongs to a window and no document. */
+final class WholeNumber {
+    private final ArrowWidget widget;
+    private int value;
+
+    WholeNumber(String id, String label, String title, int max, int first) {
+        widget = new ArrowWidget(label, title, Gauge.of(title, new Steps(1, 1, max), (v, gesture) -> {
+            double wanted = gesture == null ? v : Math.rint(v);
+            try {
+                Limits.range(title, wanted, 1, max);
+            } catch (IllegalArgumentException e) {
+                return Optional.of(e.getMessage());
+            }
+            if (wanted != Math.rint(wanted)) {
+                return Optional.of(title + " must be a whole number, was " + Limits.text(wanted));
+            }
+            set((int) wanted);
+            return Optional.empty();
+        }));
+        widget.setId(id);
+        set(first);
+    }
+
+    ArrowWidget widget() {
+        return widget;
+    }
+
+    int get() {
+        return value;
+    }
+
+    void set(int v) {
+        value = v;
+        widget.show(v);
+    }
+}

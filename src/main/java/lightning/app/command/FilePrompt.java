@@ -1,0 +1,62 @@
+package lightning.app.command;
+
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import javafx.stage.FileChooser;
+import javafx.stage.Window;
+
+/** Asks which file. */
+public interface FilePrompt {
+    /** A scene to open; empty where the artist thought better of it. */
+    Optional<Path> scene(Path folder);
+
+    /** Where to write a scene. */
+    Optional<Path> sceneToWrite(Path proposal);
+
+    /** Where to write a picture. */
+    Optional<Path> pictureToWrite(Path proposal);
+
+    /** The system's own windows. */
+    static FilePrompt of(Window owner) {
+        var scenes = new FileChooser.ExtensionFilter("Scenes (*.jen)", "*.jen");
+        return new FilePrompt() {
+            @Override
+            public Optional<Path> scene(Path folder) {
+                return path(chooser("Load File", folder, scenes).showOpenDialog(owner));
+            }
+
+            @Override
+            public Optional<Path> sceneToWrite(Path proposal) {
+                var chooser = chooser("Save Scene As", proposal.toAbsolutePath().getParent(), scenes);
+                chooser.setInitialFileName(proposal.getFileName().toString());
+                return path(chooser.showSaveDialog(owner));
+            }
+
+            @Override
+            public Optional<Path> pictureToWrite(Path proposal) {
+                var chooser = chooser("Save Image", proposal.toAbsolutePath().getParent(),
+                        new FileChooser.ExtensionFilter("PNG, 8 bits (*.png)", "*.png"),
+                        new FileChooser.ExtensionFilter("XPM, as in 1998 (*.xpm)", "*.xpm"),
+                        new FileChooser.ExtensionFilter("PFM, linear floats (*.pfm)", "*.pfm"));
+                chooser.setInitialFileName(proposal.getFileName().toString());
+                return path(chooser.showSaveDialog(owner));
+            }
+        };
+    }
+
+    private static FileChooser chooser(String title, Path folder, FileChooser.ExtensionFilter... filters) {
+        var chooser = new FileChooser();
+        chooser.setTitle(title);
+        chooser.getExtensionFilters().setAll(filters);
+        if (folder != null && Files.isDirectory(folder)) {
+            chooser.setInitialDirectory(folder.toAbsolutePath().toFile());
+        }
+        return chooser;
+    }
+
+    private static Optional<Path> path(File file) {
+        return Optional.ofNullable(file).map(File::toPath);
+    }
+}

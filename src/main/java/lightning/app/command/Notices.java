@@ -1,0 +1,152 @@
+package lightning.app.command;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import javafx.scene.Node;
+import javafx.scene.control.Alert;
+import javafx.scene.control.ButtonBar.ButtonData;
+import javafx.scene.control.ButtonType;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListCell;
+import javafx.scene.control.ListView;
+import javafx.scene.layout.Region;
+import javafx.stage.Window;
+import lightning.app.model.Sentence;
+import lightning.app.widget.OnScreen;
+import lightning.edit.Recovery;
+import lightning.jen.JenException;
+import lightning.jen.Problem;
+import lightning.text.Quote;
+import org.kordamp.ikonli.Ikon;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignH;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
+
+/** What the editor tells and asks in windows of their own. */
+public final class Notices {
+    static final ButtonType SAVE = new ButtonType("Save", ButtonData.YES);
+    static final ButtonType DISCARD = new ButtonType("Don't Save", ButtonData.NO);
+    static final ButtonType GO_FIRST = new ButtonType("Go First", ButtonData.NO);
+    static final ButtonType SAVE_AS_IT_IS = new ButtonType("Save As It Is", ButtonData.YES);
+    public static final ButtonType RECOVER = new ButtonType("Recover", ButtonData.YES);
+    public static final ButtonType FORGET = new ButtonType("Discard", ButtonData.NO);
+    static final ButtonType OVERWRITE = new ButtonType("Overwrite", ButtonData.YES);
+    static final ButtonType REPLACE = new ButtonType("Replace", ButtonData.YES);
+    static final ButtonType SAVE_AS = new ButtonType("Save As…", ButtonData.OTHER);
+    static final ButtonType RELOAD = new ButtonType("Take the File's", ButtonData.NO);
+    private static final ButtonType LATER = new ButtonType("Ask Later", ButtonData.CANCEL_CLOSE);
+    private static final double WIDTH = 560;
+    private static final double LIST_HEIGHT = 320;
+    private static final double ROW_HEIGHT = 36;
+
+    private static final int ICON = 28;
+
+    private final Window owner;
+
+    public Notices(Window owner) {
+        this.owner = owner;
+    }
+
+    /** Says that something failed; the window beside lives on. */
+    public void failed(String what, Throwable why) {
+        failure(what, why).show();
+    }
+
+    /** The same, and goes on when it was read. */
+    public void failedAndRead(String what, Throwable why) {
+        failure(what, why).showAndWait();
+    }
+
+    private Alert failure(String what, Throwable why) {
+        return why instanceof JenException wrong ? problems(what, wrong.problems())
+                : alert(Alert.AlertType.ERROR, what, Sentence.of(why), ButtonType.CLOSE);
+    }
+
+    private Alert problems(String what, List<Problem> problems) {
+        Alert alert = alert(Alert.AlertType.ERROR, what, "", ButtonType.CLOSE);
+        var list = new ListView<Problem>();
+        list.setId("problems");
+        list.setAccessibleText("What is wrong with the file");
+        list.getItems().setAll(problems);
+        list.setCellFactory(_ -> new ProblemCell());
+        list.setPrefSize(WIDTH, Math.min(LIST_HEIGHT, ROW_HEIGHT * (problems.size() + 1)));
+        alert.getDialogPane().setContent(list);
+        return alert;
+    }
+
+    Optional<ButtonType> unsaved(String name) {
+        return alert(Alert.AlertType.CONFIRMATION, "Save the changes of " + name + "?",
+                "The scene was edited since it was last saved.", SAVE, DISCARD, ButtonType.CANCEL).showAndWait();
+    }
+
+    /** @param remark why the picture is not what the artist may expect: a clause */
+    Optional<ButtonType> pending(String remark) {
+        return alert(Alert.AlertType.CONFIRMATION, "Save the picture without the last edits?",
+                Character.toUpperCase(remark.charAt(0)) + remark.substring(1) + ".", SAVE_AS_IT_IS, GO_FIRST, ButtonType.CANCEL)
+                .showAndWait();
+    }
+
+    public Optional<ButtonType> recover(Recovery.Found found) {
+        return alert(Alert.AlertType.CONFIRMATION, "Recover unsaved edits of " + Quote.path(found.file().getFileName()) + "?",
+                "Lightning ended before they were saved to " + Quote.path(found.file()) + ".", RECOVER, FORGET, LATER)
+                .showAndWait();
+    }
+
+    /** @param both the open scene beside the file */
+    Optional<ButtonType> changed(String name, Node both) {
+        Alert alert = alert(Alert.AlertType.CONFIRMATION, name + " was changed by another program",
+                "", OVERWRITE, SAVE_AS, RELOAD, ButtonType.CANCEL);
+        alert.getDialogPane().setContent(both);
+        alert.setResizable(true);
+        return alert.showAndWait();
+    }
+
+    Optional<ButtonType> readOnly(Path file) {
+        return alert(Alert.AlertType.CONFIRMATION, "Replace " + Quote.path(file.getFileName()) + ", which is read-only?",
+                "Somebody wanted it to stay as it is. If you replace it, it is read-only again.", REPLACE, SAVE_AS,
+                ButtonType.CANCEL).showAndWait();
+    }
+
+    /** Whether the artist wants to lose a file that is there. */
+    boolean mayReplace(Path file) {
+        return alert(Alert.AlertType.CONFIRMATION, "Replace " + Quote.path(file.getFileName()) + "?",
+                Quote.path(file) + " is there already.", REPLACE, ButtonType.CANCEL).showAndWait().filter(REPLACE::equals).isPresent();
+    }
+
+    public void text(String title, String text) {
+        alert(Alert.AlertType.INFORMATION, title, text, ButtonType.CLOSE).show();
+    }
+
+    private Alert alert(Alert.AlertType type, String header, String text, ButtonType... buttons) {
+        var alert = new Alert(type, "", buttons);
+        alert.initOwner(owner);
+        alert.setTitle("Lightning");
+        alert.setHeaderText(header);
+        Ikon icon = switch (type) {
+            case ERROR -> MaterialDesignA.ALERT_CIRCLE_OUTLINE;
+            case CONFIRMATION -> MaterialDesignH.HELP_CIRCLE_OUTLINE;
+            case INFORMATION, WARNING, NONE -> MaterialDesignI.INFORMATION_OUTLINE;
+        };
+        alert.setGraphic(FontIcon.of(icon, ICON));
+        var content = new Label(text);
+        content.setWrapText(true);
+        content.setMaxWidth(WIDTH);
+        alert.getDialogPane().setContent(content);
+        alert.getDialogPane().setMinHeight(Region.USE_PREF_SIZE);
+        alert.setOnShown(_ -> OnScreen.fit(alert.getDialogPane().getScene().getWindow()));
+        return alert;
+    }
+
+    /** Line and column, then what is wrong. */
+    private static final class ProblemCell extends ListCell<Problem> {
+        @Override
+        protected void updateItem(Problem problem, boolean empty) {
+            super.updateItem(problem, empty);
+            setWrapText(true);
+            setPrefWidth(0);
+            setText(empty || problem == null ? "" : "Line " + problem.line() + ", column " + problem.column() + ":  " + problem.message());
+        }
+    }
+}

@@ -1,0 +1,66 @@
+package lightning.app.command;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import javafx.stage.DirectoryChooser;
+import javafx.stage.FileChooser;
+import javafx.stage.Window;
+
+/** Asks the artist where a file is or should be; empty where the question was cancelled. */
+public interface PathAsk {
+    Optional<Path> fileToOpen(String title, String extension);
+
+    /** @param name what the file is called unless the artist says otherwise */
+    Optional<Path> fileToSave(String title, String name, String extension);
+
+    Optional<Path> folder(String title);
+
+    /**
+     * Asks with the windows of the system.
+     *
+     * @param from the folder where they open
+     */
+    static PathAsk inWindows(Window owner, Path from) {
+        return new PathAsk() {
+            @Override
+            public Optional<Path> fileToOpen(String title, String extension) {
+                return Optional.ofNullable(chooser(title, extension, from).showOpenDialog(owner)).map(f -> f.toPath());
+            }
+
+            @Override
+            public Optional<Path> fileToSave(String title, String name, String extension) {
+                FileChooser chooser = chooser(title, extension, from);
+                chooser.setInitialFileName(name);
+                return Optional.ofNullable(chooser.showSaveDialog(owner)).map(f -> f.toPath());
+            }
+
+            @Override
+            public Optional<Path> folder(String title) {
+                return Optional.ofNullable(folders(title, from).showDialog(owner)).map(f -> f.toPath());
+            }
+        };
+    }
+
+    /** A window that asks for a folder, and opens at one. */
+    static DirectoryChooser folders(String title, Path from) {
+        var chooser = new DirectoryChooser();
+        chooser.setTitle(title);
+        if (Files.isDirectory(from)) {
+            chooser.setInitialDirectory(from.toFile());
+        }
+        return chooser;
+    }
+
+    /** A window that asks for a file, and opens at a folder. */
+    static FileChooser chooser(String title, String extension, Path from) {
+        FileChooser chooser = new FileChooser();
+        chooser.setTitle(title);
+        if (Files.isDirectory(from)) {
+            chooser.setInitialDirectory(from.toFile());
+        }
+        chooser.getExtensionFilters().addAll(new FileChooser.ExtensionFilter("*." + extension, "*." + extension),
+                new FileChooser.ExtensionFilter("All files", "*"));
+        return chooser;
+    }
+}

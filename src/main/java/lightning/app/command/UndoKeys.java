@@ -1,0 +1,49 @@
+package lightning.app.command;
+
+import javafx.scene.Node;
+import javafx.scene.control.TextInputControl;
+import javafx.scene.input.KeyCombination;
+import javafx.scene.input.KeyEvent;
+import lightning.app.model.EditorModel;
+import lightning.edit.Command;
+
+/**
+ * The keys of undo and redo wherever the keyboard is. A text has an undo of its own, which would swallow the keys: it
+ * comes first as long as something is typed there that is not set yet, and the document's when nothing is.
+ */
+public final class UndoKeys {
+    private static final KeyCombination UNDO = KeyCombination.valueOf("Shortcut+Z");
+    private static final KeyCombination REDO = KeyCombination.valueOf("Shortcut+Shift+Z");
+    private static final KeyCombination REDO_TOO = KeyCombination.valueOf("Shortcut+Y");
+
+    private UndoKeys() {}
+
+    /** Takes the keys before any part of a window does. */
+    public static void take(Node window, EditorModel model) {
+        window.addEventFilter(KeyEvent.KEY_PRESSED, e -> {
+            if (UNDO.match(e)) {
+                undo(e, model);
+                e.consume();
+            } else if (REDO.match(e) || REDO_TOO.match(e)) {
+                redo(e, model);
+                e.consume();
+            }
+        });
+    }
+
+    private static void undo(KeyEvent e, EditorModel model) {
+        if (e.getTarget() instanceof TextInputControl text && text.isUndoable()) {
+            text.undo();
+        } else {
+            model.run(Command.UNDO);
+        }
+    }
+
+    private static void redo(KeyEvent e, EditorModel model) {
+        if (e.getTarget() instanceof TextInputControl text && text.isRedoable()) {
+            text.redo();
+        } else {
+            model.run(Command.REDO);
+        }
+    }
+}

@@ -1,0 +1,48 @@
+package lightning.app.measure;
+
+import java.util.function.Function;
+import javafx.beans.property.ReadOnlyStringWrapper;
+import javafx.scene.control.Label;
+import javafx.scene.control.TableColumn;
+import javafx.scene.control.TableView;
+import lightning.accuracy.Ladder;
+import lightning.accuracy.Rung;
+
+/** The levels of accuracy, a row each: time, saving and errors. */
+final class LadderTable extends TableView<Rung> {
+    private static final double NUMBER = 96;
+    private static final double LEVEL = 170;
+    private static final double ROW = 30;
+
+    private Ladder ladder;
+
+    LadderTable() {
+        setId("ladder");
+        setAccessibleText("Levels of accuracy");
+        getStyleClass().add("dense");
+        setPlaceholder(new Label("Measure shows what each level costs for the last edit, and how far it is off."));
+        setColumnResizePolicy(CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
+        setFixedCellSize(ROW);
+        add("Level", LEVEL, r -> (r.level().ordinal() + 1) + "  " + r.level().label());
+        add("Time", NUMBER, RungText::time);
+        add("Of a full trace", NUMBER, r -> RungText.saving(ladder, r));
+        add("Largest error", NUMBER, r -> RungText.largest(r.error()));
+        add("Values off", NUMBER, r -> RungText.values(r.error()));
+        add("PSNR", NUMBER, r -> RungText.psnr(r.error()));
+        add("SSIM", NUMBER, r -> RungText.ssim(r.error()));
+    }
+
+    private void add(String title, double width, Function<Rung, String> text) {
+        var column = new TableColumn<Rung, String>(title);
+        column.setPrefWidth(width);
+        column.setSortable(false);
+        column.setReorderable(false);
+        column.setCellValueFactory(cell -> new ReadOnlyStringWrapper(text.apply(cell.getValue())));
+        getColumns().add(column);
+    }
+
+    void show(Ladder measured) {
+        ladder = measured;
+        getItems().setAll(measured.rungs());
+    }
+}

@@ -1,0 +1,359 @@
+package lightning.app.model;
+
+import java.io.IOException;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.Function;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.LongProperty;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleLongProperty;
+import javafx.beans.property.SimpleObjectProperty;
+import javafx.beans.property.SimpleStringProperty;
+import javafx.beans.property.StringProperty;
+import lightning.edit.Change;
+import lightning.edit.Command;
+import lightning.edit.OpenDocument;
+import lightning.edit.PreviewCamera;
+import lightning.edit.Recovery;
+import lightning.edit.Selection;
+import lightning.edit.Situation;
+import lightning.edit.Workbench;
+import lightning.edit.loop.Frame;
+import lightning.image.ViewTransform;
+import lightning.jen.JenException;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+
+/**
+ * What the panes of the editor show and do: the open document, its traced picture, the selection, and the commands. All
+ * methods are called on the window's thread, and none of them waits.
+ */
+public final class EditorModel implements AutoCloseable {
+    private final ReadOnlyObjectWrapper<OpenDocument> document = new ReadOnlyObjectWrapper<>();
+    private final ReadOnlyObjectWrapper<Scene> scene = new ReadOnlyObjectWrapper<>();
+    private final ReadOnlyObjectWrapper<Light> selectedLight = new ReadOnlyObjectWrapper<>();
+    private final ReadOnlyObjectWrapper<Situation> situation = new ReadOnlyObjectWrapper<>();
+    private final ReadOnlyObjectWrapper<RenderState> rendering = new ReadOnlyObjectWrapper<>(RenderState.NONE);
+    private final BooleanProperty litPreview = new SimpleBooleanProperty(true);
+    private final ObjectProperty<PreviewCamera> previewCamera = new SimpleObjectProperty<>();
+    private final LongProperty previewFrames = new SimpleLongProperty();
+    private final LongProperty repaints = new SimpleLongProperty();
+    private final BooleanProperty live = new SimpleBooleanProperty();
+    private final ObjectProperty<Precision> precision = new SimpleObjectProperty<>(Precision.EXACT);
+    private final ObjectProperty<ViewTransform> view = new SimpleObjectProperty<>(ViewTransform.DEFAULT);
+    private final StringProperty message = new SimpleStringProperty("");
+    private final Map<Command, Runnable> actions = new EnumMap<>(Command.class);
+    private final TracedRaster raster = new TracedRaster();
+    private final Executor window;
+    private final Workbench workbench;
+    private final PictureLook look;
+    private final MaterialChoice materials;
+    private final LookThrough lookThrough;
+    /** What an open animation shows in place of the document; null where none is open. */
+    private Scene staged;
+
+    /**
+     * Takes a document and starts to trace it.
+     *
+     * @param recovery keeps unsaved edits for the case of a crash
+     * @param window   runs tasks in turn on the window's thread
+     */
+    public EditorModel(OpenDocument first, Recovery recovery, Executor window) {
+        this.window = window;
+        var feed = new RenderFeed(window, raster, this::heard);
+        workbench = new Workbench(first, precision.get().options(), recovery, window, this::refresh, feed,
+                why -> window.execute(() -> say("The last edits could not be kept for the case of a crash: " + Sentence.of(why))));
+        LightActions.addTo(this);
+        look = new PictureLook(this);
+        materials = new MaterialChoice(this);
+        lookThrough = new LookThrough(this);
+        precision.addListener((_, _, now) -> workbench.reopen(now.options()));
+        view.addListener((_, _, now) -> {
+            workbench.setView(now);
+            raster.setView(now);
+            repaint();
+        });
+        live.addListener((_, _, on) -> {
+            workbench.setLive(on);
+            stage(staged);
+        });
+        opened();
+        workbench.go();
+    }
+
+    /** Takes another document in place of the open one, and traces it. Unsaved edits are lost: ask before. */
+    public void open(OpenDocument other) {
+        staged = null;
+        workbench.open(other);
+        opened();
+    }
+
+    /**
+     * Takes what a crash left unsaved in place of the open document, and traces it.
+     *
+     * @throws IOException if it could not be kept any longer
+     * @throws JenException if it does not parse
+     */
+    public void recover(Recovery.Found found) throws IOException, JenException {
+        staged = null;
+        workbench.recover(found);
+        opened();
+    }
+
+    private void opened() {
+        previewCamera.set(PreviewCamera.of(document().scene()));
+        document().scene().lights().stream().findFirst().ifPresent(l -> document().selectLight(l.name()));
+        refresh();
+    }
+
+    public ReadOnlyObjectProperty<OpenDocument> documentProperty() {
+        return document.getReadOnlyProperty();
+    }
+
+    /** The scene as edited: the document's, or what an open animation shows. */
+    public ReadOnlyObjectProperty<Scene> sceneProperty() {
+        return scene.getReadOnlyProperty();
+    }
+
+    /** The selected light as it is now; null if none is selected. */
+    public ReadOnlyObjectProperty<Light> selectedLightProperty() {
+        return selectedLight.getReadOnlyProperty();
+    }
+
+    /** Everything that decides which commands are enabled. */
+    public ReadOnlyObjectProperty<Situation> situationProperty() {
+        return situation.getReadOnlyProperty();
+    }
+
+    /** How far the traced picture is, and the last one. */
+    public ReadOnlyObjectProperty<RenderState> renderingProperty() {
+        return rendering.getReadOnlyProperty();
+    }
+
+    public ObjectProperty<PreviewCamera> previewCameraProperty() {
+        return previewCamera;
+    }
+
+    /** Whether lights fall on textures in the preview; else textures glow, as in 1998. */
+    public BooleanProperty litPreviewProperty() {
+        return litPreview;
+    }
+
+    /** Counts the frames that the preview has drawn. */
+    public LongProperty previewFramesProperty() {
+        return previewFrames;
+    }
+
+    /** Changes whenever the raster may have. */
+    public LongProperty repaintsProperty() {
+        return repaints;
+    }
+
+    /** The raster was changed. */
+    public void repaint() {
+        repaints.set(repaints.get() + 1);
+    }
+
+    /** Whether edits are rendered as they are made, without Go. */
+    public BooleanProperty liveProperty() {
+        return live;
+    }
+
+    public ObjectProperty<Precision> precisionProperty() {
+        return precision;
+    }
+
+    /** How linear light becomes display pixels. */
+    public ObjectProperty<ViewTransform> viewProperty() {
+        return view;
+    }
+
+    /** What of the traced picture is shown. */
+    public PictureLook look() {
+        return look;
+    }
+
+    /** Which material is edited. */
+    public MaterialChoice materials() {
+        return materials;
+    }
+
+    /** Whether the preview looks through the selected light. */
+    public LookThrough lookThrough() {
+        return lookThrough;
+    }
+
+    /** What the artist should read next: why an edit was refused, what was saved; empty where there is nothing. */
+    public StringProperty messageProperty() {
+        return message;
+    }
+
+    /** Runs tasks in turn on the window's thread. */
+    public Executor window() {
+        return window;
+    }
+
+    public TracedRaster raster() {
+        return raster;
+    }
+
+    public OpenDocument document() {
+        return workbench.document();
+    }
+
+    public Scene scene() {
+        return staged == null ? workbench.scene() : staged;
+    }
+
+    public Light selectedLight() {
+        return selectedLight.get();
+    }
+
+    /** The lights of the scene, in its order. */
+    public List<Light> lights() {
+        return scene().lights();
+    }
+
+    /** The last traced picture; null before the first. */
+    public Frame frame() {
+        return workbench.frame().orElse(null);
+    }
+
+    /** What the commands act on. */
+    public Workbench workbench() {
+        return workbench;
+    }
+
+    /** Tells the artist something in the status line, until the next edit. */
+    public void say(String sentence) {
+        message.set(sentence);
+    }
+
+    /**
+     * Makes an edit, of the document or of the animation that is open.
+     *
+     * @return why it was refused; empty if it was made
+     */
+    public Optional<String> edit(Function<Scene, Change> edit) {
+        return edit(edit, null);
+    }
+
+    /**
+     * The same as part of a gesture, all of which is one step to undo.
+     *
+     * @param gesture any object that stands for one drag, told by identity; null for a step of its own
+     */
+    public Optional<String> edit(Function<Scene, Change> edit, Object gesture) {
+        say("");
+        Change change = edit.apply(scene());
+        if (staged == null) {
+            return workbench.edit(change, gesture);
+        }
+        stage(change.or(staged));
+        return change.refusal();
+    }
+
+    /** Selects the light of that name; nothing where there is none, or for null. */
+    public void selectLight(String name) {
+        if (name == null) {
+            workbench.select(Selection.NONE);
+        } else {
+            workbench.selectLight(name);
+            materials.inFrontProperty().set(false);
+        }
+    }
+
+    /** Renders the scene as edited. */
+    public void go() {
+        if (staged == null) {
+            workbench.go();
+        } else {
+            workbench.show(staged);
+        }
+    }
+
+    /** Whether an animation is open: edits then are no edits of the document, and are gone when it is closed. */
+    public boolean isAnimating() {
+        return staged != null;
+    }
+
+    public void beginAnimation() {
+        staged = document().scene();
+        workbench.setAnimating(true);
+    }
+
+    /** Shows and renders a scene of the animation. */
+    public void animate(Scene frame) {
+        staged = frame;
+        workbench.show(frame);
+    }
+
+    private void stage(Scene frame) {
+        staged = frame;
+        refresh();
+        if (staged != null && live.get() && situation.get().isPending()) {
+            workbench.show(staged);
+        }
+    }
+
+    /** Restores the document's scene, in the picture too. */
+    public void endAnimation() {
+        staged = null;
+        workbench.setAnimating(false);
+        if (situation.get().isPending()) {
+            go();
+        }
+    }
+
+    /** Says what a command does; a pane that asks the artist something first says so for its commands. */
+    public void setAction(Command command, Runnable action) {
+        actions.put(command, action);
+    }
+
+    /** Does the command if it is enabled. */
+    public void run(Command command) {
+        Runnable action = actions.get(command);
+        if (enabled(command) && action != null) {
+            action.run();
+        }
+    }
+
+    public boolean enabled(Command command) {
+        return command.isEnabled(situation.get());
+    }
+
+    /** Why the command is disabled; empty if it is enabled. */
+    public Optional<String> reason(Command command) {
+        return command.obstacle(situation.get());
+    }
+
+    /** Looks at everything anew. */
+    public void refresh() {
+        document.set(document());
+        scene.set(scene());
+        Light light = document().selectedLight().flatMap(l -> scene().light(l.name())).orElse(null);
+        selectedLight.set(light);
+        Situation s = workbench.situation();
+        situation.set(staged == null ? s : new Situation(staged, s.rendered(), s.mirrored(), s.inWork(), s.verifying(),
+                Optional.ofNullable(light), s.undo(), s.redo(), s.undoLight(), s.redoLight(), s.dirty(), s.changedOnDisk(),
+                s.copied(), s.animating()));
+    }
+
+    private void heard(RenderState state) {
+        rendering.set(state);
+        repaint();
+    }
+
+    /** Stops the threads; nothing is saved. */
+    @Override
+    public void close() {
+        workbench.close();
+    }
+}

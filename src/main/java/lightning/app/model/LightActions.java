@@ -1,0 +1,58 @@
+package lightning.app.model;
+
+import java.util.function.BiFunction;
+import lightning.edit.Change;
+import lightning.edit.Command;
+import lightning.edit.LightEdits;
+import lightning.edit.Workbench;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+
+/** The commands that ask nothing before they are done. */
+final class LightActions {
+    private final EditorModel model;
+
+    private LightActions(EditorModel model) {
+        this.model = model;
+    }
+
+    static void addTo(EditorModel model) {
+        LightActions actions = new LightActions(model);
+        model.setAction(Command.GO, model::go);
+        Workbench bench = model.workbench();
+        model.setAction(Command.UPDATE_REFLECTIONS, bench::updateReflections);
+        model.setAction(Command.VERIFY, bench::verify);
+        model.setAction(Command.CANCEL, bench::cancel);
+        model.setAction(Command.UNDO, bench::undo);
+        model.setAction(Command.REDO, bench::redo);
+        model.setAction(Command.UNDO_LIGHT, () -> bench.undoLight().ifPresent(model::say));
+        model.setAction(Command.REDO_LIGHT, () -> bench.redoLight().ifPresent(model::say));
+        model.setAction(Command.ADD_LIGHT, () -> actions.add(LightType.POINT));
+        model.setAction(Command.DUPLICATE_LIGHT, actions::duplicate);
+        model.setAction(Command.DELETE_LIGHT, () -> actions.edit(LightEdits::delete));
+        model.setAction(Command.SWITCH_ON, () -> actions.edit((s, n) -> LightEdits.on(s, n, !model.selectedLight().on())));
+        model.setAction(Command.SOLO, () -> actions.edit((s, n) -> LightEdits.solo(s, n, !model.selectedLight().solo())));
+        model.setAction(Command.COPY_SETTINGS, bench::copySettings);
+        model.setAction(Command.PASTE_SETTINGS, () -> bench.pasteSettings().ifPresent(model::say));
+        model.setAction(Command.LOOK_THROUGH_LIGHT, () -> model.lookThrough().toggle());
+    }
+
+    private void edit(BiFunction<Scene, String, Change> edit) {
+        Light light = model.selectedLight();
+        model.edit(scene -> edit.apply(scene, light.name())).ifPresent(model::say);
+    }
+
+    /** The new light is the last of the scene, and selected. */
+    void add(LightType type) {
+        model.edit(scene -> LightEdits.add(scene, type)).ifPresentOrElse(model::say,
+                () -> model.selectLight(model.lights().getLast().name()));
+    }
+
+    /** The copy stands behind its original, and is selected. */
+    private void duplicate() {
+        int place = model.lights().indexOf(model.selectedLight());
+        edit(LightEdits::duplicate);
+        model.selectLight(model.lights().get(Math.min(place + 1, model.lights().size() - 1)).name());
+    }
+}

@@ -1,0 +1,53 @@
+package lightning.app.model;
+
+import java.util.List;
+import java.util.Optional;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleObjectProperty;
+import lightning.edit.loop.Frame;
+import lightning.edit.loop.Look;
+import lightning.effects.ViewEffects;
+import lightning.scene.Light;
+
+/** What of the traced picture the artist wants to look at: the share of the selected light alone, or less than all effects. */
+public final class PictureLook {
+    private final EditorModel model;
+    private final BooleanProperty onlySelected = new SimpleBooleanProperty();
+    private final ObjectProperty<ViewEffects> effects = new SimpleObjectProperty<>(ViewEffects.ALL);
+    private Look wanted = Look.PLAIN;
+
+    PictureLook(EditorModel model) {
+        this.model = model;
+        onlySelected.subscribe(_ -> look());
+        effects.subscribe(_ -> look());
+        model.situationProperty().subscribe(_ -> look());
+    }
+
+    /** Whether the selected light's share alone is shown, whichever light that is. */
+    public BooleanProperty onlySelectedProperty() {
+        return onlySelected;
+    }
+
+    public ObjectProperty<ViewEffects> effectsProperty() {
+        return effects;
+    }
+
+    private void look() {
+        Light selected = model.selectedLight();
+        Look look = new Look(onlySelected.get() && selected != null ? Optional.of(renderedName(selected)) : Optional.empty(), effects.get());
+        if (!look.equals(wanted)) {
+            wanted = look;
+            model.workbench().setLook(look);
+        }
+    }
+
+    /** A light may have been renamed since the picture was rendered; its place among the lights then tells. */
+    private String renderedName(Light light) {
+        Frame frame = model.frame();
+        List<Light> now = model.lights();
+        boolean renamed = frame != null && frame.scene().light(light.name()).isEmpty() && frame.scene().lights().size() == now.size();
+        return renamed ? frame.scene().lights().get(now.indexOf(light)).name() : light.name();
+    }
+}

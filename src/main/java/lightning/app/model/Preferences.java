@@ -1,0 +1,116 @@
+package lightning.app.model;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.StringReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Properties;
+import java.util.stream.Stream;
+import lightning.file.PrivateFolder;
+import lightning.file.SafeFile;
+
+/**
+ * What the editor remembers from one run to the next. A value that is damaged, or beyond what its reader can use, counts
+ * as absent, and so does all of a file that cannot be read; the other values stay.
+ */
+public final class Preferences {
+    private static final int RECENT = 10;
+    private static final int MOST_BYTES = 1 << 20;
+
+    private final Path file;
+    private final Properties values = new Properties();
+
+    /** Reads them from a folder. */
+    public Preferences(Path folder) {
+        file = folder.resolve("preferences.properties");
+        if (Files.isRegularFile(file)) {
+            try (InputStream in = Files.newInputStream(file)) {
+                new String(in.readNBytes(MOST_BYTES), StandardCharsets.UTF_8).lines().forEach(this::load);
+            } catch (IOException e) {
+                values.clear();
+            }
+        }
+    }
+
+    /** Each value has a line: what is wrong with one is no reason to lose the next. */
+    private void load(String line) {
+        try {
+            values.load(new StringReader(line));
+        } catch (IOException | IllegalArgumentException e) {
+            // This one is damaged.
+        }
+    }
+
+    private String text(String key) {
+        return values.getProperty(key, "");
+    }
+
+    /** Whether a value is this one. */
+    public boolean is(String key, String value) {
+        return text(key).equals(value);
+    }
+
+    /** A number from {@code least} to {@code most}; {@code otherwise} where there is none. */
+    public double number(String key, double least, double most, double otherwise) {
+        try {
+            double value = Double.parseDouble(text(key));
+            // NaN is not between any two numbers.
+            return value >= least && value <= most ? value : otherwise;
+        } catch (NumberFormatException e) {
+            return otherwise;
+        }
+    }
+
+    /** One of the values of {@code otherwise}'s type, by its name; {@code otherwise} where there is none. */
+    public <E extends Enum<E>> E choice(String key, E otherwise) {
+        return Stream.of(otherwise.getDeclaringClass().getEnumConstants()).filter(e -> e.name().equals(text(key)))
+                .findFirst().orElse(otherwise);
+    }
+
+    public void set(String key, Object value) {
+        values.setProperty(key, value.toString());
+    }
+
+    /** The scenes opened last, the latest first. */
+    public List<Path> recent() {
+        List<Path> files = new ArrayList<>();
+        for (int i = 0; i < RECENT; i++) {
+            String path = text("recent." + i);
+            try {
+                if (!path.isEmpty()) {
+                    files.add(Path.of(path));
+                }
+            } catch (InvalidPathException e) {
+                // Another system wrote it.
+            }
+        }
+        return files;
+    }
+
+    /** A scene was opened or saved. */
+    public void opened(Path scene) {
+        List<Path> files = new ArrayList<>(recent());
+        Path whole = scene.toAbsolutePath().normalize();
+        files.remove(whole);
+        files.addFirst(whole);
+        for (int i = 0; i < Math.min(RECENT, files.size()); i++) {
+            set("recent." + i, files.get(i));
+        }
+        save();
+    }
+
+    /** Writes them. Preferences that cannot be kept are no reason to disturb anybody. */
+    public void save() {
+        try {
+            PrivateFolder.make(file.toAbsolutePath().getParent());
+            SafeFile.at(file).forOwnerOnly().write(out -> values.store(out, "Lightning"));
+        } catch (IOException e) {
+            // The next run starts without them.
+        }
+    }
+}

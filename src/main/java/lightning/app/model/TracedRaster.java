@@ -1,0 +1,140 @@
+package lightning.app.model;
+
+import lightning.image.Film;
+import lightning.image.ViewTransform;
+
+/**
+ * The traced picture as display pixels, packed tile by tile where the film changed. A new size makes new pixels. Safe for
+ * several threads; readers may see tiles of the next picture a moment early, never half a pixel.
+ */
+public final class TracedRaster {
+    /** @param pixels {@code int[width * height]}, opaque 0xFFRRGGBB, the top row first */
+    public record Pixels(int width, int height, int[] pixels) {}
+
+    /** The columns and rows that changed, [left, right) and [top, bottom). */
+    public record Dirty(int left, int top, int right, int bottom) {
+        public static final Dirty NONE = new Dirty(Integer.MAX_VALUE, Integer.MAX_VALUE, 0, 0);
+
+        public boolean isEmpty() {
+            return left >= right;
+        }
+
+        public Dirty plus(int l, int t, int r, int b) {
+            return new Dirty(Math.min(left, l), Math.min(top, t), Math.max(right, r), Math.max(bottom, b));
+        }
+    }
+
+    private Pixels pixels;
+    private Film shown;
+    private Film coarse;
+    private ViewTransform view = ViewTransform.DEFAULT;
+    private Dirty dirty = Dirty.NONE;
+    private Dirty patch = Dirty.NONE;
+
+    /** The pixels now; null before the first picture. */
+    public synchronized Pixels pixels() {
+        return pixels;
+    }
+
+    /** Forgets the picture: that of another document is none of this one. */
+    synchronized void clear() {
+        pixels = null;
+        shown = null;
+        coarse = null;
+        dirty = Dirty.NONE;
+        patch = Dirty.NONE;
+    }
+
+    /** What changed since the last call. */
+    public synchronized Dirty takeDirty() {
+        Dirty taken = dirty;
+        dirty = Dirty.NONE;
+        return taken;
+    }
+
+    /** Shows another picture; tiles that it shares with the one before are not packed again. */
+    synchronized void show(Film film) {
+        boolean fresh = shown == null || coarse != null || !patch.isEmpty() || !fits(film.width(), film.height());
+        size(film.width(), film.height());
+        for (int tile = 0; tile < film.tileCount(); tile++) {
+            if (fresh || film.red(tile) != shown.red(tile) || film.green(tile) != shown.green(tile)
+                    || film.blue(tile) != shown.blue(tile)) {
+                pack(film, tile);
+            }
+        }
+        shown = film;
+        coarse = null;
+        patch = Dirty.NONE;
+    }
+
+    /** Shows a part of another picture of the same size, until the next picture comes. */
+    public synchronized void patch(Film film, Dirty part) {
+        if (!fits(film.width(), film.height())) {
+            return;
+        }
+        int[] all = pixels.pixels();
+        for (int y = part.top(); y < part.bottom(); y++) {
+            for (int x = part.left(); x < part.right(); x++) {
+                all[y * film.width() + x] = 0xFF000000 | view.encode(film.red(x, y)) << 16
+                        | view.encode(film.green(x, y)) << 8 | view.encode(film.blue(x, y));
+            }
+        }
+        patch = patch.plus(part.left(), part.top(), part.right(), part.bottom());
+        dirty = dirty.plus(part.left(), part.top(), part.right(), part.bottom());
+    }
+
+    /** Whether a part shows another picture than the rest. */
+    public synchronized boolean isPatched() {
+        return !patch.isEmpty();
+    }
+
+    /** Shows a small picture, enlarged to the size of the one that is being traced. */
+    synchronized void coarse(Film film, int width, int height) {
+        size(width, height);
+        coarse = film;
+        int[] small = view.toPixels(film);
+        int[] large = pixels.pixels();
+        for (int y = 0; y < height; y++) {
+            int from = (int) ((long) y * film.height() / height) * film.width();
+            for (int x = 0; x < width; x++) {
+                large[y * width + x] = small[from + (int) ((long) x * film.width() / width)];
+            }
+        }
+        dirty = dirty.plus(0, 0, width, height);
+    }
+
+    /** Another exposure: everything is packed again. */
+    synchronized void setView(ViewTransform v) {
+        view = v;
+        if (coarse != null) {
+            coarse(coarse, pixels.width(), pixels.height());
+        } else if (shown != null) {
+            Film film = shown;
+            shown = null;
+            show(film);
+        }
+    }
+
+    public synchronized ViewTransform view() {
+        return view;
+    }
+
+    private boolean fits(int width, int height) {
+        return pixels != null && pixels.width() == width && pixels.height() == height;
+    }
+
+    private void size(int width, int height) {
+        if (!fits(width, height)) {
+            patch = Dirty.NONE;
+            pixels = new Pixels(width, height, new int[Math.multiplyExact(width, height)]);
+            dirty = Dirty.NONE.plus(0, 0, width, height);
+        }
+    }
+
+    private void pack(Film film, int tile) {
+        view.packTile(film, tile, pixels.pixels());
+        int left = tile % film.tilesX() * Film.TILE;
+        int top = tile / film.tilesX() * Film.TILE;
+        dirty = dirty.plus(left, top, Math.min(left + Film.TILE, film.width()), Math.min(top + Film.TILE, film.height()));
+    }
+}

@@ -1,0 +1,166 @@
+package lightning.app.preview;
+
+import java.nio.IntBuffer;
+import java.util.concurrent.atomic.AtomicReference;
+import javafx.animation.PauseTransition;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.SimpleObjectProperty;
+import javafx.beans.value.ObservableBooleanValue;
+import javafx.geometry.Point2D;
+import javafx.scene.AccessibleRole;
+import javafx.scene.image.ImageView;
+import javafx.scene.image.PixelBuffer;
+import javafx.scene.image.PixelFormat;
+import javafx.scene.image.WritableImage;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.layout.Region;
+import javafx.util.Duration;
+import lightning.app.model.EditorModel;
+import lightning.app.model.Sentence;
+import lightning.app.widget.CanvasSize;
+import lightning.edit.Viewport;
+import lightning.effects.ViewEffects;
+
+/** The drawn preview with the lights' wireframes over it; takes the mouse and the keyboard. */
+public final class PreviewCanvas extends Region implements AutoCloseable {
+    /** The camera rests when it did not move for so long. */
+    private static final Duration REST = Duration.millis(120);
+
+    private final EditorModel model;
+    private final ImageView image = new ImageView();
+    private final GizmoLayer gizmos = new GizmoLayer();
+    private final PreviewMouse mouse;
+    private final PreviewShapes shapes;
+    private final PreviewLoop loop;
+    private final AtomicReference<PreviewLoop.Picture> drawn = new AtomicReference<>();
+    private final PauseTransition rest = new PauseTransition(REST);
+    private final ObjectProperty<CanvasSize> size = new SimpleObjectProperty<>(CanvasSize.LIKE_PICTURE);
+    private boolean moving;
+
+    PreviewCanvas(EditorModel model) {
+        this.model = model;
+        mouse = new PreviewMouse(model);
+        shapes = new PreviewShapes(model, this);
+        loop = new PreviewLoop(this::drawn, problem -> model.window().execute(() -> model.say(Sentence.of(problem))));
+        setId("preview-canvas");
+        setFocusTraversable(true);
+        setAccessibleRole(AccessibleRole.IMAGE_VIEW);
+        setAccessibleText("Preview of the scene with its lights");
+        getChildren().addAll(image, gizmos);
+        model.sceneProperty().subscribe(_ -> requestLayout());
+        model.selectedLightProperty().subscribe(_ -> requestLayout());
+        model.viewProperty().subscribe(_ -> requestLayout());
+        model.litPreviewProperty().subscribe(_ -> requestLayout());
+        size.subscribe(_ -> requestLayout());
+        model.previewCameraProperty().subscribe(_ -> {
+            moving = true;
+            rest.playFromStart();
+            requestLayout();
+        });
+        rest.setOnFinished(_ -> {
+            moving = false;
+            requestLayout();
+        });
+        listen();
+    }
+
+    /** Whether nothing is drawn yet. */
+    ObservableBooleanValue emptyProperty() {
+        return image.imageProperty().isNull();
+    }
+
+    /** How large the preview is drawn. */
+    ObjectProperty<CanvasSize> sizeProperty() {
+        return size;
+    }
+
+    private void listen() {
+        var keys = new PreviewKeys(model, mouse);
+        addEventHandler(KeyEvent.KEY_PRESSED, keys::pressed);
+        addEventHandler(KeyEvent.KEY_RELEASED, _ -> keys.released());
+        addEventHandler(MouseEvent.MOUSE_PRESSED, e -> {
+            requestFocus();
+            shapes.hide();
+            mouse.press(e.getX() - left(), e.getY() - top(), button(e), e.isShiftDown(), e.isAltDown());
+        });
+        addEventHandler(MouseEvent.MOUSE_DRAGGED, e -> mouse.drag(e.getX() - left(), e.getY() - top()));
+        addEventHandler(MouseEvent.MOUSE_RELEASED, e -> {
+            mouse.release();
+            var place = new Viewport.Pixel(e.getX() - left(), e.getY() - top());
+            if (e.getButton() == MouseButton.SECONDARY && e.isStillSincePress() && mouse.lightsAt(place.x(), place.y()).isEmpty()) {
+                shapes.offer(mouse.canvas(), place, e.getScreenX(), e.getScreenY());
+            }
+        });
+    }
+
+    private static PreviewMouse.Button button(MouseEvent e) {
+        return switch (e.getButton()) {
+            case MIDDLE -> PreviewMouse.Button.MIDDLE;
+            case SECONDARY -> PreviewMouse.Button.RIGHT;
+            default -> PreviewMouse.Button.LEFT;
+        };
+    }
+
+    private double left() {
+        return image.getLayoutX();
+    }
+
+    private double top() {
+        return image.getLayoutY();
+    }
+
+    /** Goes back with the camera until all lights are in view. */
+    public void frameLights() {
+        model.previewCameraProperty().set(LightMarker.framing(model.lights(), model.previewCameraProperty().get(), mouse.canvas()));
+    }
+
+    /** Where a place of the canvas is on the screen. */
+    public Point2D onScreen(Viewport.Pixel place) {
+        return gizmos.localToScreen(place.x(), place.y());
+    }
+
+    /** The canvas in this region, pixels of the window. */
+    public Viewport viewport() {
+        return mouse.canvas();
+    }
+
+    /** Lays out, and wishes for a picture of what there is now. */
+    @Override
+    protected void layoutChildren() {
+        if (getWidth() < 1 || getHeight() < 1) {
+            return;
+        }
+        double screen = getScene() == null || getScene().getWindow() == null ? 1 : getScene().getWindow().getOutputScaleX();
+        var frame = size.get().within(getWidth(), getHeight(), model.scene().picture(), screen);
+        image.setFitWidth(frame.shownWidth());
+        image.setFitHeight(frame.shownHeight());
+        image.relocate(Math.rint((getWidth() - frame.shownWidth()) / 2), Math.rint((getHeight() - frame.shownHeight()) / 2));
+        gizmos.setWidth(frame.shownWidth());
+        gizmos.setHeight(frame.shownHeight());
+        gizmos.relocate(left(), top());
+        mouse.setCanvas(new Viewport(frame.shownWidth(), frame.shownHeight()));
+        gizmos.draw(model.scene(), model.selectedLight(), model.previewCameraProperty().get(), mouse.canvas());
+        loop.draw(new PreviewLoop.Wish(model.scene(), model.previewCameraProperty().get(), frame.width(), frame.height(),
+                model.viewProperty().get(), model.litPreviewProperty().get() ? ViewEffects.PREVIEW : ViewEffects.PREVIEW_1998, moving));
+    }
+
+    private void drawn(PreviewLoop.Picture picture) {
+        if (drawn.getAndSet(picture) == null) {
+            model.window().execute(this::show);
+        }
+    }
+
+    private void show() {
+        PreviewLoop.Picture picture = drawn.getAndSet(null);
+        image.setImage(new WritableImage(new PixelBuffer<>(picture.width(), picture.height(),
+                IntBuffer.wrap(picture.pixels()), PixelFormat.getIntArgbPreInstance())));
+        model.previewFramesProperty().set(model.previewFramesProperty().get() + 1);
+    }
+
+    @Override
+    public void close() {
+        loop.close();
+    }
+}

@@ -1,0 +1,155 @@
+package lightning.app.preview;
+
+import java.util.concurrent.CancellationException;
+import java.util.function.Consumer;
+import lightning.edit.PreviewCamera;
+import lightning.effects.ViewEffects;
+import lightning.image.Film;
+import lightning.image.ViewTransform;
+import lightning.relight.Renderer;
+import lightning.relight.plan.UpdatePlan;
+import lightning.relight.tile.Options;
+import lightning.scene.Scene;
+import lightning.work.Progress;
+
+/**
+ * Draws the preview on a thread of its own, the newest wish each time: the engine without shadows and mirrors. A light's edit is an update of the sharp picture; while the camera moves, a coarser picture comes at
+ * once and the sharp one when the camera rests.
+ */
+final class PreviewLoop implements AutoCloseable {
+    private static final Options OPTIONS = Options.DEFAULT.withView(ViewEffects.PREVIEW);
+    /** How long a moving picture may take; its coarseness follows what the last one took. */
+    private static final double WANTED_MS = 25;
+    private static final int COARSEST = 8;
+    private static final long PATIENCE_MS = 10_000;
+
+    /**
+     * What is to be drawn.
+     *
+     * @param width pixels; likewise {@code height}
+     * @param effects which effects are shown
+     * @param moving whether a better wish follows soon
+     */
+    record Wish(Scene scene, PreviewCamera camera, int width, int height, ViewTransform view, ViewEffects effects, boolean moving) {
+        Scene at(int coarseness) {
+            return scene.withCamera(camera.camera()).withPicture(scene.picture()
+                    .withSize(Math.max(1, width / coarseness), Math.max(1, height / coarseness)));
+        }
+    }
+
+    /** A drawn picture: {@code int[width * height]}, opaque. */
+    record Picture(Wish wish, int width, int height, int[] pixels, double milliseconds) {
+        boolean isSharp() {
+            return width == wish.width() && height == wish.height();
+        }
+    }
+
+    private final Consumer<Picture> heard;
+    private final Consumer<Throwable> failed;
+    private final Thread thread;
+    private final Renderer sharp = new Renderer(OPTIONS);
+    private final Renderer quick = new Renderer(OPTIONS);
+    private int coarseness = 2;
+    private Wish newest;
+    private boolean closed;
+
+    /** @param heard hears on the drawing thread; likewise {@code failed} */
+    PreviewLoop(Consumer<Picture> heard, Consumer<Throwable> failed) {
+        this.heard = heard;
+        this.failed = failed;
+        thread = new Thread(this::run, "lightning-preview");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    synchronized void draw(Wish wish) {
+        newest = wish;
+        notifyAll();
+    }
+
+    private synchronized Wish take() throws InterruptedException {
+        while (newest == null && !closed) {
+            wait();
+        }
+        Wish taken = closed ? null : newest;
+        newest = null;
+        return taken;
+    }
+
+    private synchronized boolean isOutdated() {
+        return newest != null || closed;
+    }
+
+    private void run() {
+        try {
+            for (Wish wish = take(); wish != null; wish = take()) {
+                attempt(wish);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } finally {
+            sharp.close();
+            quick.close();
+        }
+    }
+
+    private void attempt(Wish wish) {
+        try {
+            sharp.change(OPTIONS.withView(wish.effects()));
+            quick.change(OPTIONS.withView(wish.effects()));
+            draw(wish, sharp.plan(wish.at(1)) instanceof UpdatePlan.FirstPass);
+        } catch (CancellationException e) {
+            // The newer wish is next.
+        } catch (RuntimeException | OutOfMemoryError e) {
+            failed.accept(e);
+        }
+    }
+
+    private void draw(Wish wish, boolean fresh) {
+        if (fresh && wish.moving()) {
+            double took = render(quick, wish, coarseness, Progress.NONE);
+            adapt(took);
+        } else {
+            render(sharp, wish, 1, fresh ? new UntilOutdated() : Progress.NONE);
+        }
+    }
+
+    private double render(Renderer renderer, Wish wish, int coarse, Progress progress) {
+        double milliseconds = renderer.render(wish.at(coarse), progress).milliseconds();
+        Film film = renderer.film();
+        heard.accept(new Picture(wish, film.width(), film.height(), wish.view().toPixels(film), milliseconds));
+        return milliseconds;
+    }
+
+    private void adapt(double took) {
+        if (took > WANTED_MS && coarseness < COARSEST) {
+            coarseness++;
+        } else if (took < WANTED_MS / 4 && coarseness > 1) {
+            coarseness--;
+        }
+    }
+
+    /** A sharp picture is given up for a newer wish. */
+    private final class UntilOutdated implements Progress {
+        @Override
+        public void tiles(int done, int total) {}
+
+        @Override
+        public boolean isCancelled() {
+            return isOutdated();
+        }
+    }
+
+    @Override
+    public void close() {
+        synchronized (this) {
+            closed = true;
+            notifyAll();
+        }
+        try {
+            thread.join(PATIENCE_MS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

@@ -1,0 +1,129 @@
+package lightning.app.preview;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import lightning.app.model.EditorModel;
+import lightning.edit.CameraDrag;
+import lightning.edit.LightEdits;
+import lightning.edit.LightGizmo;
+import lightning.edit.LightManipulation;
+import lightning.edit.PreviewCamera;
+import lightning.edit.Viewport;
+import lightning.scene.Light;
+
+/**
+ * What a drag in the preview does (paper §3.2, §3.6), free of the toolkit's events: the left button rotates the light
+ * under the mouse, the middle one moves it along the view, the right one in the viewing plane; with Shift any button
+ * moves the camera.
+ */
+final class PreviewMouse {
+    enum Button { LEFT, MIDDLE, RIGHT }
+
+    /** How near a click must come to a gizmo, pixels. */
+    private static final double TOLERANCE = 8;
+    /** How far a drag goes before it is told whether it is vertical, pixels. */
+    private static final double DECISION = 4;
+
+    private final EditorModel model;
+    private Viewport canvas = new Viewport(1, 1);
+    private Object gesture;
+    private Light begin;
+    /** What a click selects that does not become a drag; null where that is what the press selected. */
+    private Light next;
+    private Button button;
+    private PreviewCamera cameraBegin;
+    private CameraDrag cameraDrag;
+    private double pressX;
+    private double pressY;
+
+    PreviewMouse(EditorModel model) {
+        this.model = model;
+    }
+
+    void setCanvas(Viewport v) {
+        canvas = v;
+    }
+
+    Viewport canvas() {
+        return canvas;
+    }
+
+    /** The lights whose gizmos, or whose markers at the border, are under a place of the canvas; the nearest first. */
+    List<Light> lightsAt(double x, double y) {
+        PreviewCamera view = model.previewCameraProperty().get();
+        var place = new Viewport.Pixel(x, y);
+        List<Light> left = new ArrayList<>(model.lights());
+        List<Light> hits = new ArrayList<>();
+        Optional<Light> hit = LightGizmo.pick(left, view, canvas, place, TOLERANCE);
+        while (hit.isPresent()) {
+            hits.add(hit.get());
+            left.remove(hit.get());
+            hit = LightGizmo.pick(left, view, canvas, place, TOLERANCE);
+        }
+        if (hits.isEmpty()) {
+            LightMarker.pick(left, view, canvas, place).ifPresent(hits::add);
+        }
+        return hits;
+    }
+
+    /** @param alt makes a middle button of any other */
+    void press(double x, double y, Button pressed, boolean shift, boolean alt) {
+        pressX = x;
+        pressY = y;
+        if (shift) {
+            cameraBegin = model.previewCameraProperty().get();
+            cameraDrag = null;
+            return;
+        }
+        List<Light> hits = lightsAt(x, y);
+        if (hits.isEmpty()) {
+            return;
+        }
+        Light selected = model.selectedLight();
+        // The selected light is taken again where others lie over it; a click without a drag goes on to them.
+        boolean again = hits.contains(selected);
+        next = again ? hits.get((hits.indexOf(selected) + 1) % hits.size()) : null;
+        begin = again ? selected : hits.getFirst();
+        button = alt ? Button.MIDDLE : pressed;
+        gesture = new Object();
+        model.selectLight(begin.name());
+    }
+
+    void drag(double x, double y) {
+        double right = x - pressX;
+        double down = y - pressY;
+        next = null;
+        if (cameraBegin != null) {
+            dragCamera(right, down);
+        } else if (begin != null) {
+            PreviewCamera view = model.previewCameraProperty().get();
+            Light moved = switch (button) {
+                case LEFT -> LightManipulation.rotate(begin, view, canvas, right, -down);
+                case MIDDLE -> LightManipulation.dolly(begin, view, canvas, -down);
+                case RIGHT -> LightManipulation.translate(begin, view, canvas, right, -down);
+            };
+            model.edit(scene -> LightEdits.with(scene, begin.name(), _ -> moved), gesture).ifPresent(model::say);
+        }
+    }
+
+    private void dragCamera(double right, double down) {
+        if (cameraDrag == null && Math.hypot(right, down) >= DECISION) {
+            cameraDrag = CameraDrag.begun(canvas, pressX, pressY, right, down);
+        }
+        if (cameraDrag != null) {
+            model.previewCameraProperty().set(cameraDrag.applied(cameraBegin, canvas, right, down));
+        }
+    }
+
+    void release() {
+        if (next != null) {
+            model.selectLight(next.name());
+        }
+        next = null;
+        begin = null;
+        gesture = null;
+        cameraBegin = null;
+        cameraDrag = null;
+    }
+}

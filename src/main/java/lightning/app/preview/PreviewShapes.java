@@ -1,0 +1,46 @@
+package lightning.app.preview;
+
+import javafx.scene.Node;
+import lightning.app.command.ShapeMenu;
+import lightning.app.model.EditorModel;
+import lightning.edit.PreviewCamera;
+import lightning.edit.ScenePicker;
+import lightning.edit.Viewport;
+import lightning.scene.Scene;
+
+/** Finds the shape under the mouse in the preview, beside the window's thread, and offers what to do with it. */
+final class PreviewShapes {
+    private final EditorModel model;
+    private final Node canvas;
+    private final ShapeMenu menu;
+    private volatile ScenePicker picker;
+
+    PreviewShapes(EditorModel model, Node canvas) {
+        this.model = model;
+        this.canvas = canvas;
+        menu = new ShapeMenu(model);
+    }
+
+    /**
+     * Opens the menu of the shape at a place; nothing where there is none.
+     *
+     * @param x of the screen, pixels; likewise {@code y}
+     */
+    void offer(Viewport viewport, Viewport.Pixel place, double x, double y) {
+        Scene scene = model.scene();
+        PreviewCamera view = model.previewCameraProperty().get();
+        Thread.ofVirtual().name("lightning-pick").start(() -> {
+            ScenePicker now = picker;
+            if (now == null || !now.serves(scene)) {
+                now = new ScenePicker(scene);
+                picker = now;
+            }
+            now.at(view, viewport, place).ifPresent(found ->
+                    model.window().execute(() -> menu.show(canvas, found.shape(), x, y)));
+        });
+    }
+
+    void hide() {
+        menu.hide();
+    }
+}

@@ -1,0 +1,58 @@
+package lightning.app.property;
+
+import java.util.Locale;
+import java.util.Optional;
+import lightning.app.model.EditorModel;
+import lightning.app.widget.ArrowWidget;
+import lightning.app.widget.Gauge;
+import lightning.edit.Change;
+import lightning.edit.Dial;
+import lightning.edit.Situation;
+import lightning.edit.Steps;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+
+/** A dial of the selected light, or of the scene. */
+record DialGauge(EditorModel model, Dial dial) implements Gauge {
+
+    /** The arrow widget of a dial, which follows the model. */
+    static ArrowWidget widget(EditorModel model, Dial dial, String label) {
+        ArrowWidget widget = new ArrowWidget(label, dial.title(), new DialGauge(model, dial));
+        widget.setId(dial.name().toLowerCase(Locale.ROOT));
+        model.situationProperty().subscribe(now -> show(now, dial, widget));
+        return widget;
+    }
+
+    private static void show(Situation now, Dial dial, ArrowWidget widget) {
+        Optional<Light> light = now.selected();
+        widget.setObstacle(dial.obstacle(light));
+        if (dial.isOfScene() || light.isPresent()) {
+            widget.show(dial.value(now.scene(), light.map(Light::name).orElse("")));
+        } else {
+            widget.showNothing();
+        }
+    }
+
+    @Override
+    public Steps steps() {
+        return dial.steps();
+    }
+
+    @Override
+    public Optional<String> set(double value, Object gesture) {
+        return model.edit(scene -> dial.set(scene, light(), value), gesture);
+    }
+
+    @Override
+    public Optional<String> typed(String text) {
+        return model.edit(scene -> typed(scene, text));
+    }
+
+    private Change typed(Scene scene, String text) {
+        return dial.typed(scene, light(), text);
+    }
+
+    private String light() {
+        return model.selectedLight() == null ? "" : model.selectedLight().name();
+    }
+}

@@ -1,0 +1,168 @@
+package lightning.app.property;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import javafx.css.PseudoClass;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListCell;
+import javafx.scene.control.TextField;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.control.Tooltip;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import lightning.app.model.EditorModel;
+import lightning.app.widget.Paints;
+import lightning.edit.Change;
+import lightning.edit.Command;
+import lightning.edit.LightEdits;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
+
+/** One light of the list: type, colour, name, solo and on. A double click renames it in place. */
+final class LightCell extends ListCell<Light> {
+    private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
+    private static final PseudoClass DARK = PseudoClass.getPseudoClass("dark");
+
+    private final EditorModel model;
+    private final FontIcon type = new FontIcon();
+    private final Region chip = new Region();
+    private final Label name = new Label();
+    private final TextField field = new TextField();
+    private final ToggleButton solo = toggle("solo");
+    private final ToggleButton on = toggle("on");
+    private final FontIcon bulb = new FontIcon();
+    private final HBox row;
+
+    LightCell(EditorModel model) {
+        this.model = model;
+        type.getStyleClass().add("light-type");
+        chip.getStyleClass().add("light-chip");
+        name.setMaxWidth(Double.MAX_VALUE);
+        HBox.setHgrow(name, Priority.ALWAYS);
+        HBox.setHgrow(field, Priority.ALWAYS);
+        solo.setGraphic(new FontIcon(MaterialDesignA.ALPHA_S_CIRCLE));
+        solo.setOnAction(_ -> edit((scene, light) -> LightEdits.solo(scene, light, solo.isSelected())));
+        on.setGraphic(bulb);
+        on.setOnAction(_ -> edit((scene, light) -> LightEdits.on(scene, light, on.isSelected())));
+        row = new HBox(type, chip, name, solo, on);
+        row.getStyleClass().add("light-row");
+        model.sceneProperty().subscribe(this::showShining);
+        setOnMouseClicked(event -> {
+            if (event.getClickCount() == 2 && !isEmpty()) {
+                model.run(Command.RENAME_LIGHT);
+            }
+        });
+        field.setAccessibleText("new name");
+        field.setOnAction(_ -> rename());
+        field.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
+            if (event.getCode() == KeyCode.ESCAPE) {
+                cancelEdit();
+                event.consume();
+            }
+        });
+        field.focusedProperty().addListener((_, wasFocused, _) -> {
+            if (wasFocused && isEditing()) {
+                cancelEdit();
+            }
+        });
+    }
+
+    private static ToggleButton toggle(String styleClass) {
+        ToggleButton button = new ToggleButton();
+        button.getStyleClass().add(styleClass);
+        button.setFocusTraversable(false);
+        return button;
+    }
+
+    private void edit(BiFunction<Scene, String, Change> edit) {
+        String light = getItem().name();
+        model.edit(scene -> edit.apply(scene, light)).ifPresent(model::say);
+    }
+
+    @Override
+    protected void updateItem(Light light, boolean empty) {
+        super.updateItem(light, empty);
+        setGraphic(empty || light == null ? null : row);
+        if (empty || light == null) {
+            setAccessibleText(null);
+            return;
+        }
+        type.setIconCode(LightTypes.icon(light.type()));
+        chip.setStyle("-fx-background-color: " + Paints.css(light.color()) + ";");
+        name.setText(light.name());
+        solo.setSelected(light.solo());
+        describe(solo, light.name() + " solo", "Show only the lights that are solo");
+        on.setSelected(light.on());
+        bulb.setIconCode(LightTypes.bulb(light.on()));
+        describe(on, light.name() + " on", light.on() ? "Switch off" : "Switch on");
+        showShining();
+        setAccessibleText(light.name() + ", " + LightTypes.title(light.type()).toLowerCase(Locale.ROOT) + " light"
+                + (light.on() ? "" : ", off") + (light.solo() ? ", solo" : ""));
+    }
+
+    /** Another light that is solo darkens this one. */
+    private void showShining() {
+        row.pseudoClassStateChanged(DARK, getItem() != null && !model.scene().shines(getItem()));
+    }
+
+    private static void describe(ToggleButton button, String name, String hint) {
+        button.setAccessibleText(name);
+        button.setTooltip(new Tooltip(hint));
+    }
+
+    @Override
+    public void startEdit() {
+        if (isEmpty() || !model.enabled(Command.RENAME_LIGHT)) {
+            return;
+        }
+        super.startEdit();
+        if (!isEditing()) {
+            return;
+        }
+        field.setText(getItem().name());
+        mark(Optional.empty());
+        replace(name, field);
+        field.requestFocus();
+        field.selectAll();
+    }
+
+    @Override
+    public void cancelEdit() {
+        super.cancelEdit();
+        replace(field, name);
+        getListView().setEditable(false);
+        getListView().requestFocus();
+    }
+
+    private void rename() {
+        String old = getItem().name();
+        String typed = field.getText().strip();
+        Optional<String> refusal = model.edit(scene -> LightEdits.rename(scene, old, typed));
+        mark(refusal);
+        if (refusal.isEmpty()) {
+            cancelEdit();
+        } else {
+            model.say(refusal.get());
+        }
+    }
+
+    private void mark(Optional<String> refusal) {
+        field.pseudoClassStateChanged(REFUSED, refusal.isPresent());
+        field.setTooltip(refusal.map(Tooltip::new).orElse(null));
+        field.setAccessibleHelp(refusal.orElse(""));
+    }
+
+    private void replace(Node old, Node with) {
+        int place = row.getChildren().indexOf(old);
+        if (place >= 0) {
+            row.getChildren().set(place, with);
+        }
+    }
+}

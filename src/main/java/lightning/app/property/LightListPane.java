@@ -1,0 +1,150 @@
+package lightning.app.property;
+
+import java.util.List;
+import javafx.scene.control.ContextMenu;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListView;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.SeparatorMenuItem;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
+import lightning.app.command.CommandButton;
+import lightning.app.model.EditorModel;
+import lightning.app.widget.Obstacle;
+import lightning.edit.Command;
+import lightning.edit.LightEdits;
+import lightning.edit.Situation;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
+
+/**
+ * The lights of the scene. The keyboard: F2 renames, Delete deletes, Ctrl+D duplicates, Space switches on and off, S
+ * makes solo.
+ */
+public final class LightListPane extends VBox {
+    private final EditorModel model;
+    private final ListView<Light> list = new ListView<>();
+    private boolean showing;
+
+    public LightListPane(EditorModel model) {
+        this.model = model;
+        setId("lights");
+        getStyleClass().add("lights");
+        list.setId("light-list");
+        list.getStyleClass().addAll("light-list", "edge-to-edge");
+        list.setAccessibleText("lights");
+        list.setPlaceholder(new Label("No lights. Add one above."));
+        list.setCellFactory(_ -> new LightCell(model));
+        list.setContextMenu(menu());
+        list.addEventHandler(KeyEvent.KEY_PRESSED, this::press);
+        list.getSelectionModel().selectedIndexProperty().addListener((_, _, now) -> select(now.intValue()));
+        setVgrow(list, Priority.ALWAYS);
+        getChildren().addAll(tools(), list);
+        model.setAction(Command.RENAME_LIGHT, this::rename);
+        model.situationProperty().subscribe(this::show);
+    }
+
+    private HBox tools() {
+        MenuButton add = new MenuButton("Add Light", new FontIcon(MaterialDesignP.PLUS));
+        add.setId("add-light");
+        for (LightType type : List.of(LightType.POINT, LightType.SPOT, LightType.DIRECTIONAL)) {
+            MenuItem item = new MenuItem(LightTypes.title(type), new FontIcon(LightTypes.icon(type)));
+            item.setOnAction(_ -> add(type));
+            add.getItems().add(item);
+        }
+        StackPane around = new StackPane(add);
+        var obstacle = new Obstacle(around, add, "Add a light at the camera's upper right");
+        model.situationProperty().subscribe(_ -> obstacle.set(model.reason(Command.ADD_LIGHT)));
+        Region gap = new Region();
+        HBox.setHgrow(gap, Priority.ALWAYS);
+        HBox tools = new HBox(around, gap,
+                new CommandButton(model, Command.DUPLICATE_LIGHT, false),
+                new CommandButton(model, Command.DELETE_LIGHT, false));
+        tools.getStyleClass().add("lights-tools");
+        return tools;
+    }
+
+    private void add(LightType type) {
+        model.edit(scene -> LightEdits.add(scene, type)).ifPresentOrElse(model::say,
+                () -> model.selectLight(model.lights().getLast().name()));
+    }
+
+    private ContextMenu menu() {
+        var menu = new ContextMenu(item("Rename", Command.RENAME_LIGHT), item("Duplicate", Command.DUPLICATE_LIGHT),
+                item("Delete Light", Command.DELETE_LIGHT), new SeparatorMenuItem(),
+                item("Copy Settings", Command.COPY_SETTINGS), item("Paste Settings", Command.PASTE_SETTINGS),
+                new SeparatorMenuItem(), item("On or Off", Command.SWITCH_ON), item("Solo", Command.SOLO),
+                item("Look Through Light", Command.LOOK_THROUGH_LIGHT));
+        menu.setOnShowing(_ -> menu.getItems().forEach(item -> {
+            if (item.getUserData() instanceof Command command) {
+                item.setDisable(!model.enabled(command));
+            }
+        }));
+        return menu;
+    }
+
+    private MenuItem item(String text, Command command) {
+        MenuItem item = new MenuItem(text);
+        item.setUserData(command);
+        item.setOnAction(_ -> model.run(command));
+        return item;
+    }
+
+    private void press(KeyEvent event) {
+        Command command = switch (event.getCode()) {
+            case DELETE, BACK_SPACE -> Command.DELETE_LIGHT;
+            case SPACE -> Command.SWITCH_ON;
+            case F2 -> Command.RENAME_LIGHT;
+            case S -> event.isShortcutDown() ? null : Command.SOLO;
+            case D -> event.isShortcutDown() ? Command.DUPLICATE_LIGHT : null;
+            default -> null;
+        };
+        if (command != null && list.getEditingIndex() < 0) {
+            model.run(command);
+            event.consume();
+        }
+    }
+
+    /** Only until the cell ends it is the list editable, or a second click on a light would rename it. */
+    private void rename() {
+        list.setEditable(true);
+        list.edit(list.getSelectionModel().getSelectedIndex());
+    }
+
+    private void select(int index) {
+        if (!showing && index >= 0) {
+            model.selectLight(list.getItems().get(index).name());
+        }
+    }
+
+    /** Replaces only what changed, so that the list keeps its place and its focus. */
+    private void show(Situation now) {
+        showing = true;
+        List<Light> lights = now.scene().lights();
+        var items = list.getItems();
+        if (items.size() == lights.size()) {
+            for (int i = 0; i < lights.size(); i++) {
+                if (!items.get(i).equals(lights.get(i))) {
+                    items.set(i, lights.get(i));
+                }
+            }
+        } else {
+            items.setAll(lights);
+        }
+        int selected = now.selected().map(lights::indexOf).orElse(-1);
+        if (selected < 0) {
+            list.getSelectionModel().clearSelection();
+        } else if (list.getSelectionModel().getSelectedIndex() != selected) {
+            list.getSelectionModel().clearAndSelect(selected);
+            list.scrollTo(selected);
+        }
+        showing = false;
+    }
+}

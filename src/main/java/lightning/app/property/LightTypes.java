@@ -1,0 +1,47 @@
+package lightning.app.property;
+
+import java.util.Locale;
+import javafx.util.StringConverter;
+import lightning.scene.LightType;
+import org.kordamp.ikonli.Ikon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignL;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignW;
+
+/** How the types of lights look and are called. */
+final class LightTypes {
+    static final StringConverter<LightType> CONVERTER = new StringConverter<>() {
+        @Override
+        public String toString(LightType type) {
+            return type == null ? "" : title(type);
+        }
+
+        @Override
+        public LightType fromString(String text) {
+            return LightType.valueOf(text.toUpperCase(Locale.ROOT));
+        }
+    };
+
+    private LightTypes() {}
+
+    static String title(LightType type) {
+        return switch (type) {
+            case POINT -> "Point";
+            case SPOT -> "Spot";
+            case DIRECTIONAL -> "Directional";
+        };
+    }
+
+    static Ikon icon(LightType type) {
+        return switch (type) {
+            case POINT -> MaterialDesignL.LIGHTBULB_ON_OUTLINE;
+            case SPOT -> MaterialDesignS.SPOTLIGHT_BEAM;
+            case DIRECTIONAL -> MaterialDesignW.WHITE_BALANCE_SUNNY;
+        };
+    }
+
+    /** Whether a light shines. */
+    static Ikon bulb(boolean on) {
+        return on ? MaterialDesignL.LIGHTBULB_ON : MaterialDesignL.LIGHTBULB_OFF_OUTLINE;
+    }
+}

@@ -1,0 +1,36 @@
+package lightning.app.property;
+
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.control.TitledPane;
+import javafx.scene.layout.VBox;
+
+/** How properties are laid out: sections below each other, which can be folded and are scrolled. */
+final class Sections {
+    private Sections() {}
+
+    static ScrollPane scroll(Node... sections) {
+        var box = new VBox(sections);
+        box.getStyleClass().add("sections");
+        var scroll = new ScrollPane(box);
+        scroll.setFitToWidth(true);
+        scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
+        return scroll;
+    }
+
+    static TitledPane section(String title, Node... widgets) {
+        var content = new VBox(widgets);
+        content.getStyleClass().add("section-content");
+        var pane = new TitledPane(title, content);
+        pane.setAnimated(false);
+        pane.getStyleClass().addAll("dense", "section");
+        return pane;
+    }
+
+    static Label caption(String text) {
+        var label = new Label(text);
+        label.getStyleClass().add("caption");
+        return label;
+    }
+}

@@ -1,0 +1,24 @@
+package lightning.app.traced;
+
+import javafx.scene.control.Label;
+import lightning.app.widget.Lasting;
+
+/** What a picture does not show, written on it; there only while there is something to say, and not for a moment. */
+final class Badge extends Label {
+    private final Lasting remark;
+
+    Badge(String id, Lasting.Later later) {
+        setId(id);
+        getStyleClass().add("badge");
+        managedProperty().bind(visibleProperty());
+        remark = new Lasting(later, Lasting.NOTICED, text -> {
+            setText(text);
+            setVisible(!text.isEmpty());
+        });
+    }
+
+    /** What there is to say now; empty for nothing. */
+    void tell(String text) {
+        remark.tell(text);
+    }
+}

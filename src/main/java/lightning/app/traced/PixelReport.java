@@ -1,0 +1,79 @@
+package lightning.app.traced;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import lightning.math.Vec3;
+import lightning.shading.LightReport;
+import lightning.shading.PointReport;
+import lightning.trace.Geometry;
+
+/**
+ * What a pixel of the picture shows.
+ *
+ * @param x      columns from the left; likewise {@code y} rows from the top
+ * @param shape  the shape's name; empty for the background
+ * @param point  where it is in the scene; null for the background
+ * @param normal of the surface there; null for the background
+ * @param lights what each light does there, in the scene's order
+ */
+record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<LightReport> lights) {
+    static PixelReport of(Geometry geometry, PointReport report, int x, int y) {
+        if (report.isBackground()) {
+            return new PixelReport(x, y, "", null, null, List.of());
+        }
+        var at = report.at();
+        return new PixelReport(x, y, geometry.shape(at.shape()).shape().name(),
+                geometry.toScene(new Vec3(at.px(), at.py(), at.pz())), new Vec3(at.nx(), at.ny(), at.nz()), report.lights());
+    }
+
+    /** The light that brings the most to this pixel; empty where none brings anything. */
+    Optional<String> strongest() {
+        LightReport best = null;
+        float most = 0;
+        for (LightReport light : lights) {
+            float share = share(light);
+            if (share > most) {
+                most = share;
+                best = light;
+            }
+        }
+        return Optional.ofNullable(best).map(b -> b.light().name());
+    }
+
+    private static float share(LightReport light) {
+        float sum = 0;
+        for (int c = 0; c < 3; c++) {
+            sum += light.diffuse()[c] + light.highlight()[c];
+        }
+        return sum;
+    }
+
+    /** One line: the place, the shape, its normal. */
+    String headline() {
+        if (shape.isEmpty()) {
+            return x + ", " + y + "  background";
+        }
+        return String.format(Locale.ROOT, "%d, %d  %s  normal %.2f %.2f %.2f", x, y, shape, normal.x(), normal.y(), normal.z());
+    }
+
+    /** What each light does, as in {@code key 64 %}. */
+    List<String> lightLines() {
+        float total = 0;
+        for (LightReport light : lights) {
+            total += share(light);
+        }
+        List<String> lines = new ArrayList<>();
+        for (LightReport light : lights) {
+            lines.add(light.light().name() + "  " + switch (light.state()) {
+                case DARK -> "dark";
+                case AWAY -> "facing away";
+                case OUTSIDE -> "outside the cone";
+                case SHADOWED -> "shadowed";
+                case LIT -> Math.round(100 * share(light) / Math.max(total, Float.MIN_NORMAL)) + " %";
+            });
+        }
+        return lines;
+    }
+}

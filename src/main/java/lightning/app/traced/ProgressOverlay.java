@@ -1,0 +1,49 @@
+package lightning.app.traced;
+
+import javafx.geometry.Pos;
+import javafx.scene.control.Label;
+import javafx.scene.control.ProgressBar;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Region;
+import javafx.util.Duration;
+import lightning.app.command.CommandButton;
+import lightning.app.model.EditorModel;
+import lightning.app.model.RenderState;
+import lightning.app.widget.Lasting;
+import lightning.edit.Command;
+import lightning.edit.Situation;
+
+/** How far the picture or its verification is, with Cancel; not there for work too short to read it. */
+final class ProgressOverlay extends HBox {
+    private static final Duration PATIENCE = Duration.millis(250);
+    private final EditorModel model;
+    private final Label what = new Label();
+    private final ProgressBar bar = new ProgressBar(0);
+    private final Lasting work = new Lasting(Lasting.Later.WINDOW, PATIENCE, text -> {
+        what.setText(text);
+        setVisible(!text.isEmpty());
+    });
+
+    ProgressOverlay(EditorModel model) {
+        this.model = model;
+        setId("progress");
+        getStyleClass().add("progress-overlay");
+        setAlignment(Pos.CENTER);
+        setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
+        bar.setId("progress-bar");
+        bar.setAccessibleText("Progress of the picture");
+        var cancel = new CommandButton(model, Command.CANCEL, false);
+        cancel.button().setId("cancel-progress");
+        getChildren().addAll(what, bar, cancel);
+        model.situationProperty().subscribe(_ -> update());
+        model.renderingProperty().subscribe(_ -> update());
+    }
+
+    private void update() {
+        RenderState state = model.renderingProperty().get();
+        Situation now = model.situationProperty().get();
+        boolean rendering = now.inWork().isPresent();
+        work.tell(rendering ? "Tracing" : now.verifying() ? "Verifying" : "");
+        bar.setProgress(rendering ? state.progress() : (double) state.checked() / state.toCheck());
+    }
+}

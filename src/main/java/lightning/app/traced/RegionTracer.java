@@ -1,0 +1,69 @@
+package lightning.app.traced;
+
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.function.Consumer;
+import lightning.app.model.TracedRaster;
+import lightning.image.Film;
+import lightning.scene.Scene;
+import lightning.shading.TraditionalTracer;
+import lightning.work.Progress;
+import lightning.work.Workers;
+
+/** Traces a part of the picture alone, beside all other work; a newer region replaces an older one. */
+final class RegionTracer implements AutoCloseable {
+    private final ExecutorService thread = Executors.newSingleThreadExecutor(task -> {
+        Thread t = new Thread(task, "lightning-region");
+        t.setDaemon(true);
+        return t;
+    });
+    private volatile Object newest;
+
+    /** @param heard hears of the film on the tracing thread; only the tiles that the region meets are in it */
+    void trace(Scene scene, TracedRaster.Dirty region, Consumer<Film> heard, Consumer<Throwable> failed) {
+        Object own = new Object();
+        newest = own;
+        thread.execute(() -> {
+            try (var workers = new Workers(Workers.available())) {
+                heard.accept(new TraditionalTracer(scene).trace(workers, tiles(scene, region), new Progress() {
+                    @Override
+                    public void tiles(int done, int total) {}
+
+                    @Override
+                    public boolean isCancelled() {
+                        return newest != own;
+                    }
+                }).film());
+            } catch (CancellationException e) {
+                // A newer region is being traced.
+            } catch (RuntimeException | OutOfMemoryError e) {
+                failed.accept(e);
+            }
+        });
+    }
+
+    void cancel() {
+        newest = null;
+    }
+
+    /** The numbers of the tiles that a region meets. */
+    static int[] tiles(Scene scene, TracedRaster.Dirty region) {
+        int across = (scene.picture().width() - 1) / Film.TILE + 1;
+        int left = region.left() / Film.TILE;
+        int top = region.top() / Film.TILE;
+        int columns = (region.right() - 1) / Film.TILE - left + 1;
+        int rows = (region.bottom() - 1) / Film.TILE - top + 1;
+        int[] tiles = new int[columns * rows];
+        for (int i = 0; i < tiles.length; i++) {
+            tiles[i] = (top + i / columns) * across + left + i % columns;
+        }
+        return tiles;
+    }
+
+    @Override
+    public void close() {
+        cancel();
+        thread.shutdown();
+    }
+}

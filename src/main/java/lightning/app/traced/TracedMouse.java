@@ -1,0 +1,213 @@
+package lightning.app.traced;
+
+import java.util.function.Consumer;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ReadOnlyStringProperty;
+import javafx.beans.property.ReadOnlyStringWrapper;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.scene.Cursor;
+import javafx.scene.Node;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.layout.Pane;
+import javafx.scene.shape.Rectangle;
+import lightning.app.command.ShapeMenu;
+import lightning.app.model.EditorModel;
+import lightning.app.model.Sentence;
+import lightning.app.model.TracedRaster;
+import lightning.app.widget.PictureView;
+import lightning.scene.Scene;
+
+/**
+ * The mouse over the traced picture: says what a pixel is made of, selects the light that matters most there, picks
+ * places for a {@link LightPlacer}, frames a region, moves the picture.
+ */
+final class TracedMouse implements AutoCloseable {
+    private final EditorModel model;
+    private final PictureView picture;
+    private final Consumer<PixelReport> hovered;
+    private final PixelInspector inspector;
+    private final RegionTracer regions = new RegionTracer();
+    private final BooleanProperty region = new SimpleBooleanProperty();
+    private final ReadOnlyStringWrapper prompt = new ReadOnlyStringWrapper("");
+    private final Rectangle frame = new Rectangle();
+    private final ShapeMenu menu;
+    private final Pane overlay = new Pane(frame);
+    /** Hears of the next click; null where a click selects. */
+    private Consumer<PixelReport> pick;
+    private String wish = "";
+    /** What the region shows that was traced last; null before the first. */
+    private volatile Scene patched;
+    private double pressX;
+    private double pressY;
+    private double lastX;
+    private double lastY;
+
+    /** @param hovered hears what the pixel under the mouse shows; null where there is none */
+    TracedMouse(EditorModel model, PictureView picture, Consumer<PixelReport> hovered) {
+        this.model = model;
+        this.picture = picture;
+        this.hovered = hovered;
+        menu = new ShapeMenu(model);
+        inspector = new PixelInspector(model.window());
+        overlay.setMouseTransparent(true);
+        frame.getStyleClass().add("region-frame");
+        frame.setVisible(false);
+        frame.setManaged(false);
+        picture.setOnMouseMoved(this::hover);
+        picture.setOnMouseExited(_ -> leave());
+        picture.setOnMousePressed(this::pressed);
+        picture.setOnMouseDragged(this::dragged);
+        picture.setOnMouseReleased(this::released);
+        region.subscribe(_ -> ask());
+        picture.sceneProperty().subscribe(scene -> {
+            if (scene != null) {
+                scene.addEventFilter(KeyEvent.KEY_PRESSED, this::key);
+            }
+        });
+    }
+
+    private void key(KeyEvent e) {
+        if (e.getCode() == KeyCode.ESCAPE && !prompt.get().isEmpty()) {
+            region.set(false);
+            endPick();
+            e.consume();
+        }
+    }
+
+    /** The next click tells what is there instead of selecting a light; a right click ends it. */
+    void pickNext(String hint, Consumer<PixelReport> picked) {
+        pick = picked;
+        wish = hint;
+        ask();
+    }
+
+    /** What the artist shall do in the picture, over which it stands; empty where nothing is asked. */
+    ReadOnlyStringProperty promptProperty() {
+        return prompt.getReadOnlyProperty();
+    }
+
+    /** Lies over the picture. */
+    Node overlay() {
+        return overlay;
+    }
+
+    /** What the region shows that was traced last; null before the first. */
+    Scene patched() {
+        return patched;
+    }
+
+    /** Whether a drag frames a region. */
+    BooleanProperty regionProperty() {
+        return region;
+    }
+
+    private void ask() {
+        prompt.set(pick != null ? wish : region.get() ? "Drag a frame around what to trace" : "");
+        picture.setCursor(pick != null || region.get() ? Cursor.CROSSHAIR : Cursor.DEFAULT);
+    }
+
+    private void hover(MouseEvent e) {
+        if (model.frame() == null) {
+            return;
+        }
+        Scene scene = model.frame().scene();
+        picture.pixel(e.getX(), e.getY()).filter(p -> p.x() < scene.picture().width() && p.y() < scene.picture().height())
+                .ifPresentOrElse(p -> inspector.ask(scene, p.x(), p.y(), report -> {
+                    if (picture.isHover()) {
+                        hovered.accept(report);
+                    }
+                }), this::leave);
+    }
+
+    private void leave() {
+        hovered.accept(null);
+    }
+
+    private void pressed(MouseEvent e) {
+        menu.hide();
+        pressX = e.getX();
+        pressY = e.getY();
+        lastX = pressX;
+        lastY = pressY;
+    }
+
+    private void dragged(MouseEvent e) {
+        if (e.getButton() == MouseButton.MIDDLE || e.isAltDown()) {
+            picture.pan(e.getX() - lastX, e.getY() - lastY);
+        } else if (region.get() && !picture.isEmpty()) {
+            frame.setX(Math.min(pressX, e.getX()));
+            frame.setY(Math.min(pressY, e.getY()));
+            frame.setWidth(Math.abs(e.getX() - pressX));
+            frame.setHeight(Math.abs(e.getY() - pressY));
+            frame.setVisible(true);
+        } else if (picture.wipe().isVisible()) {
+            picture.wipeTo(e.getX());
+        }
+        lastX = e.getX();
+        lastY = e.getY();
+    }
+
+    private void released(MouseEvent e) {
+        if (frame.isVisible()) {
+            frame.setVisible(false);
+            traceRegion(picture.nearest(pressX, pressY), picture.nearest(e.getX(), e.getY()));
+            region.set(false);
+        } else if (e.getButton() == MouseButton.SECONDARY && pick != null) {
+            endPick();
+        } else if (e.isStillSincePress() && e.getButton() == MouseButton.PRIMARY) {
+            click(e);
+        } else if (e.isStillSincePress() && e.getButton() == MouseButton.SECONDARY) {
+            offer(e);
+        }
+    }
+
+    private void offer(MouseEvent e) {
+        if (model.frame() != null) {
+            picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.ask(model.frame().scene(), p.x(), p.y(),
+                    report -> menu.show(picture, report.shape(), e.getScreenX(), e.getScreenY())));
+        }
+    }
+
+    private void traceRegion(PictureView.Pixel from, PictureView.Pixel to) {
+        var part = TracedRaster.Dirty.NONE.plus(from.x(), from.y(), from.x() + 1, from.y() + 1)
+                .plus(to.x(), to.y(), to.x() + 1, to.y() + 1);
+        TracedRaster.Pixels shown = model.raster().pixels();
+        Scene scene = model.scene().withPicture(model.scene().picture().withSize(shown.width(), shown.height()));
+        regions.trace(scene, part, film -> {
+            model.raster().patch(film, part);
+            patched = scene;
+            model.window().execute(model::repaint);
+        }, problem -> model.window().execute(() -> model.say(Sentence.of(problem))));
+    }
+
+    private void click(MouseEvent e) {
+        if (model.frame() == null) {
+            return;
+        }
+        picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.ask(model.frame().scene(), p.x(), p.y(), report -> {
+            if (pick == null) {
+                report.strongest().ifPresent(model::selectLight);
+            } else if (report.point() == null) {
+                model.say("There is nothing there; click a shape");
+            } else {
+                Consumer<PixelReport> picked = pick;
+                endPick();
+                picked.accept(report);
+            }
+        }));
+    }
+
+    private void endPick() {
+        pick = null;
+        ask();
+    }
+
+    @Override
+    public void close() {
+        inspector.close();
+        regions.close();
+    }
+}

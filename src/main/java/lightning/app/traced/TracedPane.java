@@ -1,0 +1,280 @@
+package lightning.app.traced;
+
+import java.util.Optional;
+import javafx.geometry.Pos;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.control.Tooltip;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
+import lightning.accuracy.Verification;
+import lightning.app.model.EditorModel;
+import lightning.app.model.RenderState;
+import lightning.app.model.Sentence;
+import lightning.app.model.TracedRaster;
+import lightning.app.widget.Lasting;
+import lightning.app.widget.Obstacle;
+import lightning.app.widget.PaneHeader;
+import lightning.app.widget.PictureView;
+import lightning.app.widget.ZoomButtons;
+import lightning.edit.Command;
+import lightning.edit.Situation;
+import lightning.effects.Effect;
+import lightning.image.DifferencePicture;
+import lightning.image.Film;
+import lightning.image.ViewTransform;
+import lightning.scene.VisiblePart;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignE;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
+
+/** The ray-traced canvas: the picture, what it does not show yet, how far it is, and what a pixel of it is made of. */
+public final class TracedPane extends BorderPane implements AutoCloseable {
+    private static final String NOT_PLAIN = "The view does not show the whole picture";
+    private static final String REGION_HINT = "Trace a region alone: drag a frame in the picture; it shows the edits that are not rendered yet";
+
+    private final EditorModel model;
+    private final PictureView picture = new PictureView();
+    private final Badge pending;
+    private final Badge mirrors;
+    private final Badge look;
+    private final Label pixelLine = new Label();
+    private final Label card = new Label();
+    private final Label prompt = new Label();
+    private final Label waiting = new Label();
+    private final ToggleButton difference = new ToggleButton("Difference");
+    private final ToggleButton compare = new ToggleButton("", new FontIcon(MaterialDesignC.COMPARE));
+    private final StackPane compareBox = new StackPane(compare);
+    private final Obstacle comparing = new Obstacle(compareBox, compare, "Compare: the snapshot on the left, the picture on the right; drag to wipe");
+    private final TracedMouse mouse;
+    private final LightPlacer placer;
+    private TracedRaster.Pixels shown;
+
+    public TracedPane(EditorModel model) {
+        this(model, Lasting.Later.WINDOW);
+    }
+
+    /** @param later when badges are looked at again */
+    TracedPane(EditorModel model, Lasting.Later later) {
+        this.model = model;
+        pending = new Badge("pending", later);
+        mirrors = new Badge("mirrors", later);
+        look = new Badge("look", later);
+        setId("traced");
+        getStyleClass().add("canvas-pane");
+        picture.setId("traced-picture");
+        mouse = new TracedMouse(model, picture, report -> {
+            pixelLine.setText(report == null ? "" : report.headline());
+            card.setText(report == null ? "" : String.join("\n", report.lightLines()));
+        });
+        placer = new LightPlacer(model, mouse::pickNext);
+        model.setAction(Command.PICK_MATERIAL, () ->
+                mouse.pickNext("Click the shape whose material to edit", at -> model.materials().chooseOf(at.shape())));
+        mirrors.setTooltip(new Tooltip("As in 1998, mirrors are updated on demand.\nA click here does it, and F6."));
+        mirrors.setOnMouseClicked(_ -> model.run(Command.UPDATE_REFLECTIONS));
+        var badges = new VBox(pending, mirrors);
+        badges.getStyleClass().add("badges");
+        badges.setPickOnBounds(false);
+        badges.setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
+        StackPane.setAlignment(badges, Pos.TOP_LEFT);
+        look.getStyleClass().add("look-badge");
+        look.setTooltip(new Tooltip("A way of looking, no part of the scene.\nSave Image and Verify take the picture itself."));
+        StackPane.setAlignment(look, Pos.TOP_RIGHT);
+        Node progress = new ProgressOverlay(model);
+        StackPane.setAlignment(progress, Pos.BOTTOM_CENTER);
+        card.setId("pixel-lights");
+        card.getStyleClass().add("pixel-card");
+        card.setMouseTransparent(true);
+        card.visibleProperty().bind(card.textProperty().isNotEmpty());
+        StackPane.setAlignment(card, Pos.BOTTOM_LEFT);
+        waiting.setId("waiting");
+        waiting.getStyleClass().add("canvas-note");
+        waiting.visibleProperty().bind(picture.emptyProperty());
+        prompt.setId("prompt");
+        prompt.getStyleClass().add("prompt");
+        prompt.setMouseTransparent(true);
+        prompt.textProperty().bind(mouse.promptProperty().map(p -> p.isEmpty() ? "" : p + "  ·  Esc ends"));
+        prompt.visibleProperty().bind(mouse.promptProperty().isNotEmpty());
+        StackPane.setAlignment(prompt, Pos.TOP_CENTER);
+        var stage = new StackPane(waiting, picture, mouse.overlay(), badges, look, card, progress, prompt);
+        stage.getStyleClass().add("canvas");
+        setTop(header());
+        setCenter(stage);
+        pixelLine.setId("pixel");
+        pixelLine.getStyleClass().add("pane-footer");
+        pixelLine.setMaxWidth(Double.MAX_VALUE);
+        setBottom(pixelLine);
+        difference.setId("difference");
+        difference.selectedProperty().subscribe(_ -> repaint());
+        model.repaintsProperty().subscribe(_ -> repaint());
+        model.situationProperty().subscribe(_ -> mark());
+        model.renderingProperty().subscribe(_ -> mark());
+    }
+
+    /** Where the picture is magnified and moved. */
+    public PictureView picture() {
+        return picture;
+    }
+
+    public LightPlacer placer() {
+        return placer;
+    }
+
+    /** The next drag frames a region that is traced alone. */
+    public void frameRegion() {
+        if (isPlain()) {
+            mouse.regionProperty().set(true);
+        } else {
+            model.say(NOT_PLAIN);
+        }
+    }
+
+    /** Whether the canvas shows the picture itself. */
+    private boolean isPlain() {
+        var frame = model.renderingProperty().get().frame();
+        return frame == null || frame.look().isPlain();
+    }
+
+    private Node header() {
+        var region = new ToggleButton("", new FontIcon(MaterialDesignS.SELECTION_DRAG));
+        region.setId("region");
+        region.setAccessibleText("Trace a region");
+        region.selectedProperty().bindBidirectional(mouse.regionProperty());
+        region.getStyleClass().add("button-icon");
+        var regionBox = new StackPane(region);
+        var obstacle = new Obstacle(regionBox, region, REGION_HINT);
+        model.renderingProperty().subscribe(_ -> obstacle.set(isPlain() ? Optional.empty() : Optional.of(NOT_PLAIN)));
+        return new PaneHeader("Ray traced", difference, only(), snapshot(), compareBox, new ExposureControl(model), viewMenu(), regionBox,
+                ZoomButtons.of(picture, "traced"));
+    }
+
+    private ToggleButton only() {
+        var only = new ToggleButton("", new FontIcon(MaterialDesignF.FILTER_OUTLINE));
+        only.setId("only-selected");
+        only.setAccessibleText("Only the selected light");
+        only.setTooltip(new Tooltip("Only the selected light\nShow what it gives to the picture, in mirrors too: no ambience, no background."));
+        only.getStyleClass().add("button-icon");
+        only.selectedProperty().bindBidirectional(model.look().onlySelectedProperty());
+        return only;
+    }
+
+    private MenuButton viewMenu() {
+        var menu = new MenuButton("", new FontIcon(MaterialDesignE.EYE_SETTINGS_OUTLINE));
+        menu.setId("view-options");
+        menu.setAccessibleText("How the picture is shown");
+        menu.setTooltip(new Tooltip("How the picture is shown\nThe display's curve, and effects to hide. No part of the scene."));
+        menu.getStyleClass().addAll("button-icon", "flat");
+        menu.getItems().setAll(ViewItems.of(model, "view"));
+        return menu;
+    }
+
+    private Button snapshot() {
+        var button = new Button("", new FontIcon(MaterialDesignC.CAMERA_OUTLINE));
+        button.setId("snapshot");
+        button.setAccessibleText("Snapshot");
+        button.getStyleClass().add("button-icon");
+        button.setTooltip(new Tooltip("Snapshot\nKeep this picture to compare later ones with."));
+        button.setOnAction(_ -> store());
+        compare.setId("compare");
+        compare.setAccessibleText("Compare");
+        compare.getStyleClass().add("button-icon");
+        comparing.set(Optional.of("no snapshot is kept yet"));
+        compare.selectedProperty().subscribe(on -> {
+            picture.wipe().setVisible(on);
+            picture.requestLayout();
+        });
+        return button;
+    }
+
+    private void store() {
+        TracedRaster.Pixels pixels = model.raster().pixels();
+        if (pixels != null) {
+            picture.wipe().store(pixels.width(), pixels.height(), pixels.pixels());
+            comparing.set(Optional.empty());
+            picture.requestLayout();
+            model.say("Snapshot kept");
+        }
+    }
+
+    /** How the picture is behind the edits; empty where it is not. */
+    private String remark() {
+        Situation now = model.situationProperty().get();
+        if (model.raster().isPatched() && mouse.patched() != null && now.rendered().isPresent()
+                && !VisiblePart.same(mouse.patched(), now.rendered().get())) {
+            return VisiblePart.same(mouse.patched(), now.scene()) ? "A region shows edits that the rest does not"
+                    : "A region shows other edits than the rest";
+        }
+        // What is played is always on its way.
+        boolean comes = now.animating() && now.inWork().isPresent();
+        return now.pendingRemark().isPresent() && !comes ? "Edits not yet rendered" : "";
+    }
+
+    /** What is said in the place of a picture that is not there yet. */
+    private String waiting() {
+        RenderState state = model.renderingProperty().get();
+        if (state.problem() != null) {
+            return Sentence.of(state.problem());
+        }
+        return state.cancelled() ? "Cancelled. Go traces the picture." : "Tracing " + model.document().name() + " …";
+    }
+
+    private void mark() {
+        waiting.setText(waiting());
+        pending.tell(remark());
+        var frame = model.renderingProperty().get().frame();
+        String shown = frame == null ? "" : frame.look().label();
+        look.tell(shown.isEmpty() ? "" : "View: " + shown);
+        boolean mirroring = frame != null && frame.look().effects().shows(Effect.REFLECTION);
+        mirrors.tell(mirroring ? model.situationProperty().get().mirrorsRemark().map(r -> r + ": Update Reflections").orElse("") : "");
+        boolean verified = verified() != null;
+        difference.setVisible(verified);
+        difference.setManaged(verified);
+        if (!verified) {
+            difference.setSelected(false);
+        }
+    }
+
+    /** The difference picture's films, where the last verification is of the picture shown; else null. */
+    private Verification verified() {
+        var state = model.renderingProperty().get();
+        boolean fits = state.verification() != null && state.frame() != null
+                && state.verification().speaksOf(state.frame().promise());
+        return fits ? state.verification() : null;
+    }
+
+    private void repaint() {
+        var verification = difference.isSelected() ? verified() : null;
+        if (verification != null) {
+            Film film = DifferencePicture.of(verification.picture(), verification.full());
+            picture.setPixels(film.width(), film.height(), ViewTransform.DEFAULT.toPixels(film));
+            shown = null;
+            return;
+        }
+        TracedRaster.Pixels pixels = model.raster().pixels();
+        TracedRaster.Dirty dirty = model.raster().takeDirty();
+        if (pixels == null) {
+            picture.clear();
+            shown = null;
+            return;
+        }
+        if (pixels != shown) {
+            picture.setPixels(pixels.width(), pixels.height(), pixels.pixels());
+            shown = pixels;
+        } else if (!dirty.isEmpty()) {
+            picture.changed(dirty.left(), dirty.top(), dirty.right(), dirty.bottom());
+        }
+        mark();
+    }
+
+    @Override
+    public void close() {
+        mouse.close();
+    }
+}

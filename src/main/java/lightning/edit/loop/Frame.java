@@ -1,0 +1,30 @@
+package lightning.edit.loop;
+
+import lightning.accuracy.Promise;
+import lightning.effects.ViewEffects;
+import lightning.image.Film;
+import lightning.relight.Update;
+import lightning.scene.Scene;
+import lightning.shading.Sight;
+
+/**
+ * A finished picture.
+ *
+ * @param film     the picture
+ * @param seen     what is shown of it: the film itself unless the look has it otherwise
+ * @param look     what {@code seen} is
+ * @param scene    what the film shows
+ * @param mirrored what its mirrors show: an older scene where reflections are stale (paper §4.8)
+ * @param update   how it came about
+ */
+public record Frame(Film film, Film seen, Look look, Scene scene, Scene mirrored, Update update) {
+    /** What the film is said to be. */
+    public Promise promise() {
+        return new Promise(new Sight(scene, mirrored), ViewEffects.ALL, update.errorBound());
+    }
+
+    /** Whether the mirrors, if there are any, show the scene itself, as far as a picture can tell. */
+    public boolean mirrorsAreCurrent() {
+        return !promise().isStale();
+    }
+}

@@ -1,0 +1,46 @@
+package lightning.edit.loop;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
+
+/**
+ * What of the traced picture is shown: a state of looking, no part of the scene, that saving and verifying know nothing of.
+ *
+ * @param light   the name of the light whose share alone is shown; empty for all of the picture
+ * @param effects which effects are shown
+ */
+public record Look(Optional<String> light, ViewEffects effects) {
+    /** The picture itself. */
+    public static final Look PLAIN = new Look(Optional.empty(), ViewEffects.ALL);
+
+    public boolean isPlain() {
+        return equals(PLAIN);
+    }
+
+    public Look withLight(Optional<String> v) {
+        return new Look(v, effects);
+    }
+
+    public Look withEffects(ViewEffects v) {
+        return new Look(light, v);
+    }
+
+    /** What is shown, as a label of the picture: {@code Only key, no shadows}; empty for the picture itself. */
+    public String label() {
+        List<String> parts = new ArrayList<>();
+        light.ifPresent(name -> parts.add("only " + name));
+        for (Effect effect : Effect.values()) {
+            if (!effects.shows(effect)) {
+                parts.add("no " + effect.title());
+            }
+        }
+        if (!effects.litTextures()) {
+            parts.add("glowing textures");
+        }
+        String text = String.join(", ", parts);
+        return text.isEmpty() ? "" : Character.toUpperCase(text.charAt(0)) + text.substring(1);
+    }
+}

@@ -1,0 +1,53 @@
+package lightning.edit.loop;
+
+import java.util.concurrent.CancellationException;
+import lightning.effects.ViewEffects;
+import lightning.image.Film;
+import lightning.relight.Renderer;
+import lightning.relight.plan.Reflections;
+import lightning.scene.Scene;
+import lightning.work.Progress;
+
+/**
+ * Makes what a {@link Look} shows of a renderer's picture. A light's share is composed from what the renderer keeps; where
+ * effects are hidden, a second renderer keeps the picture without them.
+ */
+final class Looking implements AutoCloseable {
+    private Renderer hiding;
+
+    /**
+     * @throws CancellationException if {@code progress} asked to stop
+     */
+    Film film(Renderer picture, Look look, Progress progress) {
+        Renderer shown = look.effects().equals(ViewEffects.ALL) ? picture : hiding(picture, look.effects(), progress);
+        return look.light().isPresent() ? shown.share(look.light().get(), progress) : shown.film();
+    }
+
+    /** The picture without some effects; its mirrors show what the picture's show. */
+    private Renderer hiding(Renderer picture, ViewEffects effects, Progress progress) {
+        var options = picture.options().withReflections(Reflections.STALE).withView(effects);
+        if (hiding == null) {
+            hiding = new Renderer(options);
+        }
+        hiding.change(options);
+        Scene mirrored = picture.cache().mirroredScene();
+        hiding.render(mirrored, progress);
+        hiding.updateReflections(progress);
+        hiding.render(picture.scene(), progress);
+        return hiding;
+    }
+
+    /** The picture as it is; what hiding took is given back. */
+    Film plain(Renderer picture) {
+        close();
+        return picture.film();
+    }
+
+    @Override
+    public void close() {
+        if (hiding != null) {
+            hiding.close();
+            hiding = null;
+        }
+    }
+}

@@ -1,0 +1,150 @@
+package lightning.edit.loop;
+
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import lightning.accuracy.Promise;
+import lightning.accuracy.Verification;
+import lightning.accuracy.WarmSaving;
+import lightning.image.Film;
+import lightning.work.Workers;
+
+/**
+ * Traces in full on a thread of its own, to verify a picture and to find out what an update saves; a newer verification
+ * replaces an older one. Safe for several threads.
+ */
+final class Verifier implements AutoCloseable {
+    private static final int PATIENCE_SECONDS = 10;
+    /** How long a saving's times may take to come to rest, milliseconds, while nobody works. */
+    private static final double WARM_UP_MS = 20_000;
+
+    private final Workers workers;
+    private final RenderListener listener;
+    private final ExecutorService thread = Executors.newSingleThreadExecutor(task -> {
+        Thread t = new Thread(task, "lightning-verify");
+        t.setDaemon(true);
+        return t;
+    });
+    private RenderQueue.Stop stop;
+    private RenderQueue.Stop measuring;
+    /** What a saving is to be measured of; null where there is nothing. */
+    private WarmSaving.Edit waiting;
+    private int running;
+
+    Verifier(int threads, RenderListener listener) {
+        this.listener = listener;
+        workers = new Workers(threads);
+    }
+
+    /**
+     * Begins a verification; nothing once closed.
+     *
+     * @param asked stops it too when it was asked for before this returns
+     */
+    synchronized void verify(Promise promise, Film picture, RenderQueue.Stop asked) {
+        cancel();
+        if (thread.isShutdown()) {
+            return;
+        }
+        var own = new RenderQueue.Stop(listener::verifying);
+        stop = own;
+        if (asked.isCancelled()) {
+            cancel();
+        }
+        running++;
+        pause();
+        thread.execute(() -> run(promise, picture, own));
+    }
+
+    /** What was done last; a saving that is still being measured is of no use any more. */
+    synchronized void done(Optional<WarmSaving.Edit> edit) {
+        pause();
+        waiting = edit.orElse(null);
+    }
+
+    /** Finds out what the update made last saves, unless that is known or being found out; the listener hears of it. */
+    synchronized void measure() {
+        if (waiting == null || measuring != null || thread.isShutdown()) {
+            return;
+        }
+        var own = new RenderQueue.Stop((_, _) -> { });
+        WarmSaving.Edit edit = waiting;
+        measuring = own;
+        thread.execute(() -> {
+            try {
+                measured(own, WarmSaving.measure(edit, workers, WARM_UP_MS, own));
+            } catch (CancellationException e) {
+                // It is measured when there is time again.
+            } catch (RuntimeException | OutOfMemoryError e) {
+                // A picture that cannot be traced in full has no time that savings could be savings of.
+                measured(own, Optional.empty());
+            }
+        });
+    }
+
+    /** There is other work: what is measured beside it would be too long. */
+    synchronized void pause() {
+        if (measuring != null) {
+            measuring.ask();
+            measuring = null;
+        }
+    }
+
+    private void run(Promise promise, Film picture, RenderQueue.Stop own) {
+        Runnable outcome;
+        try {
+            Verification verification = promise.verify(picture, workers, own);
+            outcome = () -> listener.verified(verification);
+        } catch (CancellationException e) {
+            outcome = listener::cancelled;
+        } catch (Throwable e) {
+            // Whatever it is, the window lives on and says so.
+            outcome = () -> listener.failed(e);
+        }
+        ended();
+        outcome.run();
+    }
+
+    private synchronized void measured(RenderQueue.Stop own, Optional<WarmSaving> saving) {
+        if (measuring == own) {
+            measuring = null;
+            waiting = null;
+            saving.ifPresent(listener::measured);
+        }
+    }
+
+    private synchronized void ended() {
+        running--;
+    }
+
+    /** Whether a verification runs or waits. */
+    synchronized boolean isBusy() {
+        return running > 0;
+    }
+
+    synchronized void cancel() {
+        if (stop != null) {
+            stop.ask();
+        }
+    }
+
+    private synchronized void shutdown() {
+        pause();
+        cancel();
+        thread.shutdown();
+    }
+
+    @Override
+    public void close() {
+        shutdown();
+        try {
+            // The workers must not end before the trace that waits for them.
+            thread.awaitTermination(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        workers.close();
+    }
+}

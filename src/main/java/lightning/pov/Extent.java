@@ -1,0 +1,37 @@
+package lightning.pov;
+
+import java.util.List;
+import lightning.math.Vec3;
+import lightning.scene.PlacedShape;
+import lightning.scene.Scene;
+
+/**
+ * A sphere around all shapes of a scene.
+ *
+ * @param radius scene units, &gt; 0
+ */
+record Extent(Vec3 center, double radius) {
+
+    static Extent of(Scene scene) {
+        List<PlacedShape> shapes = scene.placedShapes();
+        if (shapes.isEmpty()) {
+            return new Extent(scene.camera().to(), 1);
+        }
+        double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+        double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        for (PlacedShape shape : shapes) {
+            // Every canonical solid is inside the cube from −1 to 1.
+            for (int corner = 0; corner < 8; corner++) {
+                Vec3 p = shape.toWorld().point(new Vec3((corner & 1) * 2 - 1, (corner & 2) - 1, (corner & 4) / 2 - 1));
+                double[] at = {p.x(), p.y(), p.z()};
+                for (int axis = 0; axis < 3; axis++) {
+                    low[axis] = Math.min(low[axis], at[axis]);
+                    high[axis] = Math.max(high[axis], at[axis]);
+                }
+            }
+        }
+        Vec3 from = new Vec3(low[0], low[1], low[2]);
+        Vec3 to = new Vec3(high[0], high[1], high[2]);
+        return new Extent(from.plus(to).times(0.5), to.minus(from).length() / 2);
+    }
+}

@@ -1,0 +1,74 @@
+package lightning.pov;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+
+/** Writes lights; those that do not shine are left out. */
+final class PovLight {
+    /** How far away a directional light is put, in sizes of the scene. */
+    private static final double FAR = 100;
+
+    private final Extent extent;
+    private final List<String> losses;
+
+    PovLight(Extent extent, List<String> losses) {
+        this.extent = extent;
+        this.losses = losses;
+    }
+
+    String text(Scene scene, Light light) {
+        if (!scene.shines(light)) {
+            return "// light " + light.name() + " is off\n";
+        }
+        PovFade fade = light.type().hasPosition() ? fade(light) : new PovFade(1, 0, 0, true);
+        if (!fade.exact()) {
+            losses.add("light " + light.name() + ": attenuation is POV-Ray's nearest, 2/(1+(d/distance)^power), without the limit 1");
+        }
+        List<String> words = new ArrayList<>();
+        words.add(PovText.vector(place(light)));
+        words.add(color(light, fade.gain()));
+        switch (light.type()) {
+            case DIRECTIONAL -> words.add("parallel point_at " + PovText.vector(extent.center()));
+            case POINT -> { }
+            case SPOT -> words.addAll(spot(light));
+        }
+        if (fade.distance() > 0) {
+            words.add("fade_distance " + fade.distance() + " fade_power " + fade.power());
+        }
+        return "// " + light.name() + "\nlight_source {\n  " + String.join("\n  ", words) + "\n}\n";
+    }
+
+    private PovFade fade(Light light) {
+        double middle = light.position().minus(extent.center()).length();
+        double near = Math.max(middle - extent.radius(), extent.radius() / 20);
+        return PovFade.of(light.attenuation(), near, middle + extent.radius());
+    }
+
+    private Vec3 place(Light light) {
+        return light.type().hasPosition() ? light.position()
+                : extent.center().minus(light.direction().normalized().times(FAR * extent.radius()));
+    }
+
+    private static String color(Light light, double gain) {
+        Rgb c = light.color().times(light.intensity() * gain);
+        return PovText.rgb(c);
+    }
+
+    /** A hard edge at the angle, and the axis' cosine to the power of the dropoff. */
+    private List<String> spot(Light light) {
+        if (light.angle() == 180 && light.dropoff() == 0) {
+            return List.of();
+        }
+        if (light.angle() >= 90) {
+            losses.add("light " + light.name() + ": a cone of 90 degrees and more ends at 90 in POV-Ray");
+        }
+        double angle = Math.min(light.angle(), 90);
+        Vec3 target = light.position().plus(light.direction().normalized().times(extent.radius()));
+        return List.of("spotlight point_at " + PovText.vector(target),
+                "radius " + angle + " falloff " + angle + " tightness " + light.dropoff());
+    }
+}

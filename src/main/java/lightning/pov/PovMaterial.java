@@ -1,0 +1,113 @@
+package lightning.pov;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.math.Rgb;
+import lightning.scene.Material;
+import lightning.scene.Shape;
+import lightning.scene.TextureMap;
+
+/**
+ * Writes materials. POV-Ray's colour of a point is pigment·(ambient·ambient_light + Σ diffuse) + phong + reflection, so
+ * kd·(1 − kr) is the pigment, and what is emitted is divided by it.
+ */
+final class PovMaterial {
+    /** Stands for a pigment of 0 where something is emitted: far below half a step of 8 bits. */
+    private static final double LEAST_PIGMENT = 1e-5;
+
+    private final List<String> losses;
+
+    PovMaterial(List<String> losses) {
+        this.losses = losses;
+    }
+
+    /** The texture of one shape, on one or several lines; {@code image} is the texture's file. */
+    String text(Material m, Shape shape, String image) {
+        return m.texture().isPresent() ? textured(m, m.texture().get(), shape, image) : plain(m);
+    }
+
+    private String plain(Material m) {
+        Rgb one = new Rgb(1 - m.reflective().r(), 1 - m.reflective().g(), 1 - m.reflective().b());
+        Rgb emitted = times(m.ambient(), one);
+        Rgb diffuse = times(m.diffuse(), one);
+        Rgb pigment = new Rgb(pigment(diffuse.r(), emitted.r()), pigment(diffuse.g(), emitted.g()), pigment(diffuse.b(), emitted.b()));
+        Rgb ambient = new Rgb(ratio(emitted.r(), pigment.r()), ratio(emitted.g(), pigment.g()), ratio(emitted.b(), pigment.b()));
+        return "texture {\n    pigment { " + PovText.rgb(pigment) + " }\n    finish { ambient " + PovText.rgb(ambient)
+                + " diffuse 1 " + shine(m) + " }\n  }";
+    }
+
+    private String textured(Material m, TextureMap map, Shape shape, String image) {
+        double diffuse = grey(m.name(), "diffuse, with a texture,", m.diffuse());
+        double kept = 1 - grey(m.name(), "reflective, for what a texture keeps,", m.reflective());
+        if (!m.ambient().isBlack()) {
+            lose("material " + m.name() + ": ambient is multiplied by the texture");
+        }
+        Rgb ambient = m.ambient().times(kept);
+        return "texture {\n    pigment { image_map { png \"" + image + "\" " + mapping(shape) + " interpolate 2 } "
+                + String.join(" ", placing(m, map, shape)) + " }\n    finish { ambient " + PovText.rgb(ambient) + " diffuse "
+                + diffuse * kept + " " + shine(m) + " }\n  }";
+    }
+
+    private static String mapping(Shape shape) {
+        return switch (shape) {
+            case Shape.Sphere _ -> "map_type 1";
+            case Shape.Cone _ -> "map_type 2";
+            case Shape.Cylinder _ -> "map_type 2";
+            case Shape.Plane _ -> "map_type 0";
+        };
+    }
+
+    /** Puts POV-Ray's map, which lies in the xy plane or winds about y, where our texture coordinates are. */
+    private List<String> placing(Material m, TextureMap map, Shape shape) {
+        List<String> words = new ArrayList<>();
+        if (shape instanceof Shape.Plane) {
+            words.add("scale <" + 1 / map.repeatU() + ", " + 1 / map.repeatV() + ", 1>");
+            words.add("rotate <90, 0, 0> translate <-0.5, 0, -0.5>");
+            return words;
+        }
+        if (map.repeatU() != 1 || map.repeatV() != 1) {
+            lose("material " + m.name() + ": a texture around a shape does not repeat");
+        }
+        if (!(shape instanceof Shape.Sphere)) {
+            lose("material " + m.name() + ": caps have the texture of the side's edge");
+        }
+        words.add("scale <-1, 1, 1> rotate <0, -90, 0>");
+        return words;
+    }
+
+    private String shine(Material m) {
+        List<String> words = new ArrayList<>();
+        if (!m.specular().isBlack()) {
+            words.add("phong " + grey(m.name(), "specular", m.specular()) + " phong_size " + m.shininess());
+        }
+        if (!m.reflective().isBlack()) {
+            words.add("reflection { " + PovText.rgb(m.reflective()) + " }");
+        }
+        return String.join(" ", words);
+    }
+
+    private double grey(String material, String what, Rgb c) {
+        if (c.min() != c.max()) {
+            lose("material " + material + ": " + what + " is grey in POV-Ray, the mean of the three channels");
+        }
+        return (c.r() + c.g() + c.b()) / 3;
+    }
+
+    private void lose(String loss) {
+        if (!losses.contains(loss)) {
+            losses.add(loss);
+        }
+    }
+
+    private static double pigment(double diffuse, double emitted) {
+        return diffuse > 0 || emitted == 0 ? diffuse : LEAST_PIGMENT;
+    }
+
+    private static double ratio(double emitted, double pigment) {
+        return emitted == 0 ? 0 : emitted / pigment;
+    }
+
+    private static Rgb times(Rgb a, Rgb b) {
+        return new Rgb(a.r() * b.r(), a.g() * b.g(), a.b() * b.b());
+    }
+}

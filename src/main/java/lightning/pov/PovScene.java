@@ -1,0 +1,126 @@
+package lightning.pov;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import lightning.file.SafeFile;
+import lightning.image.Film;
+import lightning.image.PictureFile;
+import lightning.image.ViewTransform;
+import lightning.math.Transform;
+import lightning.math.Vec3;
+import lightning.scene.Camera;
+import lightning.scene.PlacedShape;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
+
+/** A scene in POV-Ray's language. */
+public final class PovScene {
+    private final String text;
+    private final List<String> losses;
+    private final Map<String, Texture> images;
+
+    private PovScene(String text, List<String> losses, Map<String, Texture> images) {
+        this.text = text;
+        this.losses = List.copyOf(losses);
+        this.images = images;
+    }
+
+    /**
+     * Translates a scene.
+     *
+     * @param name the beginning of the names of its texture files
+     */
+    public static PovScene of(Scene scene, String name) {
+        List<String> losses = new ArrayList<>();
+        Map<String, Texture> images = new LinkedHashMap<>();
+        var body = new StringBuilder();
+        body.append("global_settings {\n  assumed_gamma 1.0\n  max_trace_level ").append(scene.picture().depth() + 1)
+                .append("\n  adc_bailout 0\n  ambient_light rgb ").append(scene.world().ambience()).append("\n}\n");
+        body.append("background { ").append(PovText.rgb(scene.world().background())).append(" }\n");
+        body.append(camera(scene));
+        var materials = new PovMaterial(losses);
+        for (PlacedShape shape : scene.placedShapes()) {
+            String image = shape.material().texture().map(t -> image(images, t, name)).orElse("");
+            body.append("// ").append(shape.shape().name()).append('\n').append(solid(shape.shape())).append("\n  ")
+                    .append(materials.text(shape.material(), shape.shape(), image)).append("\n  ")
+                    .append(PovText.matrix(shape.toWorld())).append("\n}\n");
+        }
+        var lights = new PovLight(Extent.of(scene), losses);
+        scene.lights().forEach(light -> body.append(lights.text(scene, light)));
+        return new PovScene(head(scene, losses) + body, losses, images);
+    }
+
+    private static String head(Scene scene, List<String> losses) {
+        var head = new StringBuilder("// For POV-Ray 3.7. Run in this folder: povray +Ithis.pov +W" + scene.picture().width()
+                + " +H" + scene.picture().height() + " -A -D\n");
+        losses.forEach(loss -> head.append("// Not as in the scene: ").append(loss).append('\n'));
+        return head.append("#version 3.7;\n").toString();
+    }
+
+    private static String camera(Scene scene) {
+        Camera camera = scene.camera();
+        Vec3 forward = camera.to().minus(camera.from()).normalized();
+        Vec3 right = forward.cross(camera.up().normalized()).normalized();
+        Vec3 up = right.cross(forward);
+        double half = camera.fov() / 2;
+        double distance = 0.5 * Transform.cosDegrees(half) / Transform.sinDegrees(half);
+        double aspect = (double) scene.picture().width() / scene.picture().height();
+        return "camera {\n  perspective\n  location " + PovText.vector(camera.from()) + "\n  direction "
+                + PovText.vector(forward.times(distance)) + "\n  right " + PovText.vector(right.times(aspect)) + "\n  up "
+                + PovText.vector(up) + "\n}\n";
+    }
+
+    /** A canonical solid, left open for texture and placing. */
+    private static String solid(Shape shape) {
+        return switch (shape) {
+            case Shape.Sphere _ -> "sphere { <0, 0, 0>, 1";
+            case Shape.Cone _ -> "cone { <0, 0, 0>, 1, <0, 1, 0>, 0";
+            case Shape.Cylinder _ -> "cylinder { <0, 0, 0>, <0, 1, 0>, 1";
+            case Shape.Plane _ -> "polygon { 5, <-0.5, 0, -0.5>, <0.5, 0, -0.5>, <0.5, 0, 0.5>, <-0.5, 0, 0.5>, <-0.5, 0, -0.5>";
+        };
+    }
+
+    private static String image(Map<String, Texture> images, TextureMap map, String name) {
+        String file = name.replaceAll("[\"\\\\\\p{C}]", "_") + "-" + map.file().replaceAll("[^\\p{Alnum}_-]", "_") + ".png";
+        images.put(file, map.image());
+        return file;
+    }
+
+    /** The file's content. */
+    public String text() {
+        return text;
+    }
+
+    /** What POV-Ray cannot say, or not exactly: one sentence each, the scene's names in it. */
+    public List<String> losses() {
+        return losses;
+    }
+
+    /**
+     * Writes the scene, and its textures beside it.
+     *
+     * @throws IOException if a file cannot be written
+     */
+    public void write(Path file) throws IOException {
+        for (var image : images.entrySet()) {
+            PictureFile.write(file.resolveSibling(image.getKey()), film(image.getValue()), ViewTransform.DEFAULT);
+        }
+        SafeFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+    }
+
+    private static Film film(Texture texture) {
+        float[] rgb = new float[3 * texture.width() * texture.height()];
+        for (int i = 0; i < rgb.length; i++) {
+            int pixel = i / 3;
+            rgb[i] = texture.channel(pixel % texture.width(), pixel / texture.width(), i % 3);
+        }
+        return Film.ofScanlines(texture.width(), texture.height(), rgb);
+    }
+}

@@ -1,0 +1,141 @@
+package lightning.relight.plan;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.IntFunction;
+import lightning.cache.LayerStamp;
+import lightning.cache.PixelCache;
+import lightning.scene.Antialias;
+import lightning.scene.Light;
+import lightning.scene.LightMatch;
+import lightning.scene.Scene;
+import lightning.shading.ConeChange;
+import lightning.shading.IntensityRatio;
+import lightning.shading.Lamp;
+import lightning.trace.Geometry;
+
+/**
+ * Finds the least update that leads from the scene rendered last to the scene wanted (paper §4.9), by
+ * comparing the two. Composite edits, undo and edits of several lights at once are one case.
+ */
+public final class Dispatcher {
+    private Dispatcher() {}
+
+    /**
+     * The plan for a scene.
+     *
+     * @param cache   what is known, or null
+     * @param mirrors  whether mirror images shall show the wanted scene too
+     * @param accuracy how edits are carried out
+     */
+    public static UpdatePlan plan(PixelCache cache, Scene wanted, boolean mirrors, Accuracy accuracy) {
+        if (cache == null) {
+            return new UpdatePlan.FirstPass("no picture yet");
+        }
+        Scene known = cache.scene();
+        if (known.picture().width() != wanted.picture().width() || known.picture().height() != wanted.picture().height()) {
+            return new UpdatePlan.FirstPass("another size");
+        }
+        boolean resampled = !known.picture().sampling().samplesLike(wanted.picture().sampling());
+        // Where rays are followed from what mirrors nothing, edges cannot be looked for in the levels that are known.
+        if (resampled && (hasNoCentres(known) || hasNoCentres(wanted) || cache.geometry().everyMirror())) {
+            return new UpdatePlan.FirstPass("other samples");
+        }
+        if (!known.camera().equals(wanted.camera())) {
+            return new UpdatePlan.FirstPass("another camera");
+        }
+        if (!cache.geometry().serves(wanted)) {
+            return new UpdatePlan.FirstPass("other shapes");
+        }
+        int depthFrom = known.picture().depth();
+        int depthTo = wanted.picture().depth();
+        boolean refresh = resampled || depthFrom != depthTo || mirrors && !cache.mirroredScene().equals(wanted);
+        if (known.equals(wanted) && !refresh) {
+            return new UpdatePlan.Nothing();
+        }
+        Geometry geometry = cache.geometry().of(wanted);
+        LevelPlan top = level(cache.geometry(), known, cache::stamp, wanted, geometry, accuracy);
+        LevelPlan mirrored = refresh
+                ? level(cache.mirroredGeometry(), cache.mirroredScene(), cache::mirroredStamp, wanted, geometry, accuracy) : null;
+        if (resampled && !(top.materials().mirrors().isEmpty() && mirrored.materials().mirrors().isEmpty())) {
+            return new UpdatePlan.FirstPass("other samples and mirrors");
+        }
+        return new UpdatePlan.Relight(top, mirrored, depthFrom, depthTo, resampled);
+    }
+
+    /** Whether all pixels have several samples, so that their centres are not traced. */
+    private static boolean hasNoCentres(Scene scene) {
+        return scene.picture().sampling().antialias() == Antialias.EVERY;
+    }
+
+    /** The update of the layers that show {@code known} and were computed for {@code stamps}. */
+    private static LevelPlan level(Geometry shown, Scene known, IntFunction<LayerStamp> stamps, Scene wanted, Geometry geometry,
+            Accuracy accuracy) {
+        LightMatch match = new LightMatch(known.lights(), wanted.lights());
+        List<LayerPlan> layers = new ArrayList<>();
+        for (int l = 0; l < wanted.lights().size(); l++) {
+            Light light = wanted.lights().get(l);
+            LayerStamp before = match.origin(l) < 0 ? null : stamps.apply(match.origin(l));
+            layers.add(new LayerPlan(light, match.origin(l), before, update(before, light, wanted, accuracy)));
+        }
+        List<String> dropped = match.gone().stream().map(i -> known.lights().get(i).name()).toList();
+        // A change of the order or number of lights changes how their sum is grouped.
+        boolean compose = !match.keepsPlaces() || !known.world().equals(wanted.world());
+        return new LevelPlan(layers, dropped, compose,
+                MaterialDifference.between(shown.materials(), geometry.materials()));
+    }
+
+    /** At level ratio: all contributions anew, of the scene that is shown. */
+    public static UpdatePlan.Relight refresh(PixelCache cache) {
+        int depth = cache.scene().picture().depth();
+        MaterialUpdate materials = MaterialUpdate.none(cache.geometry().materials());
+        return new UpdatePlan.Relight(refresh(cache.scene(), cache.stamps(), materials),
+                cache.mirroredScene().equals(cache.scene()) ? refresh(cache.mirroredScene(), cache.mirroredStamps(), materials) : null,
+                depth, depth);
+    }
+
+    private static LevelPlan refresh(Scene scene, LayerStamp[] stamps, MaterialUpdate materials) {
+        List<LayerPlan> layers = new ArrayList<>();
+        for (int l = 0; l < stamps.length; l++) {
+            boolean scaled = stamps[l] != null && stamps[l].roundings() > 0 && scene.shines(scene.lights().get(l));
+            LightUpdate update = scaled ? new LightUpdate.Refresh() : new LightUpdate.Keep();
+            layers.add(new LayerPlan(scene.lights().get(l), l, stamps[l], update));
+        }
+        return new LevelPlan(layers, List.of(), true, materials);
+    }
+
+    private static LightUpdate update(LayerStamp before, Light light, Scene wanted, Accuracy accuracy) {
+        boolean dark = Lamp.of(light, wanted).isDark();
+        if (before == null) {
+            return dark ? new LightUpdate.Keep() : new LightUpdate.FullRecompute(true);
+        }
+        return switch (accuracy) {
+            case EXACT -> dark ? new LightUpdate.Keep() : exact(LightDifference.between(before.light(), light));
+            case RATIO -> wanted.shines(light) ? ratio(before.light(), light, wanted) : new LightUpdate.Keep();
+        };
+    }
+
+    private static LightUpdate exact(LightDifference difference) {
+        if (difference.moved()) {
+            return new LightUpdate.FullRecompute(false);
+        }
+        if (difference.cone() != ConeChange.NONE || difference.falloff()) {
+            return new LightUpdate.Partial(difference.cone(), difference.falloff(), difference.weight());
+        }
+        return difference.weight() ? new LightUpdate.Reweight() : new LightUpdate.Keep();
+    }
+
+    /**
+     * The paper's choice: a turned light is recomputed in full (§4.5), and so is one whose old weight is 0
+     * (§4.1), shadow rays included.
+     */
+    private static LightUpdate ratio(Light before, Light light, Scene wanted) {
+        LightDifference difference = LightDifference.between(before, light);
+        LightUpdate least = exact(difference);
+        if (least instanceof LightUpdate.Keep) {
+            return least;
+        }
+        boolean usable = IntensityRatio.between(Lamp.shining(before, wanted), Lamp.shining(light, wanted)).isUsable();
+        return difference.cone() == ConeChange.TURN || !usable ? new LightUpdate.FullRecompute(false) : least;
+    }
+}

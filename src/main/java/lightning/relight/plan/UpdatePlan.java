@@ -1,0 +1,44 @@
+package lightning.relight.plan;
+
+import java.util.List;
+
+/** What a renderer will do to get from the scene rendered last to the scene wanted. */
+public sealed interface UpdatePlan {
+
+    /** Nothing: the picture is as wanted. */
+    record Nothing() implements UpdatePlan {}
+
+    /** A full trace that fills the cache: no picture yet, or camera, size or geometry changed. */
+    record FirstPass(String reason) implements UpdatePlan {}
+
+    /**
+     * An update of the cache.
+     *
+     * @param top       the first level
+     * @param mirrors   the mirror levels, or null where they stay as they are
+     * @param depthFrom how many mirror bounces are known
+     * @param depthTo   how many are wanted
+     * @param resampled whether pixels get other finer samples, or none, whatever the edges
+     */
+    record Relight(LevelPlan top, LevelPlan mirrors, int depthFrom, int depthTo, boolean resampled) implements UpdatePlan {
+
+        /** An update that leaves it to the edges which finer samples there are. */
+        public Relight(LevelPlan top, LevelPlan mirrors, int depthFrom, int depthTo) {
+            this(top, mirrors, depthFrom, depthTo, false);
+        }
+    }
+
+    /** The plan in the words of the paper, one step a string. */
+    default List<String> steps() {
+        return switch (this) {
+            case Nothing _ -> List.of("nothing to do");
+            case FirstPass first -> List.of("first pass: " + first.reason());
+            case Relight relight -> PlanText.of(relight);
+        };
+    }
+
+    /** The steps on one line. */
+    default String text() {
+        return String.join(", ", steps());
+    }
+}

@@ -1,0 +1,34 @@
+package lightning.relight.tile;
+
+import lightning.shading.BranchSums;
+
+/**
+ * Notices that one light alone is edited again and again, as while it is dragged: from the second time
+ * on, the sums over the other lights are kept.
+ */
+public final class Drag {
+    /** With fewer lights, adding them anew reads less memory than their sums take. */
+    public static final int LEAST_LIGHTS = 8;
+
+    private BranchSums.Key key;
+
+    /**
+     * Hears of an update.
+     *
+     * @param light  the only light that it changes, −1 for none or several
+     * @param lights how many lights there are
+     * @return the key of sums to use and to keep, or null
+     */
+    BranchSums.Key next(int light, int lights) {
+        if (light >= 0 && lights >= LEAST_LIGHTS && key != null && key.light() == light) {
+            return key;
+        }
+        key = light < 0 ? null : new BranchSums.Key(light);
+        return null;
+    }
+
+    /** Forgets which light was edited last. */
+    public void end() {
+        key = null;
+    }
+}

@@ -1,0 +1,79 @@
+package lightning.relight.tile;
+
+import java.util.Arrays;
+import lightning.cache.CachedTile;
+import lightning.cache.FineSamples;
+import lightning.cache.FineTile;
+import lightning.image.Film;
+import lightning.scene.Antialias;
+import lightning.shading.EdgeMap;
+import lightning.shading.SampleMean;
+import lightning.trace.SamplePlaces;
+
+/**
+ * Builds and updates the finer samples of tiles, after the pixels' centres are known (anti-aliasing). One for each
+ * thread.
+ *
+ * <p>Which pixels have them follows from the scene alone. The samples of pixels at an edge of what is hit stay while
+ * lights are edited and are updated like any rows; those at an edge of a light alone follow it, and are traced anew
+ * in tiles where other pixels need them than before.
+ */
+final class FineWorker {
+    private static final short[] NO_PIXELS = new short[0];
+
+    private final Job job;
+    private final TileWorker worker;
+    private final EdgeMap edges;
+    private final EdgeMap known;
+
+    /**
+     * @param edges the edges that there are now; unread where all pixels have several samples
+     * @param known the edges of the picture before, or null
+     */
+    FineWorker(Job job, TileWorker worker, EdgeMap edges, EdgeMap known) {
+        this.job = job;
+        this.worker = worker;
+        this.edges = edges;
+        this.known = known;
+    }
+
+    /**
+     * The finer samples of a tile; null where the work was cancelled.
+     *
+     * @param center    the centres of the tile's pixels after the update, or null where none are traced
+     * @param oldCenter the same before, or null
+     * @param old       the finer samples before, or null
+     */
+    FineTile tile(int tile, CachedTile center, CachedTile oldCenter, FineTile old) {
+        boolean stay = old != null && (!job.coding() || edges.alike(tile, known));
+        FineSamples shapes = samples(tile, stay ? old.shapes().pixels() : shapePixels(tile), old == null ? null : old.shapes());
+        FineSamples lights = samples(tile, stay ? old.lights().pixels() : lightPixels(tile), old == null ? null : old.lights());
+        if (job.progress().isCancelled()) {
+            return null;
+        }
+        FineTile now = new FineTile(shapes, lights, old == null ? null : old.film());
+        boolean same = old != null && (center == null || center.film == oldCenter.film) && now.isAlike(old);
+        return same ? now : FineTile.of(center, shapes, lights, job.sampling().perPixel());
+    }
+
+    private short[] shapePixels(int tile) {
+        return job.sampling().antialias() == Antialias.EDGES ? edges.shapeEdges(tile)
+                : EdgeMap.all(job.scene().picture().width(), job.scene().picture().height(), tile);
+    }
+
+    private short[] lightPixels(int tile) {
+        return job.sampling().antialias() == Antialias.EDGES ? edges.lightEdges(tile) : NO_PIXELS;
+    }
+
+    private FineSamples samples(int tile, short[] pixels, FineSamples old) {
+        int together = SampleMean.pixelsTogether(job.sampling().perPixel());
+        boolean same = old != null && Arrays.equals(pixels, old.pixels());
+        CachedTile[] blocks = new CachedTile[(pixels.length + together - 1) / together];
+        for (int b = 0; b < blocks.length && !job.progress().isCancelled(); b++) {
+            var places = new SamplePlaces(tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE, pixels, b * together,
+                    Math.min(pixels.length, (b + 1) * together), job.sampling().grid());
+            blocks[b] = same ? worker.relight(places, old.blocks()[b]) : worker.fine(places);
+        }
+        return new FineSamples(same ? old.pixels() : pixels, blocks);
+    }
+}

@@ -1,0 +1,77 @@
+package lightning.relight.tile;
+
+import java.util.Arrays;
+import lightning.cache.CachedTile;
+import lightning.cache.FineTile;
+import lightning.cache.PixelCache;
+import lightning.scene.Antialias;
+import lightning.shading.EdgeCodes;
+import lightning.shading.EdgeMap;
+import lightning.work.Workers;
+
+/** Carries out a job on all tiles, by all workers: first the pixels' centres, then the finer samples. */
+public final class TileRun {
+    private final Job job;
+    private final Workers workers;
+    private final PixelCache old;
+    private final TileWorker[] threads;
+    private final CachedTile[] tiles;
+    private final FineTile[] fine;
+
+    /**
+     * Does all of it.
+     *
+     * @param old what is known, or null for a first pass
+     * @throws java.util.concurrent.CancellationException if the job's progress asked to stop
+     */
+    public TileRun(Job job, Workers workers, PixelCache old) {
+        this.job = job;
+        this.workers = workers;
+        this.old = old;
+        threads = new TileWorker[workers.count()];
+        Arrays.setAll(threads, _ -> new TileWorker(job));
+        tiles = new CachedTile[job.sampling().antialias() == Antialias.EVERY ? 0 : job.tileCount()];
+        fine = new FineTile[job.sampling().isFine() ? job.tileCount() : 0];
+        int all = tiles.length + fine.length;
+        workers.run(tiles.length, (worker, tile) -> tiles[tile] = old == null
+                ? threads[worker].firstPass(tile) : threads[worker].relight(tile, old.tile(tile)), job.progress().part(0, all));
+        if (fine.length > 0) {
+            finer(all);
+        }
+    }
+
+    private void finer(int all) {
+        EdgeMap edges = edges(tiles);
+        boolean known = old != null && old.scene().picture().sampling().samplesLike(job.sampling());
+        EdgeMap edgesBefore = known ? edges(old.tiles()) : null;
+        FineWorker[] finer = new FineWorker[threads.length];
+        Arrays.setAll(finer, worker -> new FineWorker(job, threads[worker], edges, edgesBefore));
+        workers.run(fine.length, (worker, tile) -> fine[tile] = finer[worker].tile(tile, tiles.length == 0 ? null : tiles[tile],
+                !known || tiles.length == 0 ? null : old.tile(tile), known ? old.fine(tile) : null),
+                job.progress().part(tiles.length, all));
+    }
+
+    private EdgeMap edges(CachedTile[] centers) {
+        EdgeCodes[] codes = Arrays.stream(centers).map(tile -> tile.codes).toArray(EdgeCodes[]::new);
+        return new EdgeMap(job.scene().picture().width(), job.scene().picture().height(), codes);
+    }
+
+    /** The pixels' centres; none where all pixels have several samples. */
+    public CachedTile[] tiles() {
+        return tiles;
+    }
+
+    /** The finer samples of each tile; none without anti-aliasing. */
+    public FineTile[] fine() {
+        return fine;
+    }
+
+    public Work work() {
+        return Work.of(threads);
+    }
+
+    /** The least falloff of rows whose falloff was scaled. */
+    public double leastFalloff() {
+        return Arrays.stream(threads).mapToDouble(TileWorker::leastFalloff).reduce(1, Math::min);
+    }
+}

@@ -1,0 +1,53 @@
+package lightning.work;
+
+/** Hears how far a long work is, and may stop it. Called from any worker thread. */
+public interface Progress {
+    /** {@code done} of {@code total} tiles are finished. */
+    void tiles(int done, int total);
+
+    /** Whether the work shall stop; asked before every tile and between the lights of a tile. */
+    boolean isCancelled();
+
+    /**
+     * Hears a part of a longer work: {@code before} tiles are finished already, {@code total} are to be done in all.
+     */
+    default Progress part(int before, int total) {
+        Progress whole = this;
+        return new Progress() {
+            @Override
+            public void tiles(int done, int ofPart) {
+                whole.tiles(before + done, total);
+            }
+
+            @Override
+            public boolean isCancelled() {
+                return whole.isCancelled();
+            }
+        };
+    }
+
+    /** Stops with this one and hears nothing: for the parts of a work that is shown as a whole. */
+    default Progress silent() {
+        Progress whole = this;
+        return new Progress() {
+            @Override
+            public void tiles(int done, int total) {}
+
+            @Override
+            public boolean isCancelled() {
+                return whole.isCancelled();
+            }
+        };
+    }
+
+    /** Hears nothing and never stops. */
+    Progress NONE = new Progress() {
+        @Override
+        public void tiles(int done, int total) {}
+
+        @Override
+        public boolean isCancelled() {
+            return false;
+        }
+    };
+}

@@ -1,0 +1,146 @@
+package lightning.work;
+
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+
+/**
+ * A fixed number of threads that share the tiles of a picture: whoever is free takes the next.
+ *
+ * <p>The caller's thread is worker 0. What a picture holds does not depend on who computed which
+ * tile.
+ */
+public final class Workers implements AutoCloseable {
+    /** The work on one tile. */
+    @FunctionalInterface
+    public interface Task {
+        /** Does tile {@code tile} as worker {@code worker}, 0 ≤ worker &lt; {@link Workers#count()}. */
+        void run(int worker, int tile);
+    }
+
+    private final int count;
+    private final ExecutorService threads;
+
+    /**
+     * @param count how many threads, the caller's included
+     * @throws IllegalArgumentException if it is below 1
+     */
+    public Workers(int count) {
+        if (count < 1) {
+            throw new IllegalArgumentException("the number of threads must be ≥ 1, was " + count);
+        }
+        this.count = count;
+        threads = Executors.newFixedThreadPool(Math.max(1, count - 1), task -> {
+            Thread thread = new Thread(task, "lightning-worker");
+            thread.setDaemon(true);
+            return thread;
+        });
+    }
+
+    /** As many threads as the machine has processors. */
+    public static int available() {
+        return Runtime.getRuntime().availableProcessors();
+    }
+
+    public int count() {
+        return count;
+    }
+
+    /**
+     * Runs a task for each of {@code tiles} tiles and waits for all.
+     *
+     * @throws CancellationException if {@code progress} asked to stop; some tiles were then not run
+     */
+    public void run(int tiles, Task task, Progress progress) {
+        AtomicInteger next = new AtomicInteger();
+        AtomicInteger done = new AtomicInteger();
+        AtomicReference<Throwable> failure = new AtomicReference<>();
+        Progress heard = heard(progress);
+        int helpers = Math.min(count, tiles) - 1;
+        CountDownLatch finished = new CountDownLatch(Math.max(0, helpers));
+        for (int worker = 1; worker <= helpers; worker++) {
+            int number = worker;
+            threads.execute(() -> {
+                work(number, tiles, next, done, task, heard, failure);
+                finished.countDown();
+            });
+        }
+        work(0, tiles, next, done, task, heard, failure);
+        await(finished);
+        switch (failure.get()) {
+            case null -> {
+                if (done.get() < tiles) {
+                    throw new CancellationException("cancelled after " + done + " of " + tiles + " tiles");
+                }
+            }
+            case RuntimeException e -> throw e;
+            case Error e -> throw e;
+            case Throwable e -> throw new IllegalStateException(e);
+        }
+    }
+
+    /**
+     * What one worker hears, all hear: an interrupted caller that waits for the others no longer looks interrupted to them.
+     */
+    private static Progress heard(Progress progress) {
+        AtomicBoolean stopped = new AtomicBoolean();
+        return new Progress() {
+            @Override
+            public void tiles(int done, int total) {
+                progress.tiles(done, total);
+            }
+
+            @Override
+            public boolean isCancelled() {
+                if (!stopped.get() && progress.isCancelled()) {
+                    stopped.set(true);
+                }
+                return stopped.get();
+            }
+        };
+    }
+
+    private static void work(int worker, int tiles, AtomicInteger next, AtomicInteger done, Task task, Progress progress,
+            AtomicReference<Throwable> failure) {
+        try {
+            while (failure.get() == null && !progress.isCancelled()) {
+                int tile = next.getAndIncrement();
+                if (tile >= tiles) {
+                    return;
+                }
+                task.run(worker, tile);
+                if (progress.isCancelled()) {
+                    return;
+                }
+                progress.tiles(done.incrementAndGet(), tiles);
+            }
+        } catch (Throwable e) {
+            failure.compareAndSet(null, e);
+        }
+    }
+
+    /** Waits even when interrupted: no worker may write to memory that is no longer ours. */
+    private static void await(CountDownLatch finished) {
+        boolean interrupted = false;
+        while (true) {
+            try {
+                finished.await();
+                break;
+            } catch (InterruptedException e) {
+                interrupted = true;
+            }
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Override
+    public void close() {
+        threads.shutdownNow();
+    }
+}

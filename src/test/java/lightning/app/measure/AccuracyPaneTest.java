@@ -1,0 +1,98 @@
+package lightning.app.measure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import javafx.scene.Node;
+import javafx.scene.control.TableView;
+import javafx.scene.input.KeyCode;
+import lightning.accuracy.Level;
+import lightning.accuracy.Rung;
+import lightning.app.EditorDesk;
+import lightning.app.widget.PictureView;
+import lightning.edit.Change;
+import lightning.edit.Command;
+import lightning.edit.Dial;
+import lightning.image.DifferencePicture;
+import lightning.image.Film;
+import lightning.image.ViewTransform;
+import lightning.scene.Scene;
+import lightning.shading.ReferenceTracer;
+import org.junit.jupiter.api.Test;
+
+class AccuracyPaneTest extends EditorDesk {
+
+    private void dim() {
+        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
+    }
+
+    private void measure() {
+        click("measure");
+        waitFor("it is measured", () -> !table().getItems().isEmpty());
+    }
+
+    private TableView<Rung> table() {
+        return robot.lookup("#ladder").query();
+    }
+
+    private boolean isDisabled(String id) {
+        return robot.lookup("#" + id).<Node>query().isDisabled();
+    }
+
+    private int[] shown() {
+        return robot.lookup("#level-picture").<PictureView>query().pixels();
+    }
+
+    @Test
+    void withoutAnEdit_thereIsNothingToMeasure() {
+        robot.push(KeyCode.F9);
+        assertThat(isDisabled("measure")).isTrue();
+        assertThat(isDisabled("cancel-measure")).isTrue();
+        assertThat(text("accuracy-edit")).isEqualTo("Edit a light first.");
+    }
+
+    @Test
+    void eachLevel_isMeasuredForTheEditsThatAreNotRenderedYet() {
+        Scene before = model().scene();
+        dim();
+        robot.push(KeyCode.F9);
+        assertThat(text("accuracy-edit")).isEqualTo("The edits that are not rendered yet");
+        measure();
+        assertThat(table().getItems()).extracting(Rung::level).containsExactly(Level.values());
+        assertThat(text("accuracy-edit")).isEqualTo("lamp: weight · 64 × 48 pixels");
+        Rung exact = table().getItems().get(Level.EXACT.ordinal());
+        assertThat(exact.film().sameBits(new ReferenceTracer(model().scene(), before).trace())).isTrue();
+        assertThat(model().enabled(Command.GO)).as("the document and its picture stay").isTrue();
+    }
+
+    @Test
+    void chosenLevel_showsItsDifferenceFromTheFullTraceOrItself() {
+        dim();
+        click("go");
+        waitForPicture();
+        robot.push(KeyCode.F9);
+        measure();
+        Film full = new ReferenceTracer(model().scene()).trace();
+        Rung fast = table().getItems().get(Level.FAST_SHADING.ordinal());
+        robot.interact(() -> table().getSelectionModel().select(fast));
+        assertThat(shown()).isEqualTo(ViewTransform.DEFAULT.toPixels(DifferencePicture.of(fast.film(), full)));
+        click("level-difference");
+        assertThat(shown()).isEqualTo(ViewTransform.DEFAULT.toPixels(fast.film()));
+        assertThat(text("level-note")).startsWith("fast shading: ");
+    }
+
+    @Test
+    void cancelledMeasuring_showsNothingAndCanBeginAgain() {
+        // So large that it is not done before the click.
+        robot.interact(() -> model().edit(scene -> new Change.To(scene.withPicture(scene.picture().withSize(800, 600)))));
+        click("go");
+        waitForPicture();
+        dim();
+        robot.push(KeyCode.F9);
+        click("measure");
+        waitFor("it runs", () -> !isDisabled("cancel-measure"));
+        click("cancel-measure");
+        waitFor("it is cancelled", () -> text("accuracy-edit").equals("Cancelled"));
+        assertThat(table().getItems()).isEmpty();
+        assertThat(isDisabled("measure")).isFalse();
+    }
+}

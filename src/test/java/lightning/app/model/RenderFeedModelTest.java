@@ -1,0 +1,81 @@
+package lightning.app.model;
+
+import static lightning.model.Schedules.explore;
+import static lightning.model.Schedules.law;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Executor;
+import lightning.edit.loop.Frame;
+import lightning.edit.loop.Look;
+import lightning.image.Film;
+import lightning.model.Schedules;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/** The hop from the loop's threads to the window's. */
+@Tag("model")
+class RenderFeedModelTest {
+    private static final Film FILM = Film.black(1, 1);
+
+    /** The window's thread, which runs what it is told when it has time. */
+    private static final class Window implements Executor {
+        private final ArrayDeque<Runnable> told = new ArrayDeque<>();
+        private int hops;
+
+        @Override
+        public synchronized void execute(Runnable task) {
+            told.add(task);
+            hops++;
+        }
+
+        private synchronized Runnable next() {
+            return told.poll();
+        }
+
+        void runAll() {
+            for (Runnable task = next(); task != null; task = next()) {
+                task.run();
+            }
+        }
+    }
+
+    @Test
+    void whateverIsTold_theNewestIsHeardAndNothingOlderAfterIt() {
+        explore(() -> {
+            var window = new Window();
+            List<RenderState> heard = new ArrayList<>();
+            var feed = new RenderFeed(window, new TracedRaster(), heard::add);
+            Schedules.Beside loop = Schedules.beside(() -> {
+                feed.progress(1, 2);
+                feed.progress(2, 2);
+            });
+            Schedules.Beside verifier = Schedules.beside(() -> feed.verifying(1, 3));
+            window.runAll();
+            loop.end();
+            verifier.end();
+            window.runAll();
+            RenderState last = heard.getLast();
+            law(last.done() == 2 && last.checked() == 1, "what either thread told last is heard");
+            for (int i = 1; i < heard.size(); i++) {
+                law(heard.get(i).done() >= heard.get(i - 1).done(), "nothing older is heard after something newer");
+            }
+            law(window.hops == heard.size(), "each hop is heard once");
+        });
+    }
+
+    @Test
+    void frameThatIsHeard_isInTheRaster() {
+        explore(() -> {
+            var window = new Window();
+            var raster = new TracedRaster();
+            var feed = new RenderFeed(window, raster, state ->
+                    law(state.frame() == null || raster.pixels() != null, "who hears of a picture can show it"));
+            Schedules.Beside loop = Schedules.beside(() -> feed.rendered(new Frame(FILM, FILM, Look.PLAIN, null, null, null)));
+            window.runAll();
+            loop.end();
+            window.runAll();
+        });
+    }
+}

@@ -1,0 +1,121 @@
+package lightning.app.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import lightning.image.Film;
+import lightning.image.ViewTransform;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class TracedRasterTest {
+    private static final int WIDTH = 70;
+    private static final int HEIGHT = 40;
+
+    private final TracedRaster raster = new TracedRaster();
+    private final Film first = filled(0.5f);
+
+    /** A film of one grey. */
+    private static Film filled(float value) {
+        return filled(WIDTH, HEIGHT, value);
+    }
+
+    private static Film filled(int width, int height, float value) {
+        float[] rgb = new float[width * height * 3];
+        java.util.Arrays.fill(rgb, value);
+        return Film.ofScanlines(width, height, rgb);
+    }
+
+    /** The first film with one tile of its own. */
+    private Film withTile(int tile, float value) {
+        Film other = filled(value);
+        float[][] red = new float[first.tileCount()][];
+        for (int t = 0; t < red.length; t++) {
+            red[t] = t == tile ? other.red(t) : first.red(t);
+        }
+        float[][] green = new float[red.length][];
+        float[][] blue = new float[red.length][];
+        for (int t = 0; t < red.length; t++) {
+            green[t] = first.green(t);
+            blue[t] = first.blue(t);
+        }
+        return new Film(WIDTH, HEIGHT, red, green, blue);
+    }
+
+    @BeforeEach
+    void show() {
+        raster.show(first);
+        raster.takeDirty();
+    }
+
+    private int[] pixels() {
+        return raster.pixels().pixels();
+    }
+
+    @Test
+    void changedTile_isAllThatIsDirty() {
+        Film next = withTile(4, 0.9f);
+        raster.show(next);
+        assertThat(raster.takeDirty()).isEqualTo(new TracedRaster.Dirty(32, 32, 64, 40));
+        assertThat(pixels()).isEqualTo(ViewTransform.DEFAULT.toPixels(next));
+    }
+
+    @Test
+    void dirt_isTakenOnce() {
+        raster.show(filled(0.1f));
+        assertThat(raster.takeDirty().isEmpty()).isFalse();
+        assertThat(raster.takeDirty().isEmpty()).isTrue();
+    }
+
+    @Test
+    void sameSize_keepsThePixels() {
+        TracedRaster.Pixels before = raster.pixels();
+        raster.show(filled(0.9f));
+        assertThat(raster.pixels()).isSameAs(before);
+    }
+
+    @Test
+    void coarsePicture_fillsTheSizeThatComes() {
+        raster.coarse(filled(4, 2, 0.2f), 100, 50);
+        assertThat(raster.pixels().width()).isEqualTo(100);
+        assertThat(pixels()).containsOnly(ViewTransform.DEFAULT.toPixels(filled(1, 1, 0.2f))[0]);
+    }
+
+    @Test
+    void pictureAfterACoarseOne_isPackedWhole() {
+        raster.coarse(filled(4, 2, 0.2f), WIDTH, HEIGHT);
+        raster.show(first);
+        assertThat(pixels()).isEqualTo(ViewTransform.DEFAULT.toPixels(first));
+    }
+
+    @Test
+    void patch_showsOnlyItsPartUntilTheNextPicture() {
+        raster.patch(filled(0.9f), new TracedRaster.Dirty(10, 10, 20, 12));
+        assertThat(raster.isPatched()).isTrue();
+        assertThat(pixels()[10 * WIDTH + 10]).isNotEqualTo(pixels()[0]);
+        assertThat(pixels()[12 * WIDTH + 10]).isEqualTo(pixels()[0]);
+        raster.show(first);
+        assertThat(raster.isPatched()).isFalse();
+        assertThat(pixels()).isEqualTo(ViewTransform.DEFAULT.toPixels(first));
+    }
+
+    @Test
+    void patchOfAnotherSize_isNotShown() {
+        raster.patch(filled(20, 20, 0.9f), new TracedRaster.Dirty(0, 0, 20, 20));
+        assertThat(raster.isPatched()).isFalse();
+    }
+
+    @Test
+    void exposure_packsEverythingAnew() {
+        var brighter = new ViewTransform(1);
+        raster.setView(brighter);
+        assertThat(pixels()).isEqualTo(brighter.toPixels(first));
+    }
+
+    @Test
+    void exposureBesideACoarsePicture_keepsItCoarse() {
+        raster.coarse(filled(4, 2, 0.2f), WIDTH, HEIGHT);
+        var brighter = new ViewTransform(1);
+        raster.setView(brighter);
+        assertThat(pixels()).containsOnly(brighter.toPixels(filled(1, 1, 0.2f))[0]);
+    }
+}

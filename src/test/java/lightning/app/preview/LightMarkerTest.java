@@ -1,0 +1,73 @@
+package lightning.app.preview;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import lightning.edit.PreviewCamera;
+import lightning.edit.Viewport;
+import lightning.math.Vec3;
+import lightning.scene.Camera;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.DoubleRange;
+import org.junit.jupiter.api.Test;
+
+class LightMarkerTest {
+    private static final PreviewCamera VIEW = new PreviewCamera(new Camera(new Vec3(0, 0, 10), Vec3.ZERO, Vec3.Y, 40));
+    private static final Viewport CANVAS = new Viewport(400, 300);
+
+    private static Light at(double x, double y, double z) {
+        return Light.of("light", LightType.POINT).withPosition(new Vec3(x, y, z));
+    }
+
+    @Test
+    void lightInView_hasNone() {
+        assertThat(LightMarker.of(List.of(at(0, 0, 0)), VIEW, CANVAS)).isEmpty();
+    }
+
+    @Test
+    void lightOnTheRight_isPointedToAtTheRightBorder() {
+        LightMarker marker = LightMarker.of(List.of(at(50, 0, 0)), VIEW, CANVAS).getFirst();
+        assertThat(marker.at().x()).isGreaterThan(380);
+        assertThat(marker.at().y()).isEqualTo(150);
+        assertThat(marker.angle()).isZero();
+    }
+
+    @Test
+    void lightBehindTheEyeAndAbove_isPointedToAtTheUpperBorder() {
+        LightMarker marker = LightMarker.of(List.of(at(0, 5, 30)), VIEW, CANVAS).getFirst();
+        assertThat(marker.at().y()).isLessThan(20);
+    }
+
+    @Test
+    void marker_isPickedAsItsLight() {
+        Light light = at(50, 0, 0);
+        LightMarker marker = LightMarker.of(List.of(light), VIEW, CANVAS).getFirst();
+        assertThat(LightMarker.pick(List.of(light), VIEW, CANVAS, marker.at())).isEqualTo(Optional.of(light));
+        assertThat(LightMarker.pick(List.of(light), VIEW, CANVAS, new Viewport.Pixel(200, 150))).isEmpty();
+    }
+
+    @Property
+    void everyLight_isInViewOrHasAMarkerInsideTheCanvas(@ForAll @DoubleRange(min = -99, max = 99) double x,
+            @ForAll @DoubleRange(min = -99, max = 99) double y, @ForAll @DoubleRange(min = -99, max = 99) double z) {
+        List<LightMarker> markers = LightMarker.of(List.of(at(x, y, z)), VIEW, CANVAS);
+        if (markers.isEmpty()) {
+            Viewport.Pixel seen = CANVAS.pixel(VIEW, new Vec3(x, y, z));
+            assertThat(seen.x()).isBetween(0.0, 400.0);
+            assertThat(seen.y()).isBetween(0.0, 300.0);
+        } else {
+            assertThat(markers.getFirst().at().x()).isBetween(0.0, 400.0);
+            assertThat(markers.getFirst().at().y()).isBetween(0.0, 300.0);
+        }
+    }
+
+    @Property
+    void framing_bringsEveryLightIntoView(@ForAll @DoubleRange(min = -99, max = 99) double x,
+            @ForAll @DoubleRange(min = -99, max = 99) double y, @ForAll @DoubleRange(min = -99, max = 99) double z) {
+        List<Light> lights = List.of(at(x, y, z), at(0, 1, 0));
+        assertThat(LightMarker.of(lights, LightMarker.framing(lights, VIEW, CANVAS), CANVAS)).isEmpty();
+    }
+}

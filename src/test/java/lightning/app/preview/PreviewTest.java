@@ -1,0 +1,204 @@
+package lightning.app.preview;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import javafx.event.Event;
+import javafx.event.EventType;
+import javafx.geometry.Point2D;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
+import lightning.app.EditorDesk;
+import lightning.edit.Command;
+import lightning.edit.LightEdits;
+import lightning.edit.LightManipulation;
+import lightning.edit.PreviewCamera;
+import lightning.math.Vec3;
+import lightning.scene.Light;
+import org.junit.jupiter.api.Test;
+
+class PreviewTest extends EditorDesk {
+
+    private void drag(Light light, MouseButton button, double right, double down) {
+        Point2D from = inPreview(light.position());
+        robot.moveTo(from);
+        robot.press(button);
+        robot.moveTo(from.add(right / 2, down / 2));
+        robot.moveTo(from.add(right, down));
+        robot.release(button);
+    }
+
+    /** Holds a key. The platform without windows does not tell mouse events of keys, so these are told by hand. */
+    private void dragHolding(KeyCode held, Point2D from, double right, double down) {
+        tell(MouseEvent.MOUSE_PRESSED, held, from);
+        tell(MouseEvent.MOUSE_DRAGGED, held, from.add(right / 2, down / 2));
+        tell(MouseEvent.MOUSE_DRAGGED, held, from.add(right, down));
+        tell(MouseEvent.MOUSE_RELEASED, held, from.add(right, down));
+    }
+
+    private void tell(EventType<MouseEvent> type, KeyCode held, Point2D screen) {
+        robot.interact(() -> {
+            Point2D at = preview().localToScene(preview().screenToLocal(screen));
+            Event.fireEvent(preview(), new MouseEvent(type, at.getX(), at.getY(), screen.getX(), screen.getY(),
+                    MouseButton.PRIMARY, 1, held == KeyCode.SHIFT, false, held == KeyCode.ALT, false, true, false, false, true,
+                    false, false, null));
+        });
+    }
+
+    @Test
+    void clickOnAGizmo_selectsItsLight() {
+        robot.clickOn(inPreview(light("stage").position()));
+        assertThat(model().selectedLight().name()).isEqualTo("stage");
+        robot.clickOn(inPreview(light("lamp").position()));
+        assertThat(model().selectedLight().name()).isEqualTo("lamp");
+    }
+
+    @Test
+    void clicksOnGizmosAtOnePlace_selectOneAfterTheOther() {
+        robot.interact(() -> model().edit(scene -> LightEdits.duplicate(scene, "stage")));
+        Point2D place = inPreview(light("stage").position());
+        robot.clickOn(place);
+        String first = model().selectedLight().name();
+        robot.clickOn(place);
+        assertThat(List.of(first, model().selectedLight().name())).containsExactlyInAnyOrder("stage", "stage2");
+        robot.clickOn(place);
+        assertThat(model().selectedLight().name()).isEqualTo(first);
+    }
+
+    @Test
+    void dragOfTheSelectedLight_keepsItWhereOthersLieOverIt() {
+        robot.interact(() -> {
+            model().edit(scene -> LightEdits.duplicate(scene, "stage"));
+            model().selectLight("stage2");
+        });
+        Light other = light("stage");
+        drag(light("stage2"), MouseButton.SECONDARY, 20, 10);
+        assertThat(light("stage2").position()).isNotEqualTo(other.position());
+        assertThat(light("stage")).isEqualTo(other);
+    }
+
+    @Test
+    void leftDrag_turnsTheLightInOneStep() {
+        Light before = light("stage");
+        drag(before, MouseButton.PRIMARY, 40, 10);
+        Light expected = LightManipulation.rotate(before, model().previewCameraProperty().get(), preview().viewport(), 40, -10);
+        assertThat(light("stage")).isEqualTo(expected).isNotEqualTo(before);
+        click("undo");
+        assertThat(light("stage")).isEqualTo(before);
+    }
+
+    @Test
+    void leftDragOfAPointLight_changesNothing() {
+        Light before = light("lamp");
+        drag(before, MouseButton.PRIMARY, 40, 10);
+        assertThat(light("lamp")).isEqualTo(before);
+        assertThat(isEnabled(Command.UNDO)).isFalse();
+    }
+
+    @Test
+    void rightDrag_movesTheLightUnderTheMouse() {
+        Light before = light("lamp");
+        Point2D target = inPreview(before.position()).add(30, 20);
+        drag(before, MouseButton.SECONDARY, 30, 20);
+        assertThat(inPreview(light("lamp").position()).distance(target)).isLessThan(0.01);
+    }
+
+    @Test
+    void middleDragUp_movesTheLightAway() {
+        Light before = light("lamp");
+        drag(before, MouseButton.MIDDLE, 0, -40);
+        PreviewCamera view = model().previewCameraProperty().get();
+        assertThat(view.depth(light("lamp").position())).isGreaterThan(view.depth(before.position()));
+    }
+
+    @Test
+    void altAndLeftDrag_isAMiddleDrag() {
+        Light before = light("stage");
+        dragHolding(KeyCode.ALT, inPreview(before.position()), 0, -40);
+        Light expected = LightManipulation.dolly(before, model().previewCameraProperty().get(), preview().viewport(), 40);
+        assertThat(light("stage")).isEqualTo(expected).isNotEqualTo(before);
+    }
+
+    @Test
+    void movingADirectionalLight_leavesNothingToRender() {
+        Light before = light("sun");
+        drag(before, MouseButton.SECONDARY, 20, 10);
+        assertThat(light("sun").position()).isNotEqualTo(before.position());
+        assertThat(isEnabled(Command.GO)).isFalse();
+        assertThat(isEnabled(Command.SAVE_SCENE)).isTrue();
+    }
+
+    @Test
+    void shiftDragUp_zoomsAndResetRestores() {
+        PreviewCamera before = model().previewCameraProperty().get();
+        dragHolding(KeyCode.SHIFT, inPreview(Vec3.ZERO), 3, -60);
+        assertThat(model().previewCameraProperty().get().distance()).isLessThan(before.distance());
+        click("view-z");
+        assertThat(model().previewCameraProperty().get()).isEqualTo(before);
+    }
+
+    @Test
+    void shiftDragRight_pansTheScene() {
+        double before = inPreview(Vec3.ZERO).getX();
+        dragHolding(KeyCode.SHIFT, inPreview(Vec3.ZERO), 50, 2);
+        assertThat(inPreview(Vec3.ZERO).getX()).isGreaterThan(before + 40);
+    }
+
+    @Test
+    void viewButtons_lookAlongTheirAxis() {
+        click("view-x");
+        assertThat(model().previewCameraProperty().get().forward().x()).isGreaterThan(0.99);
+        click("view-y");
+        assertThat(model().previewCameraProperty().get().forward().y()).isLessThan(-0.99);
+    }
+
+    @Test
+    void cameraOfThePreview_neverTouchesThePicture() {
+        click("view-x");
+        assertThat(isEnabled(Command.GO)).isFalse();
+        assertThat(model().document().isDirty()).isFalse();
+    }
+
+    @Test
+    void heldArrowKey_turnsTheLightInOneStep() {
+        robot.clickOn(inPreview(light("stage").position()));
+        Light before = light("stage");
+        robot.press(KeyCode.RIGHT);
+        robot.press(KeyCode.RIGHT);
+        robot.release(KeyCode.RIGHT);
+        assertThat(light("stage").direction()).isNotEqualTo(before.direction());
+        click("undo");
+        assertThat(light("stage")).isEqualTo(before);
+    }
+
+    @Test
+    void pageUp_movesTheLightAway() {
+        robot.clickOn(inPreview(light("lamp").position()));
+        Light before = light("lamp");
+        robot.type(KeyCode.PAGE_UP);
+        assertThat(light("lamp").position().z()).isLessThan(before.position().z());
+    }
+
+    @Test
+    void bracketKeys_selectTheNextLight() {
+        robot.clickOn(inPreview(light("lamp").position()));
+        robot.type(KeyCode.CLOSE_BRACKET);
+        assertThat(model().selectedLight().name()).isEqualTo("sun");
+        robot.type(KeyCode.OPEN_BRACKET);
+        assertThat(model().selectedLight().name()).isEqualTo("lamp");
+    }
+
+    @Test
+    void lightOutOfView_isTakenAtItsMarker() {
+        robot.interact(() -> model().previewCameraProperty().set(
+                model().previewCameraProperty().get().panned(-400, 0, preview().viewport())));
+        assertThat(LightMarker.of(model().lights(), model().previewCameraProperty().get(), preview().viewport()))
+                .hasSize(3);
+        var marker = LightMarker.of(model().lights(), model().previewCameraProperty().get(), preview().viewport()).getLast();
+        robot.clickOn(preview().onScreen(marker.at()));
+        assertThat(model().selectedLight()).isIn(model().lights());
+        click("view-all");
+        assertThat(LightMarker.of(model().lights(), model().previewCameraProperty().get(), preview().viewport())).isEmpty();
+    }
+}

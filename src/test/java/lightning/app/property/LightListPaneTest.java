@@ -1,0 +1,197 @@
+package lightning.app.property;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import javafx.css.PseudoClass;
+import javafx.scene.Node;
+import javafx.scene.control.ListView;
+import javafx.scene.control.TextField;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.input.KeyCode;
+import javafx.stage.Stage;
+import lightning.app.JavaFxNeeds;
+import lightning.app.OnStage;
+import lightning.app.OpenEditor;
+import lightning.app.model.EditorModel;
+import lightning.edit.Command;
+import lightning.edit.LightEdits;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+import org.testfx.api.FxRobot;
+import org.testfx.framework.junit5.Start;
+import org.testfx.framework.junit5.Stop;
+
+@ExtendWith({JavaFxNeeds.class, OnStage.class})
+class LightListPaneTest {
+    @TempDir
+    private Path folder;
+    private EditorModel model;
+
+    @Start
+    private void start(Stage stage) throws Exception {
+        model = OpenEditor.model(folder);
+        OpenEditor.show(stage, new LightListPane(model));
+    }
+
+    @Stop
+    private void stop() {
+        model.close();
+    }
+
+    @Test
+    void lights_areListedInTheirOrder(FxRobot robot) {
+        assertThat(names(robot)).containsExactly("key", "fill", "sun");
+        assertThat(selected(robot)).isEqualTo("key");
+    }
+
+    @Test
+    void click_selectsTheLight(FxRobot robot) {
+        robot.clickOn("sun");
+        assertThat(model.selectedLight().name()).isEqualTo("sun");
+    }
+
+    @Test
+    void arrowKeys_selectTheNextLight(FxRobot robot) {
+        robot.clickOn("key").push(KeyCode.DOWN);
+        assertThat(model.selectedLight().name()).isEqualTo("fill");
+    }
+
+    @Test
+    void lightSelectedElsewhere_isSelectedHere(FxRobot robot) {
+        robot.interact(() -> model.selectLight("fill"));
+        assertThat(selected(robot)).isEqualTo("fill");
+        robot.interact(() -> model.selectLight(null));
+        assertThat(list(robot).getSelectionModel().isEmpty()).isTrue();
+    }
+
+    @Test
+    void addLight_addsOneOfTheTypeAndSelectsIt(FxRobot robot) {
+        robot.clickOn("#add-light").clickOn("Spot");
+        assertThat(names(robot)).containsExactly("key", "fill", "sun", "spot");
+        assertThat(model.selectedLight().type()).isEqualTo(LightType.SPOT);
+        assertThat(selected(robot)).isEqualTo("spot");
+    }
+
+    @Test
+    void duplicate_putsACopyBehindAndSelectsIt(FxRobot robot) {
+        robot.clickOn("#duplicate-light");
+        assertThat(names(robot)).containsExactly("key", "key2", "fill", "sun");
+        assertThat(model.selectedLight().name()).isEqualTo("key2");
+    }
+
+    @Test
+    void deleteKey_deletesTheSelectedLight(FxRobot robot) {
+        robot.clickOn("fill").push(KeyCode.DELETE);
+        assertThat(names(robot)).containsExactly("key", "sun");
+        assertThat(selected(robot)).isEqualTo("sun");
+        robot.push(KeyCode.DELETE);
+        assertThat(selected(robot)).isEqualTo("key");
+    }
+
+    @Test
+    void deletedLight_comesBackSelectedByUndo(FxRobot robot) {
+        robot.clickOn("fill").clickOn("#delete-light");
+        robot.interact(() -> model.run(Command.UNDO));
+        assertThat(names(robot)).containsExactly("key", "fill", "sun");
+        assertThat(selected(robot)).isEqualTo("fill");
+    }
+
+    @Test
+    void bulb_switchesItsLightWithoutSelectingIt(FxRobot robot) {
+        robot.clickOn(toggle(robot, "sun on"));
+        assertThat(OpenEditor.light(model, "sun").on()).isFalse();
+        assertThat(model.selectedLight().name()).isEqualTo("key");
+        robot.clickOn(toggle(robot, "sun on"));
+        assertThat(OpenEditor.light(model, "sun").on()).isTrue();
+    }
+
+    @Test
+    void soloLight_darkensTheOthers(FxRobot robot) {
+        robot.clickOn(toggle(robot, "fill solo"));
+        assertThat(OpenEditor.light(model, "fill").solo()).isTrue();
+        assertThat(robot.lookup(".light-row").queryAllAs(Node.class).stream()
+                .filter(row -> row.getPseudoClassStates().contains(PseudoClass.getPseudoClass("dark")))).hasSize(2);
+    }
+
+    @Test
+    void spaceAndS_switchTheSelectedLight(FxRobot robot) {
+        robot.clickOn("sun").push(KeyCode.SPACE).push(KeyCode.S);
+        assertThat(OpenEditor.light(model, "sun").on()).isFalse();
+        assertThat(OpenEditor.light(model, "sun").solo()).isTrue();
+    }
+
+    @Test
+    void f2_renamesInPlace(FxRobot robot) {
+        robot.clickOn("fill").push(KeyCode.F2).write("rim").push(KeyCode.ENTER);
+        assertThat(names(robot)).containsExactly("key", "rim", "sun");
+        assertThat(model.selectedLight().name()).isEqualTo("rim");
+        assertThat(robot.lookup("rim").tryQuery()).isPresent();
+    }
+
+    @Test
+    void nameOfSpacesAndSigns_isTakenAndShownAsItIs(FxRobot robot) {
+        robot.clickOn("fill").push(KeyCode.F2).write("_7 \"a=b\" Ä").push(KeyCode.ENTER);
+        assertThat(names(robot)).containsExactly("key", "_7 \"a=b\" Ä", "sun");
+        assertThat(robot.lookup("_7 \"a=b\" Ä").tryQuery()).isPresent();
+        robot.interact(() -> model.edit(scene -> LightEdits.duplicate(scene, "_7 \"a=b\" Ä")));
+        assertThat(names(robot)).containsExactly("key", "_7 \"a=b\" Ä", "_7 \"a=b\" Ä2", "sun");
+    }
+
+    @Test
+    void doubleClick_renamesInPlace(FxRobot robot) {
+        robot.doubleClickOn("fill").write("rim").push(KeyCode.ENTER);
+        assertThat(names(robot)).containsExactly("key", "rim", "sun");
+    }
+
+    @Test
+    void secondClick_doesNotRename(FxRobot robot) {
+        robot.clickOn("key").clickOn("#duplicate-light").clickOn("key2");
+        assertThat(robot.lookup(".light-row .text-field").tryQuery()).isEmpty();
+    }
+
+    @Test
+    void takenName_isMarkedAndChangesNothing(FxRobot robot) {
+        robot.clickOn("fill").push(KeyCode.F2).write("sun").push(KeyCode.ENTER);
+        assertThat(names(robot)).containsExactly("key", "fill", "sun");
+        TextField field = robot.lookup(".light-row .text-field").queryAs(TextField.class);
+        assertThat(field.getPseudoClassStates()).contains(PseudoClass.getPseudoClass("refused"));
+        assertThat(field.getAccessibleHelp()).contains("already taken");
+        robot.push(KeyCode.ESCAPE);
+        assertThat(robot.lookup(".light-row .text-field").tryQuery()).isEmpty();
+        robot.push(KeyCode.F2).write("rim").push(KeyCode.ENTER);
+        assertThat(names(robot)).containsExactly("key", "rim", "sun");
+    }
+
+    @Test
+    void sceneWithoutLights_saysSo(FxRobot robot) {
+        robot.interact(() -> model.edit(scene -> LightEdits.delete(scene, "key")));
+        robot.interact(() -> model.edit(scene -> LightEdits.delete(scene, "fill")));
+        robot.interact(() -> model.edit(scene -> LightEdits.delete(scene, "sun")));
+        assertThat(robot.lookup("No lights. Add one above.").tryQuery()).isPresent();
+        assertThat(robot.lookup("#delete-light").query().isDisabled()).isTrue();
+        assertThat(robot.lookup("#duplicate-light").query().isDisabled()).isTrue();
+    }
+
+    @SuppressWarnings("unchecked")
+    private static ListView<Light> list(FxRobot robot) {
+        return robot.lookup("#light-list").queryAs(ListView.class);
+    }
+
+    private static List<String> names(FxRobot robot) {
+        return list(robot).getItems().stream().map(Light::name).toList();
+    }
+
+    private static String selected(FxRobot robot) {
+        return list(robot).getSelectionModel().getSelectedItem().name();
+    }
+
+    private static Node toggle(FxRobot robot, String name) {
+        return robot.lookup(".light-row .toggle-button").queryAllAs(ToggleButton.class).stream()
+                .filter(button -> name.equals(button.getAccessibleText())).findFirst().orElseThrow();
+    }
+}

@@ -1,0 +1,167 @@
+package lightning.app.property;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import javafx.scene.control.ComboBox;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.TabPane;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import javax.imageio.ImageIO;
+import lightning.app.EditorDesk;
+import lightning.app.widget.Typing;
+import lightning.edit.Command;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.scene.Material;
+import lightning.scene.Scene;
+import lightning.shading.ReferenceTracer;
+import org.junit.jupiter.api.Test;
+
+class MaterialPaneTest extends EditorDesk {
+    private static final Vec3 BALL = new Vec3(0, 1, 0);
+
+    private Material material(String name) {
+        return model().scene().materialsByName().get(name);
+    }
+
+    private String edited() {
+        return robot.lookup("#material-name").<ComboBox<String>>query().getValue();
+    }
+
+    private String tab() {
+        return robot.lookup("#side").<TabPane>query().getSelectionModel().getSelectedItem().getId();
+    }
+
+    private void type(String field, String value) {
+        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        Typing.over(robot, robot.lookup("#" + field).queryAs(TextField.class), value).push(KeyCode.ENTER);
+    }
+
+    private void typeRed(String color, String value) {
+        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        TextField red = robot.lookup("#" + color + " .number-field").queryAll().stream()
+                .filter(n -> (color + " red").equals(n.getAccessibleText())).map(TextField.class::cast).findFirst().orElseThrow();
+        Typing.over(robot, red, value).push(KeyCode.ENTER);
+    }
+
+    private void chooseFromMenu() {
+        waitFor("the menu is open", () -> robot.lookup("Edit Material matt of ball").tryQuery().isPresent());
+        robot.clickOn("Edit Material matt of ball");
+        waitFor("the material is in front", () -> tab().equals("material-tab"));
+    }
+
+    private void picture(String name) throws IOException {
+        var image = new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, 0xff8000);
+        ImageIO.write(image, "png", Files.createDirectories(folder.resolve("textures")).resolve(name).toFile());
+    }
+
+    @Test
+    void rightClickOnAShapeOfThePicture_offersItsMaterial() {
+        assertThat(tab()).isEqualTo("light-tab");
+        robot.clickOn("#traced-picture", MouseButton.SECONDARY);
+        chooseFromMenu();
+        assertThat(edited()).isEqualTo("matt");
+        assertThat(text("material-users")).isEqualTo("On ball");
+    }
+
+    @Test
+    void rightClickOnAShapeOfThePreview_offersItsMaterial() {
+        robot.interact(() -> model().materials().choose("mirror"));
+        robot.clickOn(inPreview(BALL), MouseButton.SECONDARY);
+        chooseFromMenu();
+        assertThat(edited()).isEqualTo("matt");
+    }
+
+    @Test
+    void pickedShape_showsItsMaterialUntilALightIsSelected() {
+        robot.interact(() -> model().materials().choose("mirror"));
+        robot.interact(() -> model().run(Command.PICK_MATERIAL));
+        assertThat(text("prompt")).startsWith("Click the shape whose material to edit");
+        robot.clickOn("#traced-picture");
+        waitFor("the material is in front", () -> tab().equals("material-tab"));
+        assertThat(edited()).isEqualTo("matt");
+        robot.interact(() -> model().selectLight("sun"));
+        assertThat(tab()).isEqualTo("light-tab");
+    }
+
+    @Test
+    void diffuse_isRenderedByGoAndTakenBackByUndo() {
+        Scene before = model().scene();
+        robot.interact(() -> model().materials().choose("matt"));
+        long frames = model().previewFramesProperty().get();
+        typeRed("diffuse", "0.25");
+        assertThat(material("matt").diffuse()).isEqualTo(new Rgb(0.25, 0.7, 0.6));
+        waitFor("the preview shows it", () -> model().previewFramesProperty().get() > frames);
+        click("go");
+        waitForPicture();
+        robot.interact(() -> model().run(Command.UPDATE_REFLECTIONS));
+        waitFor("the mirrors are current", () -> !model().enabled(Command.UPDATE_REFLECTIONS)
+                && model().situationProperty().get().inWork().isEmpty());
+        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        click("undo");
+        assertThat(model().scene()).isEqualTo(before);
+        assertThat(isEnabled(Command.GO)).isTrue();
+    }
+
+    @Test
+    void eachNumber_isEdited() {
+        robot.interact(() -> model().materials().choose("matt"));
+        typeRed("specular", "0.5");
+        typeRed("reflective", "0.75");
+        typeRed("ambient", "2000");
+        type("shininess .number-field", "40");
+        Material matt = material("matt");
+        assertThat(matt.specular().r()).isEqualTo(0.5);
+        assertThat(matt.reflective().r()).isEqualTo(0.75);
+        assertThat(matt.ambient().r()).isEqualTo(2000);
+        assertThat(matt.shininess()).isEqualTo(40);
+    }
+
+    @Test
+    void valueOutOfRange_isRefusedAsTheFileReaderDoes() {
+        Scene before = model().scene();
+        typeRed("diffuse", "2");
+        assertThat(robot.lookup("diffuse red must be from 0 to 1, was 2").tryQuery()).isPresent();
+        assertThat(model().scene()).isEqualTo(before);
+    }
+
+    @Test
+    void texture_isReadBesideTheSceneRepeatedAndTakenAway() throws IOException {
+        picture("dots.png");
+        robot.interact(() -> model().materials().choose("matt"));
+        assertThat(robot.lookup("#repeat-u .number-field").query().isDisabled()).isTrue();
+        type("texture", "dots.png");
+        waitFor("it is read", () -> material("matt").texture().isPresent());
+        type("repeat-u .number-field", "3");
+        assertThat(material("matt").texture().orElseThrow().repeatU()).isEqualTo(3);
+        click("go");
+        waitForPicture();
+        type("texture", " ");
+        assertThat(material("matt").texture()).isEmpty();
+    }
+
+    @Test
+    void textureThatIsNotThere_isRefusedInASentence() {
+        type("texture", "missing.png");
+        waitFor("it is refused", () -> text("texture-refusal").startsWith("material 'matt': there is no texture 'missing.png' in the folder"));
+        assertThat(isEnabled(Command.UNDO)).isFalse();
+    }
+
+    @Test
+    void texturesBesideTheScene_areOffered() throws IOException {
+        picture("dots.png");
+        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        MenuButton found = robot.lookup("#textures").query();
+        robot.interact(() -> found.getOnShowing().handle(null));
+        MenuItem dots = found.getItems().stream().filter(i -> "dots.png".equals(i.getText())).findFirst().orElseThrow();
+        robot.interact(dots::fire);
+        waitFor("it is read", () -> material(edited()).texture().isPresent());
+    }
+}

@@ -1,0 +1,305 @@
+package lightning.app.traced;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import javafx.geometry.Bounds;
+import javafx.geometry.Point2D;
+import javafx.scene.control.CheckMenuItem;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.Slider;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import lightning.app.EditorDesk;
+import lightning.app.widget.PictureView;
+import lightning.app.widget.Typing;
+import lightning.edit.Command;
+import lightning.edit.Dial;
+import lightning.edit.LightEdits;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
+import lightning.image.DisplayCurve;
+import lightning.image.PictureFile;
+import lightning.image.ViewTransform;
+import lightning.math.Vec3;
+import lightning.relight.LightShare;
+import lightning.shading.LightReport;
+import lightning.shading.PixelExplainer;
+import lightning.shading.ReferenceTracer;
+import org.junit.jupiter.api.Test;
+
+class TracedPaneTest extends EditorDesk {
+
+    /** Where a pixel of the traced picture is on the screen. */
+    private Point2D pixel(double x, double y) {
+        PictureView picture = robot.lookup("#traced-picture").query();
+        Bounds all = picture.getChildrenUnmodifiable().getFirst().localToScreen(
+                picture.getChildrenUnmodifiable().getFirst().getBoundsInLocal());
+        return new Point2D(all.getMinX() + (x + 0.5) * all.getWidth() / 64, all.getMinY() + (y + 0.5) * all.getHeight() / 48);
+    }
+
+    @Test
+    void hover_tellsTheShapeAndEachLightsShare() {
+        robot.moveTo(pixel(32, 24));
+        waitFor("it tells", () -> text("pixel").contains("ball"));
+        assertThat(text("pixel")).startsWith("32, 24").contains("normal");
+        assertThat(text("pixel-lights")).contains("lamp  ").contains("sun  ").contains("stage  ").contains(" %");
+    }
+
+    @Test
+    void hoverOverNothing_tellsThatItIsTheBackground() {
+        robot.moveTo(pixel(2, 1));
+        waitFor("it tells", () -> text("pixel").contains("background"));
+    }
+
+    @Test
+    void click_selectsTheLightThatMattersMostThere() {
+        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "stage", 50)));
+        click("go");
+        waitForPicture();
+        robot.interact(() -> model().selectLight("sun"));
+        robot.clickOn(pixel(36, 22));
+        waitFor("it is selected", () -> model().selectedLight().name().equals("stage"));
+    }
+
+    @Test
+    void aim_turnsTheSelectedLightToThePickedPoint() {
+        robot.interact(() -> {
+            model().selectLight("stage");
+            model().run(Command.AIM);
+        });
+        robot.clickOn(pixel(32, 24));
+        waitFor("it is aimed", () -> model().enabled(Command.UNDO));
+        Vec3 way = light("stage").direction().normalized();
+        Vec3 toBall = new Vec3(0, 1, 0).minus(light("stage").position()).normalized();
+        assertThat(way.dot(toBall)).isGreaterThan(0.85);
+    }
+
+    @Test
+    void placedHighlight_shinesThereMost() {
+        robot.interact(() -> {
+            model().selectLight("lamp");
+            traced().placer().highlight();
+        });
+        assertThat(text("prompt")).startsWith("Click where the highlight should be");
+        robot.clickOn(pixel(28, 22));
+        waitFor("it is placed", () -> model().enabled(Command.UNDO));
+        var placed = new PixelExplainer(model().scene()).pixel(28, 22).lights().getFirst();
+        assertThat(placed.light().name()).isEqualTo("lamp");
+        assertThat(placed.specular()).isGreaterThan(0.99f);
+    }
+
+    @Test
+    void placedShadow_fallsThere() {
+        robot.interact(() -> {
+            model().selectLight("lamp");
+            traced().placer().shadow();
+        });
+        robot.clickOn(pixel(32, 22));
+        waitFor("it asks for the second place", () -> text("prompt").startsWith("Click where the shadow should fall"));
+        robot.clickOn(pixel(46, 36));
+        waitFor("it is placed", () -> model().enabled(Command.UNDO));
+        var placed = new PixelExplainer(model().scene()).pixel(46, 36).lights().getFirst();
+        assertThat(placed.state()).isEqualTo(LightReport.State.SHADOWED);
+    }
+
+    @Test
+    void snapshot_isComparedByAWipe() {
+        click("snapshot");
+        robot.interact(() -> model().edit(scene -> Dial.AMBIENCE.set(scene, "", 5)));
+        click("go");
+        waitForPicture();
+        click("compare");
+        robot.drag(pixel(32, 24), MouseButton.PRIMARY);
+        robot.dropTo(pixel(47.5, 24));
+        PictureView picture = robot.lookup("#traced-picture").query();
+        assertThat(picture.wipe().share()).isCloseTo(0.75, within(0.01));
+        assertThat(picture.wipe().isVisible()).isTrue();
+    }
+
+    @Test
+    void rightClick_endsPicking() {
+        Vec3 before = light("stage").direction();
+        robot.interact(() -> {
+            model().selectLight("stage");
+            model().run(Command.AIM);
+        });
+        robot.clickOn(pixel(32, 24), MouseButton.SECONDARY);
+        assertThat(isShown("prompt")).isFalse();
+        robot.clickOn(pixel(32, 24));
+        assertThat(light("stage").direction()).isEqualTo(before);
+    }
+
+    @Test
+    void whatIsAskedFor_standsOverThePictureUntilEscape() {
+        robot.interact(() -> traced().placer().highlight());
+        Bounds asked = robot.lookup("#prompt").query().localToScreen(robot.lookup("#prompt").query().getBoundsInLocal());
+        Bounds canvas = robot.lookup("#traced-picture").query().localToScreen(robot.lookup("#traced-picture").query().getBoundsInLocal());
+        assertThat(canvas.contains(asked)).isTrue();
+        robot.push(KeyCode.ESCAPE);
+        assertThat(isShown("prompt")).isFalse();
+        click("region");
+        assertThat(text("prompt")).startsWith("Drag a frame");
+        robot.push(KeyCode.ESCAPE);
+        assertThat(robot.lookup("#region").<ToggleButton>query().isSelected()).isFalse();
+    }
+
+    private TracedPane traced() {
+        return robot.lookup("#traced").query();
+    }
+
+    @Test
+    void exposureIsTyped_toAnyNumber() {
+        Typing.over(robot, robot.lookup("#exposure-stops").query(), "-1.37").push(KeyCode.ENTER);
+        assertThat(model().viewProperty().get().exposure()).isEqualTo(-1.37);
+        assertThat(robot.lookup("#exposure").<Slider>query().getValue()).isEqualTo(-1.37);
+        Typing.over(robot, robot.lookup("#exposure-stops").query(), "9").push(KeyCode.ENTER);
+        assertThat(model().viewProperty().get().exposure()).isEqualTo(-1.37);
+        assertThat(text("message")).containsIgnoringCase("exposure must be from -8 to 8");
+    }
+
+    /** A hand that drags by a pixel changes the picture by no more than a quarter of a stop. */
+    @Test
+    void exposureSlider_isWideEnoughForAHand() {
+        Slider slider = robot.lookup("#exposure").query();
+        assertThat((slider.getMax() - slider.getMin()) / slider.getWidth()).isLessThan(0.12);
+        robot.drag(slider, MouseButton.PRIMARY).dropBy(4, 0);
+        assertThat(model().viewProperty().get().exposure()).isBetween(0.1, 0.8);
+    }
+
+    @Test
+    void exposure_changesThePixelsAndNotTheScene() {
+        int[] before = model().raster().pixels().pixels().clone();
+        robot.interact(() -> robot.lookup("#exposure").<Slider>query().setValue(1));
+        assertThat(model().raster().pixels().pixels()).isNotEqualTo(before)
+                .isEqualTo(new ViewTransform(1).toPixels(model().frame().film()));
+        assertThat(model().document().isDirty()).isFalse();
+    }
+
+    private void choose(String id) {
+        MenuButton menu = robot.lookup("#view-options").query();
+        robot.interact(() -> {
+            MenuItem item = menu.getItems().stream().filter(i -> id.equals(i.getId())).findFirst().orElseThrow();
+            if (item instanceof CheckMenuItem check) {
+                check.setSelected(!check.isSelected());
+            }
+            item.fire();
+        });
+    }
+
+    @Test
+    void view1998_showsTheLinearValues() {
+        choose("view-1998");
+        assertThat(model().raster().pixels().pixels()).isEqualTo(
+                ViewTransform.DEFAULT.withCurve(DisplayCurve.LINEAR).toPixels(model().frame().film()));
+        robot.interact(() -> robot.lookup("#exposure").<Slider>query().setValue(1));
+        assertThat(model().viewProperty().get()).isEqualTo(new ViewTransform(1, DisplayCurve.LINEAR));
+        choose("view-srgb");
+        assertThat(model().raster().pixels().pixels()).isEqualTo(new ViewTransform(1).toPixels(model().frame().film()));
+    }
+
+    @Test
+    void onlySelected_showsThatLightsShareWhicheverIsSelected() {
+        robot.interact(() -> model().selectLight("stage"));
+        click("only-selected");
+        waitFor("it is shown", () -> isShown("look"));
+        assertThat(text("look")).isEqualTo("View: Only stage");
+        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().scene(), "stage")).trace());
+        robot.interact(() -> model().selectLight("sun"));
+        waitFor("the other is shown", () -> text("look").equals("View: Only sun"));
+        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().scene(), "sun")).trace());
+        click("only-selected");
+        waitFor("all is shown", () -> !isShown("look"));
+        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+    }
+
+    @Test
+    void onlySelected_isNoEditAndNothingThatIsSavedOrVerified() throws IOException {
+        click("only-selected");
+        waitFor("it is shown", () -> isShown("look"));
+        assertThat(model().document().isDirty()).isFalse();
+        assertThat(isEnabled(Command.GO)).isFalse();
+        answer = folder.resolve("whole.pfm");
+        click("save-image");
+        waitFor("it is written", () -> text("message").equals("Saved whole.pfm"));
+        assertThat(PictureFile.read(answer).sameBits(new ReferenceTracer(model().scene()).trace())).isTrue();
+        click("verify");
+        waitFor("it is verified", () -> model().renderingProperty().get().verification() != null);
+        assertThat(text("status")).startsWith("Verified: equal to a full trace in every bit");
+    }
+
+    @Test
+    void renamedLight_isStillTheOneThatIsShown() {
+        robot.interact(() -> model().selectLight("stage"));
+        click("only-selected");
+        waitFor("it is shown", () -> isShown("look"));
+        robot.interact(() -> model().edit(scene -> LightEdits.rename(scene, "stage", "rim")));
+        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().frame().scene(), "stage")).trace());
+    }
+
+    @Test
+    void hiddenEffect_isLabelledAndGoneFromTheCanvasAlone() {
+        choose("view-reflections");
+        waitFor("it is shown", () -> isShown("look"));
+        assertThat(text("look")).isEqualTo("View: No reflections");
+        assertCanvasShows(new ReferenceTracer(ViewEffects.ALL.with(Effect.REFLECTION, false).of(model().scene())).trace());
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertThat(robot.lookup("#region").query().isDisabled()).isTrue();
+    }
+
+    @Test
+    void framedRegion_showsTheEditsThereAlone() {
+        int[] before = model().raster().pixels().pixels().clone();
+        robot.interact(() -> model().edit(scene -> Dial.AMBIENCE.set(scene, "", 5)));
+        click("region");
+        robot.drag(pixel(28, 20), MouseButton.PRIMARY);
+        robot.dropTo(pixel(36, 28));
+        waitFor("it is traced", () -> model().raster().isPatched());
+        int[] after = model().raster().pixels().pixels();
+        assertThat(after[24 * 64 + 32]).isNotEqualTo(before[24 * 64 + 32]);
+        assertThat(after[40 * 64 + 10]).isEqualTo(before[40 * 64 + 10]);
+        assertThat(isEnabled(Command.GO)).isTrue();
+        assertThat(text("pending")).isEqualTo("A region shows edits that the rest does not");
+        click("undo");
+        assertThat(text("pending")).isEqualTo("A region shows other edits than the rest");
+        click("redo");
+        click("go");
+        waitForPicture();
+        assertThat(model().raster().pixels().pixels()).isEqualTo(model().raster().view().toPixels(model().frame().film()));
+    }
+
+    @Test
+    void regionOfWhatTheRestShowsToo_isNotRemarked() {
+        click("region");
+        robot.drag(pixel(28, 20), MouseButton.PRIMARY);
+        robot.dropTo(pixel(36, 28));
+        waitFor("it is traced", () -> model().raster().isPatched());
+        robot.interact(model()::repaint);
+        assertThat(isShown("pending")).isFalse();
+    }
+
+    /** While an animation plays each picture is on its way: nothing waits for Go. */
+    @Test
+    void playedEdits_areNotPending() {
+        robot.interact(() -> {
+            model().beginAnimation();
+            model().animate(model().scene().withLight(light("lamp").withIntensity(3)));
+            assertThat(isShown("pending")).isFalse();
+        });
+        waitForPicture();
+        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 5)));
+        assertThat(isShown("pending")).isTrue();
+    }
+
+    @Test
+    void oneToOne_showsEachPixelOnce() {
+        click("traced-one-to-one");
+        PictureView picture = robot.lookup("#traced-picture").query();
+        assertThat(picture.magnification()).isEqualTo(1);
+        click("traced-fit");
+        assertThat(picture.magnification()).isGreaterThan(2);
+    }
+}

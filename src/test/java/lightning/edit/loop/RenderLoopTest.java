@@ -1,0 +1,366 @@
+package lightning.edit.loop;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Optional;
+import java.util.Set;
+import lightning.accuracy.Verification;
+import lightning.accuracy.WarmSaving;
+import lightning.edit.Desk;
+import lightning.edit.Dial;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
+import lightning.image.Film;
+import lightning.relight.LightShare;
+import lightning.relight.Renderer;
+import lightning.relight.Update;
+import lightning.relight.plan.Accuracy;
+import lightning.relight.plan.Reflections;
+import lightning.relight.plan.UpdatePlan;
+import lightning.relight.tile.Options;
+import lightning.scene.Scene;
+import lightning.shading.ReferenceTracer;
+import lightning.shading.TraceCounts;
+import lightning.shading.TraditionalTracer;
+import lightning.trace.Geometry;
+import lightning.work.Progress;
+import lightning.work.Workers;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class RenderLoopTest {
+    private static final Options OPTIONS = Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1);
+
+    private final LoopEar ear = new LoopEar();
+    private final RenderLoop loop = new RenderLoop(OPTIONS, ear);
+    private final Scene scene = Desk.scene();
+
+    @AfterEach
+    void close() {
+        loop.close();
+    }
+
+    private Scene key(double intensity) {
+        return Desk.done(Dial.INTENSITY.set(scene, "key", intensity));
+    }
+
+    private static Film reference(Scene scene) {
+        return new ReferenceTracer(scene).trace();
+    }
+
+    private static Film stale(Scene scene, Scene mirrored) {
+        try (var workers = new Workers(1)) {
+            return new TraditionalTracer(scene, mirrored, new Geometry(scene)).trace(workers, Progress.NONE).film();
+        }
+    }
+
+    private LoopEar.Shown go(Scene wanted) throws InterruptedException {
+        loop.render(wanted);
+        return ear.next(LoopEar.Shown.class);
+    }
+
+    @Test
+    void firstPicture_equalsTheReference() throws Exception {
+        LoopEar.Shown shown = go(scene);
+        assertThat(shown.film().sameBits(reference(scene))).isTrue();
+        assertThat(shown.frame().scene()).isEqualTo(scene);
+        assertThat(shown.frame().update().plan()).isInstanceOf(UpdatePlan.FirstPass.class);
+        assertThat(shown.frame().mirrorsAreCurrent()).isTrue();
+    }
+
+    @Test
+    void edit_isAnUpdateWithStaleMirrors() throws Exception {
+        go(scene);
+        LoopEar.Shown shown = go(key(2));
+        assertThat(shown.frame().update().plan()).isInstanceOf(UpdatePlan.Relight.class);
+        assertThat(shown.film().sameBits(stale(key(2), scene))).isTrue();
+        assertThat(shown.frame().mirrorsAreCurrent()).isFalse();
+    }
+
+    @Test
+    void updateReflections_givesTheReference() throws Exception {
+        go(scene);
+        go(key(2));
+        loop.updateReflections();
+        LoopEar.Shown shown = ear.next(LoopEar.Shown.class);
+        assertThat(shown.film().sameBits(reference(key(2)))).isTrue();
+        assertThat(shown.frame().mirrorsAreCurrent()).isTrue();
+    }
+
+    @Test
+    void work_isFollowedByIdle() throws Exception {
+        go(scene);
+        ear.nextIs(LoopEar.Event.IDLE);
+        assertThat(loop.isBusy()).isFalse();
+    }
+
+    @Test
+    void editsWhileRendering_onlyTheNewestIsRendered() throws Exception {
+        go(scene);
+        LoopEar.Hold hold = ear.holdNextTile();
+        loop.render(key(2));
+        hold.awaitReached();
+        assertThat(loop.isBusy()).isTrue();
+        loop.render(key(3));
+        loop.render(key(4));
+        hold.release();
+        assertThat(ear.next(LoopEar.Shown.class).frame().scene()).isEqualTo(key(2));
+        assertThat(ear.next(LoopEar.Shown.class).frame().scene()).isEqualTo(key(4));
+    }
+
+    @Test
+    void anotherSizeWhileTracing_cancelsTheTrace() throws Exception {
+        LoopEar.Hold hold = ear.holdNextTile();
+        loop.render(scene.withPicture(scene.picture().withSize(200, 200)));
+        hold.awaitReached();
+        loop.render(scene);
+        hold.release();
+        ear.nextIs(LoopEar.Event.CANCELLED);
+        assertThat(ear.next(LoopEar.Shown.class).frame().scene()).isEqualTo(scene);
+    }
+
+    @Test
+    void editWhileMirrorsUpdate_isRenderedFirstAndThenTheMirrors() throws Exception {
+        go(scene);
+        go(key(2));
+        LoopEar.Hold hold = ear.holdNextTile();
+        loop.updateReflections();
+        hold.awaitReached();
+        loop.render(key(3));
+        hold.release();
+        ear.nextIs(LoopEar.Event.CANCELLED);
+        assertThat(ear.next(LoopEar.Shown.class).frame().mirrored()).isEqualTo(scene);
+        assertThat(ear.next(LoopEar.Shown.class).film().sameBits(reference(key(3)))).isTrue();
+    }
+
+    @Test
+    void cancel_keepsTheLastPictureAndForgetsWhatWaits() throws Exception {
+        go(scene);
+        ear.nextIs(LoopEar.Event.IDLE);
+        LoopEar.Hold hold = ear.holdNextTile();
+        loop.render(key(2));
+        hold.awaitReached();
+        loop.render(key(3));
+        loop.updateReflections();
+        loop.cancel();
+        hold.release();
+        ear.nextIs(LoopEar.Event.CANCELLED);
+        ear.nextIs(LoopEar.Event.IDLE);
+        assertThat(loop.isBusy()).isFalse();
+        LoopEar.Shown shown = go(key(4));
+        assertThat(shown.film().sameBits(stale(key(4), scene))).isTrue();
+    }
+
+    @Test
+    void undoneEdit_isRenderedForNothing() throws Exception {
+        go(scene);
+        assertThat(go(scene).frame().update().plan()).isInstanceOf(UpdatePlan.Nothing.class);
+    }
+
+    @Test
+    void verification_ofCurrentMirrorsFindsNoDifference() throws Exception {
+        go(scene);
+        loop.verify();
+        Verification verification = ear.next(Verification.class);
+        assertThat(verification.current().isNone()).isTrue();
+        assertThat(verification.full().sameBits(reference(scene))).isTrue();
+        assertThat(verification.fullTraceMs()).isPositive();
+    }
+
+    @Test
+    void verification_ofStaleMirrorsShowsThemAndThatThePromiseIsKept() throws Exception {
+        go(scene);
+        go(key(5));
+        loop.verify();
+        Verification verification = ear.next(Verification.class);
+        assertThat(verification.current().isNone()).isFalse();
+        assertThat(verification.promised().isNone()).isTrue();
+        assertThat(verification.promise().sight().scene()).isEqualTo(key(5));
+    }
+
+    private Scene sized(int width, int height) {
+        return scene.withPicture(scene.picture().withSize(width, height));
+    }
+
+    @Test
+    void edit_isFollowedByWhatItSaves() throws Exception {
+        go(scene);
+        for (int i = 1; i < 3; i++) {
+            Frame frame = go(key(i + 1)).frame();
+            assertThat(ear.next(WarmSaving.class).isOf(frame.update())).isTrue();
+        }
+        loop.updateReflections();
+        Frame mirrored = ear.next(LoopEar.Shown.class).frame();
+        assertThat(ear.next(WarmSaving.class).isOf(mirrored.update())).isTrue();
+    }
+
+    @Test
+    void firstPictureAndAnotherAccuracy_saveNothing() throws Exception {
+        go(scene);
+        go(sized(50, 40));
+        loop.reopen(OPTIONS.withAccuracy(Accuracy.RATIO));
+        Update converted = ear.next(LoopEar.Shown.class).frame().update();
+        Scene brighter = sized(50, 40).withLight(Desk.light(scene, "key").withIntensity(2));
+        Update edited = go(brighter).frame().update();
+        WarmSaving first = ear.next(WarmSaving.class);
+        assertThat(first.isOf(converted)).isFalse();
+        assertThat(first.isOf(edited)).isTrue();
+    }
+
+    @Test
+    void workWhileMeasuring_isNotHeldUpAndTheNewerEditIsMeasured() throws Exception {
+        go(sized(400, 300));
+        Scene brighter = sized(400, 300).withLight(Desk.light(scene, "key").withIntensity(2));
+        go(brighter);
+        ear.nextIs(LoopEar.Event.IDLE);
+        Update newer = go(brighter.withLight(Desk.light(scene, "key").withIntensity(3))).frame().update();
+        assertThat(ear.next(WarmSaving.class).isOf(newer)).isTrue();
+    }
+
+    @Test
+    void verificationWhileMeasuring_letsItBeginAgain() throws Exception {
+        go(scene);
+        Update update = go(key(2)).frame().update();
+        ear.nextIs(LoopEar.Event.IDLE);
+        loop.verify();
+        ear.next(Verification.class);
+        assertThat(ear.next(WarmSaving.class).isOf(update)).isTrue();
+    }
+
+    @Test
+    void lookAtOneLight_showsItsShareAndLeavesThePicture() throws Exception {
+        go(scene);
+        go(key(2));
+        loop.setLook(Look.PLAIN.withLight(Optional.of("key")));
+        Frame frame = ear.next(LoopEar.Shown.class).frame();
+        Film share = new ReferenceTracer(LightShare.scene(key(2), "key"), LightShare.scene(scene, "key")).trace();
+        assertThat(frame.seen().sameBits(share)).isTrue();
+        assertThat(frame.film().sameBits(stale(key(2), scene))).isTrue();
+        assertThat(frame.look().label()).isEqualTo("Only key");
+        loop.verify();
+        assertThat(ear.next(Verification.class).promised().isNone()).isTrue();
+        assertThat(go(key(3)).frame().seen().sameBits(new ReferenceTracer(LightShare.scene(key(3), "key"),
+                LightShare.scene(scene, "key")).trace())).isTrue();
+        loop.setLook(Look.PLAIN);
+        frame = ear.next(LoopEar.Shown.class).frame();
+        assertThat(frame.seen().sameBits(frame.film())).isTrue();
+    }
+
+    @Test
+    void hiddenEffects_areGoneFromTheLookAlone() throws Exception {
+        go(scene);
+        go(key(2));
+        ViewEffects dull = ViewEffects.ALL.hiding(Set.of(Effect.SHADOWS, Effect.REFLECTION));
+        loop.setLook(Look.PLAIN.withEffects(dull));
+        Frame frame = ear.next(LoopEar.Shown.class).frame();
+        assertThat(frame.seen().sameBits(without(dull, key(2)))).isTrue();
+        assertThat(frame.film().sameBits(stale(key(2), scene))).isTrue();
+        assertThat(frame.look().label()).isEqualTo("No shadows, no reflections");
+        assertThat(go(key(3)).frame().seen().sameBits(without(dull, key(3)))).isTrue();
+    }
+
+    private static Film without(ViewEffects effects, Scene scene) {
+        try (Renderer renderer = new Renderer(OPTIONS.withView(effects))) {
+            renderer.render(scene, Progress.NONE);
+            return renderer.film();
+        }
+    }
+
+    @Test
+    void hiddenShadows_leaveTheMirrorsAsOldAsThePictures() throws Exception {
+        go(scene);
+        go(key(2));
+        loop.setLook(Look.PLAIN.withEffects(ViewEffects.ALL.withLitTextures(false)));
+        Frame frame = ear.next(LoopEar.Shown.class).frame();
+        assertThat(frame.seen().sameBits(stale(key(2), scene))).as("there are no textures").isTrue();
+    }
+
+    @Test
+    void withoutAPicture_mirrorsAndVerificationDoNothing() throws Exception {
+        loop.updateReflections();
+        loop.verify();
+        ear.nextIs(LoopEar.Event.IDLE);
+        go(scene);
+        assertThat(ear.events).noneMatch(e -> e instanceof Verification || e instanceof Throwable);
+    }
+
+    @Test
+    void anotherAccuracy_keepsWhatIsKnownOfTheScene() throws Exception {
+        go(scene);
+        go(key(2));
+        loop.reopen(OPTIONS.withAccuracy(Accuracy.RATIO));
+        LoopEar.Shown shown = ear.next(LoopEar.Shown.class);
+        assertThat(shown.frame().scene()).isEqualTo(key(2));
+        assertThat(shown.frame().update().rays()).isEqualTo(TraceCounts.NONE);
+        loop.reopen(OPTIONS.withReflections(Reflections.CURRENT));
+        shown = ear.next(LoopEar.Shown.class);
+        assertThat(shown.frame().update().rays()).isEqualTo(TraceCounts.NONE);
+        assertThat(shown.film().sameBits(reference(key(2)))).isTrue();
+        assertThat(go(key(3)).film().sameBits(reference(key(3)))).isTrue();
+    }
+
+    @Test
+    void accuracyAndSceneTogether_areOneUpdate() throws Exception {
+        go(scene);
+        LoopEar.Hold hold = ear.holdNextTile();
+        loop.render(key(2));
+        hold.awaitReached();
+        loop.reopen(OPTIONS.withAccuracy(Accuracy.RATIO));
+        loop.render(key(3));
+        hold.release();
+        ear.next(LoopEar.Shown.class);
+        LoopEar.Shown shown = ear.next(LoopEar.Shown.class);
+        assertThat(shown.frame().scene()).isEqualTo(key(3));
+        assertThat(shown.frame().update().plan()).isInstanceOf(UpdatePlan.Relight.class);
+        assertThat(shown.frame().update().rays()).isEqualTo(TraceCounts.NONE);
+    }
+
+    @Test
+    void largePicture_hasACoarseOneFirst() throws Exception {
+        loop.render(scene.withPicture(scene.picture().withSize(640, 480).withDepth(0)));
+        Film coarse = ear.next(LoopEar.Coarse.class).film();
+        assertThat(coarse.width()).isEqualTo(80);
+        assertThat(coarse.height()).isEqualTo(60);
+        assertThat(ear.next(LoopEar.Shown.class).film().width()).isEqualTo(640);
+    }
+
+    @Test
+    void listenerThatFails_isToldAndTheLoopLivesOn() throws Exception {
+        var failing = new RuntimeException("a window's own error");
+        var events = new LoopEar();
+        var broken = new RenderListener() {
+            @Override
+            public void rendered(Frame frame) {
+                throw failing;
+            }
+
+            @Override
+            public void failed(Throwable problem) {
+                events.failed(problem);
+            }
+
+            @Override
+            public void idle() {
+                events.idle();
+            }
+        };
+        try (var own = new RenderLoop(OPTIONS, broken)) {
+            own.render(scene);
+            assertThat(events.next(Throwable.class)).isSameAs(failing);
+            events.nextIs(LoopEar.Event.IDLE);
+            own.render(key(2));
+            assertThat(events.next(Throwable.class)).isSameAs(failing);
+        }
+    }
+
+    @Test
+    void closedWhileRendering_endsSoon() throws Exception {
+        LoopEar.Hold hold = ear.holdNextTile();
+        loop.render(scene.withPicture(scene.picture().withSize(400, 400)));
+        hold.awaitReached();
+        assertThat(loop.isAlive()).isTrue();
+        hold.release();
+        loop.close();
+        assertThat(loop.isAlive()).isFalse();
+    }
+}

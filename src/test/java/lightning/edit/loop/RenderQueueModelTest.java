@@ -1,0 +1,223 @@
+package lightning.edit.loop;
+
+import static lightning.model.Schedules.explore;
+import static lightning.model.Schedules.law;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.edit.Desk;
+import lightning.edit.Dial;
+import lightning.model.Schedules;
+import lightning.relight.tile.Options;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/** The queue's laws, whatever threads do when. */
+@Tag("model")
+class RenderQueueModelTest {
+    private static final Scene FIRST = Desk.scene();
+    private static final Scene SECOND = Desk.done(Dial.INTENSITY.set(FIRST, "key", 2));
+    private static final Scene THIRD = Desk.done(Dial.INTENSITY.set(FIRST, "key", 3));
+    private static final Scene LARGER = FIRST.withPicture(FIRST.picture().withSize(80, 60));
+
+    /** A render loop that does nothing with its works but remember them. */
+    private static final class Taker {
+        private final RenderQueue queue;
+        private final List<RenderQueue.Work> finished = new ArrayList<>();
+        private volatile boolean cancelled;
+        private boolean begun;
+        private boolean rests;
+        private Scene shown;
+
+        Taker(RenderQueue queue) {
+            this.queue = queue;
+        }
+
+        void run() throws InterruptedException {
+            while (true) {
+                var stop = new RenderQueue.Stop((_, _) -> {});
+                RenderQueue.Work work = queue.take(stop);
+                if (work == null) {
+                    return;
+                }
+                boolean late = cancelled;
+                begin();
+                law(!late || stop.isCancelled(), "what was cancelled is not begun");
+                if (!stop.isCancelled()) {
+                    finish(work);
+                }
+                rests(queue.done(shown));
+            }
+        }
+
+        private synchronized void begin() {
+            begun = true;
+            notifyAll();
+        }
+
+        synchronized void awaitBegun() throws InterruptedException {
+            while (!begun) {
+                wait();
+            }
+        }
+
+        private synchronized void finish(RenderQueue.Work work) {
+            finished.add(work);
+            shown = work instanceof RenderQueue.Work.Render(Scene scene) ? scene : shown;
+        }
+
+        private synchronized void rests(boolean nothingLeft) {
+            rests = nothingLeft;
+            notifyAll();
+        }
+
+        synchronized List<RenderQueue.Work> finished() {
+            return List.copyOf(finished);
+        }
+
+        synchronized Scene shown() {
+            return shown;
+        }
+
+        synchronized void awaitRest() throws InterruptedException {
+            while (!rests || queue.isBusy()) {
+                wait();
+            }
+        }
+    }
+
+    @Test
+    void lastEditAsked_isRenderedAndNoneAfterIt() {
+        explore(() -> {
+            var queue = new RenderQueue();
+            var taker = new Taker(queue);
+            Schedules.Beside loop = Schedules.beside(taker::run);
+            queue.render(FIRST);
+            queue.render(SECOND);
+            queue.render(THIRD);
+            taker.awaitRest();
+            law(taker.shown() == THIRD, "the last edit asked is rendered last");
+            int before = -1;
+            for (RenderQueue.Work work : taker.finished()) {
+                int number = List.of(FIRST, SECOND, THIRD).indexOf(((RenderQueue.Work.Render) work).scene());
+                law(number > before, "no older edit is rendered after a newer one");
+                before = number;
+            }
+            queue.close();
+            loop.end();
+        });
+    }
+
+    @Test
+    void workAskedByTwoThreads_isAllDone() {
+        explore(() -> {
+            var queue = new RenderQueue();
+            var taker = new Taker(queue);
+            Schedules.Beside loop = Schedules.beside(taker::run);
+            Schedules.Beside other = Schedules.beside(() -> {
+                queue.reopen(Options.DEFAULT);
+                queue.verify();
+            });
+            queue.reflections();
+            queue.look();
+            other.end();
+            taker.awaitRest();
+            List<RenderQueue.Work> done = taker.finished();
+            law(done.contains(new RenderQueue.Work.Reflections()), "mirrors are not forgotten");
+            law(done.contains(new RenderQueue.Work.Looks()), "a look is not forgotten");
+            law(done.contains(new RenderQueue.Work.Verify()), "a verification is not forgotten");
+            law(done.contains(new RenderQueue.Work.Reopen(Options.DEFAULT, null)), "a way of working is not forgotten");
+            law(done.size() == 4, "nothing is done twice");
+            queue.close();
+            loop.end();
+        });
+    }
+
+    @Test
+    void mirrorsThatAnEditStopped_areUpdatedAfterIt() {
+        explore(() -> {
+            var queue = new RenderQueue();
+            var taker = new Taker(queue);
+            Schedules.Beside loop = Schedules.beside(taker::run);
+            queue.reflections();
+            taker.awaitBegun();
+            queue.render(FIRST);
+            taker.awaitRest();
+            law(taker.finished().contains(new RenderQueue.Work.Reflections()), "the mirrors are still wanted");
+            law(taker.shown() == FIRST, "the edit is rendered");
+            queue.close();
+            loop.end();
+        });
+    }
+
+    @Test
+    void anotherPicture_replacesTheOneThatIsTraced() {
+        explore(() -> {
+            var queue = new RenderQueue();
+            var stops = new ArrayList<RenderQueue.Stop>();
+            Schedules.Beside loop = Schedules.beside(() -> {
+                var stop = new RenderQueue.Stop((_, _) -> {});
+                boolean larger = queue.take(stop) instanceof RenderQueue.Work.Render(Scene scene) && scene == LARGER;
+                synchronized (stops) {
+                    stops.add(larger ? stop : null);
+                    stops.notifyAll();
+                }
+            });
+            queue.render(LARGER);
+            queue.render(FIRST);
+            synchronized (stops) {
+                while (stops.isEmpty()) {
+                    stops.wait();
+                }
+                law(stops.getFirst() == null || stops.getFirst().isCancelled(), "a trace that is useless is stopped");
+            }
+            loop.end();
+        });
+    }
+
+    @Test
+    void cancelledWork_isNeitherBegunNorLeftRunning() {
+        explore(() -> {
+            var queue = new RenderQueue();
+            var taker = new Taker(queue);
+            Schedules.Beside loop = Schedules.beside(taker::run);
+            queue.render(FIRST);
+            queue.reflections();
+            queue.cancel();
+            taker.cancelled = true;
+            queue.close();
+            loop.end();
+        });
+    }
+
+    @Test
+    void workThatIsAsked_makesItBusyUntilItIsDone() {
+        explore(() -> {
+            var queue = new RenderQueue();
+            var taker = new Taker(queue);
+            Schedules.Beside loop = Schedules.beside(taker::run);
+            queue.render(FIRST);
+            boolean busy = queue.isBusy();
+            law(busy || taker.shown() == FIRST, "what is asked is waiting, running or done");
+            queue.verify();
+            boolean verifying = queue.isVerifying();
+            law(verifying || taker.finished().contains(new RenderQueue.Work.Verify()), "a verification waits, runs or is done");
+            queue.close();
+            loop.end();
+        });
+    }
+
+    @Test
+    void closed_endsWhoTakes() {
+        explore(() -> {
+            var queue = new RenderQueue();
+            var taker = new Taker(queue);
+            Schedules.Beside loop = Schedules.beside(taker::run);
+            Schedules.Beside other = Schedules.beside(() -> queue.render(FIRST));
+            queue.close();
+            loop.end();
+            other.end();
+        });
+    }
+}

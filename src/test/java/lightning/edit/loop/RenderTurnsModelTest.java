@@ -1,0 +1,213 @@
+package lightning.edit.loop;
+
+import static lightning.model.Schedules.explore;
+import static lightning.model.Schedules.law;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.Executor;
+import lightning.edit.Desk;
+import lightning.edit.Dial;
+import lightning.edit.WorkbenchEar;
+import lightning.model.Schedules;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/** From the edit on the window's thread to the finished picture on the same thread, over the loop's. */
+@Tag("model")
+class RenderTurnsModelTest {
+    private static final Scene FIRST = Desk.scene();
+    private static final Scene SECOND = Desk.done(Dial.INTENSITY.set(FIRST, "key", 2));
+    private static final Scene LARGER = FIRST.withPicture(FIRST.picture().withSize(80, 60));
+
+    /** The window's thread: runs what it is told, in turn, when it has time. */
+    private static final class Window implements Executor {
+        private final ArrayDeque<Runnable> told = new ArrayDeque<>();
+
+        @Override
+        public synchronized void execute(Runnable task) {
+            told.add(task);
+            notifyAll();
+        }
+
+        private synchronized Runnable next() throws InterruptedException {
+            while (told.isEmpty()) {
+                wait();
+            }
+            return told.remove();
+        }
+
+        synchronized boolean isEmpty() {
+            return told.isEmpty();
+        }
+
+        void runOne() throws InterruptedException {
+            next().run();
+        }
+    }
+
+    /** A renderer of two tiles. */
+    private static final class Tiles implements RenderTurns.Hands {
+        private final RenderListener listener;
+        private final Scene broken;
+        private Scene rendered;
+        private boolean closed;
+
+        Tiles(RenderListener listener, Scene broken) {
+            this.listener = listener;
+            this.broken = broken;
+        }
+
+        @Override
+        public void work(RenderQueue.Work work, RenderQueue.Stop stop) {
+            if (work instanceof RenderQueue.Work.Render(Scene scene)) {
+                for (int tile = 0; tile < 2; tile++) {
+                    if (stop.isCancelled()) {
+                        throw new CancellationException();
+                    }
+                }
+                if (scene == broken) {
+                    throw new IllegalStateException("broken");
+                }
+                rendered = scene;
+                listener.rendered(new Frame(null, null, Look.PLAIN, scene, scene, null));
+            }
+        }
+
+        @Override
+        public Scene rendered() {
+            return rendered;
+        }
+
+        @Override
+        public void rest() {}
+
+        @Override
+        public void close() {
+            closed = true;
+        }
+    }
+
+    /** All that stands between the two threads, and what the window knows. */
+    private static final class Stage {
+        final RenderQueue queue = new RenderQueue();
+        final Window window = new Window();
+        final List<Scene> shown = new ArrayList<>();
+        final List<Throwable> problems = new ArrayList<>();
+        final Tiles tiles;
+        final Schedules.Beside loop;
+        boolean inWork;
+        boolean settled;
+
+        Stage(Scene broken) {
+            RenderListener canvas = new RenderListener() {
+                @Override
+                public void failed(Throwable problem) {
+                    window.execute(() -> problems.add(problem));
+                }
+            };
+            var ear = new WorkbenchEar(canvas, window::execute, frame -> shown.add(frame.scene()), () -> { }, () -> {
+                inWork = queue.isBusy();
+                settled = true;
+            });
+            tiles = new Tiles(ear, broken);
+            loop = Schedules.beside(new RenderTurns(queue, tiles, ear)::run);
+        }
+
+        void render(Scene scene) {
+            inWork = true;
+            settled = false;
+            queue.render(scene);
+        }
+
+        /** Until the window knows of the end of all that it asked for, and heard all that was told until then. */
+        void settle() throws InterruptedException {
+            while (inWork || !settled || !window.isEmpty()) {
+                window.runOne();
+            }
+        }
+
+        void close() throws InterruptedException {
+            queue.close();
+            loop.end();
+            law(tiles.closed, "the renderer is closed with its loop");
+        }
+    }
+
+    @Test
+    void lastEdit_isShownLastAndTheWindowHearsOfTheEnd() {
+        explore(() -> {
+            var stage = new Stage(null);
+            stage.render(FIRST);
+            if (!stage.window.isEmpty()) {
+                stage.window.runOne();
+            }
+            stage.render(SECOND);
+            stage.settle();
+            law(stage.shown.getLast() == SECOND, "the last edit is shown last");
+            law(stage.shown.lastIndexOf(FIRST) < stage.shown.indexOf(SECOND), "no older edit is shown after a newer one");
+            stage.close();
+        });
+    }
+
+    @Test
+    void pictureThatIsReplaced_isNeverShownAfterTheOneThatReplacesIt() {
+        explore(() -> {
+            var stage = new Stage(null);
+            stage.render(LARGER);
+            stage.render(FIRST);
+            stage.settle();
+            law(stage.shown.getLast() == FIRST, "the last picture is shown last");
+            law(stage.shown.lastIndexOf(LARGER) <= 0, "a picture is shown at most once");
+            stage.close();
+        });
+    }
+
+    @Test
+    void workThatFails_isToldAndTheNextIsDone() {
+        explore(() -> {
+            var stage = new Stage(FIRST);
+            stage.render(FIRST);
+            stage.settle();
+            stage.render(SECOND);
+            stage.settle();
+            law(stage.problems.size() == 1, "a failure is told once");
+            law(stage.shown.equals(List.of(SECOND)), "the loop lives on");
+            stage.close();
+        });
+    }
+
+    @Test
+    void cancelled_comesToRestAndLeavesAWholePictureOrNone() {
+        explore(() -> {
+            var stage = new Stage(null);
+            stage.render(FIRST);
+            stage.queue.cancel();
+            stage.inWork = stage.queue.isBusy();
+            if (stage.inWork) {
+                stage.settle();
+            }
+            stage.close();
+            while (!stage.window.isEmpty()) {
+                stage.window.runOne();
+            }
+            law(stage.shown.equals(stage.tiles.rendered() == null ? List.of() : List.of(FIRST)), "what is kept is what is shown");
+        });
+    }
+
+    @Test
+    void closedWhileWorking_endsWithoutAProblem() {
+        explore(() -> {
+            var stage = new Stage(null);
+            stage.render(FIRST);
+            stage.close();
+            while (!stage.window.isEmpty()) {
+                stage.window.runOne();
+            }
+            law(stage.problems.isEmpty(), "closing is no failure");
+        });
+    }
+}

@@ -1,0 +1,117 @@
+package lightning.pov;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import lightning.jen.JenReader;
+import lightning.math.Transform;
+import lightning.math.Vec3;
+import lightning.sample.SceneArbitraries;
+import lightning.scene.Attenuation;
+import lightning.scene.Scene;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.constraints.DoubleRange;
+import org.junit.jupiter.api.Test;
+
+class PovSceneTest {
+    @Provide
+    Arbitrary<Scene> scenes() {
+        return SceneArbitraries.scenes();
+    }
+
+    @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
+    void text_hasEveryShapeAndEveryLightThatIsOn(@ForAll("scenes") Scene scene) {
+        String text = PovScene.of(scene, "x").text();
+        assertThat(text.chars().filter(c -> c == '{').count()).isEqualTo(text.chars().filter(c -> c == '}').count());
+        assertThat(text).doesNotContain("NaN", "Infinity");
+        assertThat(text.lines().filter(line -> line.startsWith("light_source"))).hasSize(
+                (int) scene.lights().stream().filter(scene::shines).count());
+        assertThat(text.lines().filter(line -> line.startsWith("  matrix"))).hasSize(scene.placedShapes().size());
+    }
+
+    @Test
+    void losses_standInTheHeadOfTheFile() throws Exception {
+        PovScene pov = PovScene.of(JenReader.read(Path.of("scenes/bird.jen")).scene(), "x");
+        assertThat(pov.losses()).isNotEmpty();
+        pov.losses().forEach(loss -> assertThat(pov.text()).contains("// Not as in the scene: " + loss + "\n"));
+    }
+
+    @Test
+    void namesOfAnyCharacters_stayInTheirComments() throws Exception {
+        Scene scene = JenReader.read("""
+                jen 1
+                material "*/ } oak" { specular 1 0 0 }
+                sphere "ball */ {" { material "*/ } oak" }
+                light "key \\"light\\" {" point { attenuation 1 1 1 }
+                light "} off" point { on no }
+                """, "p.jen", Path.of("")).scene();
+        PovScene pov = PovScene.of(scene, "x");
+        assertThat(pov.text()).contains("// ball */ {\n", "// key \"light\" {\n", "// light } off is off\n",
+                "// Not as in the scene: material */ } oak: specular");
+        String code = pov.text().replaceAll("//.*", "");
+        assertThat(code).doesNotContain("*/", "oak", "key", "off");
+        assertThat(code.chars().filter(c -> c == '{').count()).isEqualTo(code.chars().filter(c -> c == '}').count());
+    }
+
+    @Test
+    void nameOfTheFile_isInNoWayPartOfTheSyntax() throws Exception {
+        PovScene pov = PovScene.of(JenReader.read(Path.of("scenes/bird.jen")).scene(), "a\"b\\c\nd");
+        assertThat(pov.text()).doesNotContain("a\"b", "\\c");
+    }
+
+    @Test
+    void matrix_mapsPointsAsTheTransformDoes() {
+        Transform transform = Transform.translation(new Vec3(1, 2, 3)).times(Transform.rotation(new Vec3(10, 20, 30)))
+                .times(Transform.scaling(new Vec3(2, 3, 4)));
+        Matcher numbers = Pattern.compile("<(.*)>").matcher(PovText.matrix(transform));
+        assertThat(numbers.find()).isTrue();
+        double[] m = Arrays.stream(numbers.group(1).split(", ")).mapToDouble(Double::parseDouble).toArray();
+        Vec3 p = new Vec3(0.3, -0.7, 0.9);
+        // The manual of POV-Ray 3.7, "matrix": a row vector times the matrix, its fourth row the translation.
+        Vec3 mapped = new Vec3(
+                m[0] * p.x() + m[3] * p.y() + m[6] * p.z() + m[9],
+                m[1] * p.x() + m[4] * p.y() + m[7] * p.z() + m[10],
+                m[2] * p.x() + m[5] * p.y() + m[8] * p.z() + m[11]);
+        assertThat(mapped.minus(transform.point(p)).maxAbs()).isLessThan(1e-12);
+    }
+
+    @Property(tries = 200)
+    void fadeOfOneTerm_isOursBeyondTheLimit(@ForAll @DoubleRange(min = 1, max = 5) double constant,
+            @ForAll @DoubleRange(min = 0.01, max = 4) double factor, @ForAll boolean quadratic,
+            @ForAll @DoubleRange(min = 0, max = 30) double distance) {
+        var attenuation = new Attenuation(constant, quadratic ? 0 : factor, quadratic ? factor : 0);
+        PovFade fade = PovFade.of(attenuation, 1, 10);
+        double ours = 1 / (constant + factor * (quadratic ? distance * distance : distance));
+        assertThat(fade.exact()).isTrue();
+        assertThat(fade.factor(distance)).isCloseTo(ours, within(1e-9));
+    }
+
+    @Property(tries = 200)
+    void fadeOfAllTerms_isNearOurs(@ForAll @DoubleRange(min = 0, max = 2) double constant,
+            @ForAll @DoubleRange(min = 0.1, max = 2) double linear, @ForAll @DoubleRange(min = 0.1, max = 2) double quadratic,
+            @ForAll @DoubleRange(min = 3, max = 9) double distance) {
+        var attenuation = new Attenuation(constant, linear, quadratic);
+        PovFade fade = PovFade.of(attenuation, 3, 9);
+        double ours = 1 / (constant + linear * distance + quadratic * distance * distance);
+        assertThat(fade.factor(distance) / Math.min(ours, 1)).isBetween(0.9, 1.1);
+    }
+
+    @Test
+    void fadingThatTheLimitHides_isNoFading() {
+        assertThat(PovFade.of(new Attenuation(0.1, 0.1, 0.1), 0.5, 2).distance()).isZero();
+    }
+
+    @Test
+    void noFading_isNoFading() {
+        assertThat(PovFade.of(Attenuation.NONE, 1, 10)).isEqualTo(new PovFade(1, 0, 0, true));
+        assertThat(PovFade.of(new Attenuation(2, 0, 0), 1, 10).factor(7)).isEqualTo(0.5);
+    }
+}

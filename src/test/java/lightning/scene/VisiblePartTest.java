@@ -1,0 +1,71 @@
+package lightning.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import lightning.edit.Change;
+import lightning.edit.Desk;
+import lightning.edit.Dial;
+import lightning.edit.LightEdits;
+import lightning.image.Film;
+import lightning.math.Vec3;
+import lightning.sample.Session;
+import lightning.shading.TraditionalTracer;
+import lightning.work.Progress;
+import lightning.work.Workers;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import org.junit.jupiter.api.Test;
+
+class VisiblePartTest {
+    private final Scene scene = Desk.scene();
+
+    @Provide
+    Arbitrary<Session> sessions() {
+        return Session.sessions();
+    }
+
+    private boolean unseen(Change change) {
+        return VisiblePart.same(scene, Desk.done(change));
+    }
+
+    @Test
+    void attributesThatDoNotAct_areNotSeen() {
+        assertThat(unseen(LightEdits.position(scene, "sun", new Vec3(9, 9, 9)))).isTrue();
+        assertThat(unseen(Dial.LINEAR.set(scene, "sun", 3))).isTrue();
+        assertThat(unseen(LightEdits.direction(scene, "fill", new Vec3(9, 9, 9)))).isTrue();
+        assertThat(unseen(Dial.ANGLE.set(scene, "fill", 3))).isTrue();
+        assertThat(unseen(LightEdits.rename(scene, "key", "rim"))).isTrue();
+    }
+
+    @Test
+    void attributesThatAct_areSeen() {
+        for (Dial dial : Dial.values()) {
+            assertThat(unseen(dial.set(scene, "key", 7))).as(dial.title()).isFalse();
+        }
+        assertThat(unseen(LightEdits.position(scene, "key", Vec3.ZERO))).isFalse();
+        assertThat(unseen(LightEdits.direction(scene, "sun", Vec3.Y))).isFalse();
+        assertThat(unseen(LightEdits.type(scene, "key", LightType.POINT))).isFalse();
+        assertThat(unseen(LightEdits.on(scene, "key", false))).isFalse();
+        assertThat(unseen(LightEdits.solo(scene, "key", true))).isFalse();
+    }
+
+    @Test
+    void editsOfADarkLight_areNotSeen() {
+        Scene off = Desk.done(LightEdits.on(scene, "key", false));
+        assertThat(VisiblePart.same(off, Desk.done(LightEdits.position(off, "key", Vec3.ZERO)))).isTrue();
+    }
+
+    /** Everything hidden is taken away, and every bit of the picture stays. */
+    @Property(tries = 60)
+    void sceneWithItsVisiblePartsLights_givesTheSamePicture(@ForAll("sessions") Session session) {
+        Scene any = session.scenes().getLast();
+        Scene plain = new Scene(any.picture(), any.camera(), any.world(), any.materials(), any.nodes(),
+                VisiblePart.of(any).lights().stream().map(l -> l.withName("unlike_" + l.name())).toList());
+        try (var workers = new Workers(1)) {
+            Film film = new TraditionalTracer(any).trace(workers, Progress.NONE).film();
+            assertThat(new TraditionalTracer(plain).trace(workers, Progress.NONE).film().sameBits(film)).isTrue();
+        }
+    }
+}

@@ -1,0 +1,60 @@
+package lightning.work;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Arrays;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+
+class WorkersTest {
+    private static final int TILES = 1000;
+
+    /** An interrupted caller looks so to itself alone, once it waits for the others. */
+    @Test
+    void stopThatOneWorkerHears_isHeardByAll() {
+        Thread caller = Thread.currentThread();
+        CountDownLatch heard = new CountDownLatch(1);
+        AtomicInteger done = new AtomicInteger();
+        Progress callers = new Progress() {
+            @Override
+            public void tiles(int tiles, int total) {}
+
+            @Override
+            public boolean isCancelled() {
+                if (Thread.currentThread() == caller) {
+                    heard.countDown();
+                    return true;
+                }
+                return false;
+            }
+        };
+        try (Workers workers = new Workers(2)) {
+            assertThatThrownBy(() -> workers.run(TILES, (_, _) -> {
+                awaited(heard);
+                done.incrementAndGet();
+            }, callers)).isInstanceOf(CancellationException.class);
+        }
+        assertThat(done.get()).isLessThan(TILES);
+    }
+
+    private static void awaited(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    @Test
+    void everyTile_isRunOnce() {
+        AtomicInteger[] runs = new AtomicInteger[TILES];
+        Arrays.setAll(runs, _ -> new AtomicInteger());
+        try (Workers workers = new Workers(3)) {
+            workers.run(TILES, (_, tile) -> runs[tile].incrementAndGet(), Progress.NONE);
+        }
+        assertThat(runs).allMatch(count -> count.get() == 1);
+    }
+}
