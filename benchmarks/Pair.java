@@ -7,19 +7,19 @@ import java.util.Locale;
 import java.util.Map;
 import lightning.jen.JenReader;
 import lightning.math.Vec3;
-import lightning.relight.tile.Options;
-import lightning.relight.plan.Reflections;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
+import lightning.relight.plan.Reflections;
+import lightning.relight.tile.Options;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
-import lightning.work.Progress;
 import lightning.shading.TraditionalTracer;
-import lightning.work.Workers;
 import lightning.trace.Geometry;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /**
  * Times one build of the engine by the names that all builds share, for {@code benchmarks/pair}: a line for each of the full

@@ -8,7 +8,6 @@ import lightning.math.Power;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
-import lightning.trace.Agreement;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
 import lightning.trace.PacketTracer;

@@ -90,7 +90,7 @@ final class GrowthBench {
         if (saving.kept()) {
             edits.add(new GrowthPoint.EditTime(name, Samples.of(saving.time())));
         } else {
-            ledger.problem(new Problem(Problem.Kind.BROKEN, where + ", " + name, "the picture is not that of a full trace"));
+            ledger.problem(new Failure(Failure.Kind.BROKEN, where + ", " + name, "the picture is not that of a full trace"));
         }
     }
 }

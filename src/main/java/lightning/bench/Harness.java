@@ -19,7 +19,7 @@ import lightning.work.Workers;
 /**
  * A run: measures scenes, part by part.
  *
- * <p>What cannot be measured becomes a {@link Problem} and costs that part alone. After each part the results until then
+ * <p>What cannot be measured becomes a {@link Failure} and costs that part alone. After each part the results until then
  * are handed on, so that a run that is cancelled leaves what it has.
  */
 public final class Harness {
@@ -60,7 +60,7 @@ public final class Harness {
      * @param arguments the command's, to be written down
      * @throws CancellationException if {@code progress} asked to stop
      */
-    public Harness(Settings settings, List<NamedScene> scenes, List<Problem> problems, Path folder, List<String> arguments,
+    public Harness(Settings settings, List<NamedScene> scenes, List<Failure> problems, Path folder, List<String> arguments,
             Progress progress) {
         this.settings = settings;
         this.scenes = List.copyOf(scenes);
@@ -148,11 +148,11 @@ public final class Harness {
         try {
             part.work().measure(progress);
         } catch (BrokenPromise e) {
-            ledger.problem(new Problem(Problem.Kind.BROKEN, part.where(), e.getMessage()));
+            ledger.problem(new Failure(Failure.Kind.BROKEN, part.where(), e.getMessage()));
         } catch (PictureTooLarge e) {
-            ledger.problem(new Problem(Problem.Kind.UNMEASURED, part.where(), e.getMessage()));
+            ledger.problem(new Failure(Failure.Kind.UNMEASURED, part.where(), e.getMessage()));
         } catch (OutOfMemoryError e) {
-            ledger.problem(new Problem(Problem.Kind.UNMEASURED, part.where(), "there is not enough memory for it"));
+            ledger.problem(new Failure(Failure.Kind.UNMEASURED, part.where(), "there is not enough memory for it"));
         }
     }
 

@@ -62,7 +62,7 @@ final class Ledger {
     private final List<Page> pages = new ArrayList<>();
     private final List<Drift> drifts = new ArrayList<>();
     private final Map<String, Growth> growths = new LinkedHashMap<>();
-    private final List<Problem> problems = new ArrayList<>();
+    private final List<Failure> problems = new ArrayList<>();
 
     Page page(NamedScene scene, PictureSize size) {
         pages.add(new Page(scene, size));
@@ -79,7 +79,7 @@ final class Ledger {
         growths.put(along, new Growth(along, scene, points));
     }
 
-    void problem(Problem problem) {
+    void problem(Failure problem) {
         problems.add(problem);
     }
 

@@ -44,7 +44,7 @@ final class PovPeer {
             try {
                 page.peer(measure(size.of(scene.scene()), settings.threads(), progress.silent()));
             } catch (IOException e) {
-                ledger.problem(new Problem(Problem.Kind.UNMEASURED, where, e.getMessage()));
+                ledger.problem(new Failure(Failure.Kind.UNMEASURED, where, e.getMessage()));
             }
         });
     }

@@ -11,7 +11,7 @@ import java.util.List;
  * @param growth   how times grow, one curve for each thing that grows
  * @param problems what could not be measured
  */
-public record Results(Run run, List<SceneResult> scenes, List<Drift> drift, List<Growth> growth, List<Problem> problems) {
+public record Results(Run run, List<SceneResult> scenes, List<Drift> drift, List<Growth> growth, List<Failure> problems) {
     public Results {
         scenes = List.copyOf(scenes);
         drift = List.copyOf(drift);

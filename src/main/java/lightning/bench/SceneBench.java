@@ -73,7 +73,7 @@ final class SceneBench implements AutoCloseable {
         EffectCosts costs = EffectCosts.of(scene, after, Options.DEFAULT.withReflections(Reflections.STALE).withThreads(settings.threads()),
                 settings.isWarm() ? EFFECTS * settings.repetitions() : 1, progress);
         page.effects(costs.effects().stream().filter(EffectCost::measured).map(EffectResult::of).toList());
-        costs.tooLarge().forEach(effect -> ledger.problem(new Problem(Problem.Kind.UNMEASURED,
+        costs.tooLarge().forEach(effect -> ledger.problem(new Failure(Failure.Kind.UNMEASURED,
                 name + " at " + scene.picture().width() + "x" + scene.picture().height() + ", effects",
                 "there is not enough memory for " + effect.title())));
     }

@@ -8,10 +8,10 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import lightning.bench.Baseline;
+import lightning.bench.Failure;
 import lightning.bench.Figures;
 import lightning.bench.Harness;
 import lightning.bench.PictureSize;
-import lightning.bench.Problem;
 import lightning.bench.Reporter;
 import lightning.bench.Results;
 import lightning.bench.ResultsFile;
@@ -153,7 +153,7 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     private int exit(Results results, Results old, boolean unread) throws BadInput {
-        long broken = results.problems().stream().filter(problem -> problem.kind() == Problem.Kind.BROKEN).count();
+        long broken = results.problems().stream().filter(problem -> problem.kind() == Failure.Kind.BROKEN).count();
         if (old != null) {
             Baseline compared = Baseline.compare(old, results);
             if (compared.compared() == 0) {

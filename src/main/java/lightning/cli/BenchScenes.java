@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lightning.bench.Failure;
 import lightning.bench.NamedScene;
-import lightning.bench.Problem;
 import lightning.jen.JenException;
 
 /**
@@ -18,7 +18,7 @@ import lightning.jen.JenException;
  *
  * @param problems one for each file that could not be read
  */
-record BenchScenes(List<NamedScene> scenes, List<Problem> problems) {
+record BenchScenes(List<NamedScene> scenes, List<Failure> problems) {
     private static final Path FOLDER = Path.of("scenes");
     private static final String ENDING = ".jen";
 
@@ -30,7 +30,7 @@ record BenchScenes(List<NamedScene> scenes, List<Problem> problems) {
      */
     static BenchScenes read(List<Path> files, boolean one) throws IOException {
         List<NamedScene> scenes = new ArrayList<>();
-        List<Problem> problems = new ArrayList<>();
+        List<Failure> problems = new ArrayList<>();
         Set<String> names = new HashSet<>();
         for (Path file : files.isEmpty() ? own(one) : files) {
             try {
@@ -46,8 +46,8 @@ record BenchScenes(List<NamedScene> scenes, List<Problem> problems) {
         return new BenchScenes(scenes, problems);
     }
 
-    private static Problem unread(Path file, String what) {
-        return new Problem(Problem.Kind.UNREAD, file.toString(), what);
+    private static Failure unread(Path file, String what) {
+        return new Failure(Failure.Kind.UNREAD, file.toString(), what);
     }
 
     private static List<Path> own(boolean one) throws IOException {

@@ -7,11 +7,11 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Limits;
 import lightning.scene.Node;
-import lightning.scene.Group;
 import lightning.scene.Scene;
 import lightning.text.Quote;
 

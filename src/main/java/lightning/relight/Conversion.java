@@ -16,8 +16,8 @@ import lightning.relight.plan.MaterialUpdate;
 import lightning.relight.plan.UpdatePlan;
 import lightning.relight.tile.LayerUpdater;
 import lightning.relight.tile.Options;
+import lightning.relight.tile.Tally;
 import lightning.relight.tile.TilePainter;
-import lightning.relight.tile.Work;
 import lightning.scene.Scene;
 import lightning.shading.Lamp;
 import lightning.shading.LightKernel;
@@ -63,7 +63,7 @@ record Conversion(PixelCache cache, Options to) {
     }
 
     /** What is known afterwards, and what that took. */
-    record Result(PixelCache cache, Work work) {}
+    record Result(PixelCache cache, Tally work) {}
 
     /** @throws CancellationException if {@code progress} asked to stop */
     Result run(Workers workers, Progress progress) {
@@ -83,7 +83,7 @@ record Conversion(PixelCache cache, Options to) {
                 fine[i] = cache.fine(i).map(center, block -> threads[worker].convert(block, top, mirrors), perPixel);
             }
         }, progress);
-        Work work = Work.NONE;
+        Tally work = Tally.NONE;
         for (Tiles thread : threads) {
             work = work.plus(thread.work());
         }
@@ -131,8 +131,8 @@ record Conversion(PixelCache cache, Options to) {
             return new TileLevel(old.rows(), layers);
         }
 
-        Work work(long rowsComposed) {
-            return new Work(lights.rowsTouched() + ratios.rowsScaled(), rowsComposed, 0, new TraceCounts(0, 0, lights.shadowRays()));
+        Tally work(long rowsComposed) {
+            return new Tally(lights.rowsTouched() + ratios.rowsScaled(), rowsComposed, 0, new TraceCounts(0, 0, lights.shadowRays()));
         }
     }
 
@@ -165,7 +165,7 @@ record Conversion(PixelCache cache, Options to) {
             return new float[][] {Arrays.copyOf(columns[0], rows), Arrays.copyOf(columns[1], rows), Arrays.copyOf(columns[2], rows)};
         }
 
-        Work work() {
+        Tally work() {
             return eye.work(rowsComposed).plus(mirror.work(0));
         }
     }

@@ -12,11 +12,11 @@ import lightning.relight.plan.ErrorBound;
 import lightning.relight.plan.LevelPlan;
 import lightning.relight.plan.Reflections;
 import lightning.relight.plan.UpdatePlan;
-import lightning.relight.tile.Drag;
 import lightning.relight.tile.Job;
 import lightning.relight.tile.Options;
+import lightning.relight.tile.RepeatedEdit;
+import lightning.relight.tile.Tally;
 import lightning.relight.tile.TileRun;
-import lightning.relight.tile.Work;
 import lightning.scene.Antialias;
 import lightning.scene.Scene;
 import lightning.shading.Sight;
@@ -31,8 +31,8 @@ import lightning.work.Workers;
 public final class Renderer implements AutoCloseable {
     private Options options;
     private Workers workers;
-    private final Drag drag = new Drag();
-    private final Drag mirroredDrag = new Drag();
+    private final RepeatedEdit repeat = new RepeatedEdit();
+    private final RepeatedEdit mirroredRepeat = new RepeatedEdit();
     private PixelCache cache;
     /** How the cache is known; its accuracy differs from the wanted one after a change, until the next update. */
     private Accuracy known;
@@ -168,8 +168,8 @@ public final class Renderer implements AutoCloseable {
     public void restore(PixelCache kept) {
         cache = kept;
         known = options.accuracy();
-        drag.end();
-        mirroredDrag.end();
+        repeat.end();
+        mirroredRepeat.end();
     }
 
     private Update run(Scene wanted, boolean mirrors, Progress progress) {
@@ -189,7 +189,7 @@ public final class Renderer implements AutoCloseable {
         long start = System.nanoTime();
         UpdatePlan plan = difference(wanted, mirrors);
         UpdatePlan told = plan;
-        Work work = Work.NONE;
+        Tally work = Tally.NONE;
         if (converts() && !(plan instanceof UpdatePlan.FirstPass)) {
             var conversion = new Conversion(cache, options);
             work = convert(conversion, progress);
@@ -197,7 +197,7 @@ public final class Renderer implements AutoCloseable {
             told = plan instanceof UpdatePlan.Nothing ? conversion.plan() : plan;
         }
         work = work.plus(switch (plan) {
-            case UpdatePlan.Nothing _ -> Work.NONE;
+            case UpdatePlan.Nothing _ -> Tally.NONE;
             case UpdatePlan.FirstPass _ -> firstPass(wanted, progress);
             case UpdatePlan.Relight relight -> relight(relight, wanted, progress);
         });
@@ -212,13 +212,13 @@ public final class Renderer implements AutoCloseable {
                 bound.largest(), refreshed);
     }
 
-    private Work convert(Conversion conversion, Progress progress) {
+    private Tally convert(Conversion conversion, Progress progress) {
         Conversion.Result result = conversion.run(workers, progress);
         cache = result.cache();
         return result.work();
     }
 
-    private Work firstPass(Scene wanted, Progress progress) {
+    private Tally firstPass(Scene wanted, Progress progress) {
         MemoryNeed.check(wanted, options);
         boolean coding = wanted.picture().sampling().antialias() == Antialias.EDGES;
         // Anti-aliasing looks into mirrors for edges, so what mirrors nothing must not be followed then.
@@ -235,13 +235,13 @@ public final class Renderer implements AutoCloseable {
         return run.work();
     }
 
-    private Work relight(UpdatePlan.Relight plan, Scene wanted, Progress progress) {
+    private Tally relight(UpdatePlan.Relight plan, Scene wanted, Progress progress) {
         PixelCache old = cache;
         boolean mirrors = plan.mirrors() != null;
         Job.Shown shown = Job.Shown.of(old.geometry(), wanted);
         Job.Shown mirrored = mirrors ? shown : Job.Shown.of(old.geometry(), old.mirroredScene());
-        Job job = new Job(shown, mirrored, options, Job.Level.of(plan.top(), old.scene(), shown.lamps(), drag),
-                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), shown.lamps(), mirroredDrag) : null,
+        Job job = new Job(shown, mirrored, options, Job.Level.of(plan.top(), old.scene(), shown.lamps(), repeat),
+                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), shown.lamps(), mirroredRepeat) : null,
                 wanted.picture().sampling().antialias() == Antialias.EDGES, progress);
         TileRun run = new TileRun(job, workers, old);
         cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), new Sight(wanted, mirrored.scene()),

@@ -1,9 +1,9 @@
 package lightning.shading;
 
-import lightning.effects.ViewEffects;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
+import lightning.effects.ViewEffects;
 import lightning.scene.World;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;

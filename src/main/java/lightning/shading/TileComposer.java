@@ -1,7 +1,7 @@
 package lightning.shading;
 
-import lightning.effects.ViewEffects;
 import java.util.Arrays;
+import lightning.effects.ViewEffects;
 import lightning.math.Rgb;
 import lightning.scene.World;
 import lightning.trace.HitRows;

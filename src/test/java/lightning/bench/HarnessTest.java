@@ -30,7 +30,7 @@ class HarnessTest {
     }
 
     private Harness harness(Settings settings) {
-        return new Harness(settings, List.of(scene), List.of(new Problem(Problem.Kind.UNREAD, "other.jen", "was not read")), folder, List.of("--x"),
+        return new Harness(settings, List.of(scene), List.of(new Failure(Failure.Kind.UNREAD, "other.jen", "was not read")), folder, List.of("--x"),
                 Progress.NONE);
     }
 
@@ -133,7 +133,7 @@ class HarnessTest {
 
     @Test
     void problems_areKept() throws Exception {
-        assertThat(run(settings(1, 13, SMALL)).problems()).containsExactly(new Problem(Problem.Kind.UNREAD, "other.jen", "was not read"));
+        assertThat(run(settings(1, 13, SMALL)).problems()).containsExactly(new Failure(Failure.Kind.UNREAD, "other.jen", "was not read"));
     }
 
     @Test

@@ -59,7 +59,7 @@ class ReportTest {
     @Test
     void whatFailed_isALineOfItsOwn() throws Exception {
         Results results = new Results(Sample.RUN, List.of(Sample.scene(10)), List.of(), List.of(),
-                List.of(new Problem(Problem.Kind.UNREAD, "a.jen:12:8", "intensity must be ≥ 0, was -3"), new Problem(Problem.Kind.UNREAD, "b.jen", "no such file")));
+                List.of(new Failure(Failure.Kind.UNREAD, "a.jen:12:8", "intensity must be ≥ 0, was -3"), new Failure(Failure.Kind.UNREAD, "b.jen", "no such file")));
         Element problems = byId(write(results, folder), "problems");
 
         assertThat(texts(problems, "li")).hasSize(2).first().asString().contains("a.jen:12:8", "intensity must be ≥ 0, was -3");

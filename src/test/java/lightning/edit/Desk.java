@@ -1,5 +1,6 @@
 package lightning.edit;
 
+import java.nio.file.Path;
 import java.util.List;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
@@ -7,7 +8,6 @@ import lightning.math.Vec3;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
-import java.nio.file.Path;
 
 /** A small scene to edit: a mirror under a ball, and a light of each type. */
 public final class Desk {

@@ -8,8 +8,8 @@ import lightning.cache.PixelCache;
 import lightning.image.FilmAssert;
 import lightning.relight.plan.Reflections;
 import lightning.relight.plan.UpdatePlan;
-import lightning.relight.tile.Drag;
 import lightning.relight.tile.Options;
+import lightning.relight.tile.RepeatedEdit;
 import lightning.sample.StudioScene;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -55,7 +55,7 @@ class RestoreTest {
     @Test
     void restoredRenderer_isNotInTheMiddleOfADrag() {
         List<Light> lights = new ArrayList<>();
-        for (int i = 0; i < Drag.LEAST_LIGHTS; i++) {
+        for (int i = 0; i < RepeatedEdit.LEAST_LIGHTS; i++) {
             lights.add(StudioScene.key(LightType.POINT).withName("light" + i));
         }
         Scene many = before.withLights(lights);

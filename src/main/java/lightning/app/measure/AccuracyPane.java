@@ -35,7 +35,7 @@ public final class AccuracyPane extends BorderPane {
             "Make the edit at each level in the background, again and again, and compare");
     private final ToggleButton difference = new ToggleButton("Difference");
     private final LadderTable table = new LadderTable();
-    private final LadderChart chart = new LadderChart();
+    private final LadderPlot chart = new LadderPlot();
     private final PictureView picture = new PictureView();
     private Ladder ladder;
     /** The edit that was measured last, and what came of it. */

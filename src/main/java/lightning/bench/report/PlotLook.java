@@ -1,10 +1,10 @@
 package lightning.bench.report;
 
 import java.awt.BasicStroke;
+import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
-import java.awt.Shape;
 import lightning.accuracy.Level;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.Axis;

@@ -71,7 +71,7 @@ public record Job(Shown shown, Shown mirrored, Options options, Level top, Level
     public record Level(LevelPlan plan, Lamp[] lamps, Lamp[] lampsBefore, boolean[] reweighted, boolean[] darkBefore,
             BranchSums.Key key) {
 
-        public static Level of(LevelPlan plan, Scene known, Lamp[] lamps, Drag drag) {
+        public static Level of(LevelPlan plan, Scene known, Lamp[] lamps, RepeatedEdit repeat) {
             boolean[] reweighted = new boolean[lamps.length];
             boolean[] dark = new boolean[lamps.length];
             Lamp[] lampsBefore = new Lamp[lamps.length];
@@ -85,7 +85,7 @@ public record Job(Shown shown, Shown mirrored, Options options, Level top, Level
                         || before.green() != lamps[l].green() || before.blue() != lamps[l].blue();
             }
             int only = plan.materials().isEmpty() ? onlyChange(plan, reweighted) : -1;
-            return new Level(plan, lamps, lampsBefore, reweighted, dark, drag.next(only, lamps.length));
+            return new Level(plan, lamps, lampsBefore, reweighted, dark, repeat.next(only, lamps.length));
         }
 
         /** The only light whose contribution changes, or −1. */

@@ -4,7 +4,6 @@ import lightning.cache.PixelCache;
 import lightning.cache.TileLevel;
 import lightning.effects.ViewEffects;
 import lightning.image.Film;
-import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.shading.Lamp;
 import lightning.shading.TileComposer;

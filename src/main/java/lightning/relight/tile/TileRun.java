@@ -66,8 +66,8 @@ public final class TileRun {
         return fine;
     }
 
-    public Work work() {
-        return Work.of(threads);
+    public Tally work() {
+        return Tally.of(threads);
     }
 
     /** The least falloff of rows whose falloff was scaled. */

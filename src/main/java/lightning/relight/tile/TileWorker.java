@@ -42,10 +42,10 @@ final class TileWorker {
     }
 
     /** What was done since the start. */
-    Work work() {
-        Work work = new Work(eye.rowsTouched(), eye.rowsComposed(), eye.bytesMoved() + filmBytes,
+    Tally work() {
+        Tally work = new Tally(eye.rowsTouched(), eye.rowsComposed(), eye.bytesMoved() + filmBytes,
                 new TraceCounts(eyeRays, mirroredRays, eye.shadowRays()));
-        return mirror == null || mirror == eye ? work : work.plus(new Work(mirror.rowsTouched(), mirror.rowsComposed(), mirror.bytesMoved(),
+        return mirror == null || mirror == eye ? work : work.plus(new Tally(mirror.rowsTouched(), mirror.rowsComposed(), mirror.bytesMoved(),
                 new TraceCounts(0, 0, mirror.shadowRays())));
     }
 

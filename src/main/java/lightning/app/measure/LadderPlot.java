@@ -18,7 +18,7 @@ import lightning.accuracy.Rung;
  * Error against time: each level is a number, the one that it has in the table, and stands on its place. The best are low
  * and at the left. Levels that would hide each other share one label.
  */
-final class LadderChart extends ScatterChart<Number, Number> {
+final class LadderPlot extends ScatterChart<Number, Number> {
     /** Levels nearer than this share of the chart hide each other. */
     private static final double NEAR = 0.1;
     /** The part of the chart, beyond the largest values, that is left free. */
@@ -26,7 +26,7 @@ final class LadderChart extends ScatterChart<Number, Number> {
     /** How far a label stands above its place, pixels. */
     private static final double RISE = -9;
 
-    LadderChart() {
+    LadderPlot() {
         super(axis("milliseconds"), axis("root mean square error, linear"));
         setId("ladder-chart");
         setAccessibleText("Error of each level against its time");
@@ -47,14 +47,14 @@ final class LadderChart extends ScatterChart<Number, Number> {
     }
 
     void show(Ladder ladder) {
-        double longest = ladder.rungs().stream().mapToDouble(LadderChart::time).max().orElse(1);
-        double largest = ladder.rungs().stream().mapToDouble(LadderChart::error).max().orElse(1);
+        double longest = ladder.rungs().stream().mapToDouble(LadderPlot::time).max().orElse(1);
+        double largest = ladder.rungs().stream().mapToDouble(LadderPlot::error).max().orElse(1);
         var points = new XYChart.Series<Number, Number>();
         for (List<Rung> group : groups(ladder.rungs(), NEAR * longest, NEAR * largest)) {
             var label = new Label(group.stream().map(r -> String.valueOf(r.level().ordinal() + 1)).collect(Collectors.joining(" ")));
             label.setMinWidth(Region.USE_PREF_SIZE);
             label.setTranslateY(RISE);
-            points.getData().add(point(mean(group, LadderChart::time), mean(group, LadderChart::error), label));
+            points.getData().add(point(mean(group, LadderPlot::time), mean(group, LadderPlot::error), label));
         }
         var corner = new Region();
         corner.setVisible(false);

@@ -6,7 +6,7 @@ package lightning.bench;
  * @param where the scene's file, its size and the edit, as far as known
  * @param what  a sentence
  */
-public record Problem(Kind kind, String where, String what) {
+public record Failure(Kind kind, String where, String what) {
     /** What a problem says about the program. */
     public enum Kind {
         /** A scene could not be read. */

@@ -6,7 +6,7 @@ import lightning.shading.BranchSums;
  * Notices that one light alone is edited again and again, as while it is dragged: from the second time
  * on, the sums over the other lights are kept.
  */
-public final class Drag {
+public final class RepeatedEdit {
     /** With fewer lights, adding them anew reads less memory than their sums take. */
     public static final int LEAST_LIGHTS = 8;
 

@@ -24,7 +24,7 @@ import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
 /** While one light is dragged the sums over the others are kept, and no bit differs for it. */
-class DragTest {
+class RepeatedEditTest {
     private static final Scene NIGHT = night();
 
     private static Scene night() {
@@ -78,14 +78,14 @@ class DragTest {
     /** Adding seven lights anew reads less memory than their sums would take. */
     @Test
     void sumsAreKept_fromEightLightsOn() {
-        for (int lights : new int[] {Drag.LEAST_LIGHTS - 1, Drag.LEAST_LIGHTS}) {
+        for (int lights : new int[] {RepeatedEdit.LEAST_LIGHTS - 1, RepeatedEdit.LEAST_LIGHTS}) {
             Scene scene = NIGHT.withLights(NIGHT.lights().subList(0, lights));
             try (Renderer renderer = new Renderer(Options.DEFAULT)) {
                 renderer.render(scene, Progress.NONE);
                 for (double intensity : new double[] {0.5, 0.6}) {
                     renderer.render(scene.withLight(scene.lights().getFirst().withIntensity(intensity)), Progress.NONE);
                 }
-                assertThat(tilesWithSums(renderer.cache()) > 0).as(lights + " lights").isEqualTo(lights >= Drag.LEAST_LIGHTS);
+                assertThat(tilesWithSums(renderer.cache()) > 0).as(lights + " lights").isEqualTo(lights >= RepeatedEdit.LEAST_LIGHTS);
             }
         }
     }
