@@ -13,8 +13,17 @@ public final class ScenePicker {
     private final Geometry geometry;
 
     public ScenePicker(Scene scene) {
+        this(scene, new Geometry(scene));
+    }
+
+    private ScenePicker(Scene scene, Geometry geometry) {
         this.scene = scene;
-        geometry = new Geometry(scene);
+        this.geometry = geometry;
+    }
+
+    /** The picker of another scene, made of this one's as far as that serves. */
+    public ScenePicker forScene(Scene other) {
+        return serves(other) ? this : new ScenePicker(other, geometry.forScene(other, false));
     }
 
     /**
@@ -29,7 +38,7 @@ public final class ScenePicker {
 
     /** Whether it finds what is in {@code other} too. */
     public boolean serves(Scene other) {
-        return geometry.serves(other);
+        return geometry.serves(other) && scene.camera().equals(other.camera()) && scene.picture().equals(other.picture());
     }
 
     /** The surface nearest to the eye of a view under a place; empty where there is none. */

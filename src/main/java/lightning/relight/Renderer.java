@@ -223,8 +223,7 @@ public final class Renderer implements AutoCloseable {
         boolean coding = wanted.picture().sampling().antialias() == Antialias.EDGES;
         // Anti-aliasing looks into mirrors for edges, so what mirrors nothing must not be followed then.
         boolean everyMirror = options.view().forces(Effect.REFLECTION) && !coding;
-        Geometry geometry = cache != null && cache.geometry().serves(wanted) && cache.geometry().everyMirror() == everyMirror
-                ? cache.geometry() : new Geometry(wanted, everyMirror);
+        Geometry geometry = cache == null ? new Geometry(wanted, everyMirror) : cache.geometry().forScene(wanted, everyMirror);
         Job.Shown shown = Job.Shown.of(geometry, wanted);
         LayerStamp[] stamps = new LayerStamp[shown.lamps().length];
         for (int l = 0; l < stamps.length; l++) {

@@ -30,6 +30,26 @@ final class Bvh {
         depth = built.depth;
     }
 
+    /** The tree of the same shapes seen from elsewhere: its form with their boxes. */
+    Bvh(ShapeTable shapes, Bvh form) {
+        this.shapes = shapes;
+        shapeBoxes = ShapeBoxes.of(shapes);
+        child = form.child;
+        axis = form.axis;
+        depth = form.depth;
+        boxes = new float[form.boxes.length];
+        // Children come after their node, so that from the last on all are there.
+        for (int c = child.length - 1; c >= 0; c--) {
+            if (child[c] < 0) {
+                System.arraycopy(shapeBoxes, 6 * ~child[c], boxes, 6 * c, 6);
+            } else {
+                BvhBuilder.empty(boxes, 6 * c);
+                BvhBuilder.grow(boxes, 6 * c, boxes, 12 * child[c]);
+                BvhBuilder.grow(boxes, 6 * c, boxes, 12 * child[c] + 6);
+            }
+        }
+    }
+
     private int root() {
         return shapes.count == 1 ? ~0 : 0;
     }

@@ -143,12 +143,12 @@ final class BvhBuilder {
         }
     }
 
-    private static void empty(float[] b, int at) {
+    static void empty(float[] b, int at) {
         Arrays.fill(b, at, at + 3, Float.POSITIVE_INFINITY);
         Arrays.fill(b, at + 3, at + 6, Float.NEGATIVE_INFINITY);
     }
 
-    private static void grow(float[] b, int at, float[] by, int i) {
+    static void grow(float[] b, int at, float[] by, int i) {
         for (int a = 0; a < 3; a++) {
             // Not Math.min and max, whose order of ±0 and NaN costs half of the building time.
             b[at + a] = by[i + a] < b[at + a] ? by[i + a] : b[at + a];

@@ -10,8 +10,8 @@ import lightning.scene.Scene;
 /**
  * What rays can meet: a scene's shapes and materials in render space, without its lights.
  *
- * <p>Shapes and their tree of boxes are built once for all scenes that differ in lights and materials only. Shared
- * between threads.
+ * <p>Shapes and their tree of boxes are built once for all scenes that differ in lights and materials only, and the form
+ * of the tree, which takes the time, for all cameras. Shared between threads.
  */
 public final class Geometry {
     private final Scene scene;
@@ -52,15 +52,43 @@ public final class Geometry {
         bvh = shared.bvh;
     }
 
+    /** The form of the tree is another's. */
+    private Geometry(Geometry shared, Scene scene, boolean everyMirror) {
+        this.scene = scene;
+        placed = shared.placed;
+        names = shared.names;
+        this.everyMirror = everyMirror;
+        materials = new MaterialTable(names, scene, everyMirror);
+        shapes = new ShapeTable(placed, shared.shapes.material, scene.camera().from());
+        bvh = new Bvh(shapes, shared.bvh);
+    }
+
     private int[] materialOf() {
         Map<String, Integer> index = new HashMap<>();
         names.forEach(name -> index.put(name, index.size()));
         return placed.stream().mapToInt(s -> index.get(s.shape().material())).toArray();
     }
 
-    /** Whether the shapes of {@code other} are these, seen from here; its materials may be others. */
+    /** Whether the shapes of {@code other} are these, seen from this place; its materials may be others. */
     public boolean serves(Scene other) {
-        return scene.nodes().equals(other.nodes()) && scene.camera().equals(other.camera());
+        return hasShapesOf(other) && scene.camera().from().equals(other.camera().from());
+    }
+
+    private boolean hasShapesOf(Scene other) {
+        return scene.nodes().equals(other.nodes());
+    }
+
+    /**
+     * What rays of another scene can meet: this itself where it serves that scene, its tree with moved boxes where shapes are
+     * the same and the camera stands elsewhere, and else built anew.
+     *
+     * @param everyMirrors as for a new one
+     */
+    public Geometry forScene(Scene other, boolean everyMirrors) {
+        if (!hasShapesOf(other)) {
+            return new Geometry(other, everyMirrors);
+        }
+        return serves(other) && everyMirror == everyMirrors ? of(other) : new Geometry(this, other, everyMirrors);
     }
 
     /**

@@ -5,8 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.Random;
 import lightning.math.Vec3;
+import lightning.scene.Camera;
+import lightning.scene.Scene;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
@@ -25,6 +28,40 @@ class BvhTest {
                 assertThat(geometry.blocked(ray, p.limit[i])).isEqualTo(geometry.blockedByAny(ray, p.limit[i]));
             }
         }
+    }
+
+    @Property
+    void movedCamera_movesTheBoxesOfATreeThatKeepsItsForm(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed,
+            @ForAll @DoubleRange(min = -100, max = 100) double by) {
+        Scene scene = TraceScenes.wild(shapes, seed);
+        Geometry here = new Geometry(scene);
+        Camera camera = scene.camera();
+        Vec3 from = camera.from().plus(new Vec3(by, -by / 3, 1));
+        Geometry there = here.forScene(scene.withCamera(new Camera(from, from.plus(new Vec3(0.3, 1, 2)), camera.up(), camera.fov())), false);
+        assertThat(there.bvh().child).isSameAs(here.bvh().child);
+        assertCovered(there.bvh());
+        TraceRays rays = new TraceRays(there, seed);
+        rays.fill(p);
+        for (int i = 0; i < RayPacket.WIDTH; i++) {
+            Ray ray = TraceRays.ray(p, i);
+            assertThat(there.nearest(ray)).isEqualTo(there.nearestOfAll(ray));
+            assertThat(there.blocked(ray, p.limit[i])).isEqualTo(there.blockedByAny(ray, p.limit[i]));
+        }
+    }
+
+    @Test
+    void turnedCamera_changesNothing() {
+        Scene scene = TraceScenes.cloud(10, 1);
+        Camera camera = scene.camera();
+        Geometry here = new Geometry(scene);
+        Vec3 to = camera.from().plus(new Vec3(1, 2, 3));
+        assertThat(here.forScene(scene.withCamera(new Camera(camera.from(), to, camera.up(), 10)), false)).isSameAs(here);
+    }
+
+    @Test
+    void otherShapes_haveATreeOfTheirOwn() {
+        Geometry few = new Geometry(TraceScenes.cloud(10, 1));
+        assertThat(few.forScene(TraceScenes.cloud(11, 1), false).shapeCount()).isEqualTo(11);
     }
 
     @Test
@@ -50,7 +87,10 @@ class BvhTest {
 
     @Test
     void childBoxes_coverAllBelowThem() {
-        Bvh bvh = new Geometry(TraceScenes.cloud(300, 2)).bvh();
+        assertCovered(new Geometry(TraceScenes.cloud(300, 2)).bvh());
+    }
+
+    private static void assertCovered(Bvh bvh) {
         for (int i = 0; i < bvh.child.length; i++) {
             int c = bvh.child[i];
             for (int inner = 0; inner < (c < 0 ? 1 : 2); inner++) {

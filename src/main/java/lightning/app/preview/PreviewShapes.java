@@ -31,10 +31,8 @@ final class PreviewShapes {
         PreviewCamera view = model.previewCameraProperty().get();
         Thread.ofVirtual().name("lightning-pick").start(() -> {
             ScenePicker now = picker;
-            if (now == null || !now.serves(scene)) {
-                now = new ScenePicker(scene);
-                picker = now;
-            }
+            now = now == null ? new ScenePicker(scene) : now.forScene(scene);
+            picker = now;
             now.at(view, viewport, place).ifPresent(found ->
                     model.window().execute(() -> menu.show(canvas, found.shape(), x, y)));
         });
