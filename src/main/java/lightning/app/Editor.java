@@ -22,8 +22,6 @@ import lightning.text.Quote;
 
 /** The editor of one document in one window, from opening to closing. */
 final class Editor implements AutoCloseable {
-    private static final String GLOWING = "glowing textures";
-
     private final Stage stage;
     private final Preferences preferences = new Preferences(Folders.data());
     private final Recovery recovery = new Recovery(Folders.data().resolve("recovery"));
@@ -46,7 +44,7 @@ final class Editor implements AutoCloseable {
         model = new EditorModel(document, recovery, hops);
         model.precisionProperty().set(preferences.choice("precision", Precision.EXACT));
         model.viewProperty().set(model.viewProperty().get().withCurve(preferences.choice("curve", DisplayCurve.SRGB)));
-        model.litPreviewProperty().set(!preferences.is("preview", GLOWING));
+        model.previewLook().restore(preferences);
         files = new FileActions(model, prompt, notices, preferences, this::closeWindow);
         window = new EditorWindow(model, files, notices);
         disk = new DiskBar(model, hops, files::compareWithDisk);
@@ -112,7 +110,7 @@ final class Editor implements AutoCloseable {
         preferences.set("height", stage.getScene().getHeight());
         preferences.set("theme", Looks.worn().name());
         preferences.set("curve", model.viewProperty().get().curve().name());
-        preferences.set("preview", model.litPreviewProperty().get() ? "" : GLOWING);
+        model.previewLook().remember(preferences);
         preferences.set("precision", model.precisionProperty().get().name());
         preferences.save();
     }

@@ -71,22 +71,17 @@ final class EditorMenu extends MenuBar {
         only.selectedProperty().bindBidirectional(model.look().onlySelectedProperty());
         var shown = new Menu("Show the Picture");
         shown.getItems().setAll(ViewItems.of(model, "menu-view"));
-        return menu("View", only, shown, new SeparatorMenuItem(), item("Fit Picture", "Shortcut+0", picture::fit), item("Actual Pixels", "Shortcut+1", picture::oneToOne),
+        Menu view = menu("View", only, shown, new SeparatorMenuItem(), item("Fit Picture", "Shortcut+0", picture::fit), item("Actual Pixels", "Shortcut+1", picture::oneToOne),
                 item("Zoom In", "Shortcut+EQUALS", () -> picture.zoomBy(ZOOM)),
                 item("Zoom Out", "Shortcut+MINUS", () -> picture.zoomBy(1 / ZOOM)),
                 item("Trace a Region", "Shortcut+B", traced::frameRegion), new SeparatorMenuItem(),
                 item("Preview Along X", "Shortcut+F2", () -> look(PreviewCamera.alongX(model.scene()))),
                 item("Preview from Above", "Shortcut+F3", () -> look(PreviewCamera.alongMinusY(model.scene()))),
                 item("Reset the Preview", "Shortcut+F4", () -> look(PreviewCamera.of(model.scene()))),
-                item("Show All Lights", "Shortcut+F5", preview.canvas()::frameLights), glowing(), new SeparatorMenuItem(), light());
-    }
-
-    private MenuItem glowing() {
-        var glowing = new CheckMenuItem("Glowing Textures in the Preview, as in 1998");
-        glowing.setId("glowing-textures");
-        model.litPreviewProperty().subscribe(lit -> glowing.setSelected(!lit));
-        glowing.setOnAction(_ -> model.litPreviewProperty().set(!glowing.isSelected()));
-        return glowing;
+                item("Show All Lights", "Shortcut+F5", preview.canvas()::frameLights), new SeparatorMenuItem());
+        view.getItems().addAll(PreviewItems.of(model.previewLook()));
+        view.getItems().addAll(new SeparatorMenuItem(), light());
+        return view;
     }
 
     private static MenuItem light() {

@@ -45,10 +45,14 @@ public record LightGizmo(Light light, List<Line> lines) {
         }
     }
 
-    /** The gizmo of a light as large as this view needs it. */
-    public static LightGizmo of(Light light, PreviewCamera view, Viewport canvas) {
+    /**
+     * The gizmo of a light as large as this view needs it.
+     *
+     * @param size &gt; 0, what multiplies the normal size
+     */
+    public static LightGizmo of(Light light, PreviewCamera view, Viewport canvas, double size) {
         double depth = Math.max(view.depth(light.position()), NEAR * view.distance());
-        double pixel = view.pixelScale(depth, canvas.height());
+        double pixel = size * view.pixelScale(depth, canvas.height());
         return new LightGizmo(light, switch (light.type()) {
             case POINT -> sphere(light.position(), RADIUS * pixel);
             case SPOT -> {
@@ -132,11 +136,12 @@ public record LightGizmo(Light light, List<Line> lines) {
     }
 
     /** The light whose gizmo is nearest to a place, at most {@code tolerance} pixels away; among equals the nearest to the eye. */
-    public static Optional<Light> pick(List<Light> lights, PreviewCamera view, Viewport canvas, Viewport.Pixel place, double tolerance) {
+    public static Optional<Light> pick(List<Light> lights, PreviewCamera view, Viewport canvas, double size, Viewport.Pixel place,
+            double tolerance) {
         Light best = null;
         double least = tolerance;
         for (Light light : lights) {
-            double distance = of(light, view, canvas).distance(view, canvas, place);
+            double distance = of(light, view, canvas, size).distance(view, canvas, place);
             boolean nearer = distance < least || best == null && distance <= least
                     || best != null && distance == least && view.depth(light.position()) < view.depth(best.position());
             if (nearer) {

@@ -46,15 +46,27 @@ class LightGizmoTest {
     @Test
     void pointLight_isASphereAboutIt() {
         double pixel = view.pixelScale(view.depth(middle), 400);
-        assertThat(ends(LightGizmo.of(light(LightType.POINT), view, CANVAS)))
+        assertThat(ends(LightGizmo.of(light(LightType.POINT), view, CANVAS, 1)))
                 .allSatisfy(p -> assertThat(p.minus(middle).length() / pixel).isCloseTo(12, within(1e-9)));
+    }
+
+    @Test
+    void size_multipliesEveryLengthOfTheGizmo() {
+        for (LightType type : LightType.values()) {
+            List<LightGizmo.Line> small = LightGizmo.of(light(type), view, CANVAS, 1).lines();
+            List<LightGizmo.Line> large = LightGizmo.of(light(type), view, CANVAS, 1.6).lines();
+            for (int i = 0; i < small.size(); i++) {
+                Vec3 expected = middle.plus(small.get(i).to().minus(middle).times(1.6));
+                assertThat(large.get(i).to().minus(expected).length()).isLessThan(1e-9);
+            }
+        }
     }
 
     @Test
     void spot_opensAsWideAsItsAngle() {
         for (double angle : new double[] {5, 25, 60, 120}) {
             Light spot = light(LightType.SPOT).withAngle(angle);
-            List<Vec3> rim = ends(LightGizmo.of(spot, view, CANVAS)).filter(p -> p.minus(middle).length() > 1e-9).toList();
+            List<Vec3> rim = ends(LightGizmo.of(spot, view, CANVAS, 1)).filter(p -> p.minus(middle).length() > 1e-9).toList();
             assertThat(rim).isNotEmpty().allSatisfy(p ->
                     assertThat(Math.toDegrees(Math.acos(p.minus(middle).normalized().dot(new Vec3(1, 0, 0)))))
                             .isCloseTo(angle, within(1e-6)));
@@ -63,7 +75,7 @@ class LightGizmoTest {
 
     @Test
     void directionalLight_isLongAndThinAlongItsDirection() {
-        LightGizmo gizmo = LightGizmo.of(light(LightType.DIRECTIONAL), view, CANVAS);
+        LightGizmo gizmo = LightGizmo.of(light(LightType.DIRECTIONAL), view, CANVAS, 1);
         double length = ends(gizmo).mapToDouble(p -> p.minus(middle).x()).max().orElseThrow();
         double radius = ends(gizmo).mapToDouble(p -> Math.abs(p.minus(middle).y())).max().orElseThrow();
         assertThat(length).isGreaterThan(8 * radius);
@@ -74,27 +86,27 @@ class LightGizmoTest {
         Light left = light(LightType.POINT).withName("left").withPosition(middle.minus(view.right()));
         Light right = light(LightType.POINT).withName("right").withPosition(middle.plus(view.right()));
         Viewport.Pixel place = CANVAS.pixel(view, right.position());
-        assertThat(LightGizmo.pick(List.of(left, right), view, CANVAS, place, 8)).contains(right);
+        assertThat(LightGizmo.pick(List.of(left, right), view, CANVAS, 1, place, 8)).contains(right);
     }
 
     @Test
     void clickOnEmptyCanvas_picksNothing() {
-        assertThat(LightGizmo.pick(List.of(light(LightType.SPOT)), view, CANVAS, new Viewport.Pixel(5, 5), 8)).isEmpty();
-        assertThat(LightGizmo.pick(List.of(), view, CANVAS, new Viewport.Pixel(5, 5), 8)).isEmpty();
+        assertThat(LightGizmo.pick(List.of(light(LightType.SPOT)), view, CANVAS, 1, new Viewport.Pixel(5, 5), 8)).isEmpty();
+        assertThat(LightGizmo.pick(List.of(), view, CANVAS, 1, new Viewport.Pixel(5, 5), 8)).isEmpty();
     }
 
     @Test
     void lightsOnOneRay_theNearerIsPicked() {
         Light far = light(LightType.POINT).withName("far");
         Light near = light(LightType.POINT).withName("near").withPosition(middle.minus(view.forward().times(2)));
-        assertThat(LightGizmo.pick(List.of(far, near), view, CANVAS, new Viewport.Pixel(300, 200), 8)).contains(near);
-        assertThat(LightGizmo.pick(List.of(near, far), view, CANVAS, new Viewport.Pixel(300, 200), 8)).contains(near);
+        assertThat(LightGizmo.pick(List.of(far, near), view, CANVAS, 1, new Viewport.Pixel(300, 200), 8)).contains(near);
+        assertThat(LightGizmo.pick(List.of(near, far), view, CANVAS, 1, new Viewport.Pixel(300, 200), 8)).contains(near);
     }
 
     @Test
     void lightBehindTheEye_isNeitherDrawnNorPicked() {
         Light behind = light(LightType.POINT).withPosition(view.camera().from().minus(view.forward().times(3)));
-        LightGizmo gizmo = LightGizmo.of(behind, view, CANVAS);
+        LightGizmo gizmo = LightGizmo.of(behind, view, CANVAS, 1);
         assertThat(gizmo.strokes(view, CANVAS)).isEmpty();
         assertThat(gizmo.distance(view, CANVAS, new Viewport.Pixel(300, 200))).isInfinite();
     }
@@ -106,7 +118,7 @@ class LightGizmoTest {
         boolean central = camera.depth(position) > 0.5
                 && Math.hypot(middlePixel.x() - 300, middlePixel.y() - 200) < 100;
         if (central) {
-            for (LightGizmo.Stroke stroke : LightGizmo.of(point, camera, CANVAS).strokes(camera, CANVAS)) {
+            for (LightGizmo.Stroke stroke : LightGizmo.of(point, camera, CANVAS, 1).strokes(camera, CANVAS)) {
                 assertThat(stroke.from().distance(middlePixel)).isLessThan(20);
             }
         }
@@ -116,7 +128,7 @@ class LightGizmoTest {
     void everyStroke_isFinite(@ForAll("cameras") PreviewCamera camera, @ForAll("points") Vec3 position,
             @ForAll("directions") Vec3 direction, @ForAll LightType type) {
         Light any = Desk.spot(position, direction).withType(type);
-        assertThat(LightGizmo.of(any, camera, CANVAS).strokes(camera, CANVAS)).allSatisfy(s -> {
+        assertThat(LightGizmo.of(any, camera, CANVAS, 1).strokes(camera, CANVAS)).allSatisfy(s -> {
             assertThat(s.from().x() + s.from().y() + s.to().x() + s.to().y()).isFinite();
         });
     }
@@ -125,7 +137,7 @@ class LightGizmoTest {
     void clickOnALightsPlace_picksIt(@ForAll("cameras") PreviewCamera camera, @ForAll("points") Vec3 position, @ForAll LightType type) {
         if (camera.depth(position) > 0.1 * camera.distance()) {
             Light any = Desk.spot(position, new Vec3(0, -1, 0)).withType(type);
-            assertThat(LightGizmo.pick(List.of(any), camera, CANVAS, CANVAS.pixel(camera, position), 0.001)).contains(any);
+            assertThat(LightGizmo.pick(List.of(any), camera, CANVAS, 1, CANVAS.pixel(camera, position), 0.001)).contains(any);
         }
     }
 }

@@ -41,7 +41,7 @@ public final class EditorModel implements AutoCloseable {
     private final ReadOnlyObjectWrapper<Light> selectedLight = new ReadOnlyObjectWrapper<>();
     private final ReadOnlyObjectWrapper<Situation> situation = new ReadOnlyObjectWrapper<>();
     private final ReadOnlyObjectWrapper<RenderState> rendering = new ReadOnlyObjectWrapper<>(RenderState.NONE);
-    private final BooleanProperty litPreview = new SimpleBooleanProperty(true);
+    private final PreviewLook previewLook = new PreviewLook();
     private final ObjectProperty<PreviewCamera> previewCamera = new SimpleObjectProperty<>();
     private final LongProperty previewFrames = new SimpleLongProperty();
     private final LongProperty repaints = new SimpleLongProperty();
@@ -141,9 +141,9 @@ public final class EditorModel implements AutoCloseable {
         return previewCamera;
     }
 
-    /** Whether lights fall on textures in the preview; else textures glow, as in 1998. */
-    public BooleanProperty litPreviewProperty() {
-        return litPreview;
+    /** How the preview looks. */
+    PreviewLook previewLook() {
+        return previewLook;
     }
 
     /** Counts the frames that the preview has drawn. */

@@ -27,17 +27,18 @@ final class GizmoLayer extends Canvas {
         setMouseTransparent(true);
     }
 
-    void draw(Scene scene, Light selected, PreviewCamera camera, Viewport canvas) {
+    /** @param size what multiplies the wireframes' normal size; the markers at the border stay as they are */
+    void draw(Scene scene, Light selected, PreviewCamera camera, Viewport canvas, double size) {
         GraphicsContext g = getGraphicsContext2D();
         g.clearRect(0, 0, getWidth(), getHeight());
         g.setLineCap(StrokeLineCap.ROUND);
         for (Light light : scene.lights()) {
             if (!light.equals(selected)) {
-                draw(g, light, scene.shines(light) ? PLAIN : DARK, camera, canvas);
+                draw(g, light, scene.shines(light) ? PLAIN : DARK, camera, canvas, size);
             }
         }
         if (selected != null) {
-            draw(g, selected, SELECTED, camera, canvas);
+            draw(g, selected, SELECTED, camera, canvas, size);
         }
         for (LightMarker marker : LightMarker.of(scene.lights(), camera, canvas)) {
             Light light = marker.light();
@@ -61,8 +62,8 @@ final class GizmoLayer extends Canvas {
         g.fillPolygon(x, y, 3);
     }
 
-    private static void draw(GraphicsContext g, Light light, Color color, PreviewCamera camera, Viewport canvas) {
-        var strokes = LightGizmo.of(light, camera, canvas).strokes(camera, canvas);
+    private static void draw(GraphicsContext g, Light light, Color color, PreviewCamera camera, Viewport canvas, double size) {
+        var strokes = LightGizmo.of(light, camera, canvas, size).strokes(camera, canvas);
         // A dark edge first, so that the wires are seen before bright surfaces too.
         lines(g, strokes, EDGE, EDGE_LINE);
         lines(g, strokes, color, LINE);

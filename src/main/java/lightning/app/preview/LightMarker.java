@@ -18,6 +18,7 @@ record LightMarker(Light light, Viewport.Pixel at, double angle) {
     /** From the border, pixels. */
     private static final double INSET = 10;
     private static final double TOLERANCE = 14;
+    private static final double FIRST_DISTANCE = 4;
 
     /** The markers of all lights that are out of view. */
     static List<LightMarker> of(List<Light> lights, PreviewCamera view, Viewport canvas) {
@@ -56,8 +57,24 @@ record LightMarker(Light light, Viewport.Pixel at, double angle) {
         return Optional.ofNullable(best).map(LightMarker::light);
     }
 
+    /**
+     * What is seen of a scene first: the view from farther away, until all those lights are in it that are from at most
+     * {@value #FIRST_DISTANCE} times the distance. One that is still farther out keeps its marker, for its sake the scene
+     * would become too small to work in.
+     */
+    static PreviewCamera firstView(List<Light> lights, PreviewCamera view, Viewport canvas) {
+        List<Light> near = lights.stream().filter(light -> {
+            PreviewCamera far = framing(List.of(light), view, canvas);
+            return far.distance() <= FIRST_DISTANCE * view.distance() && of(List.of(light), far, canvas).isEmpty();
+        }).toList();
+        return framing(near, view, canvas);
+    }
+
     /** The view from farther away, until every light is in it; as it is where all are. */
     static PreviewCamera framing(List<Light> lights, PreviewCamera view, Viewport canvas) {
+        if (of(lights, view, canvas).isEmpty()) {
+            return view;
+        }
         PreviewCamera far = view;
         for (int i = 0; i < 100 && !of(lights, far, canvas).isEmpty(); i++) {
             far = far.zoomed(-canvas.height() / 20, canvas);

@@ -38,6 +38,8 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
     private final PauseTransition rest = new PauseTransition(REST);
     private final ObjectProperty<CanvasSize> size = new SimpleObjectProperty<>(CanvasSize.LIKE_PICTURE);
     private boolean moving;
+    /** Whether a scene was opened and is not laid out yet. */
+    private boolean opened;
 
     PreviewCanvas(EditorModel model) {
         this.model = model;
@@ -49,10 +51,14 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         setAccessibleRole(AccessibleRole.IMAGE_VIEW);
         setAccessibleText("Preview of the scene with its lights");
         getChildren().addAll(image, gizmos);
+        model.documentProperty().subscribe(_ -> opened = true);
         model.sceneProperty().subscribe(_ -> requestLayout());
         model.selectedLightProperty().subscribe(_ -> requestLayout());
         model.viewProperty().subscribe(_ -> requestLayout());
-        model.litPreviewProperty().subscribe(_ -> requestLayout());
+        PreviewLook look = model.previewLook();
+        look.litProperty().subscribe(_ -> requestLayout());
+        look.gizmosProperty().subscribe(_ -> requestLayout());
+        look.sizeProperty().subscribe(_ -> requestLayout());
         size.subscribe(_ -> requestLayout());
         model.previewCameraProperty().subscribe(_ -> {
             moving = true;
@@ -141,9 +147,16 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         gizmos.setHeight(frame.shownHeight());
         gizmos.relocate(left(), top());
         mouse.setCanvas(new Viewport(frame.shownWidth(), frame.shownHeight()));
-        gizmos.draw(model.scene(), model.selectedLight(), model.previewCameraProperty().get(), mouse.canvas());
+        if (opened) {
+            opened = false;
+            model.previewCameraProperty().set(
+                    LightMarker.firstView(model.lights(), model.previewCameraProperty().get(), mouse.canvas()));
+        }
+        gizmos.setVisible(model.previewLook().gizmosProperty().get());
+        gizmos.draw(model.scene(), model.selectedLight(), model.previewCameraProperty().get(), mouse.canvas(),
+                model.previewLook().sizeProperty().get().factor());
         loop.draw(new PreviewLoop.Wish(model.scene(), model.previewCameraProperty().get(), frame.width(), frame.height(),
-                model.viewProperty().get(), model.litPreviewProperty().get() ? ViewEffects.PREVIEW : ViewEffects.PREVIEW_1998, moving));
+                model.viewProperty().get(), model.previewLook().litProperty().get() ? ViewEffects.PREVIEW : ViewEffects.PREVIEW_1998, moving));
     }
 
     private void drawn(PreviewLoop.Picture picture) {

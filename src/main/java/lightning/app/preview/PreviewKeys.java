@@ -14,7 +14,7 @@ import lightning.scene.Light;
  * The keyboard in the preview: arrows rotate the selected light, with Control they move it in the viewing plane, Page
  * Up and Down move it along the view; arrows with Shift zoom and pan the camera, with Shift and Control they turn it;
  * the square brackets select the light before and after, X, Y and Z are the three views,
- * A goes back until all lights are in view.
+ * A goes back until all lights are in view, G hides the gizmos and shows them again.
  */
 final class PreviewKeys {
     /** One press of a key is a drag of so many pixels. */
@@ -56,6 +56,7 @@ final class PreviewKeys {
             case Y -> plain && view(PreviewCamera.alongMinusY(model.scene()));
             case Z -> plain && view(PreviewCamera.of(model.scene()));
             case L -> plain && through();
+            case G -> plain && gizmos();
             case HOME, A -> plain && view(LightMarker.framing(model.lights(), model.previewCameraProperty().get(), mouse.canvas()));
             case OPEN_BRACKET -> select(-1);
             case CLOSE_BRACKET -> select(1);
@@ -89,6 +90,12 @@ final class PreviewKeys {
 
     private boolean view(PreviewCamera camera) {
         model.previewCameraProperty().set(camera);
+        return true;
+    }
+
+    private boolean gizmos() {
+        var shown = model.previewLook().gizmosProperty();
+        shown.set(!shown.get());
         return true;
     }
 

@@ -49,17 +49,21 @@ final class PreviewMouse {
         return canvas;
     }
 
-    /** The lights whose gizmos, or whose markers at the border, are under a place of the canvas; the nearest first. */
+    /** The lights whose gizmos, or whose markers at the border, are under a place of the canvas; the nearest first, none while they are hidden. */
     List<Light> lightsAt(double x, double y) {
+        if (!model.previewLook().gizmosProperty().get()) {
+            return List.of();
+        }
+        double size = model.previewLook().sizeProperty().get().factor();
         PreviewCamera view = model.previewCameraProperty().get();
         var place = new Viewport.Pixel(x, y);
         List<Light> left = new ArrayList<>(model.lights());
         List<Light> hits = new ArrayList<>();
-        Optional<Light> hit = LightGizmo.pick(left, view, canvas, place, TOLERANCE);
+        Optional<Light> hit = LightGizmo.pick(left, view, canvas, size, place, TOLERANCE);
         while (hit.isPresent()) {
             hits.add(hit.get());
             left.remove(hit.get());
-            hit = LightGizmo.pick(left, view, canvas, place, TOLERANCE);
+            hit = LightGizmo.pick(left, view, canvas, size, place, TOLERANCE);
         }
         if (hits.isEmpty()) {
             LightMarker.pick(left, view, canvas, place).ifPresent(hits::add);

@@ -4,6 +4,7 @@ import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
+import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.StackPane;
@@ -12,6 +13,8 @@ import lightning.app.command.SizeMenu;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.PaneHeader;
 import lightning.edit.PreviewCamera;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 
 /** The interactive preview: every light in real time, and the place where lights are taken by hand. */
 public final class PreviewPane extends BorderPane implements AutoCloseable {
@@ -59,7 +62,17 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
                 view("view-x", "X", "Along the x axis (X)", () -> PreviewCamera.alongX(model.scene())),
                 view("view-y", "−Y", "From above, along the negative y axis (Y)", () -> PreviewCamera.alongMinusY(model.scene())),
                 view("view-z", "−Z", "Reset: the scene's own camera (Z)", () -> PreviewCamera.of(model.scene())),
-                eye());
+                gizmos(), eye());
+    }
+
+    private ToggleButton gizmos() {
+        var shown = new ToggleButton("", new FontIcon(MaterialDesignC.CONE));
+        shown.setId("gizmos");
+        shown.setAccessibleText("Gizmos of the lights");
+        shown.setTooltip(new Tooltip("Gizmos of the lights (G)\nWhile they are hidden, the mouse takes no light."));
+        shown.getStyleClass().add("view-button");
+        shown.selectedProperty().bindBidirectional(model.previewLook().gizmosProperty());
+        return shown;
     }
 
     private CommandButton eye() {

@@ -2,18 +2,23 @@ package lightning.app.preview;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import lightning.edit.OpenDocument;
 import lightning.edit.PreviewCamera;
 import lightning.edit.Viewport;
 import lightning.math.Vec3;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Scene;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class LightMarkerTest {
     private static final PreviewCamera VIEW = new PreviewCamera(new Camera(new Vec3(0, 0, 10), Vec3.ZERO, Vec3.Y, 40));
@@ -69,5 +74,38 @@ class LightMarkerTest {
             @ForAll @DoubleRange(min = -99, max = 99) double y, @ForAll @DoubleRange(min = -99, max = 99) double z) {
         List<Light> lights = List.of(at(x, y, z), at(0, 1, 0));
         assertThat(LightMarker.of(lights, LightMarker.framing(lights, VIEW, CANVAS), CANVAS)).isEmpty();
+    }
+
+    @Test
+    void framing_ofLightsInView_keepsTheView() {
+        assertThat(LightMarker.framing(List.of(at(0, 0, 0)), VIEW, CANVAS)).isEqualTo(VIEW);
+        assertThat(LightMarker.framing(List.of(), VIEW, CANVAS)).isEqualTo(VIEW);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"balls", "bird", "desk", "house", "night", "orange", "spaceship"})
+    void firstView_ofEverySceneThatComesAlong_showsAllItsLights(String name) throws Exception {
+        Scene scene = OpenDocument.open(Path.of("scenes", name + ".jen")).scene();
+        var canvas = new Viewport(400.0 * scene.picture().width() / scene.picture().height(), 400);
+        PreviewCamera first = LightMarker.firstView(scene.lights(), PreviewCamera.of(scene), canvas);
+        assertThat(LightMarker.of(scene.lights(), first, canvas)).isEmpty();
+    }
+
+    @Test
+    void lightAbsurdlyFarAway_doesNotMakeTheFirstViewTiny() {
+        Light lamp = at(4, 3, 0);
+        Light star = at(1e6, 1e6, 0);
+        PreviewCamera withoutStar = LightMarker.firstView(List.of(lamp), VIEW, CANVAS);
+        assertThat(LightMarker.of(List.of(lamp), withoutStar, CANVAS)).isEmpty();
+        assertThat(LightMarker.firstView(List.of(lamp, star), VIEW, CANVAS)).isEqualTo(withoutStar);
+        assertThat(LightMarker.of(List.of(lamp, star), withoutStar, CANVAS)).hasSize(1);
+    }
+
+    @Property
+    void firstView_isFromAtMostFourTimesTheDistanceAndAStep(@ForAll @DoubleRange(min = -99, max = 99) double x,
+            @ForAll @DoubleRange(min = -99, max = 99) double y, @ForAll @DoubleRange(min = -99, max = 99) double z) {
+        PreviewCamera first = LightMarker.firstView(List.of(at(x, y, z), at(0, 1, 0)), VIEW, CANVAS);
+        assertThat(first.distance()).isBetween(10.0, 4 * 10 * Math.exp(0.1));
+        assertThat(first.forward()).isEqualTo(VIEW.forward());
     }
 }

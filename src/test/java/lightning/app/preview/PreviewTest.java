@@ -2,6 +2,8 @@ package lightning.app.preview;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import javafx.event.Event;
 import javafx.event.EventType;
@@ -200,5 +202,70 @@ class PreviewTest extends EditorDesk {
         assertThat(model().selectedLight()).isIn(model().lights());
         click("view-all");
         assertThat(LightMarker.of(model().lights(), model().previewCameraProperty().get(), preview().viewport())).isEmpty();
+    }
+
+    @Test
+    void hiddenGizmo_isNeitherTakenNorSelected() {
+        robot.interact(() -> model().selectLight("stage"));
+        click("gizmos");
+        Light lamp = light("lamp");
+        robot.clickOn(inPreview(lamp.position()));
+        drag(lamp, MouseButton.SECONDARY, 30, 20);
+        assertThat(model().selectedLight().name()).isEqualTo("stage");
+        assertThat(light("lamp")).isEqualTo(lamp);
+        assertThat(isEnabled(Command.UNDO)).isFalse();
+        click("gizmos");
+        robot.clickOn(inPreview(lamp.position()));
+        assertThat(model().selectedLight().name()).isEqualTo("lamp");
+    }
+
+    @Test
+    void hiddenMarker_isNotTaken() {
+        robot.interact(() -> model().previewCameraProperty().set(
+                model().previewCameraProperty().get().panned(-400, 0, preview().viewport())));
+        var marker = LightMarker.of(model().lights(), model().previewCameraProperty().get(), preview().viewport()).getLast();
+        robot.interact(() -> {
+            model().selectLight("lamp");
+            preview().requestFocus();
+        });
+        robot.type(KeyCode.G);
+        assertThat(model().previewLook().gizmosProperty().get()).isFalse();
+        robot.clickOn(preview().onScreen(marker.at()));
+        assertThat(model().selectedLight().name()).isEqualTo("lamp");
+    }
+
+    @Test
+    void largeGizmo_isTakenWhereItIsDrawn() {
+        // The sphere of a point light has a radius of 12 pixels, 19.2 where it is large; a click may be 8 beside it.
+        Point2D rim = inPreview(light("lamp").position()).add(0, -24);
+        robot.interact(() -> model().selectLight("stage"));
+        robot.clickOn(rim);
+        assertThat(model().selectedLight().name()).isEqualTo("stage");
+        robot.interact(() -> model().previewLook().sizeProperty().set(GizmoSize.LARGE));
+        robot.clickOn(rim);
+        assertThat(model().selectedLight().name()).isEqualTo("lamp");
+    }
+
+    @Test
+    void openedScene_isFirstSeenWithAllItsLights() throws Exception {
+        PreviewCamera own = PreviewCamera.of(model().scene());
+        assertThat(model().previewCameraProperty().get()).as("all lights are in view").isEqualTo(own);
+        String text = Files.readString(folder.resolve("desk.jen")).replace("at -2 2.2 0.5", "at -2 6.2 0.5");
+        Path other = Files.writeString(folder.resolve("high.jen"), text);
+        robot.interact(() -> editor.files().load(other));
+        waitFor("the scene is open", () -> model().document().name().equals("high.jen"));
+        waitForPicture();
+        assertThat(model().previewCameraProperty().get().distance()).isGreaterThan(own.distance());
+        assertThat(LightMarker.of(model().lights(), model().previewCameraProperty().get(), preview().viewport())).isEmpty();
+        assertThat(model().frame().scene().camera()).as("of the traced picture").isEqualTo(model().scene().camera());
+        assertThat(model().document().isDirty()).isFalse();
+    }
+
+    @Test
+    void edit_leavesTheViewAsItIs() {
+        PreviewCamera before = model().previewCameraProperty().get();
+        robot.interact(() -> model().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withPosition(new Vec3(0, 50, 0)))));
+        QuickRobot.settle();
+        assertThat(model().previewCameraProperty().get()).isEqualTo(before);
     }
 }

@@ -1,0 +1,40 @@
+package lightning.app;
+
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleObjectProperty;
+
+/** How the preview looks, which is no part of the scene. */
+final class PreviewLook {
+    private static final String GLOWING = "glowing textures";
+
+    private final BooleanProperty lit = new SimpleBooleanProperty(true);
+    private final BooleanProperty gizmos = new SimpleBooleanProperty(true);
+    private final ObjectProperty<GizmoSize> size = new SimpleObjectProperty<>(GizmoSize.NORMAL);
+
+    /** Whether lights fall on textures; else textures glow, as in 1998. */
+    BooleanProperty litProperty() {
+        return lit;
+    }
+
+    /** Whether the lights' wireframes and markers are shown; what is hidden cannot be taken by the mouse. */
+    BooleanProperty gizmosProperty() {
+        return gizmos;
+    }
+
+    ObjectProperty<GizmoSize> sizeProperty() {
+        return size;
+    }
+
+    /** As it was left. Gizmos are shown in any case: without them nobody would find the lights. */
+    void restore(Preferences preferences) {
+        lit.set(!preferences.is("preview", GLOWING));
+        size.set(preferences.choice("gizmos", GizmoSize.NORMAL));
+    }
+
+    void remember(Preferences preferences) {
+        preferences.set("preview", lit.get() ? "" : GLOWING);
+        preferences.set("gizmos", size.get().name());
+    }
+}
