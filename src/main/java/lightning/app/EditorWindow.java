@@ -63,6 +63,8 @@ public final class EditorWindow extends BorderPane implements AutoCloseable {
 
     /** The keyboard takes lights at once. */
     void focus() {
+        // What lies between the bars of the split panes is in the window only when they have their looks.
+        applyCss();
         preview.canvas().requestFocus();
     }
 

@@ -9,14 +9,15 @@ import javafx.scene.layout.VBox;
 import lightning.app.widget.PaneHeader;
 
 /** The editor's panes before there is a scene in them; they say what is being read. */
-final class OpeningPane extends SplitPane {
+final class OpeningPane extends BorderPane {
 
     OpeningPane(Path file) {
         setId("opening");
         getStyleClass().add("editor");
         String reading = "Reading " + file.getFileName() + " …";
-        getItems().setAll(pane("Ray traced", reading), pane("Preview", reading), side(reading));
-        setDividerPositions(EditorWindow.CANVASES / 2, EditorWindow.CANVASES);
+        var panes = new SplitPane(pane("Ray traced", reading), pane("Preview", reading), side(reading));
+        panes.setDividerPositions(EditorWindow.CANVASES / 2, EditorWindow.CANVASES);
+        setCenter(panes);
     }
 
     private static BorderPane pane(String title, String text) {

@@ -50,8 +50,16 @@ class LightningAppTest {
     void window_hasBothCanvasesAndWhatStandsBesideThem(FxRobot robot) throws Exception {
         assertThat(stage.isShowing()).isTrue();
         OpenEditor.await(() -> robot.lookup("#editor").tryQuery().isPresent());
+        QuickRobot.settle();
         for (String pane : new String[] {"#traced", "#preview", "#lights", "#properties"}) {
             assertThat(robot.lookup(pane).tryQuery()).as(pane).isPresent();
         }
+    }
+
+    @Test
+    void preview_takesTheKeysAtOnce(FxRobot robot) throws Exception {
+        OpenEditor.await(() -> robot.lookup("#editor").tryQuery().isPresent());
+        QuickRobot.settle();
+        assertThat(stage.getScene().getFocusOwner().getId()).isEqualTo("preview-canvas");
     }
 }
