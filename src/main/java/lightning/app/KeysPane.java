@@ -26,7 +26,7 @@ final class KeysPane extends GridPane {
             new Row("Along the x axis, from above, the scene's camera", "X, −Y, −Z", "X, Y, Z"),
             new Row("All lights in view", "All", "A"),
             new Row("Through the selected light, and back", "the eye", "L"),
-            new Row("Hide the gizmos, and show them again", "the cone", "G, Ctrl + G"));
+            new Row("Hide the gizmos, and show them again", "the crossed cone", "G, Ctrl + G"));
     private static final List<Row> PICTURE = List.of(
             new Row("What a pixel is made of", "hover", ""),
             new Row("Select the light that matters most there", "click", ""),

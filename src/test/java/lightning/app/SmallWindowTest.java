@@ -19,6 +19,7 @@ import javafx.stage.Stage;
 import lightning.app.model.Precision;
 import lightning.app.widget.OnScreen;
 import lightning.edit.Command;
+import lightning.edit.LightEdits;
 import org.junit.jupiter.api.Test;
 import org.kordamp.ikonli.javafx.FontIcon;
 
@@ -119,6 +120,27 @@ class SmallWindowTest extends EditorDesk {
                     .queryAllAs(Labeled.class).stream().filter(SmallWindowTest::isCut).map(Labeled::getText).collect(Collectors.toSet());
             assertThat(cut).isEmpty();
         }
+    }
+
+    @Test
+    void badge_isReadInFull() {
+        resize(860, 540);
+        robot.interact(() -> {
+            model().precisionProperty().set(Precision.ON_DEMAND);
+            model().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withIntensity(0.5)));
+            model().go();
+        });
+        waitFor("mirrors are older", () -> isShown("mirrors"));
+        QuickRobot.settle();
+        Labeled badge = robot.lookup("#mirrors").query();
+        assertThat(onScreen(robot.lookup("#traced").query()).contains(onScreen(badge))).isTrue();
+        assertThat(textOf(badge)).isEqualToIgnoringWhitespace(badge.getText());
+    }
+
+    /** What is drawn of it. */
+    private static String textOf(Labeled labeled) {
+        return labeled.getChildrenUnmodifiable().stream().filter(n -> n instanceof Text t && !(n instanceof FontIcon))
+                .map(n -> ((Text) n).getText()).collect(Collectors.joining());
     }
 
     @Test

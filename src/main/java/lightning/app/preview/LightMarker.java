@@ -37,6 +37,10 @@ record LightMarker(Light light, Viewport.Pixel at, double angle) {
             }
         }
         Vec3 way = light.position().minus(view.camera().from());
+        if (way.maxAbs() == 0) {
+            // Seen through the light itself there is no way to it.
+            return Optional.empty();
+        }
         double angle = Math.atan2(-way.dot(view.up()), way.dot(view.right()));
         double halfWidth = Math.max(1, canvas.width() / 2 - INSET);
         double halfHeight = Math.max(1, canvas.height() / 2 - INSET);

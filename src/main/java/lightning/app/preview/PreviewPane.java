@@ -65,14 +65,17 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
                 gizmos(), eye());
     }
 
+    /** Down, and seen to be, while something is missing. */
     private ToggleButton gizmos() {
-        var shown = new ToggleButton("", new FontIcon(MaterialDesignC.CONE));
-        shown.setId("gizmos");
-        shown.setAccessibleText("Gizmos of the lights");
-        shown.setTooltip(new Tooltip("Gizmos of the lights (G)\nWhile they are hidden, the mouse takes no light."));
-        shown.getStyleClass().add("view-button");
-        shown.selectedProperty().bindBidirectional(model.previewLook().gizmosProperty());
-        return shown;
+        var hide = new ToggleButton("", new FontIcon(MaterialDesignC.CONE_OFF));
+        hide.setId("gizmos");
+        hide.setAccessibleText("Hide the lights' gizmos");
+        hide.setTooltip(new Tooltip("Hide the lights' gizmos (G)\nWhile they are hidden, the mouse takes no light."));
+        hide.getStyleClass().add("view-button");
+        var shown = model.previewLook().gizmosProperty();
+        shown.subscribe(on -> hide.setSelected(!on));
+        hide.setOnAction(_ -> shown.set(!hide.isSelected()));
+        return hide;
     }
 
     private CommandButton eye() {

@@ -10,6 +10,7 @@ final class Badge extends Label {
     Badge(String id, Lasting.Later later) {
         setId(id);
         getStyleClass().add("badge");
+        setWrapText(true);
         managedProperty().bind(visibleProperty());
         remark = new Lasting(later, Lasting.NOTICED, text -> {
             setText(text);

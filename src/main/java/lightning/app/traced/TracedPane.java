@@ -1,6 +1,7 @@
 package lightning.app.traced;
 
 import java.util.Optional;
+import javafx.geometry.Insets;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -37,6 +38,7 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 
 /** The ray-traced canvas: the picture, what it does not show yet, how far it is, and what a pixel of it is made of. */
 public final class TracedPane extends BorderPane implements AutoCloseable {
+    private static final Insets BADGES = new Insets(12);
     private static final String NOT_PLAIN = "The view does not show the whole picture";
     private static final String REGION_HINT = "Trace a region alone: drag a frame in the picture; it shows the edits that are not rendered yet";
 
@@ -84,9 +86,12 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         badges.setPickOnBounds(false);
         badges.setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
         StackPane.setAlignment(badges, Pos.TOP_LEFT);
+        StackPane.setMargin(badges, BADGES);
         look.getStyleClass().add("look-badge");
         look.setTooltip(new Tooltip("A way of looking, no part of the scene.\nSave Image and Verify take the picture itself."));
+        look.setMaxHeight(Region.USE_PREF_SIZE);
         StackPane.setAlignment(look, Pos.TOP_RIGHT);
+        StackPane.setMargin(look, BADGES);
         Node progress = new ProgressOverlay(model);
         StackPane.setAlignment(progress, Pos.BOTTOM_CENTER);
         card.setId("pixel-lights");

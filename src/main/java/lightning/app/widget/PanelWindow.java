@@ -6,6 +6,7 @@ import javafx.scene.control.ScrollPane;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
 import javafx.stage.Window;
@@ -19,13 +20,13 @@ public final class PanelWindow extends Stage {
     public PanelWindow(Window owner, String title, Region pane, double width, double height) {
         initOwner(owner);
         setTitle(title);
-        // On a small screen the content is scrolled and never squeezed.
+        // On a small screen the content is scrolled and never squeezed. A control as the root would not wear all of the theme.
         var scroll = new ScrollPane(pane);
         scroll.getStyleClass().add("edge-to-edge");
         scroll.setFitToWidth(true);
         scroll.setFitToHeight(true);
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
-        var content = new Scene(scroll, Math.min(width, screen.getWidth()), Math.min(height, screen.getHeight()));
+        var content = new Scene(new StackPane(scroll), Math.min(width, screen.getWidth()), Math.min(height, screen.getHeight()));
         content.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {
                 close();

@@ -48,6 +48,11 @@ class LightMarkerTest {
     }
 
     @Test
+    void lightWhereTheEyeIs_hasNone() {
+        assertThat(LightMarker.of(List.of(at(0, 0, 10)), VIEW, CANVAS)).isEmpty();
+    }
+
+    @Test
     void marker_isPickedAsItsLight() {
         Light light = at(50, 0, 0);
         LightMarker marker = LightMarker.of(List.of(light), VIEW, CANVAS).getFirst();
