@@ -54,6 +54,8 @@ final class LadderPlot extends ScatterChart<Number, Number> {
             var label = new Label(group.stream().map(r -> String.valueOf(r.level().ordinal() + 1)).collect(Collectors.joining(" ")));
             label.setMinWidth(Region.USE_PREF_SIZE);
             label.setTranslateY(RISE);
+            // The chart cuts what is left of its axis off.
+            label.translateXProperty().bind(label.layoutXProperty().map(x -> Math.max(0, -x.doubleValue())));
             points.getData().add(point(mean(group, LadderPlot::time), mean(group, LadderPlot::error), label));
         }
         var corner = new Region();

@@ -1,0 +1,49 @@
+package lightning.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.stream.Stream;
+import javafx.geometry.Bounds;
+import javafx.scene.Node;
+import javafx.scene.Scene;
+import javafx.stage.Stage;
+import lightning.accuracy.Ladder;
+import lightning.accuracy.Level;
+import lightning.accuracy.PictureError;
+import lightning.accuracy.Rung;
+import lightning.accuracy.Timing;
+import lightning.shading.TraceCounts;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.testfx.api.FxRobot;
+import org.testfx.framework.junit5.Start;
+
+@ExtendWith({JavaFxNeeds.class, OnStage.class})
+class LadderChartTest {
+    private LadderChart chart;
+
+    @Start
+    private void start(Stage stage) {
+        chart = new LadderChart();
+        stage.setScene(new Scene(chart, 420, 380));
+        stage.show();
+    }
+
+    private static Rung rung(Level level) {
+        double ms = level == Level.FULL_TRACE ? 100 : 0.1;
+        return new Rung(level, new Timing(List.of(ms)), new PictureError(0, 1, 0, 0, 0, 0, 0, 0, 1, 0), null, null);
+    }
+
+    @Test
+    void labelOfManyLevelsWithoutTime_isReadInFull(FxRobot robot) {
+        robot.interact(() -> chart.show(new Ladder(null, null, null, Stream.of(Level.values()).map(LadderChartTest::rung).toList(),
+                TraceCounts.NONE, true)));
+        QuickRobot.settle();
+        Node label = robot.lookup("1 2 3 4 5 6").query();
+        Node plot = robot.lookup(".chart-plot-background").query();
+        Bounds shown = label.localToScreen(label.getBoundsInLocal());
+        assertThat(shown.getMinX()).isGreaterThanOrEqualTo(plot.localToScreen(plot.getBoundsInLocal()).getMinX());
+        assertThat(shown.getWidth()).isGreaterThan(50);
+    }
+}
