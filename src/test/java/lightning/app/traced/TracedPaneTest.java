@@ -291,7 +291,7 @@ class TracedPaneTest extends EditorDesk {
         });
         waitForPicture();
         robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 5)));
-        assertThat(isShown("pending")).isTrue();
+        waitFor("it is told", () -> isShown("pending"));
     }
 
     @Test
