@@ -5,6 +5,8 @@ import java.util.List;
 import lightning.effects.Effect;
 import lightning.effects.Effects;
 import lightning.effects.ViewEffects;
+import lightning.relight.MemoryNeed;
+import lightning.relight.PictureTooLarge;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
 import lightning.shading.TraceCounts;
@@ -58,7 +60,8 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
     private static EffectCost beside(EffectVariant plain, Effect effect, Effects effects, Scene before, Scene after, Options options,
             int repetitions, Progress progress) {
         boolean inUse = effects.has(effect);
-        try (var other = EffectVariant.of(effect, inUse, before, after, options)) {
+        try (var other = EffectVariant.of(effect, inUse, before, after,
+                options.withMemory(options.memory() - MemoryNeed.of(plain.kept())))) {
             EffectVariant.measure(List.of(plain, other), repetitions, progress.silent());
             EffectVariant with = inUse ? plain : other;
             EffectVariant without = inUse ? other : plain;
@@ -66,7 +69,7 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
                     with.update().median() - without.update().median(),
                     noise(with.first()), noise(with.update()), with.bytes() - without.bytes(),
                     with.rays().minus(without.rays()));
-        } catch (OutOfMemoryError e) {
+        } catch (PictureTooLarge | OutOfMemoryError e) {
             // Finer samples may take twenty times what the picture takes; the other effects are measured all the same.
             return unmeasured(effect, effects);
         }

@@ -93,6 +93,11 @@ final class EffectVariant implements AutoCloseable {
         return edit.plan().text();
     }
 
+    /** What is kept of the first pass. */
+    PixelCache kept() {
+        return kept;
+    }
+
     long bytes() {
         return kept.bytes();
     }

@@ -5,6 +5,7 @@ import java.util.List;
 import lightning.cache.PixelCache;
 import lightning.effects.ViewEffects;
 import lightning.image.Film;
+import lightning.relight.MemoryNeed;
 import lightning.scene.Scene;
 import lightning.shading.Sight;
 import lightning.shading.TraditionalTracer;
@@ -88,11 +89,17 @@ public final class LadderMeter implements AutoCloseable {
             return;
         }
         start = null;
+        kept = null;
+        // The levels' pictures lie in memory beside each other.
+        long memory = MemoryNeed.available();
         for (Relighting level : levels) {
             switch (level.level()) {
-                case EXACT -> kept = level.begin(before, progress);
+                case EXACT -> {
+                    kept = level.begin(before, memory, progress);
+                    memory -= MemoryNeed.of(kept);
+                }
                 case EXACT_UPDATED, EXACT_CURRENT -> level.begin(kept);
-                case HALF_RESOLUTION, FAST_SHADING, RATIO, FULL_TRACE -> level.begin(before, progress);
+                case HALF_RESOLUTION, FAST_SHADING, RATIO, FULL_TRACE -> memory -= MemoryNeed.of(level.begin(before, memory, progress));
             }
         }
         start = before;

@@ -48,9 +48,16 @@ final class Relighting implements AutoCloseable {
         return level;
     }
 
-    /** Traces the scene that edits start from; returns what is kept of it. */
-    PixelCache begin(Scene before, Progress progress) {
+    /**
+     * Traces the scene that edits start from; returns what is kept of it.
+     *
+     * @param memory bytes that it may take
+     * @throws lightning.relight.PictureTooLarge if it takes more
+     */
+    PixelCache begin(Scene before, long memory, Progress progress) {
+        start = null;
         renderer.forget();
+        renderer.change(renderer.options().withMemory(memory));
         renderer.render(sized(before), progress);
         return begin(renderer.cache());
     }

@@ -9,6 +9,7 @@ import lightning.accuracy.PaperCase;
 import lightning.accuracy.PaperCases;
 import lightning.accuracy.Saving;
 import lightning.accuracy.SavingMeter;
+import lightning.relight.MemoryNeed;
 import lightning.relight.plan.Reflections;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
@@ -70,6 +71,7 @@ final class GrowthBench {
     }
 
     private GrowthPoint point(String along, long at, String where, Scene scene, Progress progress) {
+        MemoryNeed.check(scene, Options.DEFAULT.withThreads(settings.threads()));
         List<PaperCase> cases = PaperCases.of(scene).stream().filter(PaperCase::isPrinted).toList();
         try (SavingMeter meter = new SavingMeter(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(settings.threads()), settings.repetitions(),
                 settings.patienceMs(), bytesPerMs)) {

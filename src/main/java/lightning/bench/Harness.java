@@ -5,14 +5,18 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import lightning.accuracy.Bandwidth;
 import lightning.accuracy.BrokenPromise;
 import lightning.accuracy.LadderMeter;
 import lightning.accuracy.PaperCase;
 import lightning.accuracy.PaperCases;
+import lightning.relight.MemoryNeed;
 import lightning.relight.PictureTooLarge;
+import lightning.relight.tile.Options;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
@@ -58,6 +62,8 @@ public final class Harness {
      * @param problems  of scenes that could not be read
      * @param folder    where pictures go
      * @param arguments the command's, to be written down
+     * @throws PictureTooLarge       if no scene fits into memory at any size; where some do, the others become problems. Asked
+     *                               before anything is measured
      * @throws CancellationException if {@code progress} asked to stop
      */
     public Harness(Settings settings, List<NamedScene> scenes, List<Failure> problems, Path folder, List<String> arguments,
@@ -65,6 +71,7 @@ public final class Harness {
         this.settings = settings;
         this.scenes = List.copyOf(scenes);
         problems.forEach(ledger::problem);
+        Set<Measurable> fitting = fitting();
         List<Pace> paces = new ArrayList<>();
         try (Workers workers = new Workers(settings.threads())) {
             triad = Bandwidth.triad(workers, settings.isWarm() ? Bandwidth.REPETITIONS : 1);
@@ -74,7 +81,7 @@ public final class Harness {
         }
         double best = triad.stream().mapToDouble(d -> d).max().orElseThrow();
         for (int i = 0; i < scenes.size(); i++) {
-            add(scenes.get(i), paces.get(i), best, new Pictures(folder));
+            add(scenes.get(i), paces.get(i), fitting, best, new Pictures(folder));
         }
         if (settings.curves() && !scenes.isEmpty()) {
             groups.add(new Group(new GrowthBench(settings, ledger, best).parts(paces.getFirst()), () -> { }));
@@ -86,8 +93,35 @@ public final class Harness {
                 triad.stream().map(d -> d / 1e6).toList());
     }
 
-    private void add(NamedScene scene, Pace pace, double bytesPerMs, Pictures pictures) {
+    /** A scene at a size. */
+    private record Measurable(NamedScene scene, PictureSize size) {}
+
+    /** What fits into memory; the rest becomes problems, and if that is all there is, nothing begins. */
+    private Set<Measurable> fitting() {
+        Set<Measurable> fitting = new HashSet<>();
+        PictureTooLarge refusal = null;
+        for (NamedScene scene : scenes) {
+            for (PictureSize size : settings.sizes()) {
+                try {
+                    MemoryNeed.check(size.of(scene.scene()), Options.DEFAULT.withThreads(settings.threads()));
+                    fitting.add(new Measurable(scene, size));
+                } catch (PictureTooLarge e) {
+                    refusal = e;
+                    ledger.problem(new Problem(Problem.Kind.UNMEASURED, scene.name() + " at " + size, e.getMessage()));
+                }
+            }
+        }
+        if (refusal != null && fitting.isEmpty()) {
+            throw refusal;
+        }
+        return fitting;
+    }
+
+    private void add(NamedScene scene, Pace pace, Set<Measurable> fitting, double bytesPerMs, Pictures pictures) {
         for (PictureSize size : settings.sizes()) {
+            if (!fitting.contains(new Measurable(scene, size))) {
+                continue;
+            }
             Ledger.Page page = ledger.page(scene, size);
             SceneBench bench = new SceneBench(settings, ledger, page, scene, size, bytesPerMs,
                     size.equals(settings.sizes().getFirst()) ? pictures : null);

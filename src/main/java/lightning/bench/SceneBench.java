@@ -17,7 +17,6 @@ import lightning.accuracy.PaperCases;
 import lightning.accuracy.Rung;
 import lightning.accuracy.SavingMeter;
 import lightning.image.Film;
-import lightning.relight.MemoryNeed;
 import lightning.relight.plan.Reflections;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
@@ -65,7 +64,6 @@ final class SceneBench implements AutoCloseable {
 
     /** What each effect takes, in the first pass and in the update after a light was moved. */
     private void effects(Progress progress) {
-        MemoryNeed.check(scene, Options.DEFAULT.withThreads(settings.threads()));
         List<PaperCase> moved = PaperCases.of(scene).stream().filter(edit -> edit.name().equals("position")).toList();
         Scene after = moved.isEmpty() ? scene : moved.getFirst().after();
         // The ladder's pictures need not lie in memory beside all the samples.
@@ -97,7 +95,6 @@ final class SceneBench implements AutoCloseable {
     }
 
     private void firstPass(Progress progress) throws IOException {
-        MemoryNeed.check(scene, Options.DEFAULT.withThreads(settings.threads()));
         // The collector makes some of them slow; the median of a few would tell of it by chance.
         int times = FIRST_PASSES * settings.repetitions();
         try (SavingMeter first = new SavingMeter(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(settings.threads()), times, settings.patienceMs(),
@@ -110,7 +107,6 @@ final class SceneBench implements AutoCloseable {
     }
 
     private void edit(List<PaperCase> values, Progress progress) throws IOException {
-        MemoryNeed.check(scene, Options.DEFAULT.withThreads(settings.threads()));
         if (meter == null) {
             meter = new LadderMeter(settings.threads(), settings.repetitions(), settings.patienceMs());
         }

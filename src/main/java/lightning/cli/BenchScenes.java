@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import lightning.bench.Failure;
 import lightning.bench.NamedScene;
 import lightning.jen.JenException;
+import lightning.jen.JenReader;
 
 /**
  * The scenes of a benchmark that could be read, and why others could not.
@@ -34,11 +35,9 @@ record BenchScenes(List<NamedScene> scenes, List<Failure> problems) {
         Set<String> names = new HashSet<>();
         for (Path file : files.isEmpty() ? own(one) : files) {
             try {
-                scenes.add(new NamedScene(name(file, names), SceneFile.read(file).scene()));
+                scenes.add(new NamedScene(name(file, names), JenReader.read(file).scene()));
             } catch (JenException e) {
                 problems.add(unread(file, e.problems().stream().map(Object::toString).collect(Collectors.joining("\n"))));
-            } catch (BadInput e) {
-                problems.add(unread(file, e.getMessage()));
             } catch (IOException e) {
                 problems.add(unread(file, Complaint.sentence(e)));
             }

@@ -7,7 +7,9 @@ import java.nio.file.FileSystemException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.function.Predicate;
 import lightning.jen.JenException;
 import lightning.relight.PictureTooLarge;
 import lightning.text.Quote;
@@ -16,8 +18,17 @@ import lightning.text.Quote;
 final class Complaint {
     private Complaint() {}
 
-    /** Says what went wrong; returns the exit code. */
+    /** Says what went wrong outside of any command; returns the exit code. */
     static int report(Console console, Throwable problem) {
+        return report(console, problem, _ -> false);
+    }
+
+    /**
+     * Says what went wrong; returns the exit code.
+     *
+     * @param options which the command has, as in {@code --size}
+     */
+    static int report(Console console, Throwable problem, Predicate<String> options) {
         return switch (problem) {
             case CancellationException _ -> cancelled(console);
             case InterruptedException _ -> cancelled(console);
@@ -30,12 +41,30 @@ final class Complaint {
                     + "; where it has letters beyond ASCII, start with a locale of UTF-8, as LC_ALL=C.UTF-8");
             case BadInput e -> sentence(console, e.getMessage());
             case IOException e -> sentence(console, sentence(e));
-            case PictureTooLarge e -> sentence(console, e.getMessage());
+            case PictureTooLarge e -> sentence(console, e.message(way -> words(way, options)));
             case OutOfMemoryError _ -> sentence(console, "there is not enough memory; ask for a smaller --size where the picture is large, "
                     + "or give Java more with JAVA_TOOL_OPTIONS=-Xmx8g");
             default -> sentence(console, "an error of the program itself, not of your input: " + problem
                     + place(problem) + "; please report it with the command and the scene");
         };
+    }
+
+    /** A way out with the option that takes it; empty where the scene cannot say it and the command has no option for it. */
+    private static Optional<String> words(PictureTooLarge.Way way, Predicate<String> options) {
+        String option = switch (way) {
+            case PictureTooLarge.Way.Size _ -> "--size";
+            case PictureTooLarge.Way.Samples _ -> "--samples";
+            case PictureTooLarge.Way.NoAntialias _ -> "--antialias";
+            case PictureTooLarge.Way.Shapes _ -> "--storage";
+        };
+        String value = switch (way) {
+            case PictureTooLarge.Way.Size size -> size.width() + "x" + size.height();
+            case PictureTooLarge.Way.Samples samples -> String.valueOf(samples.grid());
+            case PictureTooLarge.Way.NoAntialias _ -> "off";
+            case PictureTooLarge.Way.Shapes _ -> "shapes";
+        };
+        return options.test(option) ? Optional.of(way.text() + " (" + option + " " + value + ")")
+                : way instanceof PictureTooLarge.Way.Shapes ? Optional.empty() : Optional.of(way.text());
     }
 
     private static int cancelled(Console console) {

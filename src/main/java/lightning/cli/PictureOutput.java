@@ -8,6 +8,8 @@ import lightning.image.DisplayCurve;
 import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
+import lightning.relight.MemoryNeed;
+import lightning.scene.Scene;
 import lightning.text.Quote;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
@@ -72,6 +74,11 @@ final class PictureOutput {
 
     static void checkFile(Path file) throws IOException {
         SafeFile.at(file).check();
+    }
+
+    /** The bytes that a picture may take when its output needs some too. */
+    long memory(Scene scene) throws IOException {
+        return MemoryNeed.available() - PictureFile.bytesToWrite(file, scene.picture().width(), scene.picture().height());
     }
 
     /** Writes the picture, and says how much of it the file cannot show. */

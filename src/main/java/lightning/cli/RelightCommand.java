@@ -100,11 +100,13 @@ final class RelightCommand implements Callable<Integer> {
         }
         JenDocument document = input.read();
         List<Scene> edited = edited(document.scene());
-        Options options = new Options(accuracy, updateReflections ? reflections.onDemand() : reflections.value(), storage, threads.count());
+        Scene before = picture.apply(document.scene());
+        Options options = new Options(accuracy, updateReflections ? reflections.onDemand() : reflections.value(), storage, threads.count())
+                .withMemory(output.memory(before));
         boolean kept = true;
         try (Renderer renderer = new Renderer(options); Workers workers = new Workers(threads.count());
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
-            Update first = renderer.render(picture.apply(document.scene()), bar);
+            Update first = renderer.render(before, bar);
             console.line("first pass: %.1f ms, %d rays", first.milliseconds(), first.rays().all());
             for (int group = 0; group < edited.size(); group++) {
                 Scene wanted = picture.apply(edited.get(group));

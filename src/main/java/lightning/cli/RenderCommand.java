@@ -2,6 +2,7 @@ package lightning.cli;
 
 import java.util.concurrent.Callable;
 import lightning.image.Film;
+import lightning.relight.MemoryNeed;
 import lightning.relight.Renderer;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
@@ -53,6 +54,7 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void traceTraditionally(Scene scene) throws Exception {
+        MemoryNeed.checkFilm(scene.picture(), output.memory(scene));
         try (Workers workers = new Workers(threads.count()); ProgressBar bar = new ProgressBar(console, "tracing")) {
             long start = System.nanoTime();
             TraditionalTracer.Result result = new TraditionalTracer(scene).trace(workers, bar);
@@ -61,7 +63,7 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void firstPass(Scene scene) throws Exception {
-        try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(threads.count()));
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(threads.count()).withMemory(output.memory(scene)));
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
             var update = renderer.render(scene, bar);
             write(scene, renderer.film(), "first pass", update.milliseconds(), update.rays());

@@ -1,12 +1,10 @@
 package lightning.cli;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import lightning.jen.JenDocument;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
-import lightning.text.Quote;
 import picocli.CommandLine.Parameters;
 
 /** The argument {@code scene.jen}. */
@@ -18,18 +16,7 @@ final class SceneFile {
         return path;
     }
 
-    JenDocument read() throws IOException, JenException, BadInput {
-        return read(path);
-    }
-
-    /** Reads a scene, with the file's name in every complaint. */
-    static JenDocument read(Path path) throws IOException, JenException, BadInput {
-        if (Files.isDirectory(path)) {
-            throw new BadInput(Quote.path(path) + ": is a folder, expected a .jen file");
-        }
-        if (Files.exists(path) && !Files.isRegularFile(path)) {
-            throw new BadInput(path + ": is no file but a pipe or a device, expected a .jen file");
-        }
+    JenDocument read() throws IOException, JenException {
         return JenReader.read(path);
     }
 }

@@ -16,6 +16,7 @@ import lightning.accuracy.SavingMeter;
 import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
+import lightning.jen.JenReader;
 import lightning.pov.PovRay;
 import lightning.pov.PovScene;
 import lightning.relight.MemoryNeed;
@@ -77,7 +78,7 @@ final class TourCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         Path file = scene == null ? bird() : scene;
-        Scene read = SceneFile.read(file).scene();
+        Scene read = JenReader.read(file).scene();
         Scene sized = read.withPicture(read.picture().withSize(size.width(), size.height()));
         MemoryNeed.check(sized, Options.DEFAULT.withThreads(threads.count()));
         Optional<PovRay> pov = povray ? PovRay.find() : Optional.empty();

@@ -61,6 +61,21 @@ public final class PictureFile {
     }
 
     /**
+     * The bytes that writing takes beside the film: of PNG the display pixels, of XPM those four times, as they are sorted for the
+     * palette (streams of whole numbers collect them in buffers that double); PFM is written row by row.
+     *
+     * @throws IOException if the extension is none of {@link #extensions()}
+     */
+    public static long bytesToWrite(Path file, int width, int height) throws IOException {
+        long pixels = (long) Integer.BYTES * width * height;
+        return switch (formatOf(file)) {
+            case PNG -> pixels;
+            case XPM -> 4 * pixels;
+            case PFM -> 3L * Float.BYTES * width;
+        };
+    }
+
+    /**
      * Writes a film; {@code file} holds the whole new picture or what it held before, at every moment.
      *
      * @param view what PNG and XPM show; PFM keeps the linear values and ignores it

@@ -1,6 +1,9 @@
 package lightning.image;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import java.awt.image.DirectColorModel;
+import java.awt.image.Raster;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
@@ -16,8 +19,10 @@ final class Png {
     private Png() {}
 
     static void write(OutputStream out, int width, int height, int[] pixels) throws IOException {
-        var image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        image.setRGB(0, 0, width, height, pixels, 0, width);
+        // Over the pixels themselves: a copy of a large picture takes a GB.
+        var model = new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
+        var raster = Raster.createPackedRaster(new DataBufferInt(pixels, pixels.length), width, height, width, model.getMasks(), null);
+        var image = new BufferedImage(model, raster, false, null);
         // A stream of our own, because ImageIO would put its cache into a file.
         try (var stream = new MemoryCacheImageOutputStream(out)) {
             if (!ImageIO.write(image, "png", stream)) {

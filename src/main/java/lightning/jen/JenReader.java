@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import lightning.file.OrdinaryFile;
 import lightning.scene.Scene;
 
 /** Reads {@code .jen} files. */
@@ -15,11 +16,13 @@ public final class JenReader {
     /**
      * Reads a scene file and its textures.
      *
-     * @throws IOException  if the file cannot be read at all
+     * @throws IOException  if the file cannot be read at all, or is a folder, a pipe or a device, which are not opened: a pipe
+     *                      would wait for its other end, and some devices never end
      * @throws JenException if anything is wrong with its content; holds all problems
      */
     public static JenDocument read(Path file) throws IOException, JenException {
         var problems = new Problems();
+        OrdinaryFile.check(file, "a .jen file");
         byte[] bytes;
         try (InputStream in = Files.newInputStream(file)) {
             bytes = in.readNBytes(JenLimits.FILE_BYTES + 1);

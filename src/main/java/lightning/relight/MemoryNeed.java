@@ -1,10 +1,7 @@
 package lightning.relight;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
-import lightning.cache.CachedTile;
 import lightning.cache.PixelCache;
 import lightning.image.Film;
 import lightning.relight.plan.Accuracy;
@@ -15,19 +12,18 @@ import lightning.scene.Limits;
 import lightning.scene.Picture;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
-import lightning.work.Progress;
 
 /**
  * How much memory a picture takes, before any work begins: by the formula of docs/architecture.md, where every ray hits and every
- * light falls on everything; and where that is too much, by a small picture of the same scene, which knows what is hit.
+ * light falls on everything; and where that is too much, by a {@link Forecast}, which knows what is hit.
  */
 public final class MemoryNeed {
+    /** Bytes of a colour in a film or a row. */
+    static final long COLOR = 3L * Float.BYTES;
     /** The part of the heap that pictures may take: an edit's new columns and the collector need the rest. */
     private static final double SHARE = 0.8;
-    /** The longer side of the small picture, pixels. */
-    private static final int SMALL = 192;
-    private static final double GB = 1e9;
-    private static final long COLOR = 3L * Float.BYTES;
+    /** What a suggested size is shrunk by until it fits: samples at edges shrink more slowly than pixels do. */
+    private static final double STEP = 0.9;
 
     private MemoryNeed() {}
 
@@ -39,7 +35,6 @@ public final class MemoryNeed {
     public static long most(Scene scene, Options options) {
         Picture picture = scene.picture();
         Sampling sampling = picture.sampling();
-        long pixels = padded(picture.width()) * padded(picture.height());
         boolean mirrors = picture.depth() > 0 && scene.materials().stream().anyMatch(m -> !m.reflective().isBlack());
         boolean edges = sampling.antialias() == Antialias.EDGES;
         long light = options.accuracy() == Accuracy.EXACT ? 1 + 3 * Float.BYTES : 1 + 2 * COLOR;
@@ -52,50 +47,27 @@ public final class MemoryNeed {
             case EDGES -> 1L + sampling.perPixel();
             case EVERY -> sampling.perPixel();
         };
-        long codes = edges ? 4L * Integer.BYTES : 0;
-        return pixels * (samples * (row + mirrored + COLOR) + codes + (sampling.isFine() ? COLOR : 0));
+        return pixels(picture) * (samples * (row + mirrored + COLOR) + codes(sampling) + (sampling.isFine() ? COLOR : 0));
     }
 
-    /** Whole tiles. */
+    /** The bytes that a kept picture takes: columns, colours and film. */
+    public static long of(PixelCache cache) {
+        Picture picture = cache.scene().picture();
+        return cache.bytes() + cache.all().size() * COLOR * Film.TILE_PIXELS + (picture.sampling().isFine() ? COLOR * pixels(picture) : 0);
+    }
+
+    /** The pixels of whole tiles. */
+    private static long pixels(Picture picture) {
+        return padded(picture.width()) * padded(picture.height());
+    }
+
     private static long padded(int side) {
         return (side + Film.TILE - 1L) / Film.TILE * Film.TILE;
     }
 
-    /**
-     * The bytes that a first pass will take, from two small pictures. Rows of centres grow with the pixels; samples at edges grow
-     * as a power of the picture's side between 1, for edges of shapes are lines, and 2, for those of fine textures fill areas.
-     */
-    static long expected(Scene scene, Options options) {
-        Picture picture = scene.picture();
-        int side = Math.max(picture.width(), picture.height());
-        if (side <= SMALL) {
-            return most(scene, options);
-        }
-        Small half = Small.of(scene, options, SMALL / 2);
-        Small small = Small.of(scene, options, SMALL);
-        double power = half.fine == 0 ? 2 : Math.clamp(Math.log((double) small.fine / half.fine) / Math.log(2), 1, 2);
-        double more = (double) side / SMALL;
-        double film = picture.sampling().isFine() ? (double) COLOR * picture.width() * picture.height() : 0;
-        return (long) (more * more * small.centers + Math.pow(more, power) * small.fine + film);
-    }
-
-    /** The bytes of a small picture, with those of its colours: pixels' centres and finer samples. */
-    private record Small(long centers, long fine) {
-        static Small of(Scene scene, Options options, int side) {
-            Picture picture = scene.picture();
-            double shrink = (double) Math.max(picture.width(), picture.height()) / side;
-            Picture small = picture.withSize(Math.max(1, (int) (picture.width() / shrink)), Math.max(1, (int) (picture.height() / shrink)));
-            try (Renderer renderer = new Renderer(options)) {
-                renderer.render(scene.withPicture(small), Progress.NONE);
-                PixelCache cache = renderer.cache();
-                long centers = Arrays.stream(cache.tiles()).mapToLong(MemoryNeed::bytes).sum();
-                return new Small(centers, cache.all().stream().mapToLong(MemoryNeed::bytes).sum() - centers);
-            }
-        }
-    }
-
-    private static long bytes(CachedTile tile) {
-        return tile.bytes() + COLOR * Film.TILE_PIXELS;
+    /** What is kept of each pixel to know its edges. */
+    private static long codes(Sampling sampling) {
+        return sampling.antialias() == Antialias.EDGES ? 4L * Integer.BYTES : 0;
     }
 
     /** The bytes that pictures may take in this Java. */
@@ -106,57 +78,68 @@ public final class MemoryNeed {
     /**
      * Refuses a picture that does not fit.
      *
-     * @throws PictureTooLarge if it takes more than {@link #available()}; the message says what would fit
+     * @param scene as the view shows it
+     * @throws PictureTooLarge if its first pass takes more than {@link Options#memory}; the message says what would fit
      */
     public static void check(Scene scene, Options options) {
-        check(scene, options, available());
-    }
-
-    static void check(Scene scene, Options options, long available) {
-        if (most(scene, options) <= available) {
+        if (most(scene, options) <= options.memory()) {
             return;
         }
-        long need = expected(scene, options);
-        if (need > available) {
-            throw new PictureTooLarge(String.format(Locale.ROOT, "the picture needs about %.1f GB of memory and may have %.1f GB; %s",
-                    need / GB, available / GB, fitting(scene, options, need, available)));
+        Forecast forecast = Forecast.of(scene, options);
+        long need = forecast.bytes(scene.picture());
+        if (need > options.memory()) {
+            List<PictureTooLarge.Way> ways = new ArrayList<>();
+            size(scene, forecast, need, options.memory(), ways);
+            samples(scene.picture(), forecast, options.memory(), ways);
+            Options shapes = options.withStorage(MirrorStorage.HIT_SHAPES);
+            if (options.storage() == MirrorStorage.FULL_ROWS && Forecast.of(scene, shapes).bytes(scene.picture()) <= options.memory()) {
+                ways.add(new PictureTooLarge.Way.Shapes());
+            }
+            throw new PictureTooLarge(need, options.memory(), ways);
         }
     }
 
-    /** What of it would fit. */
-    private static String fitting(Scene scene, Options options, long need, long available) {
-        Picture picture = scene.picture();
-        List<String> ways = new ArrayList<>();
-        double shrink = Math.sqrt((double) available / need);
-        if (shrink * Math.min(picture.width(), picture.height()) >= 1) {
-            // Samples at edges shrink more slowly than pixels do.
-            Picture smaller = picture;
-            do {
-                smaller = picture.withSize(Math.max(1, (int) (picture.width() * shrink)), Math.max(1, (int) (picture.height() * shrink)));
-                shrink *= 0.9;
-            } while (smaller.width() > 1 && expected(scene.withPicture(smaller), options) > available);
-            ways.add("a size of " + smaller.width() + "x" + smaller.height());
+    /**
+     * Refuses a picture whose film alone does not fit: what a trace that keeps nothing takes.
+     *
+     * @param memory bytes that it may take
+     * @throws PictureTooLarge if it takes more
+     */
+    public static void checkFilm(Picture picture, long memory) {
+        long each = COLOR + codes(picture.sampling());
+        long need = pixels(picture) * each;
+        if (need > memory) {
+            double shrink = Math.sqrt((double) Math.max(memory, 0) / need);
+            // Whole tiles, as they are reckoned.
+            int width = (int) (picture.width() * shrink) / Film.TILE * Film.TILE;
+            int height = (int) (picture.height() * shrink) / Film.TILE * Film.TILE;
+            throw new PictureTooLarge(need, memory, Math.min(width, height) < 1 ? List.of() : List.of(new PictureTooLarge.Way.Size(width, height)));
         }
-        fewerSamples(scene, options, available, ways);
-        if (options.storage() == MirrorStorage.FULL_ROWS && expected(scene, options.withStorage(MirrorStorage.HIT_SHAPES)) <= available) {
-            ways.add("mirrors kept as shapes (--storage shapes)");
-        }
-        return "it would fit with " + String.join(", or with ", ways);
     }
 
-    private static void fewerSamples(Scene scene, Options options, long available, List<String> ways) {
+    private static void size(Scene scene, Forecast forecast, long need, long available, List<PictureTooLarge.Way> ways) {
         Picture picture = scene.picture();
+        for (double shrink = Math.sqrt((double) Math.max(available, 0) / need); shrink * Math.min(picture.width(), picture.height()) >= 1; shrink *= STEP) {
+            Picture smaller = picture.withSize((int) (picture.width() * shrink), (int) (picture.height() * shrink));
+            if (forecast.bytes(smaller) <= available) {
+                ways.add(new PictureTooLarge.Way.Size(smaller.width(), smaller.height()));
+                return;
+            }
+        }
+    }
+
+    private static void samples(Picture picture, Forecast forecast, long available, List<PictureTooLarge.Way> ways) {
         if (!picture.sampling().isFine()) {
             return;
         }
         for (int grid = picture.sampling().grid() - 1; grid >= Limits.MIN_SAMPLES; grid--) {
-            if (expected(scene.withPicture(picture.withSampling(new Sampling(picture.sampling().antialias(), grid))), options) <= available) {
-                ways.add(grid + "x" + grid + " samples (--samples " + grid + ")");
+            if (forecast.bytes(picture.withSampling(new Sampling(picture.sampling().antialias(), grid))) <= available) {
+                ways.add(new PictureTooLarge.Way.Samples(grid));
                 return;
             }
         }
-        if (expected(scene.withPicture(picture.withSampling(Sampling.DEFAULT)), options) <= available) {
-            ways.add("no anti-aliasing (--antialias off)");
+        if (forecast.bytes(picture.withSampling(Sampling.DEFAULT)) <= available) {
+            ways.add(new PictureTooLarge.Way.NoAntialias());
         }
     }
 }

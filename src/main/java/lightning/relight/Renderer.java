@@ -92,7 +92,8 @@ public final class Renderer implements AutoCloseable {
     /**
      * Makes the film show the wanted scene.
      *
-     * @throws PictureTooLarge if it needs a first pass that does not fit into memory; everything is then as before the call
+     * @throws PictureTooLarge if it needs a first pass that does not fit into memory beside what is known of the picture, which a
+     *                         cancelled pass goes back to; everything is then as before the call
      * @throws CancellationException if {@code progress} asked to stop; everything
      *         is then as before the call
      */
@@ -218,8 +219,22 @@ public final class Renderer implements AutoCloseable {
         return result.work();
     }
 
+    /**
+     * Refuses a scene whose first pass would not fit into memory.
+     *
+     * @param kept bytes that lie beside it
+     * @throws PictureTooLarge if it would not
+     */
+    public void check(Scene wanted, long kept) {
+        checkMemory(options.view().of(wanted), kept);
+    }
+
+    private void checkMemory(Scene wanted, long kept) {
+        MemoryNeed.check(wanted, options.withMemory(options.memory() - kept));
+    }
+
     private Tally firstPass(Scene wanted, Progress progress) {
-        MemoryNeed.check(wanted, options);
+        checkMemory(wanted, cache == null ? 0 : MemoryNeed.of(cache));
         boolean coding = wanted.picture().sampling().antialias() == Antialias.EDGES;
         // Anti-aliasing looks into mirrors for edges, so what mirrors nothing must not be followed then.
         boolean everyMirror = options.view().forces(Effect.REFLECTION) && !coding;

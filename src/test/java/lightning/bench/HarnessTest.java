@@ -12,6 +12,10 @@ import lightning.accuracy.Level;
 import lightning.accuracy.Timing;
 import lightning.image.Film;
 import lightning.image.PictureFile;
+import lightning.relight.PictureTooLarge;
+import lightning.scene.Antialias;
+import lightning.scene.Sampling;
+import lightning.scene.Scene;
 import lightning.work.Progress;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -36,6 +40,39 @@ class HarnessTest {
 
     private Results run(Settings settings) throws Exception {
         return harness(settings).run((_, _) -> { }, Progress.NONE);
+    }
+
+    private static NamedScene finest() {
+        Scene scene = GeneratedScenes.of(1, SMALL, 8, 3, 1);
+        return new NamedScene("finest", scene.withPicture(scene.picture().withSampling(new Sampling(Antialias.EVERY, 8))));
+    }
+
+    @Test
+    void sceneThatFitsAtNoSize_isRefusedBeforeAnythingIsMeasured() {
+        var bar = new Progress() {
+            @Override
+            public void tiles(int done, int total) {
+                throw new AssertionError("something is measured");
+            }
+
+            @Override
+            public boolean isCancelled() {
+                return false;
+            }
+        };
+        assertThatThrownBy(() -> new Harness(settings(1, 13, new PictureSize(16384, 16384)), List.of(finest()), List.of(), folder, List.of(),
+                bar)).isInstanceOf(PictureTooLarge.class).message().contains("it would fit with a size of").doesNotContain("--");
+    }
+
+    @Test
+    void sizeThatDoesNotFit_isAProblemAndTheOtherIsMeasured() throws Exception {
+        Settings settings = settings(1, 13, SMALL, new PictureSize(16384, 16384));
+        Results results = new Harness(settings, List.of(finest()), List.of(), folder, List.of(), Progress.NONE).run((_, _) -> { }, Progress.NONE);
+        assertThat(results.problems()).singleElement().satisfies(problem -> {
+            assertThat(problem.kind()).isEqualTo(Problem.Kind.UNMEASURED);
+            assertThat(problem.where()).isEqualTo("finest at 16384x16384");
+        });
+        assertThat(results.scenes()).extracting(SceneResult::width).contains(24);
     }
 
     @Test

@@ -7,6 +7,7 @@ import static org.assertj.core.data.Percentage.withPercentage;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lightning.cache.PixelCache;
@@ -16,6 +17,7 @@ import lightning.relight.plan.Accuracy;
 import lightning.relight.tile.MirrorStorage;
 import lightning.relight.tile.Options;
 import lightning.scene.Antialias;
+import lightning.scene.Camera;
 import lightning.scene.Picture;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
@@ -57,48 +59,94 @@ class MemoryNeedTest {
 
     @ParameterizedTest
     @EnumSource(Antialias.class)
-    void expected_isNearToWhatIsTaken(Antialias antialias) throws Exception {
+    void forecast_isNearToWhatIsTaken(Antialias antialias) throws Exception {
         Scene scene = balls(640, 448, antialias, 2);
         // Small pictures have part of their tiles empty, and know edges of a few pixels only.
-        assertThat(MemoryNeed.expected(scene, OPTIONS)).isCloseTo(taken(scene, OPTIONS), withPercentage(25));
+        assertThat(Forecast.of(scene, OPTIONS).bytes(scene.picture())).isCloseTo(taken(scene, OPTIONS), withPercentage(25));
+    }
+
+    @Test
+    void forecastOfMoreSamples_isMadeOfFew() throws Exception {
+        Scene scene = balls(320, 224, Antialias.EDGES, 4);
+        // Beside the above, tiles of samples are filled better where there are more of them.
+        assertThat(Forecast.of(scene, OPTIONS).bytes(scene.picture())).isCloseTo(taken(scene, OPTIONS), withPercentage(35));
     }
 
     @Test
     void pictureThatDoesNotFit_isRefusedWithASizeThatDoes() throws Exception {
-        long available = 1_000_000_000;
+        Options options = OPTIONS.withMemory(1_000_000_000);
         Scene huge = balls(16384, 16384, Antialias.EVERY, 8);
-        assertThatThrownBy(() -> MemoryNeed.check(huge, OPTIONS, available)).isInstanceOf(PictureTooLarge.class)
+        assertThatThrownBy(() -> MemoryNeed.check(huge, options)).isInstanceOf(PictureTooLarge.class)
                 .hasMessageMatching("the picture needs about \\d{3,4}\\.\\d GB of memory and may have 1\\.0 GB; it would fit with a size of .+")
                 .satisfies(e -> {
                     Matcher size = Pattern.compile("(\\d+)x(\\d+)").matcher(e.getMessage());
                     assertThat(size.find()).isTrue();
                     Picture smaller = huge.picture().withSize(Integer.parseInt(size.group(1)), Integer.parseInt(size.group(2)));
-                    MemoryNeed.check(huge.withPicture(smaller), OPTIONS, available);
+                    MemoryNeed.check(huge.withPicture(smaller), options);
                 });
     }
 
     @Test
     void fewerSamples_areNamedWhereTheyFit() throws Exception {
         Scene fine = balls(1920, 1080, Antialias.EVERY, 8);
-        assertThatThrownBy(() -> MemoryNeed.check(fine, OPTIONS, 2_500_000_000L)).hasMessageContaining("samples (--samples ");
+        Options options = OPTIONS.withMemory(4_000_000_000L);
+        assertThatThrownBy(() -> MemoryNeed.check(fine, options)).message().satisfies(message -> {
+            Matcher samples = Pattern.compile("or with (\\d)x\\1 samples").matcher(message);
+            assertThat(samples.find()).isTrue();
+            MemoryNeed.check(balls(1920, 1080, Antialias.EVERY, Integer.parseInt(samples.group(1))), options);
+        });
+    }
+
+    @Test
+    void mirrorsAsShapes_areAWayThatTheMessageLeavesOut() throws Exception {
+        Scene scene = balls(640, 448, Antialias.OFF, 2);
+        long full = Forecast.of(scene, OPTIONS).bytes(scene.picture());
+        assertThatThrownBy(() -> MemoryNeed.check(scene, OPTIONS.withMemory(full - 1))).isInstanceOfSatisfying(PictureTooLarge.class, e -> {
+            assertThat(e.message(way -> Optional.of(way.text()))).contains("mirrors kept as shapes");
+            assertThat(e).message().doesNotContain("shapes");
+        });
+    }
+
+    @Test
+    void filmThatDoesNotFit_isRefusedWithASizeThatDoes() throws Exception {
+        Picture huge = balls(16384, 16384, Antialias.EVERY, 8).picture();
+        // 12 bytes a pixel are 3.2 GB.
+        assertThatThrownBy(() -> MemoryNeed.checkFilm(huge, 1_000_000_000)).isInstanceOf(PictureTooLarge.class)
+                .hasMessageStartingWith("the picture needs about 3.2 GB of memory and may have 1.0 GB; it would fit with a size of 9120x9120");
+        assertThatCode(() -> MemoryNeed.checkFilm(huge.withSize(9120, 9120), 1_000_000_000)).doesNotThrowAnyException();
+        assertThatCode(() -> MemoryNeed.checkFilm(huge, 12L << 28)).doesNotThrowAnyException();
     }
 
     @Test
     void pictureThatFitsAlthoughTheFormulaFears_isNotRefused() throws Exception {
-        Scene scene = balls(1920, 1080, Antialias.EDGES, 8);
-        long available = 2_500_000_000L;
-        assertThat(MemoryNeed.most(scene, OPTIONS)).isGreaterThan(available);
-        assertThatCode(() -> MemoryNeed.check(scene, OPTIONS, available)).doesNotThrowAnyException();
+        Scene scene = balls(640, 448, Antialias.EDGES, 2);
+        // What a forecast may be too high by, as held above.
+        Options options = OPTIONS.withMemory((long) (1.25 * taken(scene, OPTIONS)));
+        assertThat(MemoryNeed.most(scene, OPTIONS)).isGreaterThan(options.memory());
+        assertThatCode(() -> MemoryNeed.check(scene, options)).doesNotThrowAnyException();
     }
 
     @Test
     void rendererRefusesBeforeItWorks_andKeepsItsPicture() throws Exception {
         Scene small = balls(64, 48, Antialias.OFF, 2);
-        try (Renderer renderer = new Renderer(OPTIONS)) {
+        try (Renderer renderer = new Renderer(OPTIONS.withMemory(1_000_000_000))) {
             renderer.render(small, Progress.NONE);
             Scene huge = balls(16384, 16384, Antialias.EVERY, 8);
             assertThatThrownBy(() -> renderer.render(huge, Progress.NONE)).isInstanceOf(PictureTooLarge.class);
             assertThat(renderer.scene()).isEqualTo(small);
+        }
+    }
+
+    @Test
+    void pictureBefore_isCountedBesideTheNewOne() throws Exception {
+        Scene first = balls(128, 128, Antialias.OFF, 2);
+        Scene second = first.withCamera(new Camera(first.camera().from(), first.camera().to(), first.camera().up(), first.camera().fov() * 0.9));
+        long each = taken(first, OPTIONS);
+        try (Renderer renderer = new Renderer(OPTIONS.withMemory(each * 3 / 2))) {
+            renderer.render(first, Progress.NONE);
+            assertThatThrownBy(() -> renderer.render(second, Progress.NONE)).isInstanceOf(PictureTooLarge.class);
+            renderer.forget();
+            assertThatCode(() -> renderer.render(second, Progress.NONE)).doesNotThrowAnyException();
         }
     }
 }

@@ -3,6 +3,8 @@ package lightning.edit.loop;
 import java.util.concurrent.CancellationException;
 import lightning.effects.ViewEffects;
 import lightning.image.Film;
+import lightning.relight.MemoryNeed;
+import lightning.relight.PictureTooLarge;
 import lightning.relight.Renderer;
 import lightning.relight.plan.Reflections;
 import lightning.scene.Scene;
@@ -16,6 +18,7 @@ final class Looking implements AutoCloseable {
     private Renderer hiding;
 
     /**
+     * @throws PictureTooLarge       if the picture without effects does not fit into memory beside the picture
      * @throws CancellationException if {@code progress} asked to stop
      */
     Film film(Renderer picture, Look look, Progress progress) {
@@ -25,7 +28,8 @@ final class Looking implements AutoCloseable {
 
     /** The picture without some effects; its mirrors show what the picture's show. */
     private Renderer hiding(Renderer picture, ViewEffects effects, Progress progress) {
-        var options = picture.options().withReflections(Reflections.STALE).withView(effects);
+        var options = picture.options().withReflections(Reflections.STALE).withView(effects)
+                .withMemory(picture.options().memory() - MemoryNeed.of(picture.cache()));
         if (hiding == null) {
             hiding = new Renderer(options);
         }
@@ -35,6 +39,11 @@ final class Looking implements AutoCloseable {
         hiding.updateReflections(progress);
         hiding.render(picture.scene(), progress);
         return hiding;
+    }
+
+    /** The bytes that hiding takes beside the picture. */
+    long bytes() {
+        return hiding == null || !hiding.hasPicture() ? 0 : MemoryNeed.of(hiding.cache());
     }
 
     /** The picture as it is; what hiding took is given back. */

@@ -7,6 +7,8 @@ import lightning.accuracy.WarmSaving;
 import lightning.cache.PixelCache;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
+import lightning.relight.MemoryNeed;
+import lightning.relight.PictureTooLarge;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
 import lightning.relight.plan.Accuracy;
@@ -174,9 +176,33 @@ public final class RenderLoop implements AutoCloseable {
         UpdatePlan plan = renderer.plan(scene);
         listener.started(plan);
         if (plan instanceof UpdatePlan.FirstPass) {
+            makeRoom(scene);
             coarse(scene, stop);
         }
         make((r, progress) -> r.render(scene, progress), stop);
+    }
+
+    /**
+     * Lets go of the picture before where the new one does not fit beside it; then a pass that is cancelled has none to go back to.
+     *
+     * @throws PictureTooLarge if it does not fit even so; nothing is let go of then
+     */
+    private void makeRoom(Scene scene) {
+        renderer.check(scene, 0);
+        long kept = (renderer.hasPicture() ? MemoryNeed.of(renderer.cache()) : 0) + looking.bytes();
+        try {
+            renderer.check(scene, kept);
+        } catch (PictureTooLarge e) {
+            letGo();
+        }
+    }
+
+    private void letGo() {
+        renderer.forget();
+        looking.close();
+        rendered = null;
+        last = null;
+        verifier.done(Optional.empty());
     }
 
     /** Updates the picture in a way that can be done again, to measure what it saves. */
@@ -199,11 +225,7 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     private void drop() {
-        renderer.forget();
-        looking.close();
-        rendered = null;
-        last = null;
-        verifier.done(Optional.empty());
+        letGo();
         listener.forgotten();
     }
 
@@ -228,6 +250,9 @@ public final class RenderLoop implements AutoCloseable {
         } catch (CancellationException e) {
             // The picture itself is finished.
             tell(renderer.film(), Look.PLAIN);
+        } catch (PictureTooLarge | OutOfMemoryError e) {
+            tell(looking.plain(renderer), Look.PLAIN);
+            throw e;
         }
     }
 

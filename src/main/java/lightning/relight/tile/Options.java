@@ -10,11 +10,17 @@ import lightning.work.Workers;
  *
  * @param threads how many threads, ≥ 1
  * @param view    which effects are shown; all of them in a picture
+ * @param memory  bytes that a picture may take; a first pass that takes more is refused
  */
-public record Options(Accuracy accuracy, Reflections reflections, MirrorStorage storage, int threads, ViewEffects view) {
+public record Options(Accuracy accuracy, Reflections reflections, MirrorStorage storage, int threads, ViewEffects view, long memory) {
     /** Exact, mirrors and all; full rows, all processors. */
     public static final Options DEFAULT =
             new Options(Accuracy.EXACT, Reflections.CURRENT, MirrorStorage.FULL_ROWS, Workers.available());
+
+    /** What memory there is in this Java. */
+    public Options(Accuracy accuracy, Reflections reflections, MirrorStorage storage, int threads, ViewEffects view) {
+        this(accuracy, reflections, storage, threads, view, MemoryNeed.available());
+    }
 
     /** All effects. */
     public Options(Accuracy accuracy, Reflections reflections, MirrorStorage storage, int threads) {
@@ -22,22 +28,26 @@ public record Options(Accuracy accuracy, Reflections reflections, MirrorStorage 
     }
 
     public Options withAccuracy(Accuracy v) {
-        return new Options(v, reflections, storage, threads, view);
+        return new Options(v, reflections, storage, threads, view, memory);
     }
 
     public Options withReflections(Reflections v) {
-        return new Options(accuracy, v, storage, threads, view);
+        return new Options(accuracy, v, storage, threads, view, memory);
     }
 
     public Options withStorage(MirrorStorage v) {
-        return new Options(accuracy, reflections, v, threads, view);
+        return new Options(accuracy, reflections, v, threads, view, memory);
     }
 
     public Options withThreads(int v) {
-        return new Options(accuracy, reflections, storage, v, view);
+        return new Options(accuracy, reflections, storage, v, view, memory);
     }
 
     public Options withView(ViewEffects v) {
-        return new Options(accuracy, reflections, storage, threads, v);
+        return new Options(accuracy, reflections, storage, threads, v, memory);
+    }
+
+    public Options withMemory(long v) {
+        return new Options(accuracy, reflections, storage, threads, view, v);
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.TimeUnit;
 import lightning.accuracy.Verification;
 import lightning.accuracy.WarmSaving;
 import lightning.edit.Desk;
@@ -12,6 +13,8 @@ import lightning.effects.Effect;
 import lightning.effects.ViewEffects;
 import lightning.image.Film;
 import lightning.relight.LightShare;
+import lightning.relight.MemoryNeed;
+import lightning.relight.PictureTooLarge;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
 import lightning.relight.plan.Accuracy;
@@ -66,6 +69,59 @@ class RenderLoopTest {
         assertThat(shown.frame().scene()).isEqualTo(scene);
         assertThat(shown.frame().update().plan()).isInstanceOf(UpdatePlan.FirstPass.class);
         assertThat(shown.frame().mirrorsAreCurrent()).isTrue();
+    }
+
+    private static Scene sized(Scene scene, int width, int height) {
+        return scene.withPicture(scene.picture().withSize(width, height));
+    }
+
+    /** The loop with so much memory. */
+    private RenderLoop with(long memory) {
+        return new RenderLoop(OPTIONS.withMemory(memory), ear);
+    }
+
+    @Test
+    void pictureThatDoesNotFit_isRefusedBeforeAnyPartOfItIsTraced() throws Exception {
+        try (RenderLoop small = with(50_000_000)) {
+            small.render(sized(scene, 2048, 2048));
+            assertThat(ear.events.poll(20, TimeUnit.SECONDS)).isInstanceOf(LoopEar.Started.class);
+            assertThat(ear.events.poll(20, TimeUnit.SECONDS)).isInstanceOf(PictureTooLarge.class);
+        }
+    }
+
+    @Test
+    void pictureThatFitsOnlyAlone_takesThePlaceOfTheOneBefore() throws Exception {
+        Scene first = sized(scene, 256, 192);
+        Scene second = sized(scene, 256, 191);
+        long each;
+        try (Renderer renderer = new Renderer(OPTIONS)) {
+            renderer.render(first, Progress.NONE);
+            each = MemoryNeed.of(renderer.cache());
+        }
+        try (RenderLoop small = with(each * 3 / 2)) {
+            small.render(first);
+            ear.next(LoopEar.Shown.class);
+            small.render(second);
+            assertThat(ear.next(LoopEar.Shown.class).frame().scene()).isEqualTo(second);
+        }
+    }
+
+    @Test
+    void pictureWithoutEffectsThatDoesNotFitBesideThePicture_isToldAndThePictureIsShown() throws Exception {
+        Scene first = sized(scene, 256, 192);
+        long each;
+        try (Renderer renderer = new Renderer(OPTIONS)) {
+            renderer.render(first, Progress.NONE);
+            each = MemoryNeed.of(renderer.cache());
+        }
+        try (RenderLoop small = with(each * 5 / 4)) {
+            small.setLook(Look.PLAIN.withEffects(ViewEffects.ALL.with(Effect.SPECULAR, false)));
+            small.render(first);
+            LoopEar.Shown shown = ear.next(LoopEar.Shown.class);
+            assertThat(shown.frame().look()).isEqualTo(Look.PLAIN);
+            assertThat(shown.frame().seen().sameBits(reference(first))).isTrue();
+            ear.next(PictureTooLarge.class);
+        }
     }
 
     @Test

@@ -1,0 +1,96 @@
+package lightning.relight;
+
+import java.util.Arrays;
+import lightning.cache.CachedTile;
+import lightning.cache.PixelCache;
+import lightning.image.Film;
+import lightning.scene.Antialias;
+import lightning.scene.Limits;
+import lightning.scene.Picture;
+import lightning.scene.Sampling;
+import lightning.scene.Scene;
+import lightning.work.Progress;
+
+/**
+ * What first passes of a scene will take, from small ones: once those are made, any size and any number of samples is
+ * arithmetic. Rows of centres grow with the pixels, and samples of every pixel are as many centres. Samples at edges grow as a
+ * power of the picture's side between 1, for edges of shapes are lines, and 2, for those of fine textures fill areas; and with
+ * the samples of a pixel, for which pixels lie on an edge is told by the centres alone.
+ */
+final class Forecast {
+    /** The longer side of the small picture, pixels. */
+    private static final int SIDE = 192;
+    private static final int FEWEST = Limits.MIN_SAMPLES * Limits.MIN_SAMPLES;
+
+    private final Scene scene;
+    private final Options options;
+    /** Bytes for each pixel's centre. */
+    private final double center;
+    /** Bytes of the samples at the small picture's edges, as few for each pixel as there can be. */
+    private final double edges;
+    private final double power;
+
+    private Forecast(Scene scene, Options options, double center, double edges, double power) {
+        this.scene = scene;
+        this.options = options;
+        this.center = center;
+        this.edges = edges;
+        this.power = power;
+    }
+
+    /** Makes the small pictures: a fraction of a second once the code is warm. */
+    static Forecast of(Scene scene, Options options) {
+        boolean edges = scene.picture().sampling().antialias() == Antialias.EDGES;
+        Small small = Small.of(scene, options, SIDE, edges);
+        if (!edges || small.fine == 0) {
+            return new Forecast(scene, options, small.center(), 0, 2);
+        }
+        Small half = Small.of(scene, options, SIDE / 2, true);
+        double power = half.fine == 0 ? 2 : Math.clamp(Math.log((double) small.fine / half.fine) / Math.log(2), 1, 2);
+        return new Forecast(scene, options, small.center(), small.fine, power);
+    }
+
+    /**
+     * The bytes that a first pass will take.
+     *
+     * @param picture with the anti-aliasing of the scene that the forecast is of, or with none
+     */
+    long bytes(Picture picture) {
+        Sampling sampling = picture.sampling();
+        double pixels = (double) picture.width() * picture.height();
+        double film = sampling.isFine() ? pixels * MemoryNeed.COLOR : 0;
+        double more = (double) Math.max(picture.width(), picture.height()) / SIDE;
+        double bytes = film + switch (sampling.antialias()) {
+            case OFF -> pixels * center;
+            case EVERY -> pixels * center * sampling.perPixel();
+            case EDGES -> pixels * center + Math.pow(more, power) * edges * sampling.perPixel() / FEWEST;
+        };
+        return Math.min((long) bytes, MemoryNeed.most(scene.withPicture(picture), options));
+    }
+
+    /** A small picture: its pixels, and the bytes of centres and of finer samples, with those of their colours. */
+    private record Small(long pixels, long centers, long fine) {
+        static Small of(Scene scene, Options options, int side, boolean edges) {
+            Picture picture = scene.picture();
+            double shrink = (double) Math.max(picture.width(), picture.height()) / side;
+            Sampling few = new Sampling(edges ? Antialias.EDGES : Antialias.OFF, Limits.MIN_SAMPLES);
+            Picture small = picture.withSize(Math.max(1, (int) (picture.width() / shrink)), Math.max(1, (int) (picture.height() / shrink)))
+                    .withSampling(few);
+            try (Renderer renderer = new Renderer(options.withMemory(Long.MAX_VALUE))) {
+                renderer.render(scene.withPicture(small), Progress.NONE);
+                PixelCache cache = renderer.cache();
+                long centers = Arrays.stream(cache.tiles()).mapToLong(Small::bytes).sum();
+                return new Small((long) small.width() * small.height(), centers,
+                        cache.all().stream().mapToLong(Small::bytes).sum() - centers);
+            }
+        }
+
+        private static long bytes(CachedTile tile) {
+            return tile.bytes() + MemoryNeed.COLOR * Film.TILE_PIXELS;
+        }
+
+        double center() {
+            return (double) centers / pixels;
+        }
+    }
+}
