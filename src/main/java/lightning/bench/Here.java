@@ -6,6 +6,7 @@ import java.lang.management.ManagementFactory;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import jdk.incubator.vector.FloatVector;
@@ -13,7 +14,8 @@ import jdk.incubator.vector.FloatVector;
 /** The machine and the program that run now. */
 final class Here {
     private static final String UNKNOWN = "unknown";
-    private static final long PATIENCE_SECONDS = 5;
+    private static final long PATIENCE_MS = 5000;
+    private static final List<String> GIT = List.of("git", "describe", "--always", "--dirty");
 
     private Here() {}
 
@@ -37,7 +39,7 @@ final class Here {
     /** @param program the program's jar or classes */
     static String commit(Path program) {
         Optional<Path> repository = repository(program);
-        return repository.isEmpty() ? UNKNOWN : describe(repository.get());
+        return repository.isEmpty() ? UNKNOWN : describe(repository.get(), GIT, PATIENCE_MS);
     }
 
     /** The nearest folder around it with Maven's project of this program and Git's folder: another's says nothing of this program. */
@@ -50,12 +52,17 @@ final class Here {
         return Optional.empty();
     }
 
-    private static String describe(Path repository) {
+    /**
+     * What a program says of a repository; {@code unknown} if it fails or does not end in time, and it is ended then.
+     *
+     * @param patienceMs how long it may take, milliseconds
+     */
+    static String describe(Path repository, List<String> program, long patienceMs) {
         try {
             // Into a file, not a pipe: a pipe would be read until the process ends, however long that takes.
             Path said = Files.createTempFile("lightning", ".commit");
             try {
-                return describe(repository, said);
+                return describe(repository, program, patienceMs, said);
             } finally {
                 Files.deleteIfExists(said);
             }
@@ -67,11 +74,12 @@ final class Here {
         }
     }
 
-    private static String describe(Path repository, Path said) throws IOException, InterruptedException {
-        Process git = new ProcessBuilder("git", "describe", "--always", "--dirty").directory(repository.toFile())
+    private static String describe(Path repository, List<String> program, long patienceMs, Path said)
+            throws IOException, InterruptedException {
+        Process git = new ProcessBuilder(program).directory(repository.toFile())
                 .redirectOutput(said.toFile()).redirectError(ProcessBuilder.Redirect.DISCARD).start();
         try {
-            boolean ended = git.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            boolean ended = git.waitFor(patienceMs, TimeUnit.MILLISECONDS);
             String commit = ended && git.exitValue() == 0 ? Files.readString(said).strip() : "";
             return commit.isEmpty() ? UNKNOWN : commit;
         } finally {

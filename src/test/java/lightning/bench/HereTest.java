@@ -4,7 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 class HereTest {
@@ -17,6 +22,25 @@ class HereTest {
         assertThat(git("init", "-q")).isZero();
         assertThat(git("-c", "user.name=a", "-c", "user.email=a@b", "commit", "-q", "--allow-empty", "-m", "theirs")).isZero();
         assertThat(Here.commit(jar)).isEqualTo("unknown");
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void describeThatDoesNotEnd_isEndedAndTellsNoCommit() throws Exception {
+        // It holds its output open, and never ends by itself.
+        String waiting = "echo $$ > " + folder.resolve("pid") + "; echo abc; exec tail -f /dev/null";
+        assertThat(Here.describe(folder, List.of("sh", "-c", waiting), 1000)).isEqualTo("unknown");
+        long pid = Long.parseLong(Files.readString(folder.resolve("pid")).strip());
+        Optional<ProcessHandle> left = ProcessHandle.of(pid);
+        if (left.isPresent()) {
+            left.get().onExit().get(20, TimeUnit.SECONDS);
+        }
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void describeThatEnds_tellsWhatItSaid() {
+        assertThat(Here.describe(folder, List.of("echo", "v1-2-gabc"), 20_000)).isEqualTo("v1-2-gabc");
     }
 
     private int git(String... arguments) throws Exception {

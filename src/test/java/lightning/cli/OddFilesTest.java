@@ -6,9 +6,11 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
+import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -36,14 +38,64 @@ class OddFilesTest {
 
     @Test
     void pipeAsScene_isRefusedAtOnce() throws Exception {
-        Path pipe = folder.resolve("pipe.jen");
-        assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
-        Cli.run("check", pipe).isRefusedSaying("pipe.jen: is no file but a pipe or a device");
+        Cli.run("check", pipe("pipe.jen")).isRefusedSaying("pipe.jen: is no file but a pipe or a device");
     }
 
     @Test
     void deviceAsScene_isRefusedAtOnce() {
         Cli.run("check", "/dev/zero").isRefusedSaying("/dev/zero: is no file but a pipe or a device");
+    }
+
+    private Path pipe(String name) throws Exception {
+        Path pipe = folder.resolve(name);
+        assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
+        return pipe;
+    }
+
+    @Test
+    void folderAsScene_isRefused() throws IOException {
+        Cli.run("check", Files.createDirectory(folder.resolve("a.jen"))).isRefusedSaying("a.jen: is a folder, expected a .jen file");
+    }
+
+    @Test
+    void sceneLargerThanItsLimit_isRefusedWithTheLimit() throws IOException {
+        Path file = folder.resolve("large.jen");
+        try (var large = new RandomAccessFile(file.toFile(), "rw")) {
+            large.setLength(10L << 30);
+        }
+        Cli.run("check", file).isRefusedSaying("large.jen:1:1: a scene file may have at most 67108864 bytes, found more");
+    }
+
+    @Test
+    void pipeAsPictureToCompare_isRefusedAtOnce() throws Exception {
+        for (String ending : List.of("png", "xpm", "pfm")) {
+            Path pipe = pipe("p." + ending);
+            Cli.run("compare", pipe, pipe).isRefusedSaying("p." + ending + ": is no file");
+        }
+    }
+
+    @Test
+    void linkToADeviceAsPictureToCompare_isRefusedAtOnce() throws IOException {
+        Path link = Files.createSymbolicLink(folder.resolve("zero.pfm"), Path.of("/dev/zero"));
+        Cli.run("compare", link, link).isRefusedSaying("zero.pfm: is no file");
+    }
+
+    @Test
+    void hugePictureToCompare_isRefusedByItsHeader() throws IOException {
+        Path file = Files.writeString(folder.resolve("huge.pfm"), "PF\n16384 16384\n-1.0\n");
+        try (var large = new RandomAccessFile(file.toFile(), "rw")) {
+            large.setLength(12L << 28);
+        }
+        Cli.run("compare", file, file).isRefusedSaying("huge.pfm: has 16384 × 16384 pixels; expected 1 to 16384 in each direction and at most 67108864");
+    }
+
+    @Test
+    void fileWithoutAnEndOfItsHeader_isRefusedAsPicture() throws IOException {
+        Path file = folder.resolve("zeros.pfm");
+        try (var large = new RandomAccessFile(file.toFile(), "rw")) {
+            large.setLength(10L << 30);
+        }
+        Cli.run("compare", file, file).isRefusedSaying("zeros.pfm: ");
     }
 
     @Test

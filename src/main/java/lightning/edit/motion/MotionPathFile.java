@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
+import lightning.file.OrdinaryFile;
 import lightning.file.SafeFile;
 import lightning.math.Vec3;
 import lightning.text.Decimal;
@@ -45,6 +46,7 @@ public final class MotionPathFile {
      * @throws IOException if it cannot be read or is no motion path: {@code file:line: what was expected and found}
      */
     public static MotionPath load(Path file) throws IOException {
+        OrdinaryFile.check(file, "a motion path");
         byte[] bytes;
         try (InputStream in = Files.newInputStream(file)) {
             bytes = in.readNBytes(MAX_BYTES + 1);

@@ -22,6 +22,8 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -43,6 +45,14 @@ class MotionPathTest {
 
     private static MotionPath.Key key(double x) {
         return new MotionPath.Key(new Vec3(x, 0, 0), new Vec3(0, -1, 0));
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void pipeAsPath_isRefusedAtOnce() throws Exception {
+        Path pipe = folder.resolve("pipe.path");
+        assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
+        assertThatIOException().isThrownBy(() -> MotionPathFile.load(pipe)).withMessageContaining("pipe.path: is no file but a pipe or a device");
     }
 
     @Test
