@@ -9,6 +9,7 @@ import lightning.relight.MemoryNeed;
 import lightning.scene.Scene;
 import lightning.shading.Sight;
 import lightning.shading.TraditionalTracer;
+import lightning.work.Memory;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
@@ -91,7 +92,7 @@ public final class LadderMeter implements AutoCloseable {
         start = null;
         kept = null;
         // The levels' pictures lie in memory beside each other.
-        long memory = MemoryNeed.available();
+        long memory = Memory.available();
         for (Relighting level : levels) {
             switch (level.level()) {
                 case EXACT -> {

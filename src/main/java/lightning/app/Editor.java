@@ -21,7 +21,7 @@ import lightning.jen.JenException;
 import lightning.text.Quote;
 
 /** The editor of one document in one window, from opening to closing. */
-final class Editor implements AutoCloseable {
+public final class Editor implements AutoCloseable {
     private final Stage stage;
     private final Preferences preferences = new Preferences(Folders.data());
     private final Recovery recovery = new Recovery(Folders.data().resolve("recovery"));
@@ -68,7 +68,7 @@ final class Editor implements AutoCloseable {
         return model;
     }
 
-    FileActions files() {
+    public FileActions files() {
         return files;
     }
 

@@ -17,6 +17,7 @@ import lightning.app.command.Notices;
 import lightning.app.command.SizeMenu;
 import lightning.app.model.EditorModel;
 import lightning.app.model.Precision;
+import lightning.app.preview.PreviewItems;
 import lightning.app.preview.PreviewPane;
 import lightning.app.traced.LightPlacer;
 import lightning.app.traced.SamplingMenu;

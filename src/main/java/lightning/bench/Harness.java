@@ -107,7 +107,7 @@ public final class Harness {
                     fitting.add(new Measurable(scene, size));
                 } catch (PictureTooLarge e) {
                     refusal = e;
-                    ledger.problem(new Problem(Problem.Kind.UNMEASURED, scene.name() + " at " + size, e.getMessage()));
+                    ledger.problem(new Failure(Failure.Kind.UNMEASURED, scene.name() + " at " + size, e.getMessage()));
                 }
             }
         }

@@ -8,9 +8,9 @@ import lightning.image.DisplayCurve;
 import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
-import lightning.relight.MemoryNeed;
 import lightning.scene.Scene;
 import lightning.text.Quote;
+import lightning.work.Memory;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -78,7 +78,7 @@ final class PictureOutput {
 
     /** The bytes that a picture may take when its output needs some too. */
     long memory(Scene scene) throws IOException {
-        return MemoryNeed.available() - PictureFile.bytesToWrite(file, scene.picture().width(), scene.picture().height());
+        return Memory.available() - PictureFile.bytesToWrite(file, scene.picture().width(), scene.picture().height());
     }
 
     /** Writes the picture, and says how much of it the file cannot show. */

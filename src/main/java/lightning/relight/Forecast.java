@@ -4,6 +4,7 @@ import java.util.Arrays;
 import lightning.cache.CachedTile;
 import lightning.cache.PixelCache;
 import lightning.image.Film;
+import lightning.relight.tile.Options;
 import lightning.scene.Antialias;
 import lightning.scene.Limits;
 import lightning.scene.Picture;

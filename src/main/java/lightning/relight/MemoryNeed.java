@@ -20,8 +20,6 @@ import lightning.scene.Scene;
 public final class MemoryNeed {
     /** Bytes of a colour in a film or a row. */
     static final long COLOR = 3L * Float.BYTES;
-    /** The part of the heap that pictures may take: an edit's new columns and the collector need the rest. */
-    private static final double SHARE = 0.8;
     /** What a suggested size is shrunk by until it fits: samples at edges shrink more slowly than pixels do. */
     private static final double STEP = 0.9;
 
@@ -68,11 +66,6 @@ public final class MemoryNeed {
     /** What is kept of each pixel to know its edges. */
     private static long codes(Sampling sampling) {
         return sampling.antialias() == Antialias.EDGES ? 4L * Integer.BYTES : 0;
-    }
-
-    /** The bytes that pictures may take in this Java. */
-    public static long available() {
-        return (long) (SHARE * Runtime.getRuntime().maxMemory());
     }
 
     /**

@@ -57,7 +57,7 @@ public abstract class EditorDesk {
 
     public final FxRobot robot = new QuickRobot();
     Stage stage;
-    Editor editor;
+    public Editor editor;
     /** What the artist answers when asked for a file; null is Cancel. */
     public volatile Path answer;
 

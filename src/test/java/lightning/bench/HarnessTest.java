@@ -69,7 +69,7 @@ class HarnessTest {
         Settings settings = settings(1, 13, SMALL, new PictureSize(16384, 16384));
         Results results = new Harness(settings, List.of(finest()), List.of(), folder, List.of(), Progress.NONE).run((_, _) -> { }, Progress.NONE);
         assertThat(results.problems()).singleElement().satisfies(problem -> {
-            assertThat(problem.kind()).isEqualTo(Problem.Kind.UNMEASURED);
+            assertThat(problem.kind()).isEqualTo(Failure.Kind.UNMEASURED);
             assertThat(problem.where()).isEqualTo("finest at 16384x16384");
         });
         assertThat(results.scenes()).extracting(SceneResult::width).contains(24);

@@ -85,7 +85,7 @@ class PresenceTest {
     }
 
     /** A process that has a scene open until it is killed. */
-    static final class Editor {
+    public static final class Editor {
         public static void main(String[] arguments) throws IOException {
             var presence = new Presence(Path.of(arguments[0]));
             presence.open(Path.of(arguments[1]));

@@ -142,7 +142,7 @@ public final class EditorModel implements AutoCloseable {
     }
 
     /** How the preview looks. */
-    PreviewLook previewLook() {
+    public PreviewLook previewLook() {
         return previewLook;
     }
 

@@ -18,6 +18,7 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Region;
 import javafx.util.Duration;
 import lightning.app.model.EditorModel;
+import lightning.app.model.PreviewLook;
 import lightning.app.model.Sentence;
 import lightning.app.widget.CanvasSize;
 import lightning.edit.Viewport;

@@ -3,6 +3,7 @@ package lightning.relight.tile;
 import lightning.effects.ViewEffects;
 import lightning.relight.plan.Accuracy;
 import lightning.relight.plan.Reflections;
+import lightning.work.Memory;
 import lightning.work.Workers;
 
 /**
@@ -19,7 +20,7 @@ public record Options(Accuracy accuracy, Reflections reflections, MirrorStorage 
 
     /** What memory there is in this Java. */
     public Options(Accuracy accuracy, Reflections reflections, MirrorStorage storage, int threads, ViewEffects view) {
-        this(accuracy, reflections, storage, threads, view, MemoryNeed.available());
+        this(accuracy, reflections, storage, threads, view, Memory.available());
     }
 
     /** All effects. */

@@ -12,6 +12,8 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import lightning.app.EditorDesk;
+import lightning.app.QuickRobot;
+import lightning.app.model.GizmoSize;
 import lightning.edit.Command;
 import lightning.edit.LightEdits;
 import lightning.edit.LightManipulation;

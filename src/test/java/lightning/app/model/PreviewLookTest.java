@@ -1,4 +1,4 @@
-package lightning.app;
+package lightning.app.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package lightning.app;
+package lightning.app.measure;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -13,6 +13,9 @@ import lightning.accuracy.Level;
 import lightning.accuracy.PictureError;
 import lightning.accuracy.Rung;
 import lightning.accuracy.Timing;
+import lightning.app.JavaFxNeeds;
+import lightning.app.OnStage;
+import lightning.app.QuickRobot;
 import lightning.shading.TraceCounts;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -20,12 +23,12 @@ import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.Start;
 
 @ExtendWith({JavaFxNeeds.class, OnStage.class})
-class LadderChartTest {
-    private LadderChart chart;
+class LadderPlotTest {
+    private LadderPlot chart;
 
     @Start
     private void start(Stage stage) {
-        chart = new LadderChart();
+        chart = new LadderPlot();
         stage.setScene(new Scene(chart, 420, 380));
         stage.show();
     }
@@ -37,7 +40,7 @@ class LadderChartTest {
 
     @Test
     void labelOfManyLevelsWithoutTime_isReadInFull(FxRobot robot) {
-        robot.interact(() -> chart.show(new Ladder(null, null, null, Stream.of(Level.values()).map(LadderChartTest::rung).toList(),
+        robot.interact(() -> chart.show(new Ladder(null, null, null, Stream.of(Level.values()).map(LadderPlotTest::rung).toList(),
                 TraceCounts.NONE, true)));
         QuickRobot.settle();
         Node label = robot.lookup("1 2 3 4 5 6").query();

@@ -1,4 +1,4 @@
-package lightning.app;
+package lightning.app.model;
 
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
@@ -6,7 +6,7 @@ import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 
 /** How the preview looks, which is no part of the scene. */
-final class PreviewLook {
+public final class PreviewLook {
     private static final String GLOWING = "glowing textures";
 
     private final BooleanProperty lit = new SimpleBooleanProperty(true);
@@ -14,26 +14,26 @@ final class PreviewLook {
     private final ObjectProperty<GizmoSize> size = new SimpleObjectProperty<>(GizmoSize.NORMAL);
 
     /** Whether lights fall on textures; else textures glow, as in 1998. */
-    BooleanProperty litProperty() {
+    public BooleanProperty litProperty() {
         return lit;
     }
 
     /** Whether the lights' wireframes and markers are shown; what is hidden cannot be taken by the mouse. */
-    BooleanProperty gizmosProperty() {
+    public BooleanProperty gizmosProperty() {
         return gizmos;
     }
 
-    ObjectProperty<GizmoSize> sizeProperty() {
+    public ObjectProperty<GizmoSize> sizeProperty() {
         return size;
     }
 
     /** As it was left. Gizmos are shown in any case: without them nobody would find the lights. */
-    void restore(Preferences preferences) {
+    public void restore(Preferences preferences) {
         lit.set(!preferences.is("preview", GLOWING));
         size.set(preferences.choice("gizmos", GizmoSize.NORMAL));
     }
 
-    void remember(Preferences preferences) {
+    public void remember(Preferences preferences) {
         preferences.set("preview", lit.get() ? "" : GLOWING);
         preferences.set("gizmos", size.get().name());
     }

@@ -1,7 +1,7 @@
-package lightning.app;
+package lightning.app.model;
 
 /** How large the lights' wireframes are drawn. */
-enum GizmoSize {
+public enum GizmoSize {
     SMALL("Small", 0.6), NORMAL("Normal", 1), LARGE("Large", 1.6);
 
     private final String title;
@@ -13,7 +13,7 @@ enum GizmoSize {
     }
 
     /** What multiplies the normal size. */
-    double factor() {
+    public double factor() {
         return factor;
     }
 

@@ -1,4 +1,4 @@
-package lightning.app;
+package lightning.app.preview;
 
 import java.util.List;
 import javafx.scene.control.CheckMenuItem;
@@ -7,12 +7,14 @@ import javafx.scene.control.MenuItem;
 import javafx.scene.control.RadioMenuItem;
 import javafx.scene.control.ToggleGroup;
 import javafx.scene.input.KeyCombination;
+import lightning.app.model.GizmoSize;
+import lightning.app.model.PreviewLook;
 
 /** The choices of how the preview looks. */
-final class PreviewItems {
+public final class PreviewItems {
     private PreviewItems() {}
 
-    static List<MenuItem> of(PreviewLook look) {
+    public static List<MenuItem> of(PreviewLook look) {
         return List.of(gizmos(look), sizes(look), glowing(look));
     }
 
