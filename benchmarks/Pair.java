@@ -34,7 +34,8 @@ final class Pair {
     public static void main(String[] args) throws Exception {
         Scene read = JenReader.read(Path.of(args[0])).scene();
         Scene scene = read.withPicture(new Picture(1920, 1080, read.picture().depth()));
-        try (var renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(THREADS)); var workers = new Workers(THREADS)) {
+        try (var renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(THREADS));
+                var workers = new Workers(THREADS)) {
             var geometry = new Geometry(scene);
             print("full-trace", times(() -> {}, () -> new TraditionalTracer(scene, geometry).trace(workers, Progress.NONE)), 0, 0);
             double[] first = times(renderer::forget, () -> renderer.render(scene, Progress.NONE));

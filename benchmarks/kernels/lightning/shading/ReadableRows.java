@@ -53,8 +53,8 @@ final class ReadableRows {
                 Vec3 point = new Vec3(rows.px[i], rows.py[i], rows.pz[i]);
                 int state = !(cosine > 0) ? LightRows.AWAY
                         : !equation.insideCone() ? LightRows.OUTSIDE
-                                : geometry.blockedByAny(point, end) ? LightRows.SHADOWED
-                                        : LightRows.LIT;
+                        : geometry.blockedByAny(point, end) ? LightRows.SHADOWED
+                        : LightRows.LIT;
                 Agreement.require(layer.state(i) == state, "state of row", i);
                 Agreement.require(layer.cosine[i], state == LightRows.LIT ? cosine : 0, "cosine of row", i);
                 if (state == LightRows.LIT && layer.specular != null && geometry.materials().isSpecular(material)) {

@@ -99,7 +99,7 @@ class DocsTest {
         switch (command.name()) {
             case "lightning" -> run(outputs, command.exit(), command.arguments());
             case "mvn" -> checkMaven(command, outputs);
-            default -> { }
+            default -> {}
         }
     }
 

@@ -94,7 +94,8 @@ class LauncherTest {
         Result result = run(Map.of("JAVA_HOME", realJava(), "JAVA_TOOL_OPTIONS", Path.of("-XX:+NoSuchThing")), "", launcher);
         assertThat(result.code()).isEqualTo(2);
         assertThat(result.out()).isEmpty();
-        assertThat(result.err()).startsWith("lightning: Java does not start with JAVA_TOOL_OPTIONS").contains("NoSuchThing").hasLineCount(1);
+        assertThat(result.err()).startsWith("lightning: Java does not start with JAVA_TOOL_OPTIONS").contains("NoSuchThing")
+                .hasLineCount(1);
     }
 
     @Test

@@ -60,7 +60,8 @@ class ProgramFolderIT {
         Path scene = Files.writeString(folder.resolve("plain.jen"), "jen 1\nsphere ball { }\nlight lamp point { at 0 3 3 }\n");
         Path out = folder.resolve("out");
         Path err = folder.resolve("err");
-        var builder = new ProcessBuilder("bash", script.toString(), scene.toString(), PROGRAM.resolve("bin/lightning").toAbsolutePath().toString())
+        var builder = new ProcessBuilder("bash", script.toString(), scene.toString(),
+                PROGRAM.resolve("bin/lightning").toAbsolutePath().toString())
                 .directory(folder.toFile()).redirectOutput(out.toFile()).redirectError(err.toFile());
         builder.environment().keySet().removeIf(variable -> variable.startsWith("LC_") || variable.equals("LANG"));
         builder.environment().put("LC_ALL", "C");

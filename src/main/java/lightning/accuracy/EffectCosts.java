@@ -53,7 +53,8 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
 
     /** The effects that could be measured if there were more memory. */
     public List<Effect> tooLarge() {
-        return effects.stream().filter(cost -> !cost.measured() && (cost.inUse() || canForce(cost.effect()))).map(EffectCost::effect).toList();
+        return effects.stream().filter(cost -> !cost.measured() && (cost.inUse() || canForce(cost.effect()))).map(EffectCost::effect)
+                .toList();
     }
 
     /** One effect, measured in turns with the picture as it is, so that two caches at most are held at a time. */

@@ -56,7 +56,8 @@ public record Promise(Sight sight, ViewEffects view, double bound) {
 
     /** By how much values differ at most, linear: two digits, rounded up. */
     static String number(double v) {
-        return Double.isInfinite(v) ? "∞" : String.format(Locale.ROOT, "%.1e", BigDecimal.valueOf(v).round(new MathContext(2, RoundingMode.UP)));
+        return Double.isInfinite(v) ? "∞"
+                : String.format(Locale.ROOT, "%.1e", BigDecimal.valueOf(v).round(new MathContext(2, RoundingMode.UP)));
     }
 
     /**

@@ -31,7 +31,8 @@ public record Verification(Promise promise, Film picture, Film full, Difference 
     public String text() {
         String trace = promise.isStale() ? "a full trace whose mirrors show an older light" : "a full trace";
         String verdict = promised.isNone() ? "equal to " + trace + " in every bit"
-                : count(promised.values(), "value") + " in " + count(promised.pixels(), "pixel") + (promised.values() == 1 ? " differs from " : " differ from ") + trace
+                : count(promised.values(), "value") + " in " + count(promised.pixels(), "pixel")
+                        + (promised.values() == 1 ? " differs from " : " differ from ") + trace
                         + ", by at most " + Promise.number(promised.maxAbsolute()) + " where "
                         + (promise.bound() == 0 ? "no bit may differ" : Promise.number(promise.bound()) + " is promised");
         String mirrors = !promise.isStale() ? "" : current.isNone() ? "; and to one with current mirrors"

@@ -14,7 +14,7 @@ public final class Display {
      */
     public static Optional<String> obstacle() {
         try {
-            Platform.startup(() -> { });
+            Platform.startup(() -> {});
             return Optional.empty();
         } catch (RuntimeException | LinkageError e) {
             return Optional.of("no window can be opened here (" + e.getMessage()

@@ -49,8 +49,7 @@ public final class Editor implements AutoCloseable {
         window = new EditorWindow(model, files, notices);
         disk = new DiskBar(model, hops, files::compareWithDisk);
         window.addLine(disk);
-        model.situationProperty().subscribe(now ->
-                stage.setTitle((now.dirty() ? "• " : "") + model.document().name() + " – Lightning"));
+        model.situationProperty().subscribe(now -> stage.setTitle((now.dirty() ? "• " : "") + model.document().name() + " – Lightning"));
         stage.focusedProperty().subscribe(_ -> disk.look());
         stage.setOnCloseRequest(e -> {
             if (files.mayLeave()) {

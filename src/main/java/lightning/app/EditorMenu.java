@@ -51,7 +51,8 @@ final class EditorMenu extends MenuBar {
                 new SeparatorMenuItem(), item(Command.RENAME_LIGHT), item(Command.SWITCH_ON), item(Command.SOLO),
                 lookThrough(), new SeparatorMenuItem(), item(Command.AIM),
                 placing("Place Highlight…", "Shortcut+Shift+G", traced.placer(), traced.placer()::highlight),
-                placing("Place Shadow…", "Shortcut+Shift+D", traced.placer(), traced.placer()::shadow), new SeparatorMenuItem(), item(Command.MAKE_ANIMATION));
+                placing("Place Shadow…", "Shortcut+Shift+D", traced.placer(), traced.placer()::shadow), new SeparatorMenuItem(),
+                item(Command.MAKE_ANIMATION));
         var live = new CheckMenuItem("Live");
         live.setAccelerator(KeyCombination.valueOf("F8"));
         live.selectedProperty().bindBidirectional(model.liveProperty());
@@ -72,7 +73,8 @@ final class EditorMenu extends MenuBar {
         only.selectedProperty().bindBidirectional(model.look().onlySelectedProperty());
         var shown = new Menu("Show the Picture");
         shown.getItems().setAll(ViewItems.of(model, "menu-view"));
-        Menu view = menu("View", only, shown, new SeparatorMenuItem(), item("Fit Picture", "Shortcut+0", picture::fit), item("Actual Pixels", "Shortcut+1", picture::oneToOne),
+        Menu view = menu("View", only, shown, new SeparatorMenuItem(), item("Fit Picture", "Shortcut+0", picture::fit),
+                item("Actual Pixels", "Shortcut+1", picture::oneToOne),
                 item("Zoom In", "Shortcut+EQUALS", () -> picture.zoomBy(ZOOM)),
                 item("Zoom Out", "Shortcut+MINUS", () -> picture.zoomBy(1 / ZOOM)),
                 item("Trace a Region", "Shortcut+B", traced::frameRegion), new SeparatorMenuItem(),

@@ -54,7 +54,8 @@ final class EditorToolBar extends ToolBar {
         add(Command.MAKE_ANIMATION);
         getItems().add(panel("accuracy-panel", "What Accuracy Costs", "F9", "Each level's time and error for the edit made last",
                 MaterialDesignC.CHART_SCATTER_PLOT, panels::accuracy));
-        getItems().add(panel("effects-panel", "Effects", "Shift+F9", "What the scene calls for, and who calls for it; hide an effect from the view",
+        getItems().add(panel("effects-panel", "Effects", "Shift+F9",
+                "What the scene calls for, and who calls for it; hide an effect from the view",
                 MaterialDesignL.LAYERS_OUTLINE, panels::effects));
     }
 

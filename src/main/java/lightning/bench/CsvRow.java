@@ -79,7 +79,8 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
 
     private static CsvRow row(String kind, String scene, int width, int height, String edit, String value, String level, Samples time,
             double saving, double paper, Work work, PictureError e) {
-        return new CsvRow(cell(kind), cell(scene), width, height, cell(edit), cell(value), cell(level), time.samples().size(), time.median(), time.lowerQuartile(),
+        return new CsvRow(cell(kind), cell(scene), width, height, cell(edit), cell(value), cell(level), time.samples().size(),
+                time.median(), time.lowerQuartile(),
                 time.upperQuartile(), saving, work.cap(), paper, cell(work.plan()), work.rowsTouched(), work.shadowRays(),
                 work.shadowRaysAvoided(), work.bytesMoved(), work.floorMs(), work.timesFloor(), e.values(), e.maxUlp(), e.maxAbsolute(),
                 e.meanAbsolute(), e.rmse(), e.linearPsnr(), e.displayPsnr(), e.ssim(), e.flip(), work.errorBound());

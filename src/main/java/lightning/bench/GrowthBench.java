@@ -73,8 +73,9 @@ final class GrowthBench {
     private GrowthPoint point(String along, long at, String where, Scene scene, Progress progress) {
         MemoryNeed.check(scene, Options.DEFAULT.withThreads(settings.threads()));
         List<PaperCase> cases = PaperCases.of(scene).stream().filter(PaperCase::isPrinted).toList();
-        try (SavingMeter meter = new SavingMeter(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(settings.threads()), settings.repetitions(),
-                settings.patienceMs(), bytesPerMs)) {
+        try (SavingMeter meter =
+                new SavingMeter(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(settings.threads()), settings.repetitions(),
+                        settings.patienceMs(), bytesPerMs)) {
             List<Saving> savings = meter.updates(scene, cases.stream().map(PaperCase::after).toList(), progress);
             List<GrowthPoint.EditTime> edits = new ArrayList<>();
             for (int i = 0; i < savings.size(); i++) {

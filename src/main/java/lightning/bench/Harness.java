@@ -84,8 +84,8 @@ public final class Harness {
             add(scenes.get(i), paces.get(i), fitting, best, new Pictures(folder));
         }
         if (settings.curves() && !scenes.isEmpty()) {
-            groups.add(new Group(new GrowthBench(settings, ledger, best).parts(paces.getFirst()), () -> { }));
-            groups.add(new Group(List.of(drift(paces.getFirst())), () -> { }));
+            groups.add(new Group(new GrowthBench(settings, ledger, best).parts(paces.getFirst()), () -> {}));
+            groups.add(new Group(List.of(drift(paces.getFirst())), () -> {}));
         }
         predictedMs = groups.stream().flatMap(g -> g.parts().stream()).mapToDouble(Part::predictedMs).sum();
         run = new Run(Instant.now().truncatedTo(ChronoUnit.SECONDS).toString(), Here.commit(), arguments, Here.machine(), settings.seed(),

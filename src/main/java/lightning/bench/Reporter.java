@@ -7,7 +7,7 @@ import java.nio.file.Path;
 @FunctionalInterface
 public interface Reporter {
     /** Makes nothing. */
-    Reporter NONE = (_, _) -> { };
+    Reporter NONE = (_, _) -> {};
 
     /**
      * Writes into the folder that holds the results.

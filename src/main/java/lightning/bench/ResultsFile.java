@@ -56,7 +56,8 @@ public final class ResultsFile {
             throw new IOException(file + ": is no file, expected results of 'lightning bench'");
         }
         if (Files.exists(file) && Files.size(file) > MOST_BYTES) {
-            throw new IOException(file + ": no results of 'lightning bench': they have at most " + MOST_BYTES + " bytes, it has " + Files.size(file));
+            throw new IOException(
+                    file + ": no results of 'lightning bench': they have at most " + MOST_BYTES + " bytes, it has " + Files.size(file));
         }
         try {
             return JSON.readValue(Files.readAllBytes(file), Results.class);

@@ -39,7 +39,8 @@ final class SceneBench implements AutoCloseable {
     private final Pictures pictures;
     private LadderMeter meter;
 
-    SceneBench(Settings settings, Ledger ledger, Ledger.Page page, NamedScene named, PictureSize size, double bytesPerMs, Pictures pictures) {
+    SceneBench(Settings settings, Ledger ledger, Ledger.Page page, NamedScene named, PictureSize size, double bytesPerMs,
+            Pictures pictures) {
         this.settings = settings;
         this.ledger = ledger;
         this.page = page;
@@ -97,7 +98,8 @@ final class SceneBench implements AutoCloseable {
     private void firstPass(Progress progress) throws IOException {
         // The collector makes some of them slow; the median of a few would tell of it by chance.
         int times = FIRST_PASSES * settings.repetitions();
-        try (SavingMeter first = new SavingMeter(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(settings.threads()), times, settings.patienceMs(),
+        try (SavingMeter first = new SavingMeter(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(settings.threads()), times,
+                settings.patienceMs(),
                 bytesPerMs)) {
             page.firstPass(first.firstPass(scene, progress.silent()));
             if (pictures != null) {

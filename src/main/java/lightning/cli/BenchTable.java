@@ -83,7 +83,8 @@ final class BenchTable {
                 + " two roughest");
         for (SceneResult scene : results.scenes()) {
             if (scene.peer() != null) {
-                console.line("%s at %d x %d: %.1f times as fast as %s; %.2f %% of the pixels show the same shape", scene.scene(), scene.width(),
+                console.line("%s at %d x %d: %.1f times as fast as %s; %.2f %% of the pixels show the same shape", scene.scene(),
+                        scene.width(),
                         scene.height(), scene.peer().ratio(), scene.peer().program(), 100 * scene.peer().agreement());
             }
         }

@@ -11,7 +11,8 @@ import picocli.CommandLine.Option;
 /** One word of an edit on the command line; exactly one of the fields is set. */
 final class EditStep {
     @Option(names = "--set", required = true, paramLabel = "NAME.PROPERTY=VALUE",
-            description = {"Sets a property as the file would: key.intensity=0.4, \"key.color=1 0 0\", key.type=spot, key.on=no, world.ambience=0.1, picture.depth=5;",
+            description = {
+                "Sets a property as the file would: key.intensity=0.4, \"key.color=1 0 0\", key.type=spot, key.on=no, world.ambience=0.1, picture.depth=5;",
                 "a name that is no word in double quotes, '\"key light\".intensity=2';",
                 "of a material: \"material:gold.reflective=0.5 0.4 0.1\", material:gold.shininess=30, material:floor.texture=none."})
     private String set;

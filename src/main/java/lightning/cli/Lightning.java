@@ -62,7 +62,8 @@ public final class Lightning {
                 .setColorScheme(CommandLine.Help.defaultColorScheme(console.terminal() ? Ansi.AUTO : Ansi.OFF))
                 .setUsageHelpWidth(HELP_WIDTH)
                 .setCaseInsensitiveEnumValuesAllowed(true)
-                .setExecutionExceptionHandler((e, command, _) -> Complaint.report(console, e, option -> command.getCommandSpec().findOption(option) != null))
+                .setExecutionExceptionHandler(
+                        (e, command, _) -> Complaint.report(console, e, option -> command.getCommandSpec().findOption(option) != null))
                 .setParameterExceptionHandler((e, _) -> badUsage(console, e));
     }
 

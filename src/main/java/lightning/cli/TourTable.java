@@ -17,13 +17,15 @@ final class TourTable {
 
     void first(FirstPassCost cost, double bytesPerMs) {
         console.line("first pass %.1f ms, full trace %.1f ms: keeping all costs %.1f %% (the paper: 19; writing it to memory at %.0f GB/s"
-                + " alone: %.1f)", cost.first().median(), cost.full().median(), cost.percentSlower(), bytesPerMs / 1e6, cost.percentFloor());
+                + " alone: %.1f)", cost.first().median(), cost.full().median(), cost.percentSlower(), bytesPerMs / 1e6,
+                cost.percentFloor());
         console.line("kept: %d rows, %.1f bytes a row", cost.rows(), cost.bytesPerRow());
         console.line("");
     }
 
     void povRay(TurnTimes times) {
-        console.line("POV-Ray traces the exported scene in %.0f ms, the full trace takes %.1f ms: %.2f times as fast", times.rival().median(),
+        console.line("POV-Ray traces the exported scene in %.0f ms, the full trace takes %.1f ms: %.2f times as fast",
+                times.rival().median(),
                 times.full().median(), times.ratio());
         console.line("");
     }
@@ -40,7 +42,8 @@ final class TourTable {
     /** @param paper percent that the paper saved, NaN where it says nothing */
     void row(String name, double paper, Saving saving) {
         console.line(COLUMNS, name, saving.update().plan().text(), saving.update().rowsTouched(),
-                saving.update().rays().shadow(), number(saving.time().median(), 2), number(saving.full().median(), 1), number(saving.percent(), 1),
+                saving.update().rays().shadow(), number(saving.time().median(), 2), number(saving.full().median(), 1),
+                number(saving.percent(), 1),
                 number(paper, 0), number(saving.cap(), 1), saving.kept() ? "yes" : "NO");
     }
 

@@ -41,7 +41,7 @@ public enum Command {
             case ADD_LIGHT -> room(s);
             case DUPLICATE_LIGHT -> s.selected().isEmpty() ? noLight() : room(s);
             case DELETE_LIGHT, RENAME_LIGHT, CHANGE_TYPE, SWITCH_ON, SOLO, COPY_SETTINGS, LOOK_THROUGH_LIGHT ->
-                ofLight(s, true, "");
+                    ofLight(s, true, "");
             case PASTE_SETTINGS -> ofLight(s, s.copied().isPresent(), "no settings were copied");
             case AIM -> s.type().map(Attribute.DIRECTION::obstacle).orElseGet(Command::noLight);
             case MAKE_ANIMATION -> ofLight(s, !s.isPending(),
@@ -54,7 +54,7 @@ public enum Command {
         return switch (this) {
             case GO, UPDATE_REFLECTIONS, VERIFY, CANCEL, SAVE_IMAGE, COPY_SETTINGS, LOOK_THROUGH_LIGHT, PICK_MATERIAL -> true;
             case UNDO, REDO, UNDO_LIGHT, REDO_LIGHT, LOAD_FILE, RELOAD, SAVE_SCENE, SAVE_SCENE_AS, ADD_LIGHT, DELETE_LIGHT,
-                DUPLICATE_LIGHT, RENAME_LIGHT, CHANGE_TYPE, SWITCH_ON, SOLO, PASTE_SETTINGS, AIM, MAKE_ANIMATION -> false;
+                    DUPLICATE_LIGHT, RENAME_LIGHT, CHANGE_TYPE, SWITCH_ON, SOLO, PASTE_SETTINGS, AIM, MAKE_ANIMATION -> false;
         };
     }
 

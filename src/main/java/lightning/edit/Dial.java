@@ -83,7 +83,7 @@ public enum Dial {
                 case AMBIENCE -> scene.withWorld(scene.world().withAmbience(value));
                 case DEPTH -> scene.withPicture(scene.picture().withDepth(whole(value)));
                 case RED, GREEN, BLUE, INTENSITY, CONSTANT, LINEAR, QUADRATIC, ANGLE, DROPOFF ->
-                    scene.withLight(on(LightEdits.light(scene, light), value));
+                        scene.withLight(on(LightEdits.light(scene, light), value));
             };
         });
     }

@@ -184,7 +184,8 @@ public final class PropertyEdit {
             return setMaterial(scene, target, property, value, textures);
         }
         List<String> known = Stream.of(Stream.of("picture", "camera", "world"), scene.lights().stream().map(Light::name),
-                names(scene.nodes()), scene.materials().stream().map(Material::name)).flatMap(s -> s).filter(k -> !k.equals(target)).toList();
+                names(scene.nodes()), scene.materials().stream().map(Material::name)).flatMap(s -> s).filter(k -> !k.equals(target))
+                .toList();
         throw new IllegalArgumentException("the scene has nothing named " + Quote.of(target) + Nearest.hint(target, known));
     }
 
@@ -221,7 +222,8 @@ public final class PropertyEdit {
     }
 
     /** The record with one property set. */
-    private static <T> T edited(Function<String, Texture> textures, BlockType<T> type, String name, T record, String property, String value) {
+    private static <T> T edited(Function<String, Texture> textures, BlockType<T> type, String name, T record, String property,
+            String value) {
         Map<String, Value> values = new HashMap<>(type.values(record));
         String newName = name;
         if (property.equals(NAME) && type.named() && type != Blocks.MATERIAL) {

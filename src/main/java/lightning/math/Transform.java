@@ -39,7 +39,8 @@ public record Transform(
 
     /** This map with the absolute value of every number. */
     public Transform absolute() {
-        return new Transform(Math.abs(m00), Math.abs(m01), Math.abs(m02), Math.abs(t0), Math.abs(m10), Math.abs(m11), Math.abs(m12), Math.abs(t1),
+        return new Transform(Math.abs(m00), Math.abs(m01), Math.abs(m02), Math.abs(t0), Math.abs(m10), Math.abs(m11), Math.abs(m12),
+                Math.abs(t1),
                 Math.abs(m20), Math.abs(m21), Math.abs(m22), Math.abs(t2));
     }
 

@@ -33,7 +33,7 @@ final class PovLight {
         words.add(color(light, fade.gain()));
         switch (light.type()) {
             case DIRECTIONAL -> words.add("parallel point_at " + PovText.vector(extent.center()));
-            case POINT -> { }
+            case POINT -> {}
             case SPOT -> words.addAll(spot(light));
         }
         if (fade.distance() > 0) {

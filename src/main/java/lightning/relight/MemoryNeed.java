@@ -106,13 +106,15 @@ public final class MemoryNeed {
             // Whole tiles, as they are reckoned.
             int width = (int) (picture.width() * shrink) / Film.TILE * Film.TILE;
             int height = (int) (picture.height() * shrink) / Film.TILE * Film.TILE;
-            throw new PictureTooLarge(need, memory, Math.min(width, height) < 1 ? List.of() : List.of(new PictureTooLarge.Way.Size(width, height)));
+            throw new PictureTooLarge(need, memory,
+                    Math.min(width, height) < 1 ? List.of() : List.of(new PictureTooLarge.Way.Size(width, height)));
         }
     }
 
     private static void size(Scene scene, Forecast forecast, long need, long available, List<PictureTooLarge.Way> ways) {
         Picture picture = scene.picture();
-        for (double shrink = Math.sqrt((double) Math.max(available, 0) / need); shrink * Math.min(picture.width(), picture.height()) >= 1; shrink *= STEP) {
+        for (double shrink = Math.sqrt((double) Math.max(available, 0) / need); shrink * Math.min(picture.width(), picture.height()) >= 1;
+                shrink *= STEP) {
             Picture smaller = picture.withSize((int) (picture.width() * shrink), (int) (picture.height() * shrink));
             if (forecast.bytes(smaller) <= available) {
                 ways.add(new PictureTooLarge.Way.Size(smaller.width(), smaller.height()));

@@ -40,7 +40,8 @@ public record PlacementError(Transform toWorld, Transform directionsBack) {
                 .plus(map.absolute().plus(map.absolute().linear().times(-1)).times(UNIT));
         Transform inverseError = shrinking.times(turned.transposed()).plus(inverse.absolute().times(FACTOR));
         return this == NONE ? new PlacementError(mapError, inverseError)
-                : new PlacementError(product(groups, toWorld, map, mapError, SUM), product(inverse, inverseError, back, directionsBack, SUM));
+                : new PlacementError(product(groups, toWorld, map, mapError, SUM),
+                        product(inverse, inverseError, back, directionsBack, SUM));
     }
 
     /** A bound on how far the shape's own origin may be off, scene units. */
@@ -84,6 +85,7 @@ public record PlacementError(Transform toWorld, Transform directionsBack) {
         double sine = Math.abs(Transform.sinDegrees(degrees));
         // The square of the error is more than what its first order leaves out.
         double first = UNIT * (decimal + 3 * (angle + Math.PI / 2));
-        return new double[] {UNIT * ((decimal + 3 * angle) * sine + 2 * cosine) + first * first, first * cosine + UNIT * 2 * sine + first * first};
+        return new double[] {UNIT * ((decimal + 3 * angle) * sine + 2 * cosine) + first * first,
+            first * cosine + UNIT * 2 * sine + first * first};
     }
 }

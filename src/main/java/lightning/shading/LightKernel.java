@@ -88,7 +88,7 @@ public final class LightKernel {
     private static byte state(int facing, int inside, int lit) {
         return (byte) (facing == 0 ? LightRows.AWAY
                 : inside == 0 ? LightRows.OUTSIDE
-                        : lit == 0 ? LightRows.SHADOWED | LightRows.BLOCKED : LightRows.LIT | LightRows.CLEAR);
+                : lit == 0 ? LightRows.SHADOWED | LightRows.BLOCKED : LightRows.LIT | LightRows.CLEAR);
     }
 
     private void aim(HitRows rows, Lamp lamp) {

@@ -135,7 +135,7 @@ public final class ReferenceTracer {
     private int state(int light, SurfacePoint at, LightingEquation equation, float cosine) {
         return !(cosine > 0) ? LightRows.AWAY
                 : !equation.insideCone() ? LightRows.OUTSIDE
-                        : isVisible(light, at) ? LightRows.LIT : LightRows.SHADOWED;
+                : isVisible(light, at) ? LightRows.LIT : LightRows.SHADOWED;
     }
 
     /** Whether nothing stands between a point and a light. */

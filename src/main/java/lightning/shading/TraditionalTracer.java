@@ -78,7 +78,8 @@ public final class TraditionalTracer {
         switch (sampling.antialias()) {
             case OFF -> workers.run(tiles.length, (worker, i) -> threads[worker].centers(film, tiles[i], progress), progress);
             case EVERY -> workers.run(tiles.length,
-                    (worker, i) -> threads[worker].fine(film, tiles[i], EdgeMap.all(film.width(), film.height(), tiles[i]), progress), progress);
+                    (worker, i) -> threads[worker].fine(film, tiles[i], EdgeMap.all(film.width(), film.height(), tiles[i]), progress),
+                    progress);
             case EDGES -> edges(film, workers, threads, tiles, progress);
         }
         TraceCounts rays = TraceCounts.NONE;

@@ -119,7 +119,8 @@ public final class Geometry {
     /** The shape with the given index. */
     public PlacedShape shape(int index) {
         PlacedShape shape = placed.get(index);
-        return new PlacedShape(shape.shape(), materials.material(shapes.material[index]), shape.toWorld(), shape.directionsBack(), shape.error());
+        return new PlacedShape(shape.shape(), materials.material(shapes.material[index]), shape.toWorld(), shape.directionsBack(),
+                shape.error());
     }
 
     /** The index of the material of the shape with the given index. */

@@ -155,7 +155,8 @@ final class SurfaceLanes {
         DoubleVector px = fromArray(SPECIES, x, h);
         DoubleVector py = fromArray(SPECIES, y, h);
         DoubleVector pz = fromArray(SPECIES, z, h);
-        DoubleVector origin = fromArray(SPECIES, p.ox, h).abs().add(fromArray(SPECIES, p.oy, h).abs()).add(fromArray(SPECIES, p.oz, h).abs());
+        DoubleVector origin =
+                fromArray(SPECIES, p.ox, h).abs().add(fromArray(SPECIES, p.oy, h).abs()).add(fromArray(SPECIES, p.oz, h).abs());
         DoubleVector off = px.mul(bx).abs().add(py.mul(by).abs()).add(pz.mul(bz).abs()).mul(Surface.OFFSET)
                 .add(origin.mul(Surface.ERROR).add(shapes.error[s]));
         VectorMask<Double> mask = VectorMask.fromLong(SPECIES, lanes);

@@ -42,7 +42,8 @@ public final class WayEnd {
                 from[count++] = lies;
             }
         }
-        return count == 0 ? new WayEnd(point, OPEN.shape, OPEN.from) : new WayEnd(point, Arrays.copyOf(shape, count), Arrays.copyOf(from, count));
+        return count == 0 ? new WayEnd(point, OPEN.shape, OPEN.from)
+                : new WayEnd(point, Arrays.copyOf(shape, count), Arrays.copyOf(from, count));
     }
 
     /** The point, render space. */

@@ -172,8 +172,8 @@ class PaperCasesTest {
             }
         }
         assertThat(values.values()).allSatisfy(texts -> assertThat(texts).doesNotContain(""));
-        assertThat(PaperCases.of(scene)).filteredOn(PaperCase::isPrinted).allSatisfy(edit ->
-                assertThat(values.get(edit.name())).as(edit.name()).hasSize(PaperCases.VALUES));
+        assertThat(PaperCases.of(scene)).filteredOn(PaperCase::isPrinted)
+                .allSatisfy(edit -> assertThat(values.get(edit.name())).as(edit.name()).hasSize(PaperCases.VALUES));
     }
 
     @Test
@@ -185,7 +185,8 @@ class PaperCasesTest {
                 "add", "ambience", "position-feet", "composite-1", "off", "on", "solo", "rename", "undo", "depth-less", "depth-more",
                 "point-to-spot", "material-color", "shininess", "reflectivity", "mirror-off", "mirror-on", "texture-off", "texture-on");
         assertThat(PaperCases.of(bird.withLights(List.of()))).extracting(PaperCase::name).containsExactlyInAnyOrder("add", "ambience",
-                "depth-less", "depth-more", "material-color", "shininess", "reflectivity", "mirror-off", "mirror-on", "texture-off", "texture-on");
+                "depth-less", "depth-more", "material-color", "shininess", "reflectivity", "mirror-off", "mirror-on", "texture-off",
+                "texture-on");
     }
 
     @ParameterizedTest

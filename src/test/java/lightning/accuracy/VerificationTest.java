@@ -88,7 +88,8 @@ class VerificationTest {
             Update update = renderer.render(DIM, Progress.NONE);
             Verification verification = verify(Promise.of(renderer, update), renderer.film());
             assertThat(verification.isKept()).isTrue();
-            assertThat(verification.text()).startsWith("Verified: ").contains("whose mirrors show an older light", "would change with current mirrors");
+            assertThat(verification.text()).startsWith("Verified: ").contains("whose mirrors show an older light",
+                    "would change with current mirrors");
             assertThat(verification.full().sameBits(new ReferenceTracer(DIM).trace())).isTrue();
             assertThat(verification.current().pixels()).isPositive();
         }
@@ -107,7 +108,8 @@ class VerificationTest {
         Film film = off(new ReferenceTracer(STUDIO).trace());
         Verification broken = verify(promise(STUDIO, STUDIO, 0), film);
         assertThat(broken.isKept()).isFalse();
-        assertThat(broken.text()).isEqualTo("NOT KEPT: 1 value in 1 pixel differs from a full trace, by at most 2.5e-01 where no bit may differ");
+        assertThat(broken.text())
+                .isEqualTo("NOT KEPT: 1 value in 1 pixel differs from a full trace, by at most 2.5e-01 where no bit may differ");
         assertThatThrownBy(() -> BrokenPromise.require(broken, Level.EXACT)).isInstanceOf(BrokenPromise.class)
                 .hasMessage("level exact: " + broken.text() + "; not measured");
         assertThat(verify(promise(STUDIO, STUDIO, 0.2), film).text()).startsWith("NOT KEPT: ").endsWith("where 2.0e-01 is promised");
@@ -121,7 +123,8 @@ class VerificationTest {
             renderer.render(STUDIO, Progress.NONE);
             empty(renderer.cache().geometry());
             Update update = renderer.render(STUDIO.withPicture(STUDIO.picture().withSize(20, 16)), Progress.NONE);
-            Film overTheSameTree = new TraditionalTracer(renderer.scene(), renderer.cache().geometry()).trace(workers, Progress.NONE).film();
+            Film overTheSameTree =
+                    new TraditionalTracer(renderer.scene(), renderer.cache().geometry()).trace(workers, Progress.NONE).film();
             assertThat(overTheSameTree.sameBits(renderer.film())).isTrue();
             assertThat(verify(Promise.of(renderer, update), renderer.film()).isKept()).isFalse();
         }

@@ -138,7 +138,8 @@ class FilesTest extends EditorDesk {
 
     @Test
     void droppedScene_isOpenedAndAnythingElseIsNot() throws IOException {
-        Path small = Files.writeString(folder.resolve("small.jen"), Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 40 30"));
+        Path small = Files.writeString(folder.resolve("small.jen"),
+                Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 40 30"));
         EditorWindow window = robot.lookup("#editor").query();
         AtomicBoolean taken = new AtomicBoolean(true);
         robot.interact(() -> taken.set(window.drop(List.of(folder.resolve("a.png").toFile()))));

@@ -147,7 +147,8 @@ class SmallWindowTest extends EditorDesk {
     void everyAccuracy_isReadInFull() {
         for (Precision precision : Precision.values()) {
             robot.interact(() -> model().precisionProperty().set(precision));
-            Set<String> cut = robot.lookup("#precision .label").queryAllAs(Labeled.class).stream().filter(SmallWindowTest::isCut).map(Labeled::getText).collect(Collectors.toSet());
+            Set<String> cut = robot.lookup("#precision .label").queryAllAs(Labeled.class).stream().filter(SmallWindowTest::isCut)
+                    .map(Labeled::getText).collect(Collectors.toSet());
             assertThat(cut).isEmpty();
         }
     }

@@ -34,12 +34,13 @@ class HarnessTest {
     }
 
     private Harness harness(Settings settings) {
-        return new Harness(settings, List.of(scene), List.of(new Failure(Failure.Kind.UNREAD, "other.jen", "was not read")), folder, List.of("--x"),
+        return new Harness(settings, List.of(scene), List.of(new Failure(Failure.Kind.UNREAD, "other.jen", "was not read")), folder,
+                List.of("--x"),
                 Progress.NONE);
     }
 
     private Results run(Settings settings) throws Exception {
-        return harness(settings).run((_, _) -> { }, Progress.NONE);
+        return harness(settings).run((_, _) -> {}, Progress.NONE);
     }
 
     private static NamedScene finest() {
@@ -60,14 +61,17 @@ class HarnessTest {
                 return false;
             }
         };
-        assertThatThrownBy(() -> new Harness(settings(1, 13, new PictureSize(16384, 16384)), List.of(finest()), List.of(), folder, List.of(),
-                bar)).isInstanceOf(PictureTooLarge.class).message().contains("it would fit with a size of").doesNotContain("--");
+        assertThatThrownBy(
+                () -> new Harness(settings(1, 13, new PictureSize(16384, 16384)), List.of(finest()), List.of(), folder, List.of(),
+                        bar))
+                .isInstanceOf(PictureTooLarge.class).message().contains("it would fit with a size of").doesNotContain("--");
     }
 
     @Test
     void sizeThatDoesNotFit_isAProblemAndTheOtherIsMeasured() throws Exception {
         Settings settings = settings(1, 13, SMALL, new PictureSize(16384, 16384));
-        Results results = new Harness(settings, List.of(finest()), List.of(), folder, List.of(), Progress.NONE).run((_, _) -> { }, Progress.NONE);
+        Results results =
+                new Harness(settings, List.of(finest()), List.of(), folder, List.of(), Progress.NONE).run((_, _) -> {}, Progress.NONE);
         assertThat(results.problems()).singleElement().satisfies(problem -> {
             assertThat(problem.kind()).isEqualTo(Failure.Kind.UNMEASURED);
             assertThat(problem.where()).isEqualTo("finest at 16384x16384");
@@ -196,7 +200,7 @@ class HarnessTest {
     @Test
     void progress_risesToTheEnd() throws Exception {
         List<Integer> heard = new ArrayList<>();
-        harness(settings(1, 24, SMALL)).run((_, _) -> { }, new Progress() {
+        harness(settings(1, 24, SMALL)).run((_, _) -> {}, new Progress() {
             @Override
             public void tiles(int done, int total) {
                 heard.add(done);

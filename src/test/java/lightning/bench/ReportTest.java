@@ -59,7 +59,8 @@ class ReportTest {
     @Test
     void whatFailed_isALineOfItsOwn() throws Exception {
         Results results = new Results(Sample.RUN, List.of(Sample.scene(10)), List.of(), List.of(),
-                List.of(new Failure(Failure.Kind.UNREAD, "a.jen:12:8", "intensity must be ≥ 0, was -3"), new Failure(Failure.Kind.UNREAD, "b.jen", "no such file")));
+                List.of(new Failure(Failure.Kind.UNREAD, "a.jen:12:8", "intensity must be ≥ 0, was -3"),
+                        new Failure(Failure.Kind.UNREAD, "b.jen", "no such file")));
         Element problems = byId(write(results, folder), "problems");
 
         assertThat(texts(problems, "li")).hasSize(2).first().asString().contains("a.jen:12:8", "intensity must be ≥ 0, was -3");
@@ -69,8 +70,10 @@ class ReportTest {
     void namesWithMarkup_areShownAsTheyAre() throws Exception {
         String name = "<script>alert('\"&')</script>";
         SceneResult scene = Sample.scene(10);
-        Document page = write(new Results(Sample.RUN, List.of(new SceneResult(name, 300, 200, 3, 10, 3, null, null, scene.edits(), List.of(), null)),
-                List.of(), List.of(), List.of()), folder);
+        Document page = write(
+                new Results(Sample.RUN, List.of(new SceneResult(name, 300, 200, 3, 10, 3, null, null, scene.edits(), List.of(), null)),
+                        List.of(), List.of(), List.of()),
+                folder);
 
         assertThat(byId(page, "scene-1").getElementsByTagName("h2").item(0).getTextContent()).isEqualTo(name + ", 300 × 200");
         assertThat(page.getElementsByTagName("script").getLength()).isEqualTo(1);
@@ -79,7 +82,8 @@ class ReportTest {
     @Test
     void pictures_canBeWipedAndStandSideBySideForPaper() throws Exception {
         for (String picture : List.of("before.png", "after.png", "full.png", "difference.png")) {
-            PictureFile.write(folder.resolve(picture), Film.ofScanlines(1, 1, new float[] {picture.length() / 20f, 0, 0}), ViewTransform.DEFAULT);
+            PictureFile.write(folder.resolve(picture), Film.ofScanlines(1, 1, new float[] {picture.length() / 20f, 0, 0}),
+                    ViewTransform.DEFAULT);
         }
         var error = new PictureError(1, 3, 1, 0.1, 0.1, 0.1, 20, 20, 0.9, 0.1);
         var none = new PictureError(0, 3, 0, 0, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 1, 0);
@@ -99,8 +103,10 @@ class ReportTest {
     @Test
     void missingPictures_costThePicturesAlone() throws Exception {
         SceneResult scene = Sample.scene(10);
-        Document page = write(new Results(Sample.RUN, List.of(new SceneResult("bird", 300, 200, 3, 10, 3, "gone.png", null, scene.edits(), List.of(),
-                null)), List.of(), List.of(), List.of()), folder);
+        Document page = write(
+                new Results(Sample.RUN, List.of(new SceneResult("bird", 300, 200, 3, 10, 3, "gone.png", null, scene.edits(), List.of(),
+                        null)), List.of(), List.of(), List.of()),
+                folder);
 
         assertThat(byClass(page, "wipe")).isEmpty();
         assertThat(page.getDocumentElement().getTextContent()).contains("sun.color = 1, 0, 0");
@@ -119,7 +125,8 @@ class ReportTest {
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
 
         assertThat(process.waitFor()).as(said).isZero();
-        assertThat(Files.readString(folder.resolve(Report.FILE))).contains("Java finds no font", "sun.color = 1, 0, 0").doesNotContain("<svg class");
+        assertThat(Files.readString(folder.resolve(Report.FILE))).contains("Java finds no font", "sun.color = 1, 0, 0")
+                .doesNotContain("<svg class");
     }
 
     /** Writes a report in a process of its own. */

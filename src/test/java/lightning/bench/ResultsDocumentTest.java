@@ -59,7 +59,8 @@ class ResultsDocumentTest {
         String tables = TABLE.matcher(text).results().map(m -> m.group(3)).collect(Collectors.joining());
         Set<String> shown = NUMBER.matcher(tables).results().map(m -> m.group()).collect(Collectors.toSet());
         List<String> unknown = new ArrayList<>();
-        MEASURED.matcher(TABLE.matcher(text).replaceAll("")).results().map(m -> m.group(1)).filter(n -> !shown.contains(n)).forEach(unknown::add);
+        MEASURED.matcher(TABLE.matcher(text).replaceAll("")).results().map(m -> m.group(1)).filter(n -> !shown.contains(n))
+                .forEach(unknown::add);
         assertThat(unknown).as("figures in sentences that no table of the document shows").isEmpty();
     }
 

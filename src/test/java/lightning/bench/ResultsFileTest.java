@@ -53,15 +53,17 @@ class ResultsFileTest {
     }
 
     @ParameterizedTest
-    @CsvSource(quoteCharacter = '`', value = {"bird, bird", "=1+1, '=1+1", "+a, '+a", "-2+3, '-2+3", "@sum, '@sum", "-0.5, -0.5", "+3, +3", "'a, ''a",
-        "＝1, '＝1", "`\t=1`, `'\t=1`"})
+    @CsvSource(quoteCharacter = '`',
+            value = {"bird, bird", "=1+1, '=1+1", "+a, '+a", "-2+3, '-2+3", "@sum, '@sum", "-0.5, -0.5", "+3, +3", "'a, ''a",
+                "＝1, '＝1", "`\t=1`, `'\t=1`"})
     void csvCell_isNothingThatASpreadsheetComputes(String text, String cell) {
         assertThat(CsvRow.cell(text)).isEqualTo(cell);
     }
 
     @Test
     void csvOfASceneNamedLikeAFormula_holdsItAsText() throws IOException {
-        SceneResult formula = new SceneResult("=cmd|'/c calc'!A1", 300, 200, 3, 10, 3, null, null, Sample.scene(5).edits(), List.of(), null);
+        SceneResult formula =
+                new SceneResult("=cmd|'/c calc'!A1", 300, 200, 3, 10, 3, null, null, Sample.scene(5).edits(), List.of(), null);
         Results results = new Results(Sample.RUN, List.of(formula), List.of(), List.of(), List.of());
         Path csv = folder.resolve("results.csv");
         ResultsFile.writeCsv(csv, results);

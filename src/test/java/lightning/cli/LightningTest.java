@@ -94,6 +94,7 @@ class LightningTest {
         };
         var err = new ByteArrayOutputStream();
         assertThat(Lightning.run(throwing, new PrintStream(err, true, StandardCharsets.UTF_8), "check", "scenes/bird.jen")).isEqualTo(2);
-        assertThat(err.toString(StandardCharsets.UTF_8)).hasLineCount(1).contains("an error of the program itself", "wrong", "please report it");
+        assertThat(err.toString(StandardCharsets.UTF_8)).hasLineCount(1).contains("an error of the program itself", "wrong",
+                "please report it");
     }
 }

@@ -86,7 +86,8 @@ class OddFilesTest {
         try (var large = new RandomAccessFile(file.toFile(), "rw")) {
             large.setLength(12L << 28);
         }
-        Cli.run("compare", file, file).isRefusedSaying("huge.pfm: has 16384 × 16384 pixels; expected 1 to 16384 in each direction and at most 67108864");
+        Cli.run("compare", file, file)
+                .isRefusedSaying("huge.pfm: has 16384 × 16384 pixels; expected 1 to 16384 in each direction and at most 67108864");
     }
 
     @Test

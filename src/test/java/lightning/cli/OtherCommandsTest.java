@@ -54,7 +54,8 @@ class OtherCommandsTest {
         Path where = folder.resolve("d.png");
         Cli compared = Cli.run("compare", picture("a.pfm", 0.5f), picture("b.pfm", 0.75f), "-o", where);
         assertThat(compared.exit()).isEqualTo(1);
-        assertThat(compared.out()).startsWith("different: 1 of 12 pixels, 1 of 36 values\nlargest difference  0.250000 linear at pixel 0,0;");
+        assertThat(compared.out())
+                .startsWith("different: 1 of 12 pixels, 1 of 36 values\nlargest difference  0.250000 linear at pixel 0,0;");
         Film shown = PictureFile.read(where);
         assertThat(shown.red(0, 0)).isPositive();
         assertThat(shown.red(1, 0)).isZero();
@@ -62,7 +63,8 @@ class OtherCommandsTest {
 
     @Test
     void compareDifferentDisplays_tellsWhatAPersonSees() throws Exception {
-        assertThat(Cli.run("compare", picture("a.png", 0), picture("b.png", 1)).out()).containsPattern("PSNR \\d.*, SSIM 0\\.\\d+, FLIP 0\\.\\d+\n");
+        assertThat(Cli.run("compare", picture("a.png", 0), picture("b.png", 1)).out())
+                .containsPattern("PSNR \\d.*, SSIM 0\\.\\d+, FLIP 0\\.\\d+\n");
     }
 
     @Test

@@ -56,7 +56,8 @@ class RelightCommandTest {
 
     @Test
     void staleReflections_showTheFirstScene() throws Exception {
-        String out = Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--reflections", "stale", "--verify").isDone().out();
+        String out =
+                Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--reflections", "stale", "--verify").isDone().out();
         Scene edited = PropertyEdit.apply(scene, "lamp.intensity=3");
         Film reference = new ReferenceTracer(edited, scene).trace();
         assertThat(PictureFile.read(picture).sameBits(reference)).isTrue();
@@ -123,7 +124,8 @@ class RelightCommandTest {
     @ParameterizedTest
     @MethodSource("casesOfAllScenes")
     void everyCaseOfEveryScene_isVerified(Path file, String name) {
-        Cli relit = Cli.run("relight", file, "-o", picture, "--case", name, "--size", "36x24", "--update-reflections", "--verify", "--no-savings");
+        Cli relit = Cli.run("relight", file, "-o", picture, "--case", name, "--size", "36x24", "--update-reflections", "--verify",
+                "--no-savings");
         assertThat(relit.isDone().out()).contains("Verified: equal to a full trace in every bit").doesNotContain("NOT KEPT");
     }
 
@@ -144,9 +146,12 @@ class RelightCommandTest {
     @ParameterizedTest
     @ValueSource(strings = {"--accuracy=exact", "--accuracy=ratio"})
     void materials_areEditedWithoutAPass(String accuracy) {
-        String out = Cli.run("relight", "scenes/balls.jen", "--size", "60x40", "-o", picture, accuracy, "--verify", "--set", "material:gold.shininess=5",
-                "--then", "--set", "material:gold.reflective=0 0 0", "--set", "key.intensity=1", "--then", "--set",
-                "material:jade.texture=\"wood.png\"", "--set", "material:gold.reflective=0.1 0.1 0.1", "--update-reflections").isDone().out();
+        String out = Cli
+                .run("relight", "scenes/balls.jen", "--size", "60x40", "-o", picture, accuracy, "--verify", "--set",
+                        "material:gold.shininess=5",
+                        "--then", "--set", "material:gold.reflective=0 0 0", "--set", "key.intensity=1", "--then", "--set",
+                        "material:jade.texture=\"wood.png\"", "--set", "material:gold.reflective=0.1 0.1 0.1", "--update-reflections")
+                .isDone().out();
         assertThat(out.lines().filter(line -> line.matches("\\d\\. .*")).map(line -> line.replaceAll(": \\d+ rows.*", ""))).containsExactly(
                 "1. gold: specular term", "2. key: weight, gold: ceases to mirror", "3. gold: begins to mirror, jade: texture");
         assertThat(out).contains("Verified: ").doesNotContain("NOT KEPT");
@@ -155,8 +160,10 @@ class RelightCommandTest {
     @Test
     void save_writesAnEditedMaterialIntoItsBlock() throws Exception {
         Path saved = folder.resolve("saved.jen");
-        Cli.run("relight", "scenes/balls.jen", "--size", "20x20", "-o", picture, "--set", "material:gold.shininess=91", "--save", saved).isDone();
-        assertThat(Files.readString(saved)).isEqualTo(Files.readString(Path.of("scenes/balls.jen")).replace("shininess 90 ", "shininess 91 "));
+        Cli.run("relight", "scenes/balls.jen", "--size", "20x20", "-o", picture, "--set", "material:gold.shininess=91", "--save", saved)
+                .isDone();
+        assertThat(Files.readString(saved))
+                .isEqualTo(Files.readString(Path.of("scenes/balls.jen")).replace("shininess 90 ", "shininess 91 "));
     }
 
     @ParameterizedTest

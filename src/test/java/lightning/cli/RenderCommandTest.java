@@ -53,7 +53,8 @@ class RenderCommandTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"--threads, 0x2", "--threads, 010b", "--threads, ٣", "--threads, 2.5", "--threads, 99999999999", "--depth, '#2'", "--exposure, 1d",
+    @CsvSource({"--threads, 0x2", "--threads, 010b", "--threads, ٣", "--threads, 2.5", "--threads, 99999999999", "--depth, '#2'",
+        "--exposure, 1d",
         "--exposure, 0x1p3", "--exposure, NaN", "--threads, 1e999999999", "--threads, 1e99999999999"})
     void optionThatIsNoNumber_isRefused(String option, String word) {
         Cli.run("render", scene, "-o", folder.resolve("a.png"), option, word).isRefusedSaying(option, "number, found '" + word + "'");

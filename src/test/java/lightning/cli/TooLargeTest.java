@@ -41,7 +41,8 @@ class TooLargeTest {
 
     @Test
     void render_namesASizeWithItsOption() throws IOException {
-        Cli.run("render", finest(), "-o", folder.resolve("a.png")).isRefusedSaying(SENTENCE, "GB; it would fit with a size of ", " (--size ");
+        Cli.run("render", finest(), "-o", folder.resolve("a.png")).isRefusedSaying(SENTENCE, "GB; it would fit with a size of ",
+                " (--size ");
         assertThat(folder.resolve("a.png")).doesNotExist();
     }
 
@@ -75,7 +76,8 @@ class TooLargeTest {
         try {
             Scene scene = JenReader.read(Cli.SCENE.replace("48 32  depth 2", "320 200  depth 10")
                     .replace("shininess 20", "shininess 20  reflective 0.6 0.6 0.6"), "a.jen", Path.of("")).scene();
-            MemoryNeed.check(scene, Options.DEFAULT.withMemory((taken(scene, MirrorStorage.FULL_ROWS) + taken(scene, MirrorStorage.HIT_SHAPES)) / 2));
+            MemoryNeed.check(scene,
+                    Options.DEFAULT.withMemory((taken(scene, MirrorStorage.FULL_ROWS) + taken(scene, MirrorStorage.HIT_SHAPES)) / 2));
         } catch (PictureTooLarge e) {
             return e;
         } catch (JenException e) {
@@ -93,7 +95,8 @@ class TooLargeTest {
 
     private static String complaint(PictureTooLarge refusal, Predicate<String> options) {
         var err = new ByteArrayOutputStream();
-        assertThat(Complaint.report(Console.of(System.out, new PrintStream(err, true, StandardCharsets.UTF_8)), refusal, options)).isEqualTo(2);
+        assertThat(Complaint.report(Console.of(System.out, new PrintStream(err, true, StandardCharsets.UTF_8)), refusal, options))
+                .isEqualTo(2);
         return err.toString(StandardCharsets.UTF_8);
     }
 }

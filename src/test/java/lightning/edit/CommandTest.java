@@ -46,12 +46,14 @@ class CommandTest {
 
     private void go() {
         var update = renderer.render(document.scene(), Progress.NONE);
-        frame = Optional.of(new Frame(renderer.film(), renderer.film(), Look.PLAIN, renderer.scene(), renderer.cache().mirroredScene(), update));
+        frame = Optional
+                .of(new Frame(renderer.film(), renderer.film(), Look.PLAIN, renderer.scene(), renderer.cache().mirroredScene(), update));
     }
 
     private void updateReflections() {
         var update = renderer.updateReflections(Progress.NONE);
-        frame = Optional.of(new Frame(renderer.film(), renderer.film(), Look.PLAIN, renderer.scene(), renderer.cache().mirroredScene(), update));
+        frame = Optional
+                .of(new Frame(renderer.film(), renderer.film(), Look.PLAIN, renderer.scene(), renderer.cache().mirroredScene(), update));
     }
 
     private Situation now() {

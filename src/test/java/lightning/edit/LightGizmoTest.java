@@ -67,8 +67,8 @@ class LightGizmoTest {
         for (double angle : new double[] {5, 25, 60, 120}) {
             Light spot = light(LightType.SPOT).withAngle(angle);
             List<Vec3> rim = ends(LightGizmo.of(spot, view, CANVAS, 1)).filter(p -> p.minus(middle).length() > 1e-9).toList();
-            assertThat(rim).isNotEmpty().allSatisfy(p ->
-                    assertThat(Math.toDegrees(Math.acos(p.minus(middle).normalized().dot(new Vec3(1, 0, 0)))))
+            assertThat(rim).isNotEmpty()
+                    .allSatisfy(p -> assertThat(Math.toDegrees(Math.acos(p.minus(middle).normalized().dot(new Vec3(1, 0, 0)))))
                             .isCloseTo(angle, within(1e-6)));
         }
     }

@@ -41,8 +41,10 @@ class MaterialEditsTest {
         assertThat(MaterialEdits.shininess(scene, "mirror", -3).refusal()).contains("shininess must be ≥ 0, was -3");
         assertThat(MaterialEdits.diffuse(scene, "mirror", new Rgb(0, 2, 0)).refusal()).contains("diffuse green must be from 0 to 1, was 2");
         assertThat(MaterialEdits.repeat(scene, "mirror", 2, 2).refusal()).contains("material 'mirror': repeat needs a texture, found none");
-        assertThat(MaterialEdits.texture(scene, "mirror", "none.png", Path.of("scenes")).refusal().orElseThrow()).contains("there is no texture 'none.png'");
-        assertThat(MaterialEdits.texture(scene, "mirror", "../wood.png", Path.of("scenes")).refusal().orElseThrow()).contains("without empty names, . and ..");
+        assertThat(MaterialEdits.texture(scene, "mirror", "none.png", Path.of("scenes")).refusal().orElseThrow())
+                .contains("there is no texture 'none.png'");
+        assertThat(MaterialEdits.texture(scene, "mirror", "../wood.png", Path.of("scenes")).refusal().orElseThrow())
+                .contains("without empty names, . and ..");
     }
 
     @Test

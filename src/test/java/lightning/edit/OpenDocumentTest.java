@@ -110,7 +110,8 @@ class OpenDocumentTest {
         Path beside = Files.createDirectories(folder.resolve("a/b/c/d/textured"));
         Files.createDirectory(beside.resolve("textures"));
         Files.copy(Path.of("textures/wood.png"), beside.resolve("textures/wood.png"), StandardCopyOption.REPLACE_EXISTING);
-        Path textured = Files.writeString(beside.resolve("t.jen"), Desk.TEXT.replace("material mirror {", "material mirror { texture \"wood.png\" "));
+        Path textured = Files.writeString(beside.resolve("t.jen"),
+                Desk.TEXT.replace("material mirror {", "material mirror { texture \"wood.png\" "));
         OpenDocument open = OpenDocument.open(textured);
         Path away = folder.resolve("away.jen");
         assertThatIOException().isThrownBy(() -> open.saveAs(away))

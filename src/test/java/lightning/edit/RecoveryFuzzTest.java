@@ -16,8 +16,9 @@ import org.junit.jupiter.api.io.TempDir;
 /** Recovery files with a few mistakes: each is found with the file that it is of, or passed over. */
 class RecoveryFuzzTest {
     private static final int TRIES = Fuzz.tries(5_000);
-    private static final List<byte[]> BITS = Stream.of("\n", "-", " for ", "/", "\u0000", "..", "#", "", "99999999999999999999", "-1", "𝐀", " process ")
-            .map(bit -> bit.getBytes(StandardCharsets.UTF_8)).toList();
+    private static final List<byte[]> BITS =
+            Stream.of("\n", "-", " for ", "/", "\u0000", "..", "#", "", "99999999999999999999", "-1", "𝐀", " process ")
+                    .map(bit -> bit.getBytes(StandardCharsets.UTF_8)).toList();
 
     @TempDir
     private Path folder;
@@ -55,7 +56,8 @@ class RecoveryFuzzTest {
     @Test
     void processWithoutANumber_isACrashAndARootNoScene() throws IOException {
         Files.createDirectories(folder);
-        Files.writeString(folder.resolve("a.kept.jen"), "# Lightning kept this of process - for " + Path.of("a.jen").toAbsolutePath() + "\njen 1\n");
+        Files.writeString(folder.resolve("a.kept.jen"),
+                "# Lightning kept this of process - for " + Path.of("a.jen").toAbsolutePath() + "\njen 1\n");
         Files.writeString(folder.resolve("b.kept.jen"), "# Lightning kept this of process 999999999999-1 for /\njen 1\n");
         Files.writeString(folder.resolve("c.kept.jen"), "# Lightning kept this of process 999999999999-1 for a.jen\njen 1\n");
         assertThat(new Recovery(folder).found()).singleElement().satisfies(

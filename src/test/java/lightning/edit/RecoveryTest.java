@@ -139,7 +139,7 @@ class RecoveryTest {
     void autosave_keepsTheLatestEditSoonAfterTheFirst() throws Exception {
         OpenDocument document = edited();
         var recovery = new Recovery(kept(), CRASHED);
-        try (var autosave = new Autosave(recovery, Duration.ofMillis(20), e -> { })) {
+        try (var autosave = new Autosave(recovery, Duration.ofMillis(20), e -> {})) {
             autosave.changed(document);
             document.apply(Dial.INTENSITY.set(document.scene(), "key", 3));
             autosave.changed(document);
@@ -157,7 +157,7 @@ class RecoveryTest {
     void savedDocument_isForgottenUnderItsOldNameToo() throws Exception {
         OpenDocument document = edited();
         var recovery = new Recovery(kept(), CRASHED);
-        try (var autosave = new Autosave(recovery, Duration.ZERO, e -> { })) {
+        try (var autosave = new Autosave(recovery, Duration.ZERO, e -> {})) {
             autosave.changed(document);
             Wait.until(() -> !recovery.found().isEmpty());
             document.saveAs(folder.resolve("other.jen"));

@@ -21,8 +21,8 @@ final class ViewArbitraries {
 
     static Arbitrary<PreviewCamera> cameras() {
         Arbitrary<Double> fov = Arbitraries.doubles().between(10, 100).ofScale(1);
-        return Combinators.combine(points(), directions(), directions(), fov).filter((from, way, up, f) ->
-                way.normalized().cross(up.normalized()).length() > 0.01)
+        return Combinators.combine(points(), directions(), directions(), fov)
+                .filter((from, way, up, f) -> way.normalized().cross(up.normalized()).length() > 0.01)
                 .as((from, way, up, f) -> new PreviewCamera(new Camera(from, from.plus(way), up, f)));
     }
 

@@ -39,7 +39,7 @@ class WorkbenchTest {
     void open() throws Exception {
         Path file = Files.writeString(folder.resolve("desk.jen"), Desk.TEXT);
         bench = new Workbench(OpenDocument.open(file), OPTIONS, new Recovery(folder.resolve("kept")), window::add,
-                () -> changes++, ear, e -> { });
+                () -> changes++, ear, e -> {});
     }
 
     @AfterEach

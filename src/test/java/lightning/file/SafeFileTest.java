@@ -232,8 +232,8 @@ class SafeFileTest {
     @Test
     void contentThatComesWhileAnotherIsWritten_isNotReplacedEither() throws IOException {
         Path file = folder.resolve("a");
-        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() ->
-                SafeFile.at(file).ifStill(FileState.NONE).write(_ -> Files.writeString(file, "his")));
+        assertThatExceptionOfType(ChangedFileException.class)
+                .isThrownBy(() -> SafeFile.at(file).ifStill(FileState.NONE).write(_ -> Files.writeString(file, "his")));
         assertThat(file).hasContent("his");
     }
 

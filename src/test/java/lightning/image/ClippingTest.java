@@ -7,7 +7,8 @@ import org.junit.jupiter.api.Test;
 
 class ClippingTest {
     /** White itself, one value above it in each channel, the greatest float, and black. */
-    private static final Film FILM = Film.ofScanlines(5, 1, new float[] {1, 1, 1, 0, 0, 1.5f, 0, Math.nextUp(1f), 0, Float.MAX_VALUE, 0, 0, 0, 0, 0});
+    private static final Film FILM =
+            Film.ofScanlines(5, 1, new float[] {1, 1, 1, 0, 0, 1.5f, 0, Math.nextUp(1f), 0, Float.MAX_VALUE, 0, 0, 0, 0, 0});
 
     @Test
     void pixelsAboveWhite_areCountedOnce() {
@@ -22,7 +23,8 @@ class ClippingTest {
     void exposure_decidesWhatIsAbove() {
         assertThat(Clipping.of(FILM, new ViewTransform(-2)).pixels()).isEqualTo(1);
         assertThat(Clipping.of(FILM, new ViewTransform(1)).pixels()).isEqualTo(4);
-        assertThat(Clipping.of(FILM, new ViewTransform(64)).brightest()).as("beyond a float").isCloseTo(0x1p64 * Float.MAX_VALUE, within(1e50));
+        assertThat(Clipping.of(FILM, new ViewTransform(64)).brightest()).as("beyond a float").isCloseTo(0x1p64 * Float.MAX_VALUE,
+                within(1e50));
     }
 
     @Test

@@ -24,14 +24,17 @@ class EditFuzzTest {
             light "a=b\\"" point {}
             light fill directional {}
             """;
-    private static final List<byte[]> EDITS = bytes("\"key light\".intensity=2", "fill.color=1 0.5 0", "\"a=b\\\"\".on=no", "key light.at=1 2 3",
-            "material:\"old oak\".shininess=30", "material:m.diffuse=1 0 0", "picture.size=640 480", "world.ambience=0.1",
-            "fill.type=spot", "fill.name=\"rim light\"", "\"b.1\".material=m", "g.scale=1 2 1", "old oak.texture=none", "m.texture=\"a.png\"");
+    private static final List<byte[]> EDITS =
+            bytes("\"key light\".intensity=2", "fill.color=1 0.5 0", "\"a=b\\\"\".on=no", "key light.at=1 2 3",
+                    "material:\"old oak\".shininess=30", "material:m.diffuse=1 0 0", "picture.size=640 480", "world.ambience=0.1",
+                    "fill.type=spot", "fill.name=\"rim light\"", "\"b.1\".material=m", "g.scale=1 2 1", "old oak.texture=none",
+                    "m.texture=\"a.png\"");
     private static final List<byte[]> ADDED = bytes("\"rim light\" spot angle=20 at=0 1 2", "rim point", "light rim point { intensity 2 }",
             "light \"rim { light\" spot {}");
     private static final List<byte[]> NAMES = bytes("fill", "\"key light\"", "key light", "\"a=b\\\"\"");
-    private static final List<byte[]> BITS = bytes("\"", "\\", ".", "=", " ", "material:", "picture", "{", "}", "#", "\n", "1e999", "-1", "0x1p3",
-            "\u001B[31m", "\u202E", "\u2028", "𝐀".repeat(60), "none");
+    private static final List<byte[]> BITS =
+            bytes("\"", "\\", ".", "=", " ", "material:", "picture", "{", "}", "#", "\n", "1e999", "-1", "0x1p3",
+                    "\u001B[31m", "\u202E", "\u2028", "𝐀".repeat(60), "none");
 
     /** What a try does with its words. */
     private interface Way {
@@ -64,7 +67,8 @@ class EditFuzzTest {
                 assertThat(JenReader.read(document.with(edited).text(), "saved", Path.of("")).scene()).isEqualTo(edited);
                 right++;
             } catch (IllegalArgumentException e) {
-                assertThat(e.getMessage()).as("try " + i + ": " + words).isNotBlank().matches(Visible::is, "is visible").hasSizeLessThan(2000);
+                assertThat(e.getMessage()).as("try " + i + ": " + words).isNotBlank().matches(Visible::is, "is visible")
+                        .hasSizeLessThan(2000);
             } catch (JenException | RuntimeException | AssertionError e) {
                 throw new AssertionError("try " + i + ": " + words, e);
             }

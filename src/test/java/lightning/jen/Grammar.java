@@ -6,7 +6,8 @@ import java.util.SplittableRandom;
 
 /** Makes scene files from the grammar, about half of them with a mistake somewhere. */
 final class Grammar {
-    private static final String[] MISTAKES = {"nan", "}", "{", "\"", "-1e999", "light", "0.1.2", "§", "\u0000", "\"", "\"a\\b\"", "\"\\\"", "\"\"", "\" a\"", "\"\u202E\"", "𝐀".repeat(41), "'", "1e", "x y z",
+    private static final String[] MISTAKES = {"nan", "}", "{", "\"", "-1e999", "light", "0.1.2", "§", "\u0000", "\"", "\"a\\b\"", "\"\\\"",
+        "\"\"", "\" a\"", "\"\u202E\"", "𝐀".repeat(41), "'", "1e", "x y z",
         "\"../a.png\"", "jen 1", "camera {", "on on", "\ud83d\ude00", "99999999999999999999", "-"};
 
     private static final String[] NAMES = {"n", "n", "n", "old oak ", "3.", "\"", "\\", "=", "{ } # ", "नाम", "e\u0301", "𝐀 ", "n'"};

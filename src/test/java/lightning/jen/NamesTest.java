@@ -65,7 +65,8 @@ class NamesTest {
     @Test
     void onlyWhatIsNoWord_isWrittenInQuotes() throws JenException {
         assertThat(JenWriter.write(read(TEXT))).contains("material \"old oak\" {", "group \"dining table\" {",
-                "sphere \"apple \\\"red\\\"\" { material \"old oak\" }", "plane floor {", "light \"key light\" spot", "light \"1.5 = \\\\\" point");
+                "sphere \"apple \\\"red\\\"\" { material \"old oak\" }", "plane floor {", "light \"key light\" spot",
+                "light \"1.5 = \\\\\" point");
         assertThat(JenWriter.write(read("jen 1 light \"key\" point {}"))).contains("light key point");
     }
 

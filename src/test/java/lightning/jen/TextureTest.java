@@ -185,11 +185,13 @@ class TextureTest {
                 for (int j = random.nextInt(4); j >= 0; j--) {
                     bytes[random.nextInt(bytes.length)] = (byte) random.nextInt();
                 }
-                Files.write(scenes.resolve("a.png"), Arrays.copyOf(bytes, random.nextInt(4) == 0 ? random.nextInt(bytes.length) : bytes.length));
+                Files.write(scenes.resolve("a.png"),
+                        Arrays.copyOf(bytes, random.nextInt(4) == 0 ? random.nextInt(bytes.length) : bytes.length));
                 try {
                     load("a.png");
                 } catch (JenException e) {
-                    assertThat(e.problems()).singleElement().extracting(Problem::message).asString().startsWith("material 'm': texture 'a.png' ");
+                    assertThat(e.problems()).singleElement().extracting(Problem::message).asString()
+                            .startsWith("material 'm': texture 'a.png' ");
                 }
             }
         }
@@ -197,7 +199,8 @@ class TextureTest {
 
     /** A PNG file that ends after its header. */
     private static byte[] header(int width, int height) {
-        byte[] chunk = ByteBuffer.allocate(17).put("IHDR".getBytes(StandardCharsets.US_ASCII)).putInt(width).putInt(height).put(new byte[] {8, 2, 0, 0, 0}).array();
+        byte[] chunk = ByteBuffer.allocate(17).put("IHDR".getBytes(StandardCharsets.US_ASCII)).putInt(width).putInt(height)
+                .put(new byte[] {8, 2, 0, 0, 0}).array();
         var crc = new CRC32();
         crc.update(chunk);
         return ByteBuffer.allocate(33).putLong(0x89504E470D0A1A0AL).putInt(13).put(chunk).putInt((int) crc.getValue()).array();

@@ -58,7 +58,8 @@ class PovRayTest {
         film.green(0)[33] = 1;
         Path drawn = folder.resolve("drawn.png");
         PictureFile.write(drawn, film, ViewTransform.DEFAULT);
-        PovRay pov = saying("echo \"$@\" > " + folder.resolve("seen") + "; cp " + drawn + " picture.png; echo 'Trace Time: (0.500 seconds)'");
+        PovRay pov =
+                saying("echo \"$@\" > " + folder.resolve("seen") + "; cp " + drawn + " picture.png; echo 'Trace Time: (0.500 seconds)'");
         assertThat(pov.picture(scene, 3, 2, 1).sameBits(film)).isTrue();
         assertThat(folder.resolve("seen")).hasContent("+Iscene.pov +W3 +H2 -A +WT1 -D +FN8 +Opicture.png");
     }

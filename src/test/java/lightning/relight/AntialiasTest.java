@@ -193,7 +193,8 @@ class AntialiasTest {
     void weightAndFalloffOfALight_moveNoSampleAtBothLevels(Accuracy accuracy) {
         Scene scene = studio(Antialias.EDGES);
         Light key = key(scene);
-        List<Light> edits = List.of(key.withIntensity(0.5), key.withColor(new Rgb(1, 0.2, 0.1)), key.withAttenuation(new Attenuation(1, 0.1, 0)));
+        List<Light> edits =
+                List.of(key.withIntensity(0.5), key.withColor(new Rgb(1, 0.2, 0.1)), key.withAttenuation(new Attenuation(1, 0.1, 0)));
         try (Renderer renderer = renderer(scene, accuracy)) {
             for (Light edit : edits) {
                 Update update = renderer.render(scene.withLight(edit), Progress.NONE);

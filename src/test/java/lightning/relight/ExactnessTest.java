@@ -104,7 +104,8 @@ class ExactnessTest {
 
     /** An equal scene that shares no list with the given one. */
     private static Scene copy(Scene s) {
-        return new Scene(s.picture().withDepth(s.picture().depth()), s.camera(), s.world(), List.copyOf(s.materials().reversed()).reversed(),
+        return new Scene(s.picture().withDepth(s.picture().depth()), s.camera(), s.world(),
+                List.copyOf(s.materials().reversed()).reversed(),
                 List.copyOf(s.nodes().reversed()).reversed(), s.lights().stream().map(l -> l.withName(l.name())).toList());
     }
 }

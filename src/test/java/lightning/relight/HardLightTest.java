@@ -55,7 +55,8 @@ class HardLightTest {
         for (int k : new int[] {0, 3, 6, 9, 12}) {
             edit(edits, "grazing the floor from 1e-" + k + " above", l -> l.withPosition(new Vec3(0, -1 + Math.pow(10, -k), 3)));
             edit(edits, "grazing the floor from 1e-" + k + " below", l -> l.withPosition(new Vec3(0, -1 - Math.pow(10, -k), 3)));
-            edit(edits, "directional, 1e-" + k + " above the floor", l -> l.withType(LightType.DIRECTIONAL).withDirection(new Vec3(1, -Math.pow(10, -k), 0)));
+            edit(edits, "directional, 1e-" + k + " above the floor",
+                    l -> l.withType(LightType.DIRECTIONAL).withDirection(new Vec3(1, -Math.pow(10, -k), 0)));
         }
         edit(edits, "in a row", l -> l.withPosition(rowPoint()));
         edit(edits, "in a row, not fading from 1/0", l -> l.withPosition(rowPoint()).withAttenuation(new Attenuation(0, 1, 1)));
@@ -63,7 +64,8 @@ class HardLightTest {
         edit(edits, "on the ball", l -> l.withPosition(new Vec3(0, 1, 0)));
         edit(edits, "inside the ball", l -> l.withPosition(new Vec3(0.1, 0.2, 0.3)).withType(LightType.POINT));
         edit(edits, "at the eye", l -> l.withPosition(new Vec3(0, 2, 7)));
-        edit(edits, "1e10 away", l -> l.withPosition(new Vec3(3e9, 8e9, 5e9)).withDirection(new Vec3(-3, -8, -5)).withAttenuation(Attenuation.NONE));
+        edit(edits, "1e10 away",
+                l -> l.withPosition(new Vec3(3e9, 8e9, 5e9)).withDirection(new Vec3(-3, -8, -5)).withAttenuation(Attenuation.NONE));
         edit(edits, "1e10 away, fading", l -> l.withPosition(new Vec3(3e9, 8e9, 5e9)).withDirection(new Vec3(-3, -8, -5)));
         for (double a : new double[] {0, 1e-30, 1e30}) {
             edit(edits, "constant " + a, l -> l.withAttenuation(new Attenuation(a, 0, 0)));
@@ -73,7 +75,8 @@ class HardLightTest {
         }
         for (double angle : new double[] {0, 1e-7, 1e-3, 90, 180}) {
             edit(edits, "angle " + angle, l -> l.withAngle(angle));
-            edit(edits, "angle " + angle + ", a row in its plane", l -> l.withPosition(besideRow()).withDirection(new Vec3(0, -1, 0)).withAngle(angle));
+            edit(edits, "angle " + angle + ", a row in its plane",
+                    l -> l.withPosition(besideRow()).withDirection(new Vec3(0, -1, 0)).withAngle(angle));
         }
         for (double dropoff : new double[] {0, 0.1, 128, 10_000, 1e6}) {
             edit(edits, "dropoff " + dropoff, l -> l.withDropoff(dropoff));

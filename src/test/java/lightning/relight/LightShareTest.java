@@ -42,8 +42,10 @@ class LightShareTest {
                 Film picture = renderer.film().copy();
                 for (Light light : scene.lights()) {
                     Film expected = new ReferenceTracer(LightShare.scene(scene, light.name()),
-                            LightShare.scene(renderer.cache().mirroredScene(), light.name())).trace(Oracle.reference(renderer.cache().sight()));
-                    SessionAssert.assertSameBits(renderer.share(light.name(), Progress.NONE), expected, "share", session, step, light.name());
+                            LightShare.scene(renderer.cache().mirroredScene(), light.name()))
+                            .trace(Oracle.reference(renderer.cache().sight()));
+                    SessionAssert.assertSameBits(renderer.share(light.name(), Progress.NONE), expected, "share", session, step,
+                            light.name());
                 }
                 assertThat(renderer.film().sameBits(picture)).as("the picture stays").isTrue();
             }

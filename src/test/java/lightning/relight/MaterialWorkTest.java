@@ -127,7 +127,8 @@ class MaterialWorkTest {
             long before = studio.renderer().cache().bytes();
             assertWork(edit(studio, MATT, m -> m.withSpecular(Rgb.BLACK)), 0, rows(studio), 0, 0);
             assertWork(edit(studio, GLASS, m -> m.withSpecular(Rgb.BLACK)), 0, rows(studio), 0, 0);
-            assertThat(before - studio.renderer().cache().bytes()).as("bytes of the first level's column").isEqualTo(4 * (rows(studio) + 15 & ~15));
+            assertThat(before - studio.renderer().cache().bytes()).as("bytes of the first level's column")
+                    .isEqualTo(4 * (rows(studio) + 15 & ~15));
             Update update = edit(studio, GLASS, m -> m.withSpecular(new Rgb(0, 0, 0.5)));
             assertWork(update, litRows(studio, GLASS), rows(studio), 0, 0);
             assertThat(studio.renderer().cache().bytes()).isEqualTo(before);
@@ -190,7 +191,8 @@ class MaterialWorkTest {
             assertThat(update.plan().steps()).containsExactly("matt: begins to mirror", "reflections");
             long newRows = seen.rowsFrom(1) - before.rowsFrom(1);
             assertThat(newRows).isPositive();
-            assertWork(update, newRows, seen.rowsFrom(0), mirrored(seen) - mirrored(before), reached(seen, studio) - reached(before, studio));
+            assertWork(update, newRows, seen.rowsFrom(0), mirrored(seen) - mirrored(before),
+                    reached(seen, studio) - reached(before, studio));
             assertExact(studio, "begins-to-mirror");
         }
     }
@@ -242,7 +244,8 @@ class MaterialWorkTest {
         scene = scene.withPicture(scene.picture().withSampling(new Sampling(Antialias.EDGES, 2)));
         try (Renderer renderer = new Renderer(new Options(Accuracy.RATIO, Reflections.STALE, storage, 1))) {
             renderer.render(scene, Progress.NONE);
-            scene = edited(edited(scene, MATT, m -> m.withReflective(Rgb.grey(0.9)).withTexture(CHECKS)), GLASS, m -> m.withReflective(Rgb.BLACK));
+            scene = edited(edited(scene, MATT, m -> m.withReflective(Rgb.grey(0.9)).withTexture(CHECKS)), GLASS,
+                    m -> m.withReflective(Rgb.BLACK));
             renderer.render(scene, Progress.NONE);
             renderer.setView(160, DisplayCurve.SRGB);
             Update update = renderer.render(scene.withLight(scene.lights().getFirst().withIntensity(0.7)), Progress.NONE);
@@ -288,7 +291,8 @@ class MaterialWorkTest {
     @Test
     void materialsAndLightsAtOnce_costWhatEachOfThemCosts() {
         try (Studio studio = studio(Reflections.STALE, MirrorStorage.FULL_ROWS)) {
-            Scene scene = edited(edited(studio.scene(), MATT, m -> m.withShininess(3).withTexture(CHECKS)), GLASS, m -> m.withDiffuse(Rgb.WHITE));
+            Scene scene =
+                    edited(edited(studio.scene(), MATT, m -> m.withShininess(3).withTexture(CHECKS)), GLASS, m -> m.withDiffuse(Rgb.WHITE));
             long matt = studio.seen().count(0, of(studio, MATT));
             long lit = litRows(studio, MATT);
             Update update = studio.render(scene.withLight(studio.key().withIntensity(2)));

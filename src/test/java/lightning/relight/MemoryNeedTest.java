@@ -77,7 +77,8 @@ class MemoryNeedTest {
         Options options = OPTIONS.withMemory(1_000_000_000);
         Scene huge = balls(16384, 16384, Antialias.EVERY, 8);
         assertThatThrownBy(() -> MemoryNeed.check(huge, options)).isInstanceOf(PictureTooLarge.class)
-                .hasMessageMatching("the picture needs about \\d{3,4}\\.\\d GB of memory and may have 1\\.0 GB; it would fit with a size of .+")
+                .hasMessageMatching(
+                        "the picture needs about \\d{3,4}\\.\\d GB of memory and may have 1\\.0 GB; it would fit with a size of .+")
                 .satisfies(e -> {
                     Matcher size = Pattern.compile("(\\d+)x(\\d+)").matcher(e.getMessage());
                     assertThat(size.find()).isTrue();
@@ -112,7 +113,8 @@ class MemoryNeedTest {
         Picture huge = balls(16384, 16384, Antialias.EVERY, 8).picture();
         // 12 bytes a pixel are 3.2 GB.
         assertThatThrownBy(() -> MemoryNeed.checkFilm(huge, 1_000_000_000)).isInstanceOf(PictureTooLarge.class)
-                .hasMessageStartingWith("the picture needs about 3.2 GB of memory and may have 1.0 GB; it would fit with a size of 9120x9120");
+                .hasMessageStartingWith(
+                        "the picture needs about 3.2 GB of memory and may have 1.0 GB; it would fit with a size of 9120x9120");
         assertThatCode(() -> MemoryNeed.checkFilm(huge.withSize(9120, 9120), 1_000_000_000)).doesNotThrowAnyException();
         assertThatCode(() -> MemoryNeed.checkFilm(huge, 12L << 28)).doesNotThrowAnyException();
     }
@@ -140,7 +142,8 @@ class MemoryNeedTest {
     @Test
     void pictureBefore_isCountedBesideTheNewOne() throws Exception {
         Scene first = balls(128, 128, Antialias.OFF, 2);
-        Scene second = first.withCamera(new Camera(first.camera().from(), first.camera().to(), first.camera().up(), first.camera().fov() * 0.9));
+        Scene second =
+                first.withCamera(new Camera(first.camera().from(), first.camera().to(), first.camera().up(), first.camera().fov() * 0.9));
         long each = taken(first, OPTIONS);
         try (Renderer renderer = new Renderer(OPTIONS.withMemory(each * 3 / 2))) {
             renderer.render(first, Progress.NONE);

@@ -22,8 +22,10 @@ final class Oracle {
     static Difference assertKept(Renderer renderer, Update update, String when) {
         Promise promise = Promise.of(renderer, update);
         Difference difference = Difference.of(renderer.film(), reference(promise.sight()).trace());
-        assertThat(promise.isKeptBy(difference)).as("%s: %s; %s was promised, %s is off by %s", when, update.plan().text(), promise.text(update),
-                difference.values(), difference.maxAbsolute()).isTrue();
+        assertThat(promise.isKeptBy(difference))
+                .as("%s: %s; %s was promised, %s is off by %s", when, update.plan().text(), promise.text(update),
+                        difference.values(), difference.maxAbsolute())
+                .isTrue();
         return difference;
     }
 

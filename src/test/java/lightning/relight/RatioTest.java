@@ -113,7 +113,8 @@ class RatioTest {
         try (Renderer renderer = new Renderer(Options.DEFAULT.withAccuracy(Accuracy.RATIO))) {
             renderer.render(scene, Progress.NONE);
             Update update = renderer.render(wider, Progress.NONE);
-            assertThat(FilmErrors.largestError(renderer.film(), new ReferenceTracer(wider).trace())).isLessThanOrEqualTo(update.errorBound());
+            assertThat(FilmErrors.largestError(renderer.film(), new ReferenceTracer(wider).trace()))
+                    .isLessThanOrEqualTo(update.errorBound());
         }
     }
 }

@@ -68,7 +68,8 @@ public final class CornerScenes {
     }
 
     private static Arbitrary<View> views() {
-        Arbitrary<Vec3> directions = Arbitraries.of(new Vec3(0, 0, 1), Vec3.Y, new Vec3(0, 0.5, 1), new Vec3(1, 1e-9, 0), new Vec3(1, 1, 1));
+        Arbitrary<Vec3> directions =
+                Arbitraries.of(new Vec3(0, 0, 1), Vec3.Y, new Vec3(0, 0.5, 1), new Vec3(1, 1e-9, 0), new Vec3(1, 1, 1));
         return Combinators.combine(directions, Arbitraries.of(3.0, 0.3, 1e-9, 1e-3, 1e3, 1e6, 1e9, 1e12),
                 Arbitraries.of(40.0, Limits.MIN_FOV, Limits.MAX_FOV)).as(View::new);
     }
@@ -79,7 +80,8 @@ public final class CornerScenes {
     }
 
     private static Arbitrary<Vec3> rotations() {
-        return Arbitraries.oneOf(Arbitraries.just(Vec3.ZERO), Numbers.vectors(-180, 180), vectors(0.0, 45.0, 90.0, 1e-9, Limits.MAX_ROTATION));
+        return Arbitraries.oneOf(Arbitraries.just(Vec3.ZERO), Numbers.vectors(-180, 180),
+                vectors(0.0, 45.0, 90.0, 1e-9, Limits.MAX_ROTATION));
     }
 
     private static Arbitrary<Vec3> places() {
@@ -87,7 +89,8 @@ public final class CornerScenes {
     }
 
     private static Arbitrary<Node> nodes() {
-        Arbitrary<Vec3> scales = Arbitraries.oneOf(Arbitraries.just(Vec3.ONE), vectors(1.0, -1.0, 1e-3, 1e6, 1e-6, Limits.MIN_SCALE, Limits.MAX_SCALE));
+        Arbitrary<Vec3> scales =
+                Arbitraries.oneOf(Arbitraries.just(Vec3.ONE), vectors(1.0, -1.0, 1e-3, 1e6, 1e-6, Limits.MIN_SCALE, Limits.MAX_SCALE));
         Arbitrary<Node> shapes = Combinators.combine(Arbitraries.integers().between(0, 3), places(), rotations(), scales)
                 .as((kind, at, turn, scale) -> shape(kind, new Placement(at, turn, scale)));
         return Arbitraries.oneOf(shapes, skewed());
@@ -126,8 +129,8 @@ public final class CornerScenes {
         Arbitrary<Rgb> factors = Arbitraries.of(Rgb.BLACK, Rgb.WHITE, new Rgb(0, 1, 0.5));
         return Combinators.combine(Arbitraries.of(0.0, Limits.MAX_EMISSION), factors, factors,
                 Arbitraries.of(0.0, 1e-300, 0.5, 16.0, Limits.MAX_SHININESS), factors)
-                .as((ambient, diffuse, specular, shininess, reflective) ->
-                        new Material("m", Rgb.grey(ambient), diffuse, specular, shininess, reflective, Optional.empty()));
+                .as((ambient, diffuse, specular, shininess, reflective) -> new Material("m", Rgb.grey(ambient), diffuse, specular,
+                        shininess, reflective, Optional.empty()));
     }
 
     private static Arbitrary<Light> lights() {
@@ -135,7 +138,8 @@ public final class CornerScenes {
         Arbitrary<Light> plain = Combinators.combine(Arbitraries.of(LightType.class),
                 Arbitraries.of(0.0, 1e-300, 1e-38, 1.0, Limits.MAX_INTENSITY),
                 Arbitraries.of(0.0, 1e-7, 90.0, Limits.MAX_ANGLE), Arbitraries.of(0.0, 0.1, 128.0, Limits.MAX_DROPOFF))
-                .as((type, intensity, angle, dropoff) -> Light.of("l", type).withIntensity(intensity).withAngle(angle).withDropoff(dropoff));
+                .as((type, intensity, angle, dropoff) -> Light.of("l", type).withIntensity(intensity).withAngle(angle)
+                        .withDropoff(dropoff));
         return Combinators.combine(plain, Arbitraries.of(Rgb.WHITE, Rgb.grey(Limits.MAX_LIGHT_COLOR), new Rgb(0, 1e-300, 1000)), places(),
                 vectors(1.0, -1.0, 1e-9, Limits.MAX_COORDINATE), Combinators.combine(factors, factors, factors).as(Attenuation::new))
                 .as((light, color, at, direction, attenuation) -> light.withColor(color).withPosition(at)

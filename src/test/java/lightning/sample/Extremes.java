@@ -39,10 +39,12 @@ final class Extremes {
         Arbitrary<List<Material>> materials = Combinators.combine(material("m0"), material("m1"), material("m2")).as(List::of);
         Arbitrary<Picture> pictures = Combinators.combine(Arbitraries.integers().between(0, 2), Arbitraries.frequencyOf(
                 Tuple.of(4, Arbitraries.of(Sampling.DEFAULT)), Tuple.of(1, Arbitraries.of(new Sampling(Antialias.EDGES, 2),
-                        new Sampling(Antialias.EVERY, 2))))).as((depth, sampling) -> new Picture(9, 7, depth, sampling));
+                        new Sampling(Antialias.EVERY, 2)))))
+                .as((depth, sampling) -> new Picture(9, 7, depth, sampling));
         return Combinators.combine(lights().list().ofMinSize(1).ofMaxSize(2), pictures, materials, worlds())
                 .as((seeds, picture, materials2, world) -> {
-                    Scene scene = new Scene(picture, new Camera(new Vec3(0, 2, 7), Vec3.ZERO, Vec3.Y, 40), world, materials2, nodes(), List.of());
+                    Scene scene =
+                            new Scene(picture, new Camera(new Vec3(0, 2, 7), Vec3.ZERO, Vec3.Y, 40), world, materials2, nodes(), List.of());
                     for (LightSeed seed : seeds) {
                         scene = new Edit.Add(scene.lights().size(), seed).apply(List.of(scene));
                     }
@@ -90,14 +92,16 @@ final class Extremes {
     /** Near, and so far that the square of the distance takes a falloff below the least normal float. */
     private static Arbitrary<Place> places() {
         Arbitrary<Place> near = Numbers.vectors(Numbers.between(-4, 4), Numbers.between(1, 6), Numbers.between(-4, 4)).map(Place.Near::new);
-        Arbitrary<Place> far = Combinators.combine(Numbers.vectors(Numbers.between(-1, 1), Numbers.between(0.5, 1), Numbers.between(-1, 1)), powers(1, 10))
-                .as((way, length) -> new Place.Near(way.times(length)));
+        Arbitrary<Place> far =
+                Combinators.combine(Numbers.vectors(Numbers.between(-1, 1), Numbers.between(0.5, 1), Numbers.between(-1, 1)), powers(1, 10))
+                        .as((way, length) -> new Place.Near(way.times(length)));
         return Arbitraries.frequencyOf(Tuple.of(3, near), Tuple.of(1, far));
     }
 
     private static Arbitrary<LightSeed> lights() {
-        return Combinators.combine(LightArbitraries.types(), colors(), intensities(), attenuations(), LightArbitraries.angles(), exponents(),
-                places(), LightArbitraries.aims())
+        return Combinators
+                .combine(LightArbitraries.types(), colors(), intensities(), attenuations(), LightArbitraries.angles(), exponents(),
+                        places(), LightArbitraries.aims())
                 .as((type, color, intensity, attenuation, angle, dropoff, at, aim) -> new LightSeed(Light.of("l", type).withColor(color)
                         .withIntensity(intensity).withAttenuation(attenuation).withAngle(angle).withDropoff(dropoff), at, aim));
     }

@@ -17,8 +17,8 @@ final class MaterialArbitraries {
 
     static Arbitrary<Material> materials(String name) {
         return Combinators.combine(ambient(), Numbers.colors(), sometimesBlack(), shininess(), sometimesBlack(), textures())
-                .as((ambient, diffuse, specular, shininess, reflective, texture) ->
-                        new Material(name, ambient, diffuse, specular, shininess, reflective, texture));
+                .as((ambient, diffuse, specular, shininess, reflective, texture) -> new Material(name, ambient, diffuse, specular,
+                        shininess, reflective, texture));
     }
 
     /** Colours, shininess and textures that come, go and change. */

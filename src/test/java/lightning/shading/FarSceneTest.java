@@ -19,7 +19,8 @@ class FarSceneTest {
     /** Everything, the camera too, moved together: all places of the studio are whole numbers, so that none is rounded. */
     private static Scene moved(Scene scene, Vec3 by) {
         Camera c = scene.camera();
-        Scene moved = new Scene(scene.picture(), new Camera(c.from().plus(by), c.to().plus(by), c.up(), c.fov()), scene.world(), scene.materials(),
+        Scene moved = new Scene(scene.picture(), new Camera(c.from().plus(by), c.to().plus(by), c.up(), c.fov()), scene.world(),
+                scene.materials(),
                 List.of(new Group("all", new Placement(by, Vec3.ZERO, Vec3.ONE), scene.nodes())), List.of());
         return moved.withLights(scene.lights().stream().map((Light l) -> l.withPosition(l.position().plus(by))).toList());
     }

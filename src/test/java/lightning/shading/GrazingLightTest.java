@@ -41,7 +41,8 @@ class GrazingLightTest {
     }
 
     private static Light sun(double cosine) {
-        return Light.of("sun", LightType.DIRECTIONAL).withDirection(new Vec3(-0.6 * Math.sqrt(1 - cosine * cosine), -cosine, -0.8 * Math.sqrt(1 - cosine * cosine)));
+        return Light.of("sun", LightType.DIRECTIONAL)
+                .withDirection(new Vec3(-0.6 * Math.sqrt(1 - cosine * cosine), -cosine, -0.8 * Math.sqrt(1 - cosine * cosine)));
     }
 
     @ParameterizedTest
@@ -112,7 +113,8 @@ class GrazingLightTest {
     void lightAtADistanceWithoutDigits_isNoBrighterThanOneAtNone() {
         for (double distance = 1e-100; distance > 1e-320; distance *= 0.7) {
             Light light = Light.of("l", LightType.POINT).withPosition(new Vec3(0, distance, 0));
-            Scene scene = new Scene(Picture.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT, List.of(), List.of(), List.of(light));
+            Scene scene = new Scene(Picture.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT, List.of(),
+                    List.of(), List.of(light));
             LightingEquation equation = new LightingEquation(Lamp.of(light, scene));
             equation.at(0, 0, 0, 0, 1, 0);
             assertThat(equation.cosine(0, 1, 0)).as("from " + distance).isEqualTo(1);

@@ -40,11 +40,13 @@ class LampOnSurfaceTest {
         return Stream.of(
                 Arguments.of(new Shape.Plane("shade", "white", IN_GROUP), new Vec3(0.1, 0, -0.2), Optional.empty()),
                 Arguments.of(new Shape.Plane("shade", "white", IN_GROUP), new Vec3(0.5, 0, 0.5), Optional.empty()),
-                Arguments.of(new Shape.Sphere("shade", "white", IN_GROUP), new Vec3(0.48, -0.6, 0.64), Optional.of(new Vec3(0.48, -0.6, 0.64))),
+                Arguments.of(new Shape.Sphere("shade", "white", IN_GROUP), new Vec3(0.48, -0.6, 0.64),
+                        Optional.of(new Vec3(0.48, -0.6, 0.64))),
                 Arguments.of(new Shape.Cone("shade", "white", IN_GROUP), Vec3.ZERO, Optional.of(Vec3.Y.negated())),
                 Arguments.of(new Shape.Cone("shade", "white", IN_GROUP), new Vec3(0.3, 0.5, 0.4), Optional.of(new Vec3(0.6, 1, 0.8))),
                 Arguments.of(new Shape.Cylinder("shade", "white", IN_GROUP), Vec3.Y, Optional.of(Vec3.Y)),
-                Arguments.of(new Shape.Cylinder("shade", "white", IN_GROUP), new Vec3(0.6, 0.3, -0.8), Optional.of(new Vec3(0.6, 0, -0.8))));
+                Arguments.of(new Shape.Cylinder("shade", "white", IN_GROUP), new Vec3(0.6, 0.3, -0.8),
+                        Optional.of(new Vec3(0.6, 0, -0.8))));
     }
 
     @ParameterizedTest

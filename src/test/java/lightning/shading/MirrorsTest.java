@@ -34,7 +34,8 @@ class MirrorsTest {
 
     private static Scene scene(int depth, Material material, Camera camera, Node... nodes) {
         Light light = Light.of("lamp", LightType.POINT).withPosition(new Vec3(0.1, 0.2, 0.3));
-        return new Scene(new Picture(33, 25, depth), camera, new World(1, new Rgb(7, 7, 7)), List.of(material), List.of(nodes), List.of(light));
+        return new Scene(new Picture(33, 25, depth), camera, new World(1, new Rgb(7, 7, 7)), List.of(material), List.of(nodes),
+                List.of(light));
     }
 
     private static Node wall(String name, double z) {

@@ -45,7 +45,8 @@ class ShininessTest {
                 default -> Math.pow(10, -8 * random.nextDouble());
             };
             Vec3 p = floats(direction(random).times(5));
-            return new Highlight(n, v, p, p.plus(mirrored.plus(direction(random).times(off)).times(Math.pow(10, 4 * random.nextDouble() - 2))));
+            return new Highlight(n, v, p,
+                    p.plus(mirrored.plus(direction(random).times(off)).times(Math.pow(10, 4 * random.nextDouble() - 2))));
         }
 
         private static Vec3 direction(Random random) {
@@ -136,7 +137,8 @@ class ShininessTest {
             double dot = h.v.dot(l.minus(h.n.times(2 * h.n.dot(l))));
             float textbook = (float) Power.of(Math.clamp(dot, 0, 1), 1e6);
             BigDecimal cosine = h.cosine();
-            boolean within = new BigDecimal(textbook).compareTo(least(cosine, 1e6)) >= 0 && new BigDecimal(textbook).compareTo(most(cosine, 1e6)) <= 0;
+            boolean within = new BigDecimal(textbook).compareTo(least(cosine, 1e6)) >= 0
+                    && new BigDecimal(textbook).compareTo(most(cosine, 1e6)) <= 0;
             wrong += within ? 0 : 1;
         }
         assertThat(wrong).as("highlights off among 1000").isGreaterThan(50);

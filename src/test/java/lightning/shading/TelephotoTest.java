@@ -67,7 +67,8 @@ class TelephotoTest {
         Vec3 forward = camera.from().normalized().negated();
         Vec3 right = forward.cross(camera.up()).normalized();
         Vec3 up = right.cross(forward);
-        return forward.plus(right.times((x + 0.5 - WIDTH / 2.0) * 2 * half / HEIGHT)).plus(up.times((HEIGHT / 2.0 - y - 0.5) * 2 * half / HEIGHT))
+        return forward.plus(right.times((x + 0.5 - WIDTH / 2.0) * 2 * half / HEIGHT))
+                .plus(up.times((HEIGHT / 2.0 - y - 0.5) * 2 * half / HEIGHT))
                 .normalized();
     }
 

@@ -23,7 +23,8 @@ class QuoteTest {
     void invisibleCharacters_areEscapedAsByGit() {
         assertThat(Quote.path("a\nb\t\"c\"\\")).isEqualTo("\"a\\nb\\t\\\"c\\\"\\\\\"");
         assertThat(Quote.path("\u0007\b\u000B\f\r\u001B[31m\u007F")).isEqualTo("\"\\a\\b\\v\\f\\r\\033[31m\\177\"");
-        assertThat(Quote.path("a\u0085\u202Eb\u2028\uDB40\uDC01")).isEqualTo("\"a\\302\\205\\342\\200\\256b\\342\\200\\250\\363\\240\\200\\201\"");
+        assertThat(Quote.path("a\u0085\u202Eb\u2028\uDB40\uDC01"))
+                .isEqualTo("\"a\\302\\205\\342\\200\\256b\\342\\200\\250\\363\\240\\200\\201\"");
         assertThat(Quote.path("\"quoted\"")).isEqualTo("\"\\\"quoted\\\"\"");
         assertThat(Quote.of("key\nlight")).isEqualTo("\"key\\nlight\"");
         assertThat(Quote.of("\uD835")).isEqualTo("\"\\355\\240\\265\"");

@@ -37,7 +37,8 @@ class BvhTest {
         Geometry here = new Geometry(scene);
         Camera camera = scene.camera();
         Vec3 from = camera.from().plus(new Vec3(by, -by / 3, 1));
-        Geometry there = here.forScene(scene.withCamera(new Camera(from, from.plus(new Vec3(0.3, 1, 2)), camera.up(), camera.fov())), false);
+        Geometry there =
+                here.forScene(scene.withCamera(new Camera(from, from.plus(new Vec3(0.3, 1, 2)), camera.up(), camera.fov())), false);
         assertThat(there.bvh().child).isSameAs(here.bvh().child);
         assertCovered(there.bvh());
         TraceRays rays = new TraceRays(there, seed);

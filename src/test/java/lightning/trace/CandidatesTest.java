@@ -68,7 +68,8 @@ class CandidatesTest {
     }
 
     @Property
-    void parallelShadowRaysAndReflections_areBlockedTheSameByCandidates(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed) {
+    void parallelShadowRaysAndReflections_areBlockedTheSameByCandidates(@ForAll @IntRange(min = 1, max = 60) int shapes,
+            @ForAll long seed) {
         Geometry geometry = new Geometry(seed % 2 == 0 ? TraceScenes.wild(shapes, seed) : TraceScenes.cloud(shapes, seed));
         TraceRays rays = new TraceRays(geometry, seed);
         Random random = new Random(seed);

@@ -37,7 +37,8 @@ record ExactPlace(int kind, List<Placement> placements, Vec3 camera, ExactPlacem
     }
 
     static ExactPlace at(int kind, List<Placement> placements, Vec3 camera) {
-        return new ExactPlace(kind, placements, camera, new ExactPlacement(placements), new Geometry(TraceScenes.one(kind, placements, camera)));
+        return new ExactPlace(kind, placements, camera, new ExactPlacement(placements),
+                new Geometry(TraceScenes.one(kind, placements, camera)));
     }
 
     private static Placement placement(Random random) {

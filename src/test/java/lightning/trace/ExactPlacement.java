@@ -24,7 +24,8 @@ final class ExactPlacement {
         for (Placement placement : placements.reversed()) {
             BigDecimal[] scaled = {p[0].multiply(exact(placement.scale().x())), p[1].multiply(exact(placement.scale().y())),
                 p[2].multiply(exact(placement.scale().z()))};
-            BigDecimal[] turned = turned(turned(turned(scaled, 0, placement.rotate().x()), 1, placement.rotate().y()), 2, placement.rotate().z());
+            BigDecimal[] turned =
+                    turned(turned(turned(scaled, 0, placement.rotate().x()), 1, placement.rotate().y()), 2, placement.rotate().z());
             BigDecimal[] at = ExactSolids.exact(placement.at().x(), placement.at().y(), placement.at().z());
             p = new BigDecimal[] {round(turned[0].add(at[0])), round(turned[1].add(at[1])), round(turned[2].add(at[2]))};
         }
@@ -37,8 +38,10 @@ final class ExactPlacement {
         for (Placement placement : placements) {
             Vec3 at = placement.at();
             BigDecimal[] moved = {p[0].subtract(exact(at.x())), p[1].subtract(exact(at.y())), p[2].subtract(exact(at.z()))};
-            BigDecimal[] turned = turned(turned(turned(moved, 2, -placement.rotate().z()), 1, -placement.rotate().y()), 0, -placement.rotate().x());
-            p = new BigDecimal[] {turned[0].divide(exact(placement.scale().x()), DIGITS), turned[1].divide(exact(placement.scale().y()), DIGITS),
+            BigDecimal[] turned =
+                    turned(turned(turned(moved, 2, -placement.rotate().z()), 1, -placement.rotate().y()), 0, -placement.rotate().x());
+            p = new BigDecimal[] {turned[0].divide(exact(placement.scale().x()), DIGITS),
+                turned[1].divide(exact(placement.scale().y()), DIGITS),
                 turned[2].divide(exact(placement.scale().z()), DIGITS)};
         }
         return p;

@@ -62,7 +62,8 @@ class EyeOnSurfaceTest {
                 seen++;
             } else if (grown.isEmpty() || !shrunk.isEmpty() && shrunk.out().signum() <= 0 && grown.out().add(shrunk.in()).signum() <= 0
                     || grown.out().doubleValue() * ExactPlace.doubles(d).length() <= 3 * error) {
-                assertThat(t).as("%s kind %s from %s along %s", place.placements(), place.kind(), place.camera(), direction).isEqualTo(Solids.MISS);
+                assertThat(t).as("%s kind %s from %s along %s", place.placements(), place.kind(), place.camera(), direction)
+                        .isEqualTo(Solids.MISS);
                 missed++;
             } else {
                 open++;

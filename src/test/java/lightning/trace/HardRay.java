@@ -39,7 +39,8 @@ enum HardRay {
         Ray make(int kind, Random random) {
             double tilt = Math.scalb(1.0, -random.nextInt(120));
             Vec3 d = new Vec3(tilt * (random.nextDouble() - 0.5), sign(random), tilt * (random.nextDouble() - 0.5));
-            double r = random.nextInt(3) == 0 ? 1 + sign(random) * Math.scalb(random.nextDouble(), -random.nextInt(56)) : 1.2 * random.nextDouble();
+            double r = random.nextInt(3) == 0 ? 1 + sign(random) * Math.scalb(random.nextDouble(), -random.nextInt(56))
+                    : 1.2 * random.nextDouble();
             return towards(ring(random).times(r).plus(new Vec3(0, random.nextDouble(), 0)), d, distance(random));
         }
     },
@@ -113,7 +114,8 @@ enum HardRay {
         return switch (kind) {
             case ShapeTable.SPHERE -> direction(random).normalized();
             case ShapeTable.CONE -> random.nextInt(3) == 0 ? ring.times(r) : new Vec3(ring.x() * (1 - h), h, ring.z() * (1 - h));
-            case ShapeTable.CYLINDER -> random.nextInt(3) == 0 ? ring.times(r).plus(new Vec3(0, random.nextInt(2), 0)) : new Vec3(ring.x(), h, ring.z());
+            case ShapeTable.CYLINDER ->
+                    random.nextInt(3) == 0 ? ring.times(r).plus(new Vec3(0, random.nextInt(2), 0)) : new Vec3(ring.x(), h, ring.z());
             default -> new Vec3(random.nextDouble() - 0.5, 0, random.nextDouble() - 0.5);
         };
     }

@@ -81,12 +81,14 @@ class HardRaysTest {
         ShapeTable table = TraceScenes.one(kind, new Placement(at, Vec3.ZERO, scale), camera);
         for (int n = 0; n < RAYS; n++) {
             Ray own = hard.make(kind, random);
-            Vec3 o = new Vec3(own.origin().x() * scale.x(), own.origin().y() * scale.y(), own.origin().z() * scale.z()).plus(at.minus(camera));
+            Vec3 o = new Vec3(own.origin().x() * scale.x(), own.origin().y() * scale.y(), own.origin().z() * scale.z())
+                    .plus(at.minus(camera));
             Vec3 d = new Vec3(own.direction().x() * scale.x(), own.direction().y() * scale.y(), own.direction().z() * scale.z());
             double t = table.distance(0, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
             Vec3 far = at.minus(camera);
             double margin = ULPS * ULP * Math.max(Math.max(1 + (Math.abs(o.x()) + Math.abs(far.x())) / Math.abs(scale.x()),
-                    (Math.abs(o.y()) + Math.abs(far.y())) / Math.abs(scale.y())), (Math.abs(o.z()) + Math.abs(far.z())) / Math.abs(scale.z()));
+                    (Math.abs(o.y()) + Math.abs(far.y())) / Math.abs(scale.y())),
+                    (Math.abs(o.z()) + Math.abs(far.z())) / Math.abs(scale.z()));
             if (margin > 0.5) {
                 // Where the shape stands, doubles are as far apart as it is large.
                 return;

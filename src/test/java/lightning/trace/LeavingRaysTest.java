@@ -23,7 +23,8 @@ class LeavingRaysTest {
     private static final int[] KINDS = {ShapeTable.SPHERE, ShapeTable.CONE, ShapeTable.CYLINDER, ShapeTable.PLANE};
 
     /** Own points well inside, to be aimed at and looked from; the patch's is on it. */
-    private static final Vec3[] MIDDLES = {new Vec3(0.1, 0.2, -0.1), new Vec3(0.1, 0.3, 0.1), new Vec3(-0.1, 0.4, 0.2), new Vec3(0.1, 0, -0.1)};
+    private static final Vec3[] MIDDLES =
+            {new Vec3(0.1, 0.2, -0.1), new Vec3(0.1, 0.3, 0.1), new Vec3(-0.1, 0.4, 0.2), new Vec3(0.1, 0, -0.1)};
 
     /** Scales and where the camera sees the shape, in units of the scale: a float holds the points of all of these. */
     static Stream<Arguments> places() {
@@ -102,8 +103,8 @@ class LeavingRaysTest {
     void raysFromPointsSeenInAFarMirror_leave(double far) {
         for (int kind : KINDS) {
             Placement placement = new Placement(new Vec3(0.5, -1, -2), new Vec3(37, 74, -37), Vec3.ONE);
-            look(kind, placement, new Vec3(far, 0.6 * far, -0.8 * far), (geometry, from, normal) ->
-                    acne += geometry.distance(0, new Ray(from, away(normal))) < Solids.MISS ? 1 : 0);
+            look(kind, placement, new Vec3(far, 0.6 * far, -0.8 * far),
+                    (geometry, from, normal) -> acne += geometry.distance(0, new Ray(from, away(normal))) < Solids.MISS ? 1 : 0);
         }
         assertThat(acne).as("acne among %s rays", rays).isLessThanOrEqualTo(far <= 1e7 ? 0 : 1 + (int) (rays / 1_000_000));
     }

@@ -25,7 +25,8 @@ class LightOnSurfaceTest {
     static Vec3 lightOn(int kind, Random random) {
         return switch (random.nextInt(6)) {
             case 0 -> kind == ShapeTable.SPHERE || kind == ShapeTable.CONE ? Vec3.Y : Vec3.ZERO;
-            case 1 -> kind == ShapeTable.SPHERE ? new Vec3(0, 0, -1) : kind == ShapeTable.PLANE ? new Vec3(0.5, 0, 0.25) : new Vec3(1, 0, 0);
+            case 1 ->
+                    kind == ShapeTable.SPHERE ? new Vec3(0, 0, -1) : kind == ShapeTable.PLANE ? new Vec3(0.5, 0, 0.25) : new Vec3(1, 0, 0);
             case 2 -> kind == ShapeTable.SPHERE ? new Vec3(0.6, 0, 0.8) : kind == ShapeTable.CONE ? new Vec3(0, 0.75, 0.25) : Vec3.ZERO;
             default -> HardRay.onSurface(kind, random);
         };
@@ -103,7 +104,8 @@ class LightOnSurfaceTest {
         if (expected == 0) {
             open++;
         } else {
-            assertThat(answer).as("%s kind %s, light %s, row %s", place.placements(), place.kind(), end.point(), row).isEqualTo(expected > 0);
+            assertThat(answer).as("%s kind %s, light %s, row %s", place.placements(), place.kind(), end.point(), row)
+                    .isEqualTo(expected > 0);
             blocked += expected > 0 ? 1 : 0;
             clear += expected < 0 ? 1 : 0;
         }

@@ -37,7 +37,8 @@ final class NumericsPictures {
     private static float[] panel(ToDoubleFunction<double[]> shade) {
         float[] values = new float[SIZE * SIZE];
         for (int i = 0; i < values.length; i++) {
-            values[i] = (float) shade.applyAsDouble(new double[] {(i % SIZE + 0.5) / SIZE * 2.4 - 1.2, 1.2 - (i / SIZE + 0.5) / SIZE * 2.4});
+            values[i] =
+                    (float) shade.applyAsDouble(new double[] {(i % SIZE + 0.5) / SIZE * 2.4 - 1.2, 1.2 - (i / SIZE + 0.5) / SIZE * 2.4});
         }
         return values;
     }
@@ -87,7 +88,8 @@ final class NumericsPictures {
         SurfacePoint p = geometry.surface(shape, ray);
         Vec3 normal = new Vec3(p.nx(), p.ny(), p.nz());
         Vec3 hit = ray.direction().times(geometry.distance(shape, ray));
-        Vec3 from = leaving == Leaving.LIGHTNING ? new Vec3(p.px(), p.py(), p.pz()) : new Vec3((float) hit.x(), (float) hit.y(), (float) hit.z());
+        Vec3 from = leaving == Leaving.LIGHTNING ? new Vec3(p.px(), p.py(), p.pz())
+                : new Vec3((float) hit.x(), (float) hit.y(), (float) hit.z());
         double least = leaving == Leaving.BY_EPSILON ? 1e-4 : 0;
         boolean dark = false;
         for (int s = 0; s < geometry.shapeCount(); s++) {

@@ -50,7 +50,8 @@ class SurfaceTest {
     void stretchedBall_hasTheNormalOfItsGradient(double rx, double ry, double rz) {
         Placement placement = new Placement(new Vec3(7, -4, 11), new Vec3(rx, ry, rz), new Vec3(2, 3, 5));
         Vec3 own = new Vec3(2 / 7.0, 3 / 7.0, 6 / 7.0);
-        Vec3 gradient = lightning.math.Transform.rotation(placement.rotate()).vector(new Vec3(own.x() / 2, own.y() / 3, own.z() / 5)).normalized();
+        Vec3 gradient =
+                lightning.math.Transform.rotation(placement.rotate()).vector(new Vec3(own.x() / 2, own.y() / 3, own.z() / 5)).normalized();
         Vec3 at = placement.transform().point(own);
         assertNormal(hit(ShapeTable.SPHERE, placement, new Ray(at.plus(gradient), gradient.negated())), gradient);
     }
@@ -75,7 +76,8 @@ class SurfaceTest {
     @Test
     void apexOfACone_facesTheRay() {
         assertNormal(hit(ShapeTable.CONE, Placement.IDENTITY, new Ray(new Vec3(0, 3, 0), new Vec3(0, -1, 0))), Vec3.Y);
-        assertNormal(hit(ShapeTable.CONE, Placement.IDENTITY, new Ray(new Vec3(1, 3, 0), new Vec3(-0.5, -1, 0))), new Vec3(0.5, 1, 0).normalized());
+        assertNormal(hit(ShapeTable.CONE, Placement.IDENTITY, new Ray(new Vec3(1, 3, 0), new Vec3(-0.5, -1, 0))),
+                new Vec3(0.5, 1, 0).normalized());
     }
 
     /** Where side and cap are equally near, the side counts: the rim of a cylinder, the edge of a cone. */

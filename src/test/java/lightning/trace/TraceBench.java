@@ -201,8 +201,10 @@ final class TraceBench {
         long bytes = mx.getThreadAllocatedBytes(Thread.currentThread().threadId()) - before;
         double scalar = nanos(b::scalarNearest, rays / 4);
         double scalarBlocked = nanos(b::scalarBlocked, b.shadowRays / 4);
-        System.out.printf(Locale.ROOT, "%-12s few %3d | eye %5.2f nearest %6.2f surface %5.2f blocked %6.2f (fill %4.2f) | tiles nearest %5.2f blocked with fill %5.2f | scalar nearest %6.1f blocked %6.1f | bytes/ray %.2f%n",
-                name, few, eye, nearest - eye, surface - nearest, blocked - fill, fill, tileNearest - eye, tileBlocked, scalar, scalarBlocked, bytes / (RUNS * rays));
+        System.out.printf(Locale.ROOT,
+                "%-12s few %3d | eye %5.2f nearest %6.2f surface %5.2f blocked %6.2f (fill %4.2f) | tiles nearest %5.2f blocked with fill %5.2f | scalar nearest %6.1f blocked %6.1f | bytes/ray %.2f%n",
+                name, few, eye, nearest - eye, surface - nearest, blocked - fill, fill, tileNearest - eye, tileBlocked, scalar,
+                scalarBlocked, bytes / (RUNS * rays));
     }
 
     public static void main(String[] args) {

@@ -65,7 +65,8 @@ public record CommandFace(String title, String help, Ikon icon, String shortcut)
                 MaterialDesignC.CROSSHAIRS_GPS, "Shortcut+T");
         put(Command.LOOK_THROUGH_LIGHT, "Look Through Light", "See the preview as the selected light does, and again as before",
                 MaterialDesignE.EYE_OUTLINE, "Shortcut+Shift+T");
-        put(Command.PICK_MATERIAL, "Edit Material…", "Pick a shape in the traced picture and edit its material; a right click on a shape offers it too",
+        put(Command.PICK_MATERIAL, "Edit Material…",
+                "Pick a shape in the traced picture and edit its material; a right click on a shape offers it too",
                 MaterialDesignE.EYEDROPPER, "Shortcut+Shift+M");
         put(Command.MAKE_ANIMATION, "Make Animation…", "Record and play the way of the selected light",
                 MaterialDesignM.MOVIE_OPEN_OUTLINE, "Shortcut+M");

@@ -35,8 +35,8 @@ public final class SizeMenu {
             item.setId("size-" + size.width() + "x" + size.height());
             item.setToggleGroup(group);
             item.setOnAction(_ -> trace(model, size));
-            model.sceneProperty().subscribe(s ->
-                    item.setSelected(s.picture().width() == size.width() && s.picture().height() == size.height()));
+            model.sceneProperty()
+                    .subscribe(s -> item.setSelected(s.picture().width() == size.width() && s.picture().height() == size.height()));
             items.add(item);
         }
         var other = new MenuItem("Other…");

@@ -168,10 +168,10 @@ public final class EffectsPane extends VBox {
     private Optional<LastEdit> edit() {
         return (model.isAnimating() ? Optional.<LastEdit>empty() : model.workbench().lastEdit())
                 .filter(e -> Effects.of(e.before()).absent().equals(Effects.of(model.scene()).absent())).or(() -> {
-            List<PaperCase> cases = PaperCases.of(model.scene());
-            return cases.stream().filter(c -> c.name().equals("position")).findFirst().or(() -> cases.stream().findFirst())
-                    .map(c -> new LastEdit(c.before(), c.after(), true));
-        });
+                    List<PaperCase> cases = PaperCases.of(model.scene());
+                    return cases.stream().filter(c -> c.name().equals("position")).findFirst().or(() -> cases.stream().findFirst())
+                            .map(c -> new LastEdit(c.before(), c.after(), true));
+                });
     }
 
     private void measure() {

@@ -36,7 +36,8 @@ public final class PictureLook {
 
     private void look() {
         Light selected = model.selectedLight();
-        Look look = new Look(onlySelected.get() && selected != null ? Optional.of(renderedName(selected)) : Optional.empty(), effects.get());
+        Look look =
+                new Look(onlySelected.get() && selected != null ? Optional.of(renderedName(selected)) : Optional.empty(), effects.get());
         if (!look.equals(wanted)) {
             wanted = look;
             model.workbench().setLook(look);

@@ -10,7 +10,8 @@ public enum Precision {
             Accuracy.EXACT, Reflections.CURRENT),
     ON_DEMAND("As in 1998: mirrors on demand", "Equal to a full trace in every bit, but mirrors show older lights until Update Reflections",
             Accuracy.EXACT, Reflections.STALE),
-    RATIO("As in 1998: ratio", "The paper's own update, which multiplies what is stored, with an error bound that is shown; mirrors on demand",
+    RATIO("As in 1998: ratio",
+            "The paper's own update, which multiplies what is stored, with an error bound that is shown; mirrors on demand",
             Accuracy.RATIO, Reflections.STALE);
 
     private final String title;

@@ -157,7 +157,8 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         gizmos.draw(model.scene(), model.selectedLight(), model.previewCameraProperty().get(), mouse.canvas(),
                 model.previewLook().sizeProperty().get().factor());
         loop.draw(new PreviewLoop.Wish(model.scene(), model.previewCameraProperty().get(), frame.width(), frame.height(),
-                model.viewProperty().get(), model.previewLook().litProperty().get() ? ViewEffects.PREVIEW : ViewEffects.PREVIEW_1998, moving));
+                model.viewProperty().get(), model.previewLook().litProperty().get() ? ViewEffects.PREVIEW : ViewEffects.PREVIEW_1998,
+                moving));
     }
 
     private void drawn(PreviewLoop.Picture picture) {

@@ -33,8 +33,7 @@ final class PreviewShapes {
             ScenePicker now = picker;
             now = now == null ? new ScenePicker(scene) : now.forScene(scene);
             picker = now;
-            now.at(view, viewport, place).ifPresent(found ->
-                    model.window().execute(() -> menu.show(canvas, found.shape(), x, y)));
+            now.at(view, viewport, place).ifPresent(found -> model.window().execute(() -> menu.show(canvas, found.shape(), x, y)));
         });
     }
 

@@ -126,7 +126,8 @@ final class MaterialPane extends VBox {
         name.setValue(shown);
         showing = false;
         List<String> shapes = MaterialChoice.shapesOf(model.scene(), shown);
-        users.setText(shapes.isEmpty() ? "No shape has it" : "On " + String.join(", ", shapes.subList(0, Math.min(NAMES_SHOWN, shapes.size())))
-                + (shapes.size() > NAMES_SHOWN ? " and " + (shapes.size() - NAMES_SHOWN) + " more" : ""));
+        users.setText(
+                shapes.isEmpty() ? "No shape has it" : "On " + String.join(", ", shapes.subList(0, Math.min(NAMES_SHOWN, shapes.size())))
+                        + (shapes.size() > NAMES_SHOWN ? " and " + (shapes.size() - NAMES_SHOWN) + " more" : ""));
     }
 }

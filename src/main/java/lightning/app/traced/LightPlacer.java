@@ -33,19 +33,16 @@ public final class LightPlacer {
     }
 
     void aim() {
-        picker.next("Click where the light should shine to", at ->
-                edit((scene, light) -> LightEdits.aim(scene, light, at.point())));
+        picker.next("Click where the light should shine to", at -> edit((scene, light) -> LightEdits.aim(scene, light, at.point())));
     }
 
     public void highlight() {
-        picker.next("Click where the highlight should be", at ->
-                edit((scene, light) -> LightPlacing.highlight(scene, light, found(at))));
+        picker.next("Click where the highlight should be", at -> edit((scene, light) -> LightPlacing.highlight(scene, light, found(at))));
     }
 
     public void shadow() {
-        picker.next("Click what throws the shadow", thrower ->
-                picker.next("Click where the shadow should fall", target ->
-                        edit((scene, light) -> LightPlacing.shadow(scene, light, thrower.point(), target.point()))));
+        picker.next("Click what throws the shadow", thrower -> picker.next("Click where the shadow should fall",
+                target -> edit((scene, light) -> LightPlacing.shadow(scene, light, thrower.point(), target.point()))));
     }
 
     private ScenePicker.Found found(PixelReport at) {

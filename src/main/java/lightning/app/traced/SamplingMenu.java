@@ -52,8 +52,9 @@ public final class SamplingMenu {
         var item = new RadioMenuItem(title);
         item.setId(id);
         item.setToggleGroup(group);
-        item.setOnAction(_ -> model.edit(scene -> Change.of(() ->
-                scene.withPicture(scene.picture().withSampling(choice.from(sampling(scene)))))).ifPresent(model::say));
+        item.setOnAction(
+                _ -> model.edit(scene -> Change.of(() -> scene.withPicture(scene.picture().withSampling(choice.from(sampling(scene))))))
+                        .ifPresent(model::say));
         model.sceneProperty().subscribe(s -> item.setSelected(chosen.test(sampling(s))));
         return item;
     }

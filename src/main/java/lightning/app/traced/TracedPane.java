@@ -40,7 +40,8 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 public final class TracedPane extends BorderPane implements AutoCloseable {
     private static final Insets BADGES = new Insets(12);
     private static final String NOT_PLAIN = "The view does not show the whole picture";
-    private static final String REGION_HINT = "Trace a region alone: drag a frame in the picture; it shows the edits that are not rendered yet";
+    private static final String REGION_HINT =
+            "Trace a region alone: drag a frame in the picture; it shows the edits that are not rendered yet";
 
     private final EditorModel model;
     private final PictureView picture = new PictureView();
@@ -54,7 +55,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private final ToggleButton difference = new ToggleButton("Difference");
     private final ToggleButton compare = new ToggleButton("", new FontIcon(MaterialDesignC.COMPARE));
     private final StackPane compareBox = new StackPane(compare);
-    private final Obstacle comparing = new Obstacle(compareBox, compare, "Compare: the snapshot on the left, the picture on the right; drag to wipe");
+    private final Obstacle comparing =
+            new Obstacle(compareBox, compare, "Compare: the snapshot on the left, the picture on the right; drag to wipe");
     private final TracedMouse mouse;
     private final LightPlacer placer;
     private TracedRaster.Pixels shown;
@@ -77,8 +79,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             card.setText(report == null ? "" : String.join("\n", report.lightLines()));
         });
         placer = new LightPlacer(model, mouse::pickNext);
-        model.setAction(Command.PICK_MATERIAL, () ->
-                mouse.pickNext("Click the shape whose material to edit", at -> model.materials().chooseOf(at.shape())));
+        model.setAction(Command.PICK_MATERIAL,
+                () -> mouse.pickNext("Click the shape whose material to edit", at -> model.materials().chooseOf(at.shape())));
         mirrors.setTooltip(new Tooltip("As in 1998, mirrors are updated on demand.\nA click here does it, and F6."));
         mirrors.setOnMouseClicked(_ -> model.run(Command.UPDATE_REFLECTIONS));
         var badges = new VBox(pending, mirrors);
@@ -164,7 +166,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         var only = new ToggleButton("", new FontIcon(MaterialDesignF.FILTER_OUTLINE));
         only.setId("only-selected");
         only.setAccessibleText("Only the selected light");
-        only.setTooltip(new Tooltip("Only the selected light\nShow what it gives to the picture, in mirrors too: no ambience, no background."));
+        only.setTooltip(
+                new Tooltip("Only the selected light\nShow what it gives to the picture, in mirrors too: no ambience, no background."));
         only.getStyleClass().add("button-icon");
         only.selectedProperty().bindBidirectional(model.look().onlySelectedProperty());
         return only;

@@ -124,7 +124,8 @@ public final class ColorSliders extends VBox {
                     : now;
         }
         well.setStyle("-well-color: " + Paints.css(color) + ";");
-        well.setAccessibleText(prefix + String.format(Locale.ROOT, "colour: red %.3f, green %.3f, blue %.3f", color.r(), color.g(), color.b()));
+        well.setAccessibleText(
+                prefix + String.format(Locale.ROOT, "colour: red %.3f, green %.3f, blue %.3f", color.r(), color.g(), color.b()));
         rgb.get(0).show(color.r(), v -> new Rgb(v, color.g(), color.b()));
         rgb.get(1).show(color.g(), v -> new Rgb(color.r(), v, color.b()));
         rgb.get(2).show(color.b(), v -> new Rgb(color.r(), color.g(), v));

@@ -46,7 +46,8 @@ public final class Obstacle {
 
     /** A screen reader tells of the part that it is at, and not of the whole. */
     private void tellParts(String why) {
-        control.lookupAll("*").stream().filter(part -> part != control && part.isFocusTraversable()).forEach(part -> part.setAccessibleHelp(why));
+        control.lookupAll("*").stream().filter(part -> part != control && part.isFocusTraversable())
+                .forEach(part -> part.setAccessibleHelp(why));
     }
 
     private static String sentence(String clause) {

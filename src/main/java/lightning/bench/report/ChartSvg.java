@@ -60,7 +60,8 @@ final class ChartSvg {
         svg = COLOR.matcher(svg).replaceAll(ChartSvg::variable);
         svg = TEXT.matcher(svg).replaceAll(m -> Matcher.quoteReplacement(fitted(m)));
         svg = LONG_NUMBER.matcher(NOISE.matcher(svg).replaceAll("")).replaceAll("$1");
-        return String.format(Locale.ROOT, "<svg class=\"chart\" viewBox=\"0 0 %d %d\" style=\"max-width:%dpx\" role=\"img\" aria-label=\"%s\">%s",
+        return String.format(Locale.ROOT,
+                "<svg class=\"chart\" viewBox=\"0 0 %d %d\" style=\"max-width:%dpx\" role=\"img\" aria-label=\"%s\">%s",
                 width, height, width, Markup.escaped(label), svg);
     }
 

@@ -92,7 +92,8 @@ final class EditPictures {
         for (Shown s : shown) {
             if (s.level != null && s.level != Level.FULL_TRACE) {
                 int i = index(differences, s.level, -1);
-                page.leaf("option", s.name, "value", i < 0 ? "" : differences.get(i).style, "selected", s == shown.get(after) ? "selected" : null);
+                page.leaf("option", s.name, "value", i < 0 ? "" : differences.get(i).style, "selected",
+                        s == shown.get(after) ? "selected" : null);
             }
         }
         page.close().close();
@@ -131,7 +132,8 @@ final class EditPictures {
     private static void value(Markup page, EditResult edit, ValueResult value) {
         page.open("div", "class", "value");
         page.open("div");
-        page.ready(LadderChart.svg("Error against time of " + edit.edit(), value.rungs().stream().map(EditPictures::point).toList(), 380, 240));
+        page.ready(LadderChart.svg("Error against time of " + edit.edit(), value.rungs().stream().map(EditPictures::point).toList(), 380,
+                240));
         page.leaf("p", "RMSE against time, ms", "class", "axes").close();
         try (Table table = new Table(page, "tight", value.value(), "level", "time", "saves", "values differ", "ulp", "largest", "RMSE",
                 "PSNR", "SSIM", "ꟻLIP")) {
@@ -149,6 +151,7 @@ final class EditPictures {
         PictureError e = rung.error();
         table.row(rung.level().label(), Numbers.ms(rung.time().median()), Numbers.percent(rung.saving()),
                 Numbers.share(e.values(), e.of()), Numbers.grouped(e.maxUlp()), Numbers.error(e.maxAbsolute()),
-                Numbers.error(e.rmse()), LevelSummary.decibels(e.displayPsnr()), LevelSummary.similarity(e.ssim()), Numbers.error(e.flip()));
+                Numbers.error(e.rmse()), LevelSummary.decibels(e.displayPsnr()), LevelSummary.similarity(e.ssim()),
+                Numbers.error(e.flip()));
     }
 }

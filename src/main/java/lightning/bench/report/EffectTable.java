@@ -10,7 +10,8 @@ final class EffectTable {
 
     static void write(Markup page, SceneResult scene) {
         if (!scene.effects().isEmpty()) {
-            rows(page, "Effects in use: by how much each makes the picture dearer", scene.effects().stream().filter(EffectResult::inUse).toList());
+            rows(page, "Effects in use: by how much each makes the picture dearer",
+                    scene.effects().stream().filter(EffectResult::inUse).toList());
             rows(page, "Absent effects: what each would add if it were computed all the same",
                     scene.effects().stream().filter(e -> !e.inUse()).toList());
         }
@@ -20,7 +21,8 @@ final class EffectTable {
         if (effects.isEmpty()) {
             return;
         }
-        try (Table table = new Table(page, "edits", caption, "effect", "first pass", "noise", "moved light", "kept", "rays", "called for by")) {
+        try (Table table =
+                new Table(page, "edits", caption, "effect", "first pass", "noise", "moved light", "kept", "rays", "called for by")) {
             for (EffectResult effect : effects) {
                 table.row(effect.effect(), Numbers.ms(effect.firstMs()), "± " + Numbers.ms(effect.noiseMs()), Numbers.ms(effect.updateMs()),
                         Numbers.bytes(effect.bytes()), Numbers.grouped(effect.rays()), callers(effect));

@@ -32,7 +32,8 @@ record LevelSummary(Level level, List<RungResult> rungs) {
     /** Writes the table of all levels and what each of them is. */
     static void table(Markup page, List<LevelSummary> levels) {
         try (Table table = new Table(page, null, "Each level over all edits: median time; worst error.", "level", "time", "saves",
-                "values that differ", "largest ulp", "largest difference", "mean difference", "RMSE", "PSNR", "PSNR displayed", "SSIM", "ꟻLIP")) {
+                "values that differ", "largest ulp", "largest difference", "mean difference", "RMSE", "PSNR", "PSNR displayed", "SSIM",
+                "ꟻLIP")) {
             levels.forEach(level -> table.row(level.level().label(), level.cells()));
         }
         page.open("dl", "class", "levels");

@@ -17,7 +17,8 @@ final class Numbers {
             return special(value);
         }
         double size = Math.abs(value);
-        return size >= 1000 ? grouped(Math.round(value)) : format(size >= 100 ? "%.0f" : size >= 10 ? "%.1f" : size >= 1 ? "%.2f" : "%.3f", value);
+        return size >= 1000 ? grouped(Math.round(value))
+                : format(size >= 100 ? "%.0f" : size >= 10 ? "%.1f" : size >= 1 ? "%.2f" : "%.3f", value);
     }
 
     /** At a tick of an axis: {@code 0.1}, {@code 5}, {@code 1 000}. */

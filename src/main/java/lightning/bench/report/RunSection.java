@@ -27,7 +27,8 @@ final class RunSection {
         Machine machine = run.machine();
         page.leaf("p", run.date() + " · commit " + run.commit() + " · " + machine.system() + ", " + machine.processors()
                 + " processors, " + machine.vectorBits() + "-bit vectors, " + Numbers.bytes(machine.memoryBytes()) + " · "
-                + machine.java() + " · " + run.threads() + " threads · memory " + Numbers.plain(run.triadGBs()) + " GB/s", "class", "facts");
+                + machine.java() + " · " + run.threads() + " threads · memory " + Numbers.plain(run.triadGBs()) + " GB/s", "class",
+                "facts");
         if (run.quick()) {
             page.leaf("p", "A quick run: few scenes, sizes and repetitions. Its numbers show the way, no more.", "class", "note");
         }
@@ -87,7 +88,8 @@ final class RunSection {
     }
 
     private static String edits(double count) {
-        return count == 0 ? "at once" : Double.isFinite(count) ? Numbers.grouped(Math.round(count)) + (count == 1 ? " edit" : " edits") : "never";
+        return count == 0 ? "at once" : Double.isFinite(count) ? Numbers.grouped(Math.round(count)) + (count == 1 ? " edit" : " edits")
+                : "never";
     }
 
     static void writeMethod(Markup page, Run run) {

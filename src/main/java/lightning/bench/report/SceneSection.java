@@ -72,7 +72,8 @@ final class SceneSection {
     private static void ladder(Markup page, List<LevelSummary> levels) {
         figure(page, "What accuracy costs", "Error (RMSE, the largest of all edits) against time (ms, median of all edits). "
                 + "Dashed: the front of Pareto; a level off it is beaten in both.",
-                LadderChart.svg("Error against time of each level of accuracy", levels.stream().map(LevelSummary::point).toList(), 550, 330));
+                LadderChart.svg("Error against time of each level of accuracy", levels.stream().map(LevelSummary::point).toList(), 550,
+                        330));
     }
 
     private static void floors(Markup page, SceneResult scene) {
@@ -85,7 +86,8 @@ final class SceneSection {
             });
         }
         if (!rows.isEmpty()) {
-            figure(page, "How far above the floor", "Time of each edit (ms, level exact) beside the time that memory needs to move its bytes.",
+            figure(page, "How far above the floor",
+                    "Time of each edit (ms, level exact) beside the time that memory needs to move its bytes.",
                     FloorChart.svg("Time of each edit beside its memory floor", rows),
                     Ink.OURS, "measured, and how many times the floor", Ink.TEXT, "tick: the floor");
         }

@@ -59,7 +59,8 @@ public final class Tables {
     }
 
     private String scenes() {
-        return table(List.of("scene", "shapes", "lights", "full trace ms", "first pass slower by %", "bytes a pixel", "paid for after edits"),
+        return table(
+                List.of("scene", "shapes", "lights", "full trace ms", "first pass slower by %", "bytes a pixel", "paid for after edits"),
                 large().map(s -> List.of(s.scene(), Integer.toString(s.shapes()), Integer.toString(s.lights()),
                         number(s.firstPass().fullTrace().median()), number(s.firstPass().percentSlower()),
                         number(s.firstPass().bytesPerPixel()), number(s.firstPass().editsToPayOff()))));

@@ -84,7 +84,7 @@ final class RenderQueue {
             case Work.Render r -> !samePicture(r.scene(), wanted);
             case Work.Reopen r -> r.scene() != null && !samePicture(r.scene(), wanted);
             case Work.Reflections _ -> true;
-            case Work.Verify _, Work.Looks _, Work.Forget _ -> false;
+            case Work.Verify _,Work.Looks _,Work.Forget _ -> false;
         };
     }
 

@@ -69,7 +69,7 @@ final class Verifier implements AutoCloseable {
         if (waiting == null || measuring != null || thread.isShutdown()) {
             return;
         }
-        var own = new RenderQueue.Stop((_, _) -> { });
+        var own = new RenderQueue.Stop((_, _) -> {});
         WarmSaving.Edit edit = waiting;
         measuring = own;
         thread.execute(() -> {

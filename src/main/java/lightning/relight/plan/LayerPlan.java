@@ -21,7 +21,7 @@ public record LayerPlan(Light light, int from, LayerStamp before, LightUpdate up
     public LayerStamp stamp(boolean scaled, double leastFalloff) {
         return switch (update) {
             case LightUpdate.Keep _ -> before;
-            case LightUpdate.FullRecompute _, LightUpdate.Refresh _ -> LayerStamp.fresh(light);
+            case LightUpdate.FullRecompute _,LightUpdate.Refresh _ -> LayerStamp.fresh(light);
             case LightUpdate.Reweight _ -> scaled ? RatioBound.scaled(before, light, true, false, leastFalloff) : LayerStamp.fresh(light);
             case LightUpdate.Partial p -> scaled
                     ? RatioBound.scaled(before, light, p.weight(), p.falloff(), leastFalloff)

@@ -34,14 +34,14 @@ final class PlanText {
     private static void describe(LayerPlan layer, List<String> steps) {
         String name = layer.light().name() + ": ";
         switch (layer.update()) {
-            case LightUpdate.Keep _ -> { }
+            case LightUpdate.Keep _ -> {}
             case LightUpdate.Reweight _ -> steps.add(name + "weight");
             case LightUpdate.Refresh _ -> steps.add(name + "refresh");
             case LightUpdate.FullRecompute full -> steps.add(name + (full.added() ? "add" : "full recompute"));
             case LightUpdate.Partial partial -> {
                 List<String> parts = new ArrayList<>();
                 switch (partial.cone()) {
-                    case NONE -> { }
+                    case NONE -> {}
                     case ANGLE_REMOVE -> parts.add("angle remove");
                     case ANGLE_ADD -> parts.add("angle add");
                     case TURN -> parts.add("turn");

@@ -22,10 +22,10 @@ record ExactUpdater(LightKernel kernel) implements LayerUpdater {
     @Override
     public LightLayer update(HitRows rows, Lamp from, Lamp to, LightLayer before, LightUpdate update) {
         return switch (update) {
-            case LightUpdate.Keep _, LightUpdate.Reweight _, LightUpdate.Refresh _ -> before;
+            case LightUpdate.Keep _,LightUpdate.Reweight _,LightUpdate.Refresh _ -> before;
             case LightUpdate.FullRecompute _ -> full(rows, to);
             case LightUpdate.Partial p ->
-                kernel.partial(rows, to, (LightRows) before, p.cone(), p.falloff(), Columns.FRESH);
+                    kernel.partial(rows, to, (LightRows) before, p.cone(), p.falloff(), Columns.FRESH);
         };
     }
 

@@ -131,7 +131,7 @@ public record Job(Shown shown, Shown mirrored, Options options, Level top, Level
 
         private static boolean keepsStates(LightUpdate update) {
             return switch (update) {
-                case LightUpdate.Keep _, LightUpdate.Reweight _, LightUpdate.Refresh _ -> true;
+                case LightUpdate.Keep _,LightUpdate.Reweight _,LightUpdate.Refresh _ -> true;
                 case LightUpdate.Partial p -> p.cone() == ConeChange.NONE;
                 case LightUpdate.FullRecompute _ -> false;
             };

@@ -158,7 +158,7 @@ final class LevelWorker {
         rowsComposed += level.rows().count;
         BranchSums sums = plan == null || plan.key() == null ? null
                 : level.branches() != null ? level.branches()
-                        : composer.branches(level.rows(), shown.lamps(), level.layers(), plan.key());
+                : composer.branches(level.rows(), shown.lamps(), level.layers(), plan.key());
         composer.level(level.rows(), shown.lamps(), level.layers(), sums, shown.scene().world(), cr);
         bytesMoved += bytesRead(level, plan == null ? null : plan.key(), sums);
         return sums == level.branches() ? level : level.with(sums);

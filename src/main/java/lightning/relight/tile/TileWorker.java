@@ -45,8 +45,9 @@ final class TileWorker {
     Tally work() {
         Tally work = new Tally(eye.rowsTouched(), eye.rowsComposed(), eye.bytesMoved() + filmBytes,
                 new TraceCounts(eyeRays, mirroredRays, eye.shadowRays()));
-        return mirror == null || mirror == eye ? work : work.plus(new Tally(mirror.rowsTouched(), mirror.rowsComposed(), mirror.bytesMoved(),
-                new TraceCounts(0, 0, mirror.shadowRays())));
+        return mirror == null || mirror == eye ? work
+                : work.plus(new Tally(mirror.rowsTouched(), mirror.rowsComposed(), mirror.bytesMoved(),
+                        new TraceCounts(0, 0, mirror.shadowRays())));
     }
 
     double leastFalloff() {

@@ -17,9 +17,11 @@ import org.junit.jupiter.api.io.TempDir;
 /** Preferences with a few mistakes: whatever the file holds, it is read, and written again. */
 class PreferencesFuzzTest {
     private static final int TRIES = Fuzz.tries(2_000);
-    private static final List<byte[]> PREFERENCES = bytes("#Lightning\nwidth=1280.0\nheight=800\nrecent.0=/scenes/a b.jen\nrecent.1=/scenes/b.jen\ntheme=DARK\n",
-            "precision=EXACT\ncurve=LINEAR\nrecent.0=\\u00e4.jen\n");
-    private static final List<byte[]> BITS = bytes("\\u", "\\u00zz", "\\", "\n", "=", ":", "\u0000", "NaN", "Infinity", "1e999", "0x1p3", "recent.0=", "#", "𝐀");
+    private static final List<byte[]> PREFERENCES =
+            bytes("#Lightning\nwidth=1280.0\nheight=800\nrecent.0=/scenes/a b.jen\nrecent.1=/scenes/b.jen\ntheme=DARK\n",
+                    "precision=EXACT\ncurve=LINEAR\nrecent.0=\\u00e4.jen\n");
+    private static final List<byte[]> BITS =
+            bytes("\\u", "\\u00zz", "\\", "\n", "=", ":", "\u0000", "NaN", "Infinity", "1e999", "0x1p3", "recent.0=", "#", "𝐀");
 
     @TempDir
     private Path folder;

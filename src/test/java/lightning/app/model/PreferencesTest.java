@@ -50,7 +50,7 @@ class PreferencesTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"NaN", "Infinity", "-Infinity", "0", "-1", "1e-300", "1e300", "199.9", "32769", "", "wide",
-            "\\u00zz"})
+        "\\u00zz"})
     void numberOutOfReason_countsAsAbsent(String damaged) throws IOException {
         Files.writeString(folder.resolve("preferences.properties"), "width=" + damaged);
         assertThat(new Preferences(folder).number("width", 200, 32_768, 7)).isEqualTo(7);

@@ -70,8 +70,8 @@ class RenderFeedModelTest {
         explore(() -> {
             var window = new Window();
             var raster = new TracedRaster();
-            var feed = new RenderFeed(window, raster, state ->
-                    law(state.frame() == null || raster.pixels() != null, "who hears of a picture can show it"));
+            var feed = new RenderFeed(window, raster,
+                    state -> law(state.frame() == null || raster.pixels() != null, "who hears of a picture can show it"));
             Schedules.Beside loop = Schedules.beside(() -> feed.rendered(new Frame(FILM, FILM, Look.PLAIN, null, null, null)));
             window.runAll();
             loop.end();

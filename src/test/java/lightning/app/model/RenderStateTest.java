@@ -25,7 +25,8 @@ class RenderStateTest {
     private static final Scene SCENE = StudioScene.of(LightType.POINT);
     private static final Film FILM = Film.black(2, 2);
     private static final UpdatePlan SAMPLES = new UpdatePlan.Relight(new LevelPlan(List.of(), List.of(), true,
-            new MaterialUpdate(new Geometry(SCENE).materials(), MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE)), null, 2, 2, true);
+            new MaterialUpdate(new Geometry(SCENE).materials(), MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE)),
+            null, 2, 2, true);
 
     /** Took 60 ms in cold code. */
     private static Frame frame(UpdatePlan plan) {

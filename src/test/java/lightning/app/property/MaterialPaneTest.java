@@ -150,7 +150,8 @@ class MaterialPaneTest extends EditorDesk {
     @Test
     void textureThatIsNotThere_isRefusedInASentence() {
         type("texture", "missing.png");
-        waitFor("it is refused", () -> text("texture-refusal").startsWith("material 'matt': there is no texture 'missing.png' in the folder"));
+        waitFor("it is refused",
+                () -> text("texture-refusal").startsWith("material 'matt': there is no texture 'missing.png' in the folder"));
         assertThat(isEnabled(Command.UNDO)).isFalse();
     }
 

@@ -69,8 +69,8 @@ class ColorSlidersTest {
     }
 
     private Gauge channel(String title, Channel channel) {
-        return Gauge.of(title, new Steps(0.1, 0, 1000), (v, gesture) ->
-                v < 0 ? Optional.of(title + " must be ≥ 0") : edit(channel.with(v), gesture));
+        return Gauge.of(title, new Steps(0.1, 0, 1000),
+                (v, gesture) -> v < 0 ? Optional.of(title + " must be ≥ 0") : edit(channel.with(v), gesture));
     }
 
     private Optional<String> edit(Rgb edited, Object gesture) {

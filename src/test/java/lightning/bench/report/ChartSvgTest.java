@@ -7,7 +7,8 @@ import lightning.bench.report.ShareChart.Bar;
 import org.junit.jupiter.api.Test;
 
 class ChartSvgTest {
-    private final String svg = ShareChart.svg("a \"label\"", List.of(new Bar("color & <b>", 2, 9.5, 13, 1), new Bar("add", 29, Double.NaN, 130, 12)));
+    private final String svg =
+            ShareChart.svg("a \"label\"", List.of(new Bar("color & <b>", 2, 9.5, 13, 1), new Bar("add", 29, Double.NaN, 130, 12)));
 
     @Test
     void colours_followTheTheme() {

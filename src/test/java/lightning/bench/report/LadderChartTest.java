@@ -39,7 +39,8 @@ class LadderChartTest {
 
     @Test
     void everyLevel_isNamedInTheChart() {
-        String svg = LadderChart.svg("chart", List.of(new Point(Level.RATIO, 1, 2, 3, 1e-8), new Point(Level.FULL_TRACE, 8, 9, 10, 0)), 400, 300);
+        String svg = LadderChart.svg("chart", List.of(new Point(Level.RATIO, 1, 2, 3, 1e-8), new Point(Level.FULL_TRACE, 8, 9, 10, 0)), 400,
+                300);
 
         assertThat(svg).contains(">ratio<", ">full trace<", ">0<");
     }
@@ -53,7 +54,7 @@ class LadderChartTest {
     @Provide
     Arbitrary<List<Point>> points() {
         Arbitrary<Double> few = Arbitraries.of(1.0, 2.0, 3.0, 4.0);
-        return Combinators.combine(Arbitraries.of(Level.values()), few, few).as((level, time, error) ->
-                new Point(level, time, time, time, error - 1)).list().ofMaxSize(7);
+        return Combinators.combine(Arbitraries.of(Level.values()), few, few)
+                .as((level, time, error) -> new Point(level, time, time, time, error - 1)).list().ofMaxSize(7);
     }
 }

@@ -50,7 +50,8 @@ class PictureBookTest {
         write("d.png", film);
         PictureBook book = new PictureBook(folder);
         String style = book.difference("d.png");
-        Matcher data = Pattern.compile("\\." + style + "\\{background-image:url\\(data:image/png;base64,([^)]*)\\)}").matcher(book.styles());
+        Matcher data =
+                Pattern.compile("\\." + style + "\\{background-image:url\\(data:image/png;base64,([^)]*)\\)}").matcher(book.styles());
 
         assertThat(data.find()).isTrue();
         int shown = ImageIO.read(new ByteArrayInputStream(Base64.getDecoder().decode(data.group(1)))).getRGB(3, 2);

@@ -109,7 +109,7 @@ class RenderTurnsModelTest {
                     window.execute(() -> problems.add(problem));
                 }
             };
-            var ear = new WorkbenchEar(canvas, window::execute, frame -> shown.add(frame.scene()), () -> { }, () -> {
+            var ear = new WorkbenchEar(canvas, window::execute, frame -> shown.add(frame.scene()), () -> {}, () -> {
                 inWork = queue.isBusy();
                 settled = true;
             });

@@ -16,10 +16,12 @@ import org.junit.jupiter.api.io.TempDir;
 /** Motion paths with a few mistakes: each gives a path that can be written, or a refusal in one visible line. */
 class MotionPathFuzzTest {
     private static final int TRIES = Fuzz.tries(30_000);
-    private static final List<byte[]> PATHS = bytes("lightning-path 1\nat 0 4 2  direction 0 -1 -1\nat 2.3 3.6 1.4 direction -1 -1 0 # last\n",
-            "\uFEFFlightning-path 1\r\nevery 7\r\n\r\n# one\r\n\tat -1e-3 .5 +6. direction 1e3 0 0\r\n");
-    private static final List<byte[]> BITS = bytes(" ", "\n", "\r", "#", "at ", "direction ", "every ", "NaN", "1e999", "0x1p3", "1d", "-0", "\u2028", "\f",
-            "\u001B[31m", "𝐀".repeat(60), "99999999999");
+    private static final List<byte[]> PATHS =
+            bytes("lightning-path 1\nat 0 4 2  direction 0 -1 -1\nat 2.3 3.6 1.4 direction -1 -1 0 # last\n",
+                    "\uFEFFlightning-path 1\r\nevery 7\r\n\r\n# one\r\n\tat -1e-3 .5 +6. direction 1e3 0 0\r\n");
+    private static final List<byte[]> BITS =
+            bytes(" ", "\n", "\r", "#", "at ", "direction ", "every ", "NaN", "1e999", "0x1p3", "1d", "-0", "\u2028", "\f",
+                    "\u001B[31m", "𝐀".repeat(60), "99999999999");
 
     @TempDir
     private Path folder;

@@ -52,7 +52,8 @@ class MotionPathTest {
     void pipeAsPath_isRefusedAtOnce() throws Exception {
         Path pipe = folder.resolve("pipe.path");
         assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
-        assertThatIOException().isThrownBy(() -> MotionPathFile.load(pipe)).withMessageContaining("pipe.path: is no file but a pipe or a device");
+        assertThatIOException().isThrownBy(() -> MotionPathFile.load(pipe))
+                .withMessageContaining("pipe.path: is no file but a pipe or a device");
     }
 
     @Test

@@ -99,9 +99,12 @@ class DispatcherTest {
     void otherSizeCameraOrShapes_areAFirstPass() {
         try (Renderer renderer = rendered(Accuracy.EXACT, Reflections.STALE, STUDIO)) {
             Camera c = STUDIO.camera();
-            assertThat(renderer.plan(STUDIO.withPicture(STUDIO.picture().withSize(31, 24)))).isEqualTo(new UpdatePlan.FirstPass("another size"));
-            assertThat(renderer.plan(STUDIO.withPicture(STUDIO.picture().withSize(30, 25)))).isEqualTo(new UpdatePlan.FirstPass("another size"));
-            assertThat(renderer.plan(STUDIO.withCamera(new Camera(c.from(), c.to(), c.up(), 41)))).isEqualTo(new UpdatePlan.FirstPass("another camera"));
+            assertThat(renderer.plan(STUDIO.withPicture(STUDIO.picture().withSize(31, 24))))
+                    .isEqualTo(new UpdatePlan.FirstPass("another size"));
+            assertThat(renderer.plan(STUDIO.withPicture(STUDIO.picture().withSize(30, 25))))
+                    .isEqualTo(new UpdatePlan.FirstPass("another size"));
+            assertThat(renderer.plan(STUDIO.withCamera(new Camera(c.from(), c.to(), c.up(), 41))))
+                    .isEqualTo(new UpdatePlan.FirstPass("another camera"));
             Scene fewer = new Scene(STUDIO.picture(), c, STUDIO.world(), STUDIO.materials(), STUDIO.nodes().subList(0, 2), STUDIO.lights());
             assertThat(renderer.plan(fewer)).isEqualTo(new UpdatePlan.FirstPass("other shapes"));
             Scene finer = STUDIO.withPicture(STUDIO.picture().withSampling(new Sampling(Antialias.EVERY, 2)));
@@ -114,7 +117,8 @@ class DispatcherTest {
     private static LightUpdate atLevelRatio(Light before, UnaryOperator<Light> edit) {
         Scene scene = STUDIO.withLights(List.of(before, B));
         try (Renderer renderer = rendered(Accuracy.RATIO, Reflections.STALE, scene)) {
-            List<LayerPlan> layers = ((UpdatePlan.Relight) renderer.plan(scene.withLights(List.of(edit.apply(before), B.withIntensity(3))))).top().layers();
+            List<LayerPlan> layers =
+                    ((UpdatePlan.Relight) renderer.plan(scene.withLights(List.of(edit.apply(before), B.withIntensity(3))))).top().layers();
             assertThat(layers.get(1).update()).isEqualTo(REWEIGHT);
             return layers.getFirst().update();
         }
@@ -127,7 +131,8 @@ class DispatcherTest {
         assertThat(atLevelRatio(A, l -> l.withIntensity(0.2))).isEqualTo(REWEIGHT);
         assertThat(atLevelRatio(A, l -> l.withIntensity(0))).isEqualTo(REWEIGHT);
         assertThat(atLevelRatio(A, l -> l.withDropoff(7))).isEqualTo(new LightUpdate.Partial(ConeChange.NONE, true, false));
-        assertThat(atLevelRatio(A, l -> l.withAngle(7).withIntensity(3))).isEqualTo(new LightUpdate.Partial(ConeChange.ANGLE_REMOVE, false, true));
+        assertThat(atLevelRatio(A, l -> l.withAngle(7).withIntensity(3)))
+                .isEqualTo(new LightUpdate.Partial(ConeChange.ANGLE_REMOVE, false, true));
         assertThat(atLevelRatio(A, l -> l.withDirection(new Vec3(0, -1, 0)))).isEqualTo(MOVED);
         assertThat(atLevelRatio(A, l -> l.withType(LightType.POINT))).isEqualTo(MOVED);
         assertThat(atLevelRatio(A.withColor(new Rgb(1, 0, 1)), l -> l.withColor(Rgb.WHITE))).isEqualTo(MOVED);

@@ -91,7 +91,8 @@ class RatioBoundTest {
         assertThat(RatioBound.scaled(fresh, light(1, 0, 1e-40), true, false, 1).lostOfWeight()).isEqualTo(4 * ETA + 4 * ETA * 7 / 2);
         assertThat(RatioBound.scaled(fresh, light(1e-40, 0, 0), true, false, 1).lostOfWeight()).isEqualTo(4 * ETA);
         double least = Float.MIN_NORMAL / 2;
-        assertThat(RatioBound.scaled(fresh, light(1, 1, least), true, false, 1).lostOfWeight()).isEqualTo(4 * ETA + 4 * ETA * 7 / Float.MIN_NORMAL);
+        assertThat(RatioBound.scaled(fresh, light(1, 1, least), true, false, 1).lostOfWeight())
+                .isEqualTo(4 * ETA + 4 * ETA * 7 / Float.MIN_NORMAL);
     }
 
     /** 6 roundings of the two contributions, 4 of two scalings, and twice: the levels of the sum, 5 to close, 2 a mirror. */
@@ -127,7 +128,8 @@ class RatioBoundTest {
     @Test
     void absolutePart_isTwiceWhatTheScaledLightsLost() {
         Light four = light(2, 1, 0);
-        LayerStamp[] stamps = {new LayerStamp(ONE, 2, 0x1p-100, 0x1p-101), null, LayerStamp.fresh(ONE), new LayerStamp(four, 4, 0x1p-100, 0)};
+        LayerStamp[] stamps =
+                {new LayerStamp(ONE, 2, 0x1p-100, 0x1p-101), null, LayerStamp.fresh(ONE), new LayerStamp(four, 4, 0x1p-100, 0)};
         double lost = 2 * (0x1p-100 + 0x1p-101 + 2 * Float.MIN_NORMAL) + 2 * (4 * 0x1p-100 + 2 * Float.MIN_NORMAL);
         assertThat(RatioBound.absolute(stamps, 3)).isEqualTo(3 * lost);
     }
@@ -166,7 +168,8 @@ class RatioBoundTest {
                 brightest = Math.max(brightest, value);
             }
             LayerStamp[] stamps = {RatioBound.scaled(LayerStamp.fresh(key), dim, true, false, 1)};
-            assertThat(update.errorBound()).isCloseTo(RatioBound.relative(stamps, 2, 1) * brightest + RatioBound.absolute(stamps, 3), within(1e-20));
+            assertThat(update.errorBound()).isCloseTo(RatioBound.relative(stamps, 2, 1) * brightest + RatioBound.absolute(stamps, 3),
+                    within(1e-20));
             assertThat(brightest).isGreaterThan(0.1);
         }
     }
