@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -195,11 +196,21 @@ class MotionPathTest {
     }
 
     @Test
-    void fileThatNeverEnds_isRefused() {
+    void fileThatIsTooLarge_isRefused() throws IOException {
+        Path file = folder.resolve("large.path");
+        try (var sparse = new RandomAccessFile(file.toFile(), "rw")) {
+            sparse.setLength((32 << 20) + 1);
+        }
+        assertThatIOException().isThrownBy(() -> MotionPathFile.load(file))
+                .withMessage(file + ": a motion path may have at most 33554432 bytes");
+    }
+
+    @Test
+    void deviceThatNeverEnds_isRefused() {
         Path zeros = Path.of("/dev/zero");
         assumeTrue(Files.exists(zeros));
         assertThatIOException().isThrownBy(() -> MotionPathFile.load(zeros))
-                .withMessage("/dev/zero: a motion path may have at most 33554432 bytes");
+                .withMessage("/dev/zero: is no file but a pipe or a device, expected a motion path");
     }
 
     @Test
