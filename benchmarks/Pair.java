@@ -27,7 +27,7 @@ import lightning.work.Workers;
  * and bytes kept, or rows touched and shadow rays.
  */
 final class Pair {
-    private static final int WARM_UP = 8;
+    private static final int WARM_UP = 40;
     private static final int TIMES = 25;
     private static final int THREADS = 2;
 
