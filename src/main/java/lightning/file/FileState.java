@@ -32,8 +32,7 @@ public record FileState(FileTime modified, long size, String content) {
      */
     public static FileState of(Path file) throws IOException {
         FileState seen = look(file);
-        return seen.size < 0 || seen.size > MOST_BYTES || !Files.isRegularFile(file) ? seen
-                : new FileState(seen.modified, seen.size, digestOf(file));
+        return seen.size < 0 || seen.size > MOST_BYTES || !Files.isRegularFile(file) ? seen : read(file, seen.modified);
     }
 
     /** Time and size alone, which takes no reading. */
@@ -65,17 +64,18 @@ public record FileState(FileTime modified, long size, String content) {
         return Files.exists(file) && !holdsTheSameAs(of(file));
     }
 
-    private static String digestOf(Path file) throws IOException {
+    /** The size is that of what was read: another program may write meanwhile. */
+    private static FileState read(Path file, FileTime modified) throws IOException {
         MessageDigest digest = sha256();
         byte[] part = new byte[1 << 16];
+        long size = 0;
         try (InputStream in = Files.newInputStream(file)) {
-            long left = MOST_BYTES;
-            for (int n = in.read(part); n >= 0 && left > 0; n = in.read(part)) {
+            for (int n = in.read(part); n >= 0 && size < MOST_BYTES; n = in.read(part)) {
                 digest.update(part, 0, n);
-                left -= n;
+                size += n;
             }
         }
-        return HexFormat.of().formatHex(digest.digest());
+        return new FileState(modified, size, HexFormat.of().formatHex(digest.digest()));
     }
 
     private static MessageDigest sha256() {
