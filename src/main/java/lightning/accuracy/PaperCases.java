@@ -2,19 +2,15 @@ package lightning.accuracy;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.UnaryOperator;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
-import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Limits;
-import lightning.scene.Node;
 import lightning.scene.Scene;
 
 /**
@@ -192,22 +188,10 @@ public final class PaperCases {
 
     /** A name that neither a light nor a node has. */
     private String freshName() {
-        Set<String> taken = new HashSet<>();
-        scene.lights().forEach(l -> taken.add(l.name()));
-        names(scene.nodes(), taken);
         String name = "light_new";
-        for (int i = 2; taken.contains(name); i++) {
+        for (int i = 2; scene.isTaken(name); i++) {
             name = "light_new_" + i;
         }
         return name;
-    }
-
-    private static void names(List<Node> nodes, Set<String> names) {
-        for (Node node : nodes) {
-            names.add(node.name());
-            if (node instanceof Group group) {
-                names(group.children(), names);
-            }
-        }
     }
 }

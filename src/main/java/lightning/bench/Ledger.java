@@ -47,7 +47,7 @@ final class Ledger {
 
         private SceneResult result() {
             return new SceneResult(scene.name(), size.width(), size.height(), scene.scene().picture().depth(),
-                    scene.scene().placedShapes().size(), scene.scene().lights().size(), before,
+                    scene.scene().stage().shapeCount(), scene.scene().lights().size(), before,
                     firstPass == null ? null : FirstPass.of(firstPass, size.pixels(), averageSavedMs()), edits, effects,
                     peer);
         }

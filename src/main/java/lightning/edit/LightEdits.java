@@ -7,11 +7,9 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
-import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Limits;
-import lightning.scene.Node;
 import lightning.scene.Scene;
 import lightning.text.Quote;
 
@@ -149,23 +147,12 @@ public final class LightEdits {
 
     /** The name itself, or with the least number behind it that no light, shape or group has: {@code key2}. */
     public static String freeName(Scene scene, String name) {
-        List<String> taken = new ArrayList<>(scene.lights().stream().map(Light::name).toList());
-        names(scene.nodes(), taken);
-        if (!taken.contains(name)) {
+        if (!scene.isTaken(name)) {
             return name;
         }
         String stem = name.replaceFirst("\\d+$", "");
         String room = stem.codePointCount(0, stem.length()) <= LONGEST_STEM ? stem
                 : stem.substring(0, stem.offsetByCodePoints(0, LONGEST_STEM));
-        return IntStream.iterate(2, i -> i + 1).mapToObj(i -> room + i).filter(n -> !taken.contains(n)).findFirst().orElseThrow();
-    }
-
-    private static void names(List<Node> nodes, List<String> into) {
-        for (Node node : nodes) {
-            into.add(node.name());
-            if (node instanceof Group group) {
-                names(group.children(), into);
-            }
-        }
+        return IntStream.iterate(2, i -> i + 1).mapToObj(i -> room + i).filter(n -> !scene.isTaken(n)).findFirst().orElseThrow();
     }
 }

@@ -176,7 +176,7 @@ public final class PropertyEdit {
             Light edited = edited(textures, Blocks.LIGHT, target, light.get(), property, value);
             return scene.withLights(replaced(scene.lights(), l -> l == light.get() ? edited : l));
         }
-        if (names(scene.nodes()).anyMatch(target::equals)) {
+        if (scene.stage().hasNode(target)) {
             List<Node> nodes = replaced(scene.nodes(), n -> node(textures, n, target, property, value));
             return scene.withNodes(nodes);
         }

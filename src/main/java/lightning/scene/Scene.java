@@ -59,6 +59,11 @@ public record Scene(Picture picture, Camera camera, World world, Stage stage, Ri
         return rig.light(name);
     }
 
+    /** Whether a light, a shape or a group has the name. */
+    public boolean isTaken(String name) {
+        return rig.place(name) >= 0 || stage.hasNode(name);
+    }
+
     /** Whether a light contributes: it is on, and solo if any light is. */
     public boolean shines(Light light) {
         return rig.shines(light);
