@@ -5,6 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import lightning.engine.choice.Engines;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.jen.JenReader;
 import lightning.math.Vec3;
 import lightning.relight.Renderer;
@@ -16,7 +18,6 @@ import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
-import lightning.shading.TraditionalTracer;
 import lightning.trace.Geometry;
 import lightning.work.Progress;
 import lightning.work.Workers;
@@ -32,6 +33,7 @@ final class Pair {
     private static final int THREADS = 2;
 
     public static void main(String[] args) throws Exception {
+        Engines.use(Engines.FASTEST);
         Scene read = JenReader.read(Path.of(args[0])).scene();
         Scene scene = read.withPicture(new Picture(1920, 1080, read.picture().depth()));
         try (var renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(THREADS));

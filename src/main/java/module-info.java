@@ -1,6 +1,7 @@
 /** Lightning: ray-traced scenes, relit exactly in a fraction of a full trace. */
 module lightning {
     requires java.desktop;
+    requires java.logging;
     requires java.management;
     requires jdk.management;
     requires jdk.incubator.vector;

@@ -19,8 +19,8 @@ final class ReadableRows {
 
     /** @throws IllegalStateException if a kernel disagrees */
     void require(RowKernels kernels) {
-        reshade(kernels.spot(), kernels.reshade());
-        attenuation(kernels.spot(), kernels.attenuation());
+        reshade(kernels.spot().lamp(), kernels.reshade());
+        attenuation(kernels.spot().lamp(), kernels.attenuation());
         compose(kernels, kernels.composed());
         double[] powers = kernels.power();
         RatioRows scaled = kernels.ratioScaling();
@@ -76,13 +76,13 @@ final class ReadableRows {
     }
 
     private float color(RowKernels kernels, int material, int i, int c) {
-        Lamp[] lamps = kernels.lamps();
-        float[] diffuse = new float[lamps.length];
-        float[] specular = new float[lamps.length];
-        for (int l = 0; l < lamps.length; l++) {
+        Luminaire[] lights = kernels.lights();
+        float[] diffuse = new float[lights.length];
+        float[] specular = new float[lights.length];
+        for (int l = 0; l < lights.length; l++) {
             LightRows layer = (LightRows) kernels.layers()[l];
             if (layer.lit > 0) {
-                float weight = c == 0 ? lamps[l].red() : c == 1 ? lamps[l].green() : lamps[l].blue();
+                float weight = c == 0 ? lights[l].red() : c == 1 ? lights[l].green() : lights[l].blue();
                 float falloff = layer.falloff == null ? 1 : layer.falloff[i];
                 diffuse[l] = LightingEquation.contribution(weight, layer.cosine[i], falloff);
                 specular[l] = layer.specular == null ? 0 : LightingEquation.contribution(weight, layer.specular[i], falloff);
@@ -92,7 +92,7 @@ final class ReadableRows {
         float texel = !m.isTextured(material) ? 1 : c == 0 ? rows.texelRed[i] : c == 1 ? rows.texelGreen[i] : rows.texelBlue[i];
         float kd = m.diffuse(material, c) * texel;
         return LightingEquation.color(m.ambient(material, c), kernels.ambience(), kd,
-                LightingEquation.sum(diffuse, 0, lamps.length), m.specular(material, c),
-                LightingEquation.sum(specular, 0, lamps.length), m.reflective(material, c), kernels.mirrored()[c][i]);
+                LightingEquation.sum(diffuse, 0, lights.length), m.specular(material, c),
+                LightingEquation.sum(specular, 0, lights.length), m.reflective(material, c), kernels.mirrored()[c][i]);
     }
 }

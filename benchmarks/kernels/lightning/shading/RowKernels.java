@@ -3,6 +3,8 @@ package lightning.shading;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import lightning.effects.ViewEffects;
+import lightning.engine.choice.Engines;
+import lightning.engine.lanes.PowerLanes;
 import lightning.jen.JenReader;
 import lightning.math.Power;
 import lightning.scene.Light;
@@ -10,8 +12,8 @@ import lightning.scene.LightType;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
-import lightning.trace.PacketTracer;
 import lightning.trace.TileVisibility;
+import lightning.trace.Tracer;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -39,7 +41,7 @@ public class RowKernels {
     @Param({"bird", "balls"})
     public String scene;
 
-    private final LightLanes lanes = new LightLanes();
+    private final Terms terms = Engines.LANES.terms();
     private final float[] falloff = new float[ROWS];
     private final double[] bases = new double[ROWS];
     private final double[] powers = new double[ROWS];
@@ -48,11 +50,11 @@ public class RowKernels {
     private Composer composer;
     private LightKernel light;
     private RatioKernel ratio;
-    private Lamp[] lamps;
+    private Luminaire[] lights;
     private LightLayer[] layers;
     private float[][] mirrored;
-    private Lamp spot;
-    private Lamp brighter;
+    private Luminaire spot;
+    private Luminaire brighter;
     private RatioRows contributions;
 
     /** Finds a tile, and refuses kernels that do not agree with the readable code. */
@@ -60,18 +62,18 @@ public class RowKernels {
     public void prepare() throws Exception {
         read = JenReader.read(Path.of("scenes", scene + ".jen")).scene();
         Geometry geometry = new Geometry(read);
-        PacketTracer tracer = new PacketTracer(geometry);
-        composer = new Composer(geometry.materials(), ViewEffects.ALL);
-        light = new LightKernel(geometry, tracer, ViewEffects.ALL);
+        Tracer tracer = Engines.LANES.tracer(geometry);
+        composer = new Composer(geometry.materials(), Engines.LANES.sums(), ViewEffects.ALL);
+        light = new LightKernel(geometry, tracer, Engines.LANES.terms(), ViewEffects.ALL);
         ratio = new RatioKernel(light);
-        lamps = read.lights().stream().map(l -> Lamp.of(l, read)).toArray(Lamp[]::new);
+        lights = Luminaire.all(read);
         Light first = read.lights().stream().filter(l -> l.type() == LightType.SPOT).findFirst().orElseThrow();
-        spot = Lamp.of(first, read);
-        brighter = Lamp.of(first.withIntensity(1.25 * first.intensity()), read);
+        spot = Luminaire.of(first, read);
+        brighter = Luminaire.of(first.withIntensity(1.25 * first.intensity()), read);
         findTile(new TileVisibility(geometry, read, tracer));
-        layers = new LightLayer[lamps.length];
-        for (int i = 0; i < lamps.length; i++) {
-            layers[i] = light.full(rows, lamps[i], Columns.FRESH);
+        layers = new LightLayer[lights.length];
+        for (int i = 0; i < lights.length; i++) {
+            layers[i] = light.full(rows, lights[i].lamp(), Columns.FRESH);
         }
         mirrored = new float[3][HitRows.padded(rows.count)];
         for (int i = 0; i < ROWS; i++) {
@@ -97,12 +99,12 @@ public class RowKernels {
         throw new IllegalStateException(scene + " has no full tile that its spot light lights in part");
     }
 
-    Lamp spot() {
+    Luminaire spot() {
         return spot;
     }
 
-    Lamp[] lamps() {
-        return lamps;
+    Luminaire[] lights() {
+        return lights;
     }
 
     LightLayer[] layers() {
@@ -133,7 +135,7 @@ public class RowKernels {
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public Object compose() {
-        composer.compose(rows, lamps, layers, null, read.world(), mirrored);
+        composer.compose(rows, lights, layers, null, read.world(), mirrored);
         return composer;
     }
 
@@ -146,9 +148,9 @@ public class RowKernels {
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public float[] attenuation() {
-        lanes.aim(rows, spot);
-        lanes.axisCosines(rows, spot);
-        lanes.falloffs(rows, spot, falloff);
+        terms.aim(rows, spot.lamp());
+        terms.aimCone(rows, spot.lamp());
+        terms.falloffs(rows, spot.lamp(), falloff);
         return falloff;
     }
 
@@ -156,7 +158,7 @@ public class RowKernels {
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public LightRows reshade() {
-        return light.full(rows, spot, Columns.FRESH);
+        return light.full(rows, spot.lamp(), Columns.FRESH);
     }
 
     /** x to the power 37.25. */

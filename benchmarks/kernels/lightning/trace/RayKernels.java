@@ -2,6 +2,7 @@ package lightning.trace;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import lightning.jen.JenReader;
@@ -109,14 +110,21 @@ public class RayKernels {
                 candidates.collect(geometry, beam);
                 for (int y = top; y < top + TILE; y++) {
                     for (int x = left; x < left + TILE; x += W) {
-                        PacketTracer.eyeRays(camera, x, y, W, p);
+                        eye(camera, x, y);
                         tracer.nearest(p, W, candidates);
-                        System.arraycopy(p.shape, 0, nearest, y * SIZE + x, W);
+                        System.arraycopy(p.primitive, 0, nearest, y * SIZE + x, W);
                     }
                 }
             }
         }
         return nearest;
+    }
+
+    private void eye(CameraRays camera, int x, int y) {
+        Arrays.fill(p.ox, 0);
+        Arrays.fill(p.oy, 0);
+        Arrays.fill(p.oz, 0);
+        EyeLanes.through(camera, x, y, p.dx, p.dy, p.dz, 0);
     }
 
     /** Whether anything is between a row and the light; loading the rays included. */

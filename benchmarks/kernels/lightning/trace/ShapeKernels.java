@@ -11,7 +11,9 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.World;
+import lightning.trace.solid.Form;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -52,15 +54,15 @@ public class ShapeKernels {
         String material = Material.DEFAULT.name();
         Placement placement = new Placement(Vec3.ZERO, new Vec3(30, 20, 10), new Vec3(1, 1.5, 0.8));
         Node node = switch (kind) {
-            case SPHERE -> new Shape.Sphere(name, material, placement);
-            case CONE -> new Shape.Cone(name, material, placement);
-            case CYLINDER -> new Shape.Cylinder(name, material, placement);
-            case PLANE -> new Shape.Plane(name, material, placement);
+            case SPHERE -> new Shape(Solid.SPHERE, name, material, placement);
+            case CONE -> new Shape(Solid.CONE, name, material, placement);
+            case CYLINDER -> new Shape(Solid.CYLINDER, name, material, placement);
+            case PLANE -> new Shape(Solid.PLANE, name, material, placement);
         };
         Camera eye = new Camera(new Vec3(0.5, 1, 4), new Vec3(0, 0.5, 0), Vec3.Y, 30);
         Geometry geometry = new Geometry(new Scene(Picture.DEFAULT, eye, World.DEFAULT, List.of(), List.of(node), List.of()));
         CameraRays camera = new CameraRays(eye, new Picture(SIZE, SIZE, 0));
-        solid = new SolidLanes(geometry.shapes());
+        solid = new SolidLanes(geometry.primitives());
         for (int i = 0; i < RAYS; i++) {
             if (i % W == 0) {
                 packets[i / W] = new RayPacket();
@@ -72,7 +74,7 @@ public class ShapeKernels {
         for (int i = 0; i < RAYS; i++) {
             double t = geometry.distance(0, camera.through(i % SIZE, i / SIZE));
             Agreement.require(packets[i / W].t[i % W] == t, name, i);
-            hits += t < Solids.MISS ? 1 : 0;
+            hits += t < Form.MISS ? 1 : 0;
         }
         if (hits < RAYS / 10) {
             throw new IllegalStateException("only " + hits + " rays hit the " + name);
@@ -86,7 +88,7 @@ public class ShapeKernels {
         for (RayPacket p : packets) {
             solid.begin(p);
             solid.nearer(p, 0, 0, W);
-            solid.shapes(p);
+            solid.write(p);
         }
         return packets;
     }

@@ -5,7 +5,6 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import lightning.app.Display;
 import lightning.app.LightningApp;
 import lightning.cli.Lightning;
 
@@ -25,9 +24,8 @@ public final class Main {
         if (!namesTheEditor(args)) {
             command(args);
         }
-        Optional<String> obstacle = Display.obstacle();
+        Optional<String> obstacle = LightningApp.open(List.of(args));
         if (obstacle.isEmpty()) {
-            LightningApp.open(List.of(args));
             System.exit(0);
         }
         System.err.println("lightning: " + obstacle.get() + "; here is the tour of the scene instead.");

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -44,13 +45,14 @@ class LauncherTest {
         Files.writeString(launcher, withoutInstalledJava);
         assertThat(launcher.toFile().setExecutable(true)).isTrue();
         Files.copy(Path.of("src/main/launcher/java.options"), launcher.resolveSibling("java.options"));
+        Files.copy(Path.of("src/main/launcher/make-archive"), launcher.resolveSibling("make-archive"));
     }
 
     @Test
     void arguments_arePassedAsTheyAre() throws Exception {
         Path java = java("25.0.1", "printf '[%s]' \"$@\"");
         Result result = run(Map.of("JAVA_HOME", java), "", launcher, "render", "a b.jen", "*", "");
-        assertThat(result.out()).endsWith("[lightning/lightning.Main][render][a b.jen][*][]");
+        assertThat(result.out()).endsWith("[lightning.Main][render][a b.jen][*][]");
     }
 
     @Test
@@ -124,6 +126,130 @@ class LauncherTest {
         assertThat(run(Map.of("JAVA_HOME", java, "LC_ALL", Path.of("de_DE.UTF-8")), "", launcher).out()).isEqualTo("de_DE.UTF-8");
     }
 
+    /** Says with what it was called; makes what is asked for. */
+    private static final String ARCHIVING_JAVA = """
+            case "$*" in *-XX:AOTMode=*) echo "$*" >>"$HOME/making" ;; esac
+            for option in "$@"; do
+              case $option in -XX:AOTCache=*) archive=${option#*=} ;; esac
+            done
+            case "$*" in
+              *-XX:AOTMode=record*) exit 0 ;;
+              *-XX:AOTMode=create*) printf archive >"$archive" ;;
+              *) printf '[%s]' "$@" ;;
+            esac""";
+
+    private Map<String, Path> archiving() throws IOException {
+        Files.createDirectories(launcher.resolve("../../lib").normalize());
+        Files.writeString(launcher.resolve("../../lib/lightning.jar").normalize(), "classes");
+        return Map.of("JAVA_HOME", java("25", ARCHIVING_JAVA), "XDG_CACHE_HOME", folder.resolve("cache"), "PATH", toolsOfArchives());
+    }
+
+    /** The archive that a first start has made beside it. */
+    private Path archiveOf(Map<String, Path> variables) throws Exception {
+        assertThat(run(variables, "", launcher).out()).doesNotContain("AOT");
+        for (int i = 0; i < 3000; i++) {
+            if (archives().size() == 1 && !Files.exists(Path.of(archives().getFirst() + ".making"))) {
+                return archives().getFirst();
+            }
+            Thread.sleep(10);
+        }
+        throw new AssertionError("no archive was made");
+    }
+
+    private List<Path> archives() throws IOException {
+        Path cache = folder.resolve("cache/lightning");
+        if (!Files.exists(cache)) {
+            return List.of();
+        }
+        try (Stream<Path> files = Files.list(cache)) {
+            return files.filter(f -> f.toString().endsWith(".aot")).toList();
+        }
+    }
+
+    @Test
+    void archiveThatAFirstStartHadMade_isGivenToTheNext() throws Exception {
+        Map<String, Path> variables = archiving();
+        Path archive = archiveOf(variables);
+        assertThat(run(variables, "", launcher, "check").out())
+                .contains("[-XX:AOTCache=" + archive + "][-XX:+VerifySharedSpaces][-Xlog:aot*=off]")
+                .endsWith("[lightning.Main][check]");
+        assertThat(Path.of(folder + "/making")).content().hasLineCount(2);
+    }
+
+    @Test
+    void archiveOfOtherJars_isNotUsed() throws Exception {
+        Map<String, Path> variables = archiving();
+        archiveOf(variables);
+        Files.writeString(launcher.resolve("../../lib/lightning.jar").normalize(), "classEs");
+        assertThat(run(withoutMaker(variables), "", launcher).out()).doesNotContain("AOT");
+    }
+
+    @Test
+    void archiveOfAnotherJava_isNotUsed() throws Exception {
+        Map<String, Path> variables = archiving();
+        archiveOf(variables);
+        var others = new HashMap<>(withoutMaker(variables));
+        others.put("JAVA_HOME", java("26", ARCHIVING_JAVA));
+        assertThat(run(others, "", launcher).out()).contains("[lightning.Main]").doesNotContain("AOT");
+    }
+
+    @Test
+    void optionsOfTheUsersOwn_goWithoutAnArchive() throws Exception {
+        var variables = new HashMap<>(archiving());
+        archiveOf(variables);
+        variables.put("JAVA_TOOL_OPTIONS", Path.of("-Dtheirs"));
+        assertThat(run(variables, "", launcher).out()).contains("[lightning.Main]").doesNotContain("AOT");
+    }
+
+    @Test
+    void javaThatMakesNoArchive_isNotAskedAgain() throws Exception {
+        var variables = new HashMap<>(archiving());
+        variables.put("JAVA_HOME", java("25", ARCHIVING_JAVA.replace("exit 0", "exit 1")));
+        assertThat(archiveOf(variables)).isEmptyFile();
+        assertThat(run(variables, "", launcher).out()).contains("[lightning.Main]").doesNotContain("AOT");
+        assertThat(folder.resolve("making")).content().hasLineCount(1);
+    }
+
+    @Test
+    void cacheFolderThatCannotBe_isNoObstacle() throws Exception {
+        var variables = new HashMap<>(archiving());
+        variables.put("XDG_CACHE_HOME", Files.writeString(folder.resolve("a file"), ""));
+        Result result = run(variables, "", launcher, "check");
+        assertThat(result.out()).endsWith("[lightning.Main][check]");
+        assertThat(result.err()).isEmpty();
+    }
+
+    @Test
+    void archiveInTheMaking_isNotMadeTwice() throws Exception {
+        Map<String, Path> variables = archiving();
+        Path archive = archiveOf(variables);
+        Files.delete(archive);
+        Files.createDirectory(Path.of(archive + ".making"));
+        Path maker = launcher.resolveSibling("make-archive");
+        Result result = run(variables, "", maker, archive.toString(), variables.get("JAVA_HOME") + "/bin/java",
+                folder + "/installed here");
+        assertThat(result.code()).isNotZero();
+        assertThat(archive).doesNotExist();
+        assertThat(folder.resolve("making")).content().hasLineCount(2);
+    }
+
+    /** Nothing goes on beside a start. */
+    private static Map<String, Path> withoutMaker(Map<String, Path> variables) throws IOException {
+        Files.delete(variables.get("PATH").resolve("mkdir"));
+        return variables;
+    }
+
+    /** The tools that archives take; nobody waits. */
+    private Path toolsOfArchives() throws IOException {
+        Path tools = toolsWithoutJava();
+        for (String tool : List.of("stat", "cksum", "renice", "mkdir", "find", "rm", "mv", "ls", "tail")) {
+            pass(tools, tool);
+        }
+        Files.createSymbolicLink(tools.resolve("sleep"), Path.of("true"));
+        pass(tools, "true");
+        return tools;
+    }
+
     private static Path realJava() {
         return Path.of(System.getProperty("java.home"));
     }
@@ -167,6 +293,16 @@ class LauncherTest {
     }
 
     @Test
+    void oldJavaOnThePath_isNotStartedToAskItsVersion() throws Exception {
+        Path old = java("17.0.15", "echo old >>\"$HOME/started\"");
+        Path installed = java("25.0.3", "echo new");
+        Path tools = toolsWithoutJava();
+        Files.createSymbolicLink(tools.resolve("java"), old.resolve("bin/java"));
+        assertThat(run(Map.of("JAVA25_HOME", installed, "PATH", tools), "", launcher).out()).isEqualTo("new\n");
+        assertThat(folder.resolve("started")).doesNotExist();
+    }
+
+    @Test
     void noSuitableJava_isSaidInOneSentenceWithExitCode2() throws Exception {
         Path old = java("24.0.2", "echo old");
         Result result = run(Map.of("JAVA_HOME", old), "", launcher);
@@ -186,12 +322,16 @@ class LauncherTest {
     private Path toolsWithoutJava() throws IOException {
         Path tools = Files.createDirectory(folder.resolve("tools"));
         for (String tool : List.of("bash", "env", "cat", "grep", "dirname", "readlink")) {
-            Path found = Stream.of("/bin", "/usr/bin").map(place -> Path.of(place, tool))
-                    .filter(Files::isExecutable).findFirst().orElseThrow();
-            Path call = Files.writeString(tools.resolve(tool), "#!/bin/sh\nexec " + found + " \"$@\"\n");
-            assertThat(call.toFile().setExecutable(true)).isTrue();
+            pass(tools, tool);
         }
         return tools;
+    }
+
+    private static void pass(Path tools, String tool) throws IOException {
+        Path found = Stream.of("/bin", "/usr/bin").map(place -> Path.of(place, tool))
+                .filter(Files::isExecutable).findFirst().orElseThrow();
+        Path call = Files.writeString(tools.resolve(tool), "#!/bin/sh\nexec " + found + " \"$@\"\n");
+        assertThat(call.toFile().setExecutable(true)).isTrue();
     }
 
     /** Makes a Java home of the version whose java runs the shell commands. */
@@ -218,7 +358,10 @@ class LauncherTest {
         builder.environment().keySet().removeIf(name -> name.startsWith("JAVA"));
         builder.environment().put("ERR", err.toString());
         builder.environment().put("HOME", folder.toString());
-        builder.environment().put("PATH", toolsWithoutJava().toString());
+        builder.environment().remove("XDG_CACHE_HOME");
+        if (!variables.containsKey("PATH")) {
+            builder.environment().put("PATH", toolsWithoutJava().toString());
+        }
         variables.forEach((name, value) -> builder.environment().put(name, value.toString()));
         builder.directory(folder.toFile());
         Process process = builder.start();

@@ -5,9 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -21,6 +24,9 @@ class ProgramFolderIT {
     private static final Path PROGRAM = Path.of("target/lightning");
     /** {@code javafx-base-26.0.2-linux.jar}: name, version, and for some the platform. */
     private static final Pattern LIBRARY = Pattern.compile("(.+?)-(\\d.*?)(?:-(?:linux|mac|win)(?:-aarch64)?)?\\.jar");
+
+    /** Archives are made when nothing else is to be done. */
+    private static final int PATIENCE_SECONDS = 240;
 
     @TempDir
     private Path folder;
@@ -67,6 +73,55 @@ class ProgramFolderIT {
         builder.environment().put("LC_ALL", "C");
         assertThat(builder.start().waitFor()).as(Files.readString(err)).isZero();
         assertThat(Files.readString(out)).startsWith(name + ": no problems; 1 shape (1 sphere)");
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void archiveOfClasses_isMadeAndTakenByJava_andABrokenOneIsNoObstacle() throws Exception {
+        String plain = checked();
+        Path archive = archive();
+        var java = new ArrayList<>(List.of(System.getProperty("java.home") + "/bin/java"));
+        java.addAll(Files.readAllLines(PROGRAM.resolve("bin/java.options")).stream().filter(line -> line.startsWith("-")).toList());
+        // With AOTMode=on Java ends where it cannot take the archive.
+        java.addAll(List.of("-XX:AOTCache=" + archive, "-XX:AOTMode=on", "-cp", PROGRAM.toRealPath() + "/lib/*", "lightning.Main",
+                "--version"));
+        assertThat(new ProcessBuilder(java).redirectErrorStream(true).start().waitFor()).isZero();
+        assertThat(checked()).as("with the archive").isEqualTo(plain);
+        byte[] whole = Files.readAllBytes(archive);
+        Files.write(archive, Arrays.copyOf(whole, whole.length / 2));
+        assertThat(checked()).as("half the archive").isEqualTo(plain);
+        Arrays.fill(whole, whole.length / 2, whole.length / 2 + 1000, (byte) 7);
+        Files.write(archive, whole);
+        assertThat(checked()).as("an archive with other bytes").isEqualTo(plain);
+        Files.writeString(archive, "no archive at all");
+        assertThat(checked()).as("another file").isEqualTo(plain);
+    }
+
+    /** What the program says of a scene, on both outputs. */
+    private String checked() throws Exception {
+        Path out = folder.resolve("out");
+        ProcessBuilder check = launcher(folder, "check", Path.of("scenes/bird.jen").toAbsolutePath().toString())
+                .redirectErrorStream(true).redirectOutput(out.toFile());
+        check.environment().put("XDG_CACHE_HOME", folder.resolve("cache").toString());
+        check.environment().put("JAVA_HOME", System.getProperty("java.home"));
+        assertThat(check.start().waitFor()).as(Files.readString(out)).isZero();
+        return Files.readString(out);
+    }
+
+    /** The archive that the first start has made. */
+    private Path archive() throws Exception {
+        for (int i = 0; i < PATIENCE_SECONDS; i++) {
+            try (Stream<Path> files = Files.list(folder.resolve("cache/lightning"))) {
+                Optional<Path> archive = files.filter(file -> file.toString().endsWith(".aot")).findFirst();
+                if (archive.isPresent()) {
+                    return archive.get();
+                }
+            } catch (NoSuchFileException e) {
+                // It is just being begun.
+            }
+            Thread.sleep(1000);
+        }
+        throw new AssertionError("no archive was made in " + PATIENCE_SECONDS + " s");
     }
 
     private static ProcessBuilder launcher(Path in, String... arguments) {

@@ -1,6 +1,6 @@
 package lightning.accuracy;
 
-/** A picture is not what its level of accuracy promises: it is not worth measuring. */
+/** A picture is not what its grade of accuracy promises: it is not worth measuring. */
 public final class BrokenPromise extends RuntimeException {
     private static final long serialVersionUID = 1;
 
@@ -9,13 +9,13 @@ public final class BrokenPromise extends RuntimeException {
     }
 
     /**
-     * Requires that a level's picture is what it promises.
+     * Requires that a grade's picture is what it promises.
      *
      * @throws BrokenPromise if it is not; the message says how far it is off
      */
-    static void require(Verification verification, Level level) {
+    static void require(Verification verification, Grade grade) {
         if (!verification.isKept()) {
-            throw new BrokenPromise("level " + level.label() + ": " + verification.text() + "; not measured");
+            throw new BrokenPromise("grade " + grade.label() + ": " + verification.text() + "; not measured");
         }
     }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import lightning.cache.PixelCache;
 import lightning.effects.Effect;
 import lightning.effects.ViewEffects;
+import lightning.engine.choice.Engines;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
 import lightning.relight.tile.Options;
@@ -32,7 +33,7 @@ final class EffectVariant implements AutoCloseable {
     EffectVariant(Scene before, Scene after, Options options) {
         this.before = before;
         this.after = after;
-        renderer = new Renderer(options);
+        renderer = new Renderer(options.withEngines(Engines.FASTEST));
     }
 
     /** Without an effect that is in use, or with one that is not. Finer samples are forced by asking for them. */

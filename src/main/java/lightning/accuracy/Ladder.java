@@ -6,10 +6,10 @@ import lightning.scene.Scene;
 import lightning.shading.TraceCounts;
 
 /**
- * What each level of accuracy costs for one edit, and how far its picture is from the full trace.
+ * What each grade of accuracy costs for one edit, and how far its picture is from the full trace.
  *
  * @param original the picture before the edit
- * @param rungs    one for each {@link Level}, in that order
+ * @param rungs    one for each {@link Grade}, in that order
  * @param fullRays the rays of the full trace
  * @param warm     whether Java was warm to all of it: else the times tell little, and what they save nothing
  */
@@ -18,12 +18,12 @@ public record Ladder(Scene before, Scene after, Film original, List<Rung> rungs,
         rungs = List.copyOf(rungs);
     }
 
-    public Rung rung(Level level) {
-        return rungs.get(level.ordinal());
+    public Rung rung(Grade grade) {
+        return rungs.get(grade.ordinal());
     }
 
-    /** Percent of the full trace's time that a level saves; negative where it takes longer. */
-    public double saving(Level level) {
-        return rung(level).time().savingOf(rung(Level.FULL_TRACE).time().median());
+    /** Percent of the full trace's time that a grade saves; negative where it takes longer. */
+    public double saving(Grade grade) {
+        return rung(grade).time().savingOf(rung(Grade.FULL_TRACE).time().median());
     }
 }

@@ -4,32 +4,33 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.cache.PixelCache;
 import lightning.effects.ViewEffects;
+import lightning.engine.choice.Engines;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
 import lightning.relight.MemoryNeed;
 import lightning.scene.Scene;
-import lightning.shading.Sight;
-import lightning.shading.TraditionalTracer;
+import lightning.shading.SeenScenes;
 import lightning.work.Memory;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
 /**
- * Measures the ladder of an edit: every level of accuracy, in turns with a full trace.
+ * Measures the ladder of an edit: every grade of accuracy, in turns with a full trace.
  *
- * <p>Each level makes the edit once and is compared with its oracle before anything is timed. Each timed edit starts from
+ * <p>Each grade makes the edit once and is compared with its oracle before anything is timed. Each timed edit starts from
  * what was kept of the scene before it, so none profits from the one before. The full trace gets its tree of boxes for free.
  * Edits that start from the same scene share its first pass; what is kept of it stays in memory until the meter is closed.
  */
 public final class LadderMeter implements AutoCloseable {
     private final Workers workers;
     private final Turns turns;
-    private final List<Relighting> levels = new ArrayList<>();
+    private final List<Relighting> grades = new ArrayList<>();
     private Scene start;
     private PixelCache kept;
 
     /**
-     * @param threads     how many threads each level works with, ≥ 1
-     * @param repetitions how often each level is measured, ≥ 1
+     * @param threads     how many threads each grade works with, ≥ 1
+     * @param repetitions how often each grade is measured, ≥ 1
      * @param patienceMs  how long warming up takes at most, milliseconds
      * @throws IllegalArgumentException if {@code threads} or {@code repetitions} is below 1
      */
@@ -45,9 +46,9 @@ public final class LadderMeter implements AutoCloseable {
     private LadderMeter(int threads, Turns turns) {
         this.turns = turns;
         workers = new Workers(threads);
-        for (Level level : Level.values()) {
-            if (level != Level.FULL_TRACE) {
-                levels.add(new Relighting(level, workers));
+        for (Grade grade : Grade.values()) {
+            if (grade != Grade.FULL_TRACE) {
+                grades.add(new Relighting(grade, workers));
             }
         }
     }
@@ -56,24 +57,24 @@ public final class LadderMeter implements AutoCloseable {
      * Measures the edit that leads from one scene to another.
      *
      * @param progress hears of finished rounds
-     * @throws BrokenPromise if a level's picture is not what it promises
+     * @throws BrokenPromise if a grade's picture is not what it promises
      * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
      */
     public Ladder measure(Scene before, Scene after, Progress progress) {
         Progress silent = progress.silent();
         begin(before, silent);
-        for (Relighting level : levels) {
-            level.edit(after, silent);
-            level.verify(silent);
+        for (Relighting grade : grades) {
+            grade.edit(after, silent);
+            grade.verify(silent);
         }
-        var tracer = new TraditionalTracer(after, levels.getLast().geometry());
+        var tracer = new TraditionalTracer(after, grades.getLast().geometry()).by(Engines.FASTEST);
         TraditionalTracer.Result full = tracer.trace(workers, silent);
         // What shows the scene as it is must be the very picture that it is measured beside.
-        var same = new Promise(Sight.of(after), ViewEffects.ALL, 0);
-        levels.stream().filter(level -> level.level() == Level.EXACT_UPDATED || level.level() == Level.EXACT_CURRENT)
-                .forEach(level -> BrokenPromise.require(same.verify(level.film(), workers, silent), level.level()));
+        var same = new Promise(SeenScenes.of(after), ViewEffects.ALL, 0);
+        grades.stream().filter(grade -> grade.grade() == Grade.EXACT_UPDATED || grade.grade() == Grade.EXACT_CURRENT)
+                .forEach(grade -> BrokenPromise.require(same.verify(grade.film(), workers, silent), grade.grade()));
         List<Turns.Turn<RuntimeException>> works = new ArrayList<>();
-        levels.forEach(level -> works.add(() -> level.edit(after, silent)));
+        grades.forEach(grade -> works.add(() -> grade.edit(after, silent)));
         works.add(() -> Turns.time(() -> tracer.trace(workers, silent)));
         boolean warm = turns.warmUp(works, silent);
         List<Timing> times = turns.measure(works, progress);
@@ -91,36 +92,36 @@ public final class LadderMeter implements AutoCloseable {
         }
         start = null;
         kept = null;
-        // The levels' pictures lie in memory beside each other.
+        // The grades' pictures lie in memory beside each other.
         long memory = Memory.available();
-        for (Relighting level : levels) {
-            switch (level.level()) {
+        for (Relighting grade : grades) {
+            switch (grade.grade()) {
                 case EXACT -> {
-                    kept = level.begin(before, memory, progress);
+                    kept = grade.begin(before, memory, progress);
                     memory -= MemoryNeed.of(kept);
                 }
-                case EXACT_UPDATED, EXACT_CURRENT -> level.begin(kept);
-                case HALF_RESOLUTION, FAST_SHADING, RATIO, FULL_TRACE -> memory -= MemoryNeed.of(level.begin(before, memory, progress));
+                case EXACT_UPDATED, EXACT_CURRENT -> grade.begin(kept);
+                case HALF_RESOLUTION, FAST_SHADING, RATIO, FULL_TRACE -> memory -= MemoryNeed.of(grade.begin(before, memory, progress));
             }
         }
         start = before;
     }
 
     private List<Rung> rungs(List<Timing> times, Film reference, Progress progress) {
-        PictureError[] errors = new PictureError[levels.size()];
-        workers.run(errors.length, (_, i) -> errors[i] = PictureError.of(levels.get(i).film(), reference), progress);
+        PictureError[] errors = new PictureError[grades.size()];
+        workers.run(errors.length, (_, i) -> errors[i] = PictureError.of(grades.get(i).film(), reference), progress);
         List<Rung> rungs = new ArrayList<>();
         for (int i = 0; i < errors.length; i++) {
-            Relighting level = levels.get(i);
-            rungs.add(new Rung(level.level(), times.get(i), errors[i], level.film(), level.update()));
+            Relighting grade = grades.get(i);
+            rungs.add(new Rung(grade.grade(), times.get(i), errors[i], grade.film(), grade.update()));
         }
-        rungs.add(new Rung(Level.FULL_TRACE, times.getLast(), PictureError.of(reference, reference), reference, null));
+        rungs.add(new Rung(Grade.FULL_TRACE, times.getLast(), PictureError.of(reference, reference), reference, null));
         return rungs;
     }
 
     @Override
     public void close() {
-        levels.forEach(Relighting::close);
+        grades.forEach(Relighting::close);
         workers.close();
     }
 }

@@ -2,6 +2,7 @@ package lightning.accuracy;
 
 import java.util.List;
 import lightning.scene.Scene;
+import lightning.scene.SceneChange;
 import lightning.text.Quote;
 
 /**
@@ -32,7 +33,7 @@ public record PaperCase(String name, String figure, double paperSaving, List<Sce
         return scenes.getLast();
     }
 
-    /** What the last step changes to what, as in {@code sun.color = 1 0 0}. */
+    /** What the last step changes to what, as in {@code sun: color 1 1 1 → 1 0 0}. */
     public String value() {
         return SceneChange.text(scenes.get(scenes.size() - 2), after());
     }

@@ -2,6 +2,7 @@ package lightning.accuracy;
 
 import java.util.Arrays;
 import lightning.effects.ViewEffects;
+import lightning.engine.choice.Engines;
 import lightning.math.Vec3;
 import lightning.relight.Renderer;
 import lightning.relight.tile.Options;
@@ -28,7 +29,8 @@ public record PreviewCost(double lightMs, double cameraMs) {
      */
     public static PreviewCost of(Scene scene, int threads, Progress progress) {
         Scene square = scene.withPicture(scene.picture().withSize(SIZE, SIZE));
-        try (Renderer preview = new Renderer(Options.DEFAULT.withThreads(threads).withView(ViewEffects.PREVIEW))) {
+        try (Renderer preview =
+                new Renderer(Options.DEFAULT.withThreads(threads).withView(ViewEffects.PREVIEW).withEngines(Engines.FASTEST))) {
             double camera = median(i -> preview.render(square.withCamera(moved(square.camera(), i)), progress).milliseconds());
             preview.render(square, progress);
             double slowest = 0;

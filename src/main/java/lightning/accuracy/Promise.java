@@ -4,8 +4,11 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
 import lightning.effects.ViewEffects;
+import lightning.engine.choice.Engines;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Difference;
 import lightning.image.Film;
 import lightning.relight.Renderer;
@@ -13,8 +16,7 @@ import lightning.relight.Update;
 import lightning.relight.plan.Accuracy;
 import lightning.relight.plan.Reflections;
 import lightning.relight.tile.Options;
-import lightning.shading.Sight;
-import lightning.shading.TraditionalTracer;
+import lightning.shading.SeenScenes;
 import lightning.trace.Geometry;
 import lightning.work.Progress;
 import lightning.work.Workers;
@@ -23,23 +25,23 @@ import lightning.work.Workers;
  * What a picture is said to be: the one promise that the status line, Verify, {@code relight --verify}, the harness and the
  * tests speak of.
  *
- * @param sight what the picture and its mirrors show
+ * @param scenes what the picture and its mirrors show
  * @param view  which effects are shown; all of them in a picture
- * @param bound how far a value may be off, linear, finite; 0 where every bit must agree with a full trace of the sight
+ * @param bound how far a value may be off, linear, finite; 0 where every bit must agree with a full trace of the scenes
  */
-public record Promise(Sight sight, ViewEffects view, double bound) {
+public record Promise(SeenScenes scenes, ViewEffects view, double bound) {
 
     /** The promise for a renderer's last update. */
     public static Promise of(Renderer renderer, Update update) {
-        return new Promise(renderer.cache().sight(), renderer.options().view(), update.errorBound());
+        return new Promise(renderer.cache().scenes(), renderer.options().view(), update.errorBound());
     }
 
     /** Whether the mirrors show an older scene, as far as a picture can tell. */
     public boolean isStale() {
-        return !sight.isCurrent();
+        return !scenes.isCurrent();
     }
 
-    /** Whether a picture that differs so much from a full trace of the sight is as promised. */
+    /** Whether a picture that differs so much from a full trace of the scenes is as promised. */
     public boolean isKeptBy(Difference difference) {
         return bound == 0 ? difference.isNone() : difference.maxAbsolute() <= bound;
     }
@@ -66,17 +68,19 @@ public record Promise(Sight sight, ViewEffects view, double bound) {
      * @throws CancellationException if {@code progress} asked to stop
      */
     public Verification verify(Film picture, Workers workers, Progress progress) {
-        var geometry = new Geometry(sight.scene());
-        Sight current = Sight.of(sight.scene());
+        var geometry = new Geometry(scenes.scene());
+        SeenScenes current = SeenScenes.of(scenes.scene());
         Film[] full = new Film[1];
+        boolean warm = Engines.areFastest();
         double milliseconds = Turns.time(() -> full[0] = trace(current, geometry, workers, progress));
         Difference fromFull = Difference.of(picture, full[0]);
-        Difference promised = isStale() ? Difference.of(picture, trace(sight, geometry, workers, progress)) : fromFull;
-        return new Verification(this, picture, full[0], promised, fromFull, milliseconds);
+        Difference promised = isStale() ? Difference.of(picture, trace(scenes, geometry, workers, progress)) : fromFull;
+        return new Verification(this, picture, full[0], promised, fromFull,
+                warm ? OptionalDouble.of(milliseconds) : OptionalDouble.empty());
     }
 
     /** From nothing: where all effects are shown a full trace that keeps nothing, else a first pass with the same effects. */
-    private Film trace(Sight shown, Geometry geometry, Workers workers, Progress progress) {
+    private Film trace(SeenScenes shown, Geometry geometry, Workers workers, Progress progress) {
         if (view.equals(ViewEffects.ALL)) {
             return new TraditionalTracer(shown.scene(), shown.mirrored(), geometry).trace(workers, progress).film();
         }

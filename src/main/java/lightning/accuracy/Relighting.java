@@ -4,6 +4,7 @@ import java.util.Set;
 import lightning.cache.PixelCache;
 import lightning.effects.Effect;
 import lightning.effects.ViewEffects;
+import lightning.engine.choice.Engines;
 import lightning.image.Film;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
@@ -16,26 +17,26 @@ import lightning.trace.Geometry;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
-/** A level's renderer: makes an edit again and again from the same start. */
+/** A grade's renderer: makes an edit again and again from the same start. */
 final class Relighting implements AutoCloseable {
     private static final ViewEffects FAST_SHADING = ViewEffects.ALL.hiding(Set.of(Effect.SHADOWS, Effect.REFLECTION));
 
-    private final Level level;
+    private final Grade grade;
     private final Renderer renderer;
     private final Workers workers;
     private PixelCache start;
     private Update update;
     private Film film;
 
-    Relighting(Level level, Workers workers) {
-        this.level = level;
+    Relighting(Grade grade, Workers workers) {
+        this.grade = grade;
         this.workers = workers;
-        renderer = new Renderer(options(level).withThreads(workers.count()));
+        renderer = new Renderer(options(grade).withThreads(workers.count()));
     }
 
-    private static Options options(Level level) {
-        Options exact = Options.DEFAULT.withAccuracy(Accuracy.EXACT);
-        return switch (level) {
+    private static Options options(Grade grade) {
+        Options exact = Options.DEFAULT.withAccuracy(Accuracy.EXACT).withEngines(Engines.FASTEST);
+        return switch (grade) {
             case HALF_RESOLUTION, EXACT_CURRENT -> exact.withReflections(Reflections.CURRENT);
             case FAST_SHADING -> exact.withReflections(Reflections.STALE).withView(FAST_SHADING);
             case RATIO -> exact.withReflections(Reflections.STALE).withAccuracy(Accuracy.RATIO);
@@ -44,8 +45,8 @@ final class Relighting implements AutoCloseable {
         };
     }
 
-    Level level() {
-        return level;
+    Grade grade() {
+        return grade;
     }
 
     /**
@@ -74,11 +75,11 @@ final class Relighting implements AutoCloseable {
         update = renderer.render(sized(after), progress);
         double ms = update.milliseconds();
         film = renderer.film();
-        if (level == Level.EXACT_UPDATED) {
+        if (grade == Grade.EXACT_UPDATED) {
             update = both(update, renderer.updateReflections(progress));
             ms = update.milliseconds();
             film = renderer.film();
-        } else if (level == Level.HALF_RESOLUTION) {
+        } else if (grade == Grade.HALF_RESOLUTION) {
             Picture full = after.picture();
             ms += Turns.time(() -> film = Enlarger.enlarge(film, full.width(), full.height(), workers, progress));
         }
@@ -95,15 +96,15 @@ final class Relighting implements AutoCloseable {
     /**
      * Compares the last picture with its oracle.
      *
-     * @throws BrokenPromise if the level's promise is not kept
+     * @throws BrokenPromise if the grade's promise is not kept
      */
     void verify(Progress progress) {
-        BrokenPromise.require(Promise.of(renderer, update).verify(renderer.film(), workers, progress), level);
+        BrokenPromise.require(Promise.of(renderer, update).verify(renderer.film(), workers, progress), grade);
     }
 
     private Scene sized(Scene scene) {
         Picture p = scene.picture();
-        return level == Level.HALF_RESOLUTION ? scene.withPicture(p.withSize((p.width() + 1) / 2, (p.height() + 1) / 2)) : scene;
+        return grade == Grade.HALF_RESOLUTION ? scene.withPicture(p.withSize((p.width() + 1) / 2, (p.height() + 1) / 2)) : scene;
     }
 
     /** The picture after the last edit, at full size. */
@@ -115,7 +116,7 @@ final class Relighting implements AutoCloseable {
         return renderer.cache().geometry();
     }
 
-    /** What the last edit did; of {@link Level#EXACT_UPDATED} the plan of the mirrors and the work of both. */
+    /** What the last edit did; of {@link Grade#EXACT_UPDATED} the plan of the mirrors and the work of both. */
     Update update() {
         return update;
     }

@@ -11,7 +11,7 @@ import lightning.shading.TraceCounts;
  * @param full       milliseconds of a full trace that keeps nothing
  * @param fullRays   the rays of that trace
  * @param bytesPerMs bytes in a millisecond that memory can read and write
- * @param kept       whether the picture is what the accuracy level promises: equal in every bit, or within the bound
+ * @param kept       whether the picture is what the accuracy grade promises: equal in every bit, or within the bound
  */
 public record Saving(Update update, Timing time, Timing full, TraceCounts fullRays, double bytesPerMs, boolean kept) {
     /** Percent of the full trace's time; negative where the update took longer. */

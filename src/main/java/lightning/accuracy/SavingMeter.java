@@ -5,12 +5,13 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import lightning.cache.PixelCache;
+import lightning.engine.choice.Engines;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
 import lightning.shading.TraceCounts;
-import lightning.shading.TraditionalTracer;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
@@ -35,7 +36,7 @@ public final class SavingMeter implements AutoCloseable {
      */
     public SavingMeter(Options options, int repetitions) {
         turns = new Turns(repetitions);
-        renderer = new Renderer(options);
+        renderer = new Renderer(options.withEngines(Engines.FASTEST));
         workers = new Workers(options.threads());
         bytesPerMs = Bandwidth.bytesPerMs(workers);
     }
@@ -50,7 +51,7 @@ public final class SavingMeter implements AutoCloseable {
      */
     public SavingMeter(Options options, int repetitions, double patienceMs, double bytesPerMs) {
         turns = new Turns(repetitions, patienceMs);
-        renderer = new Renderer(options);
+        renderer = new Renderer(options.withEngines(Engines.FASTEST));
         workers = new Workers(options.threads());
         this.bytesPerMs = bytesPerMs;
     }
@@ -71,7 +72,7 @@ public final class SavingMeter implements AutoCloseable {
      * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
      */
     public FirstPassCost firstPass(Scene scene, Progress progress) {
-        TraditionalTracer tracer = new TraditionalTracer(scene);
+        TraditionalTracer tracer = new TraditionalTracer(scene).by(Engines.FASTEST);
         List<Timing> times = turns.take(List.of(() -> {
             try (Renderer fresh = new Renderer(renderer.options())) {
                 return fresh.render(scene, progress).milliseconds();
@@ -131,7 +132,7 @@ public final class SavingMeter implements AutoCloseable {
                 return work.get().milliseconds();
             });
         }
-        var tracer = new TraditionalTracer(traced, renderer.cache().geometry());
+        var tracer = new TraditionalTracer(traced, renderer.cache().geometry()).by(Engines.FASTEST);
         TraceCounts fullRays = tracer.trace(workers, progress).rays();
         turn.add(() -> Turns.time(() -> tracer.trace(workers, progress)));
         List<Timing> times = turns.take(turn, progress.silent());
@@ -149,7 +150,7 @@ public final class SavingMeter implements AutoCloseable {
      * @throws Exception whatever {@code rival} throws, or a CancellationException if {@code progress} asked to stop
      */
     public TurnTimes against(Scene scene, Callable<Double> rival, Progress progress) throws Exception {
-        var tracer = new TraditionalTracer(scene);
+        var tracer = new TraditionalTracer(scene).by(Engines.FASTEST);
         List<Timing> times = turns.<Exception>take(List.of(() -> Turns.time(() -> tracer.trace(workers, progress)), rival::call),
                 progress.silent());
         return new TurnTimes(times.get(0), times.get(1));
@@ -173,7 +174,7 @@ public final class SavingMeter implements AutoCloseable {
             for (Scene[] edit : edits) {
                 settle(edit[0], progress);
                 renderer.render(edit[1], progress);
-                new TraditionalTracer(edit[1], renderer.cache().geometry()).trace(workers, progress);
+                new TraditionalTracer(edit[1], renderer.cache().geometry()).by(Engines.FASTEST).trace(workers, progress);
             }
         } while (!edits.isEmpty() && System.nanoTime() - start < WARM_UP_NANOSECONDS);
     }

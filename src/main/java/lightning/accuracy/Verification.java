@@ -1,6 +1,7 @@
 package lightning.accuracy;
 
 import java.util.Locale;
+import java.util.OptionalDouble;
 import lightning.image.Difference;
 import lightning.image.Film;
 
@@ -13,9 +14,9 @@ import lightning.image.Film;
  * @param promised    the picture's difference from the full trace that it is promised to be: one whose mirrors show what
  *                    the picture's show
  * @param current     its difference from {@code full}; where reflections are stale, they are in it
- * @param fullTraceMs the full trace's time, the tree of boxes left out, milliseconds
+ * @param fullTraceMs the full trace's time, the tree of boxes left out, milliseconds; none before the process is warm
  */
-public record Verification(Promise promise, Film picture, Film full, Difference promised, Difference current, double fullTraceMs) {
+public record Verification(Promise promise, Film picture, Film full, Difference promised, Difference current, OptionalDouble fullTraceMs) {
 
     /** Whether the picture is what it is said to be. */
     public boolean isKept() {

@@ -4,11 +4,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.cache.PixelCache;
+import lightning.engine.choice.Engines;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
 import lightning.relight.plan.UpdatePlan;
 import lightning.relight.tile.Options;
-import lightning.shading.TraditionalTracer;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
@@ -58,9 +59,9 @@ public record WarmSaving(Update of, Timing update, Timing full) {
      */
     public static Optional<WarmSaving> measure(Edit edit, Workers workers, double patienceMs, Progress progress) {
         Progress silent = progress.silent();
-        try (var renderer = new Renderer(edit.options())) {
+        try (var renderer = new Renderer(edit.options().withEngines(Engines.FASTEST))) {
             again(edit, renderer, silent);
-            var tracer = new TraditionalTracer(renderer.scene(), renderer.cache().geometry());
+            var tracer = new TraditionalTracer(renderer.scene(), renderer.cache().geometry()).by(Engines.FASTEST);
             List<Turns.Turn<RuntimeException>> works = List.of(() -> again(edit, renderer, silent),
                     () -> Turns.time(() -> tracer.trace(workers, silent)));
             var turns = new Turns(REPETITIONS, patienceMs, STEADY_MS);

@@ -1,10 +1,14 @@
 package lightning.app;
 
 import java.util.Optional;
+import java.util.logging.Logger;
 import javafx.application.Platform;
 
 /** Where windows open. */
-public final class Display {
+final class Display {
+    /** Kept, since a logger that nobody keeps forgets its filter. */
+    private static final Logger TOOLKIT = Logger.getLogger("javafx");
+
     private Display() {}
 
     /**
@@ -12,7 +16,9 @@ public final class Display {
      *
      * @return why no window can be opened, in one clause without a full stop; empty if one can
      */
-    public static Optional<String> obstacle() {
+    static Optional<String> obstacle() {
+        // The launcher starts on the class path, of which JavaFX warns: docs/decisions/0030-an-archive-of-classes.md.
+        TOOLKIT.setFilter(line -> !line.getMessage().startsWith("Unsupported JavaFX configuration"));
         try {
             Platform.startup(() -> {});
             return Optional.empty();

@@ -1,9 +1,8 @@
 package lightning.app;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Executor;
+import javafx.beans.Observable;
 import javafx.scene.control.ButtonType;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
@@ -11,20 +10,21 @@ import lightning.app.command.FileActions;
 import lightning.app.command.FilePrompt;
 import lightning.app.command.Notices;
 import lightning.app.model.EditorModel;
-import lightning.app.model.Precision;
 import lightning.app.model.Preferences;
+import lightning.app.model.PreviewLook;
 import lightning.app.widget.Looks;
-import lightning.edit.OpenDocument;
+import lightning.edit.Command;
+import lightning.edit.FileThread;
 import lightning.edit.Recovery;
-import lightning.image.DisplayCurve;
-import lightning.jen.JenException;
+import lightning.image.ViewTransform;
 import lightning.text.Quote;
 
 /** The editor of one document in one window, from opening to closing. */
 public final class Editor implements AutoCloseable {
     private final Stage stage;
-    private final Preferences preferences = new Preferences(Folders.data());
-    private final Recovery recovery = new Recovery(Folders.data().resolve("recovery"));
+    private final FirstSight sight;
+    private final Preferences preferences;
+    private final FileThread thread;
     private final Notices notices;
     private final FileActions files;
     private final EditorModel model;
@@ -34,32 +34,34 @@ public final class Editor implements AutoCloseable {
     /**
      * Opens the window.
      *
-     * @param hops      runs tasks in turn on the window's thread
+     * @param sight     the document's model and picture; closed with the editor
+     * @param thread    reads and writes files; closed with the editor
      * @param mostWidth the largest size of the window, pixels: the screen's; likewise {@code mostHeight}
      */
-    Editor(Stage stage, OpenDocument document, Executor hops, FilePrompt prompt, double mostWidth, double mostHeight) {
+    Editor(Stage stage, FirstSight sight, Preferences preferences, FileThread thread, FilePrompt prompt, double mostWidth,
+            double mostHeight) {
         this.stage = stage;
-        preferences.choice("theme", Looks.DARK).wear();
+        this.sight = sight;
+        this.preferences = preferences;
+        this.thread = thread;
         notices = new Notices(stage);
-        model = new EditorModel(document, recovery, hops);
-        model.precisionProperty().set(preferences.choice("precision", Precision.EXACT));
-        model.viewProperty().set(model.viewProperty().get().withCurve(preferences.choice("curve", DisplayCurve.SRGB)));
-        model.previewLook().restore(preferences);
+        model = sight.model();
         files = new FileActions(model, prompt, notices, preferences, this::closeWindow);
-        window = new EditorWindow(model, files, notices);
-        disk = new DiskBar(model, hops, files::compareWithDisk);
+        window = new EditorWindow(sight.frame(), model, files, notices);
+        disk = new DiskBar(model, thread.window(), files::compareWithDisk);
         window.addLine(disk);
         model.situationProperty().subscribe(now -> stage.setTitle((now.dirty() ? "• " : "") + model.document().name() + " – Lightning"));
         stage.focusedProperty().subscribe(_ -> disk.look());
         stage.setOnCloseRequest(e -> {
-            if (files.mayLeave()) {
+            e.consume();
+            files.leave(() -> {
                 remember();
-            } else {
-                e.consume();
-            }
+                stage.hide();
+            });
         });
-        preferences.opened(document.file());
-        EditorStage.show(stage, window, preferences, mostWidth, mostHeight);
+        preferences.opened(model.document().file());
+        keepChoices();
+        EditorStage.show(stage, sight.frame(), preferences, mostWidth, mostHeight);
         window.focus();
     }
 
@@ -67,30 +69,27 @@ public final class Editor implements AutoCloseable {
         return model;
     }
 
+    EditorWindow window() {
+        return window;
+    }
+
     public FileActions files() {
         return files;
     }
 
-    /** Asks about edits that a crash left unsaved. */
-    void offerRecovery() {
-        List<Recovery.Found> all;
-        try {
-            all = recovery.found();
-        } catch (IOException e) {
-            return;
-        }
+    /** Asks about edits that a crash left unsaved, until some are wanted. */
+    void offer(List<Recovery.Found> all) {
         for (Recovery.Found found : all) {
             ButtonType answer = notices.recover(found).orElse(null);
-            try {
-                if (answer == Notices.RECOVER) {
-                    model.recover(found);
-                    return;
-                }
-                if (answer == Notices.FORGET) {
+            if (answer == Notices.RECOVER) {
+                files.recover(found);
+                return;
+            }
+            if (answer == Notices.FORGET) {
+                thread.inTurn(() -> {
                     found.delete();
-                }
-            } catch (IOException | JenException e) {
-                notices.failed("The edits could not be recovered", e);
+                    return found;
+                }, _ -> {}, why -> notices.failed("The edits could not be discarded", why));
             }
         }
     }
@@ -102,6 +101,15 @@ public final class Editor implements AutoCloseable {
 
     private void closeWindow() {
         stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST));
+    }
+
+    /** Choices are kept at once, for the case of a crash. */
+    private void keepChoices() {
+        PreviewLook look = model.previewLook();
+        for (Observable choice : List.of(model.precisionProperty(), model.viewProperty().map(ViewTransform::curve), look.glowingProperty(),
+                look.sizeProperty(), model.switched(Command.LIGHT_THEME).orElseThrow())) {
+            choice.addListener(_ -> remember());
+        }
     }
 
     private void remember() {
@@ -118,6 +126,7 @@ public final class Editor implements AutoCloseable {
     public void close() {
         disk.close();
         window.close();
-        model.close();
+        sight.close();
+        thread.close();
     }
 }

@@ -34,7 +34,7 @@ final class EditorStage {
             stage.setMinWidth(Math.min(mostWidth, LEAST_WIDTH));
             stage.setMinHeight(Math.min(mostHeight, LEAST_HEIGHT));
             OnScreen.open(stage);
-        } else {
+        } else if (stage.getScene().getRoot() != content) {
             stage.getScene().setRoot(content);
         }
         stage.show();

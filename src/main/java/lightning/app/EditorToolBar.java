@@ -2,20 +2,19 @@ package lightning.app;
 
 import javafx.geometry.Orientation;
 import javafx.scene.Node;
-import javafx.scene.control.Button;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.Separator;
 import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.control.Spinner;
-import javafx.scene.control.ToggleButton;
 import javafx.scene.control.ToolBar;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.Region;
 import javafx.scene.text.Font;
 import javafx.scene.text.Text;
 import lightning.app.command.CommandButton;
+import lightning.app.command.CommandItems;
 import lightning.app.command.SizeMenu;
 import lightning.app.model.EditorModel;
 import lightning.app.model.Precision;
@@ -23,11 +22,7 @@ import lightning.app.traced.SamplingMenu;
 import lightning.edit.Command;
 import lightning.edit.Dial;
 import lightning.scene.Limits;
-import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignL;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
 
 /** The buttons of the canvas window (paper §3.3 to §3.7), grouped by what they are for. */
@@ -39,39 +34,24 @@ final class EditorToolBar extends ToolBar {
 
     private final EditorModel model;
 
-    EditorToolBar(EditorModel model, Panels panels) {
+    EditorToolBar(EditorModel model) {
         this.model = model;
         setId("toolbar");
         add(Command.LOAD_FILE, Command.RELOAD, Command.SAVE_SCENE, Command.SAVE_IMAGE);
         getItems().add(gap());
         add(Command.UNDO, Command.REDO);
         getItems().add(gap());
-        var go = new CommandButton(model, Command.GO, true);
+        var go = CommandButton.titled(model, Command.GO);
         go.button().getStyleClass().add("accent");
-        getItems().addAll(go, live());
+        getItems().addAll(go, CommandButton.titled(model, Command.LIVE));
         add(Command.UPDATE_REFLECTIONS, Command.CANCEL, Command.VERIFY);
         getItems().addAll(gap(), precision(), size(), note("Depth"), depth(), gap());
-        add(Command.MAKE_ANIMATION);
-        getItems().add(panel("accuracy-panel", "What Accuracy Costs", "F9", "Each level's time and error for the edit made last",
-                MaterialDesignC.CHART_SCATTER_PLOT, panels::accuracy));
-        getItems().add(panel("effects-panel", "Effects", "Shift+F9",
-                "What the scene calls for, and who calls for it; hide an effect from the view",
-                MaterialDesignL.LAYERS_OUTLINE, panels::effects));
-    }
-
-    private static Button panel(String id, String title, String keys, String help, Ikon icon, Runnable open) {
-        var button = new Button("", new FontIcon(icon));
-        button.setId(id);
-        button.setAccessibleText(title);
-        button.setTooltip(new Tooltip(title + "  (" + keys + ")\n" + help + "."));
-        button.getStyleClass().add("button-icon");
-        button.setOnAction(_ -> open.run());
-        return button;
+        add(Command.MAKE_ANIMATION, Command.ACCURACY_PANEL, Command.EFFECTS_PANEL);
     }
 
     private void add(Command... commands) {
         for (Command command : commands) {
-            getItems().add(new CommandButton(model, command, false));
+            getItems().add(CommandButton.icon(model, command));
         }
     }
 
@@ -84,14 +64,6 @@ final class EditorToolBar extends ToolBar {
         label.getStyleClass().add("pane-note");
         label.setMinWidth(Region.USE_PREF_SIZE);
         return label;
-    }
-
-    private ToggleButton live() {
-        var live = new ToggleButton("Live", new FontIcon(MaterialDesignF.FLASH));
-        live.setId("live");
-        live.setTooltip(new Tooltip("Live\nRender edits while they are made, without Go."));
-        live.selectedProperty().bindBidirectional(model.liveProperty());
-        return live;
     }
 
     private ChoiceBox<Precision> precision() {
@@ -123,8 +95,9 @@ final class EditorToolBar extends ToolBar {
         sizes.setAccessibleText("Size and anti-aliasing of the traced picture");
         sizes.setTooltip(new Tooltip("Size and anti-aliasing of the traced picture\nAnother size traces it anew; "
                 + "other anti-aliasing is an edit, and Go computes what is missing."));
-        sizes.getItems().setAll(SizeMenu.ofPicture(model));
-        sizes.getItems().addAll(new SeparatorMenuItem(), SamplingMenu.of(model, "antialias"));
+        CommandItems items = CommandItems.of(model);
+        sizes.getItems().setAll(SizeMenu.ofPicture(model, items));
+        sizes.getItems().addAll(new SeparatorMenuItem(), SamplingMenu.of(model, items));
         model.sceneProperty().subscribe(s -> sizes.setText(s.picture().width() + " × " + s.picture().height() + SamplingMenu.text(s)));
         return sizes;
     }

@@ -3,12 +3,9 @@ package lightning.app;
 import java.io.File;
 import java.util.List;
 import java.util.Optional;
-import javafx.geometry.Orientation;
 import javafx.scene.Node;
-import javafx.scene.control.SplitPane;
 import javafx.scene.input.DragEvent;
 import javafx.scene.input.TransferMode;
-import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.VBox;
 import javafx.stage.Window;
 import lightning.app.animation.AnimationWindow;
@@ -19,57 +16,46 @@ import lightning.app.model.EditorModel;
 import lightning.app.preview.PreviewPane;
 import lightning.app.property.LightListPane;
 import lightning.app.property.SidePane;
-import lightning.app.traced.TracedPane;
 import lightning.edit.Command;
 
 /** Everything inside the editor's frame: traced picture, preview, and beside them the lights and their properties. */
-public final class EditorWindow extends BorderPane implements AutoCloseable {
-    /** The share of the two pictures in the window's width. */
-    static final double CANVASES = 0.74;
-    private static final double LIST = 0.28;
-
+public final class EditorWindow implements AutoCloseable {
+    private final EditorFrame frame;
     private final PreviewPane preview;
-    private final TracedPane traced;
     private final FileActions files;
     private final Panels panels;
+    private final VBox bars;
 
-    EditorWindow(EditorModel model, FileActions files, Notices notices) {
+    /** Fills a frame, in which the traced picture stands already. */
+    EditorWindow(EditorFrame frame, EditorModel model, FileActions files, Notices notices) {
+        this.frame = frame;
         this.files = files;
-        setId("editor");
-        getStyleClass().add("editor");
         preview = new PreviewPane(model);
-        traced = new TracedPane(model);
-        var canvases = new SplitPane(traced, preview);
-        var side = new SplitPane(new LightListPane(model), new SidePane(model));
-        side.setOrientation(Orientation.VERTICAL);
-        side.setDividerPositions(LIST);
-        var all = new SplitPane(canvases, side);
-        all.setDividerPositions(CANVASES);
-        SplitPane.setResizableWithParent(side, false);
         panels = new Panels(model, this::window);
-        setTop(new VBox(new EditorMenu(model, files, traced, preview, notices, panels), new EditorToolBar(model, panels)));
-        setCenter(all);
-        setBottom(new StatusLine(model));
+        panels.addTo(model);
+        model.setAction(Command.ABOUT, () -> About.show(notices));
         model.setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, window()).show());
-        UndoKeys.take(this, model);
-        setOnDragOver(this::dragOver);
-        setOnDragDropped(this::dropped);
+        bars = new VBox(new EditorMenu(model, files), new EditorToolBar(model));
+        frame.fill(bars, preview, new LightListPane(model), new SidePane(model), new StatusLine(model));
+        UndoKeys.take(frame, model);
+        frame.setOnDragOver(this::dragOver);
+        frame.setOnDragDropped(this::dropped);
     }
 
     /** Puts a line below the tool bar. */
     void addLine(Node line) {
-        ((VBox) getTop()).getChildren().add(line);
+        bars.getChildren().add(line);
     }
 
     /** The keyboard takes lights at once. */
     void focus() {
         // What lies between the bars of the split panes is in the window only when they have their looks.
-        applyCss();
+        frame.applyCss();
         preview.canvas().requestFocus();
     }
 
     private Window window() {
-        return getScene().getWindow();
+        return frame.getScene().getWindow();
     }
 
     private static boolean isScene(File file) {
@@ -98,8 +84,6 @@ public final class EditorWindow extends BorderPane implements AutoCloseable {
     @Override
     public void close() {
         panels.close();
-        files.close();
         preview.close();
-        traced.close();
     }
 }

@@ -1,12 +1,13 @@
 package lightning.app;
 
 import java.util.List;
+import java.util.stream.Stream;
 import javafx.scene.control.Label;
 import javafx.scene.layout.ColumnConstraints;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
-import lightning.app.command.CommandFace;
+import lightning.app.command.CommandButton;
 import lightning.edit.Command;
 
 /** What mouse and keyboard do, as a table. */
@@ -26,16 +27,13 @@ final class KeysPane extends GridPane {
             new Row("Along the x axis, from above, the scene's camera", "X, −Y, −Z", "X, Y, Z"),
             new Row("All lights in view", "All", "A"),
             new Row("Through the selected light, and back", "the eye", "L"),
-            new Row("Hide the gizmos, and show them again", "the crossed cone", "G, Ctrl + G"));
+            new Row("Hide the gizmos, and show them again", "the crossed cone", "G"));
     private static final List<Row> PICTURE = List.of(
             new Row("What a pixel is made of", "hover", ""),
             new Row("Select the light that matters most there", "click", ""),
             new Row("A menu with the shape's material, here or in the preview", "right click", ""),
-            new Row("Zoom", "wheel", "Ctrl + =, Ctrl + −"),
-            new Row("Move the picture", "middle drag", ""),
-            new Row("Fit, one to one", "", "Ctrl + 0, Ctrl + 1"),
-            new Row("Trace a region", "", "Ctrl + B"),
-            new Row("Only the selected light", "", "Ctrl + I"));
+            new Row("Zoom", "wheel", ""),
+            new Row("Move the picture", "middle drag", ""));
     private static final List<Row> LIST = List.of(
             new Row("Rename the selected light", "double click", "F2"),
             new Row("Switch it on or off", "the bulb", "Space"),
@@ -58,8 +56,8 @@ final class KeysPane extends GridPane {
         section("The traced picture", PICTURE);
         section("The list of lights", LIST);
         section("Numbers", NUMBERS);
-        section("Commands", List.of(Command.values()).stream().map(CommandFace::of).filter(f -> f.keys() != null)
-                .map(f -> new Row(f.title().replace("…", ""), "", f.keys().getDisplayText())).toList());
+        section("Commands", Stream.of(Command.values()).filter(c -> !c.shortcut().isEmpty())
+                .map(c -> new Row(c.plainTitle(), "", CommandButton.keys(c))).toList());
     }
 
     private void section(String title, List<Row> rows) {

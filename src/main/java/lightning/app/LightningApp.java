@@ -1,8 +1,11 @@
 package lightning.app;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import javafx.animation.AnimationTimer;
 import javafx.application.Application;
 import javafx.application.Platform;
 import javafx.geometry.Rectangle2D;
@@ -14,79 +17,132 @@ import lightning.app.command.FilePrompt;
 import lightning.app.model.Preferences;
 import lightning.app.model.Sentence;
 import lightning.app.widget.Looks;
-import lightning.edit.OpenDocument;
-import lightning.jen.JenException;
+import lightning.edit.FileThread;
+import lightning.edit.Recovery;
 
-/** The editor's program. */
-public final class LightningApp extends Application {
+/**
+ * The editor's program: a window at once, the traced picture in it as soon as there is one, then everything else. The scene is
+ * read while the window system starts.
+ */
+public class LightningApp extends Application {
+    /** What is being read for the program that starts in this process; null where it was not begun by {@link #open}. */
+    private static FutureTask<Opening> ahead;
+
+    private final FileThread thread = new FileThread(Platform::runLater);
+    private final Recovery recovery = recovery();
+    private Preferences preferences;
+    private FirstSight sight;
     private Editor editor;
 
     /**
      * Opens the editor and returns when its window is closed. At most once in a process.
      *
      * @param arguments the scene file to open, or nothing
+     * @return why no window can be opened, as {@link Display#obstacle} tells; empty if one was
      */
-    public static void open(List<String> arguments) {
-        launch(LightningApp.class, arguments.toArray(String[]::new));
+    public static Optional<String> open(List<String> arguments) {
+        return open(LightningApp.class, arguments);
+    }
+
+    static Optional<String> open(Class<? extends LightningApp> program, List<String> arguments) {
+        Path file = file(arguments);
+        Recovery recovery = recovery();
+        ahead = new FutureTask<>(() -> Opening.read(file, recovery));
+        Thread.ofPlatform().daemon().name("lightning-opening").start(ahead);
+        Optional<String> obstacle = Display.obstacle();
+        if (obstacle.isEmpty()) {
+            launch(program, arguments.toArray(String[]::new));
+        }
+        return obstacle;
+    }
+
+    private static Path file(List<String> arguments) {
+        return arguments.isEmpty() ? Folders.firstScene() : Path.of(arguments.getFirst());
+    }
+
+    private static Recovery recovery() {
+        return new Recovery(Folders.data().resolve("recovery"));
+    }
+
+    /** Before there is a window that could wait for a disk. */
+    @Override
+    public void init() {
+        preferences = new Preferences(Folders.data(), thread);
     }
 
     @Override
     public void start(Stage stage) {
-        List<String> arguments = getParameters() == null ? List.of() : getParameters().getUnnamed();
-        Path first = Folders.firstScene();
-        Path file = arguments.isEmpty() ? first : Path.of(arguments.getFirst());
-        var preferences = new Preferences(Folders.data());
+        Path file = file(getParameters() == null ? List.of() : getParameters().getUnnamed());
         preferences.choice("theme", Looks.DARK).wear();
+        var frame = new EditorFrame(file);
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
-        EditorStage.show(stage, new OpeningPane(file), preferences, screen.getWidth(), screen.getHeight());
-        var reading = new Thread(() -> read(stage, file, first), "lightning-open");
-        reading.setDaemon(true);
-        reading.start();
+        EditorStage.show(stage, frame, preferences, screen.getWidth(), screen.getHeight());
+        thread.beside(() -> ahead == null ? Opening.read(file, recovery) : read(ahead),
+                opening -> onceDrawn(() -> unlessClosed(stage, () -> begin(stage, frame, opening))), why -> unlessClosed(stage, () -> {
+                    new Alert(Alert.AlertType.ERROR, Sentence.of(why), ButtonType.CLOSE).showAndWait();
+                    Platform.exit();
+                }));
     }
 
-    /** A large scene takes its time, and the window is there before. */
-    private void read(Stage stage, Path file, Path first) {
+    private static Opening read(FutureTask<Opening> opening) throws Exception {
         try {
-            OpenDocument document = OpenDocument.open(file);
-            unlessClosed(stage, () -> {
-                show(stage, document);
-                editor.offerRecovery();
-            });
-        } catch (IOException | JenException | RuntimeException e) {
-            unlessClosed(stage, () -> instead(stage, file, first, e));
+            return opening.get();
+        } catch (ExecutionException e) {
+            switch (e.getCause()) {
+                case Exception why -> throw why;
+                case Error why -> throw why;
+                case Throwable why -> throw new IllegalStateException(why);
+            }
         }
     }
 
     /** Nobody waits for a scene whose window was closed while it was read. */
     private static void unlessClosed(Stage stage, Runnable then) {
-        Platform.runLater(() -> {
-            if (stage.isShowing()) {
-                then.run();
-            }
-        });
-    }
-
-    /** A window on the first scene takes the place of one on a scene that cannot be opened. */
-    private void instead(Stage stage, Path file, Path first, Exception why) {
-        try {
-            show(stage, OpenDocument.open(first));
-            editor.failed(file, why);
-            editor.offerRecovery();
-        } catch (IOException | JenException e) {
-            new Alert(Alert.AlertType.ERROR, Sentence.of(why), ButtonType.CLOSE).showAndWait();
-            Platform.exit();
+        if (stage.isShowing()) {
+            then.run();
         }
     }
 
-    private void show(Stage stage, OpenDocument document) {
-        Rectangle2D screen = Screen.getPrimary().getVisualBounds();
-        editor = new Editor(stage, document, Platform::runLater, FilePrompt.of(stage), screen.getWidth(), screen.getHeight());
+    /** Once the window stands on the screen: what comes next takes this thread and all processors for a while. */
+    private static void onceDrawn(Runnable then) {
+        new AnimationTimer() {
+            private int pulses;
+
+            @Override
+            public void handle(long now) {
+                // The first is told before the window is drawn for the first time, the second while it is, the third after it.
+                if (++pulses == 3) {
+                    stop();
+                    then.run();
+                }
+            }
+        }.start();
     }
+
+    private void begin(Stage stage, EditorFrame frame, Opening opening) {
+        sight = new FirstSight(frame, opening.document(), preferences, recovery, thread);
+        sight.whenSeen(() -> unlessClosed(stage, () -> show(stage, opening)));
+    }
+
+    private void show(Stage stage, Opening opening) {
+        Rectangle2D screen = Screen.getPrimary().getVisualBounds();
+        editor = new Editor(stage, sight, preferences, thread, FilePrompt.of(stage), screen.getWidth(), screen.getHeight());
+        if (opening.failed() != null) {
+            editor.failed(opening.failed(), opening.why());
+        }
+        opened(editor);
+        editor.offer(opening.left());
+    }
+
+    /** An editor has its window. */
+    void opened(Editor opened) {}
 
     @Override
     public void stop() {
         if (editor != null) {
             editor.close();
+        } else if (sight != null) {
+            sight.close();
         }
     }
 }

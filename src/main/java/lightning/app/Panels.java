@@ -7,6 +7,7 @@ import lightning.app.measure.AccuracyPane;
 import lightning.app.measure.EffectsPane;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.PanelWindow;
+import lightning.edit.Command;
 
 /** The windows beside the editor's, each open at most once. */
 final class Panels implements AutoCloseable {
@@ -22,8 +23,15 @@ final class Panels implements AutoCloseable {
         this.owner = owner;
     }
 
-    /** What each level of accuracy costs for the edit made last. */
-    void accuracy() {
+    /** Does the commands that open them. */
+    void addTo(EditorModel editor) {
+        editor.setAction(Command.ACCURACY_PANEL, this::accuracy);
+        editor.setAction(Command.EFFECTS_PANEL, this::effects);
+        editor.setAction(Command.KEYS, this::keys);
+    }
+
+    /** What each grade of accuracy costs for the edit made last. */
+    private void accuracy() {
         if (accuracy == null) {
             var pane = new AccuracyPane(model);
             accuracy = new PanelWindow(owner.get(), "What Accuracy Costs", pane, 860, 760);
@@ -33,7 +41,7 @@ final class Panels implements AutoCloseable {
     }
 
     /** What the scene calls for. */
-    void effects() {
+    private void effects() {
         if (effects == null) {
             var pane = new EffectsPane(model);
             effects = new PanelWindow(owner.get(), "Effects", pane, 760, 680);
@@ -43,7 +51,7 @@ final class Panels implements AutoCloseable {
     }
 
     /** What mouse and keyboard do. */
-    void keys() {
+    private void keys() {
         if (keys == null) {
             keys = new PanelWindow(owner.get(), "Mouse and Keyboard", new KeysPane(), 880, 720);
         }

@@ -6,9 +6,9 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import lightning.app.model.EditorModel;
-import lightning.app.model.RenderState;
 import lightning.app.model.Sentence;
 import lightning.app.model.StatusText;
+import lightning.edit.loop.RenderState;
 
 /** What the last update did and cost, and what the artist should read next. */
 final class StatusLine extends HBox {

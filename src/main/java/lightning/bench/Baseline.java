@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
 import lightning.accuracy.PictureError;
 
 /**
@@ -47,7 +47,7 @@ public record Baseline(int compared, List<String> worse) {
     private record Measured(RungResult rung, double fullMs) {
         /** The time as a share of the full trace's; the full trace itself has only its own. */
         double share() {
-            return rung.level() == Level.FULL_TRACE ? rung.time().median() : rung.time().median() / fullMs;
+            return rung.grade() == Grade.FULL_TRACE ? rung.time().median() : rung.time().median() / fullMs;
         }
     }
 
@@ -57,7 +57,7 @@ public record Baseline(int compared, List<String> worse) {
             for (EditResult edit : scene.edits()) {
                 for (ValueResult value : edit.values()) {
                     value.rungs().forEach(rung -> rungs.put(String.join(", ", scene.scene() + " at " + scene.width() + "x" + scene.height(),
-                            edit.edit(), value.value(), rung.level().label()),
+                            edit.edit(), value.value(), rung.grade().label()),
                             new Measured(rung, value.rungs().getLast().time().median())));
                 }
             }

@@ -1,5 +1,6 @@
 package lightning.bench;
 
+import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -10,13 +11,15 @@ import lightning.text.Decimal;
  * One measurement. A text that a spreadsheet would compute has an apostrophe before it. What a kind of measurement does not have is NaN, 0 or empty.
  *
  * @param kind  {@code first-pass}, {@code full-trace}, {@code edit}, {@code peer}, {@code effect} (by how much it makes the first pass longer),
- *              {@code growth} or {@code drift}
+ *              {@code growth}, {@code drift}, or of whole processes from cold {@code cold} (ours) and {@code cold-peer}, with the
+ *              processor time of each as {@code …-processor}
  * @param edit  the edit's name; of growth, what grows and the edit
  * @param value the varying value; of growth and drift, how many pixels, lights, …, edits
- * @param level the level of accuracy
+ * @param grade the grade of accuracy, which the file calls a level
  * @param n     how many samples the median and the quartiles are of
  */
-record CsvRow(String kind, String scene, int width, int height, String edit, String value, String level, int n, double medianMs,
+record CsvRow(String kind, String scene, int width, int height, String edit, String value, @JsonProperty("level") String grade,
+        int n, double medianMs,
         double lowerQuartileMs, double upperQuartileMs, double savingPercent, double capPercent, double paperPercent, String plan,
         long rowsTouched, long shadowRays, long shadowRaysAvoided, long bytesMoved, double floorMs, double timesFloor,
         long valuesThatDiffer, long maxUlp, double maxAbsolute, double meanAbsolute, double rmse, double linearPsnrDb,
@@ -39,6 +42,9 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
             if (scene.peer() != null) {
                 rows.add(trace("peer", scene, scene.peer().program(), scene.peer().time()));
             }
+            if (scene.cold() != null) {
+                cold(rows, scene, scene.cold());
+            }
             scene.effects().forEach(effect -> rows.add(effect(scene, effect)));
             for (EditResult edit : scene.edits()) {
                 edit.values().forEach(value -> value.rungs().forEach(rung -> rows.add(edit(scene, edit, value, rung))));
@@ -52,6 +58,20 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
         return rows;
     }
 
+    private static void cold(List<CsvRow> rows, SceneResult scene, Cold cold) {
+        process(rows, scene, "cold", "", cold.process(), cold.processor());
+        if (cold.rival() != null) {
+            process(rows, scene, "cold-peer", cold.rival().program(), cold.rival().process(), cold.rival().processor());
+        }
+    }
+
+    private static void process(List<CsvRow> rows, SceneResult scene, String kind, String program, Samples wall, Samples processor) {
+        rows.add(trace(kind, scene, program, wall));
+        if (processor != null) {
+            rows.add(trace(kind + "-processor", scene, program, processor));
+        }
+    }
+
     private static CsvRow trace(String kind, SceneResult scene, String value, Samples time) {
         return row(kind, scene.scene(), scene.width(), scene.height(), "", value, "", time, NONE, NONE, NO_WORK, NO_ERROR);
     }
@@ -62,7 +82,7 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
     }
 
     private static CsvRow edit(SceneResult scene, EditResult edit, ValueResult value, RungResult rung) {
-        return row("edit", scene.scene(), scene.width(), scene.height(), edit.edit(), value.value(), rung.level().label(), rung.time(),
+        return row("edit", scene.scene(), scene.width(), scene.height(), edit.edit(), value.value(), rung.grade().label(), rung.time(),
                 rung.saving(), edit.paperSaving(), rung.work() == null ? NO_WORK : rung.work(), rung.error());
     }
 
@@ -77,9 +97,9 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
                 point.accuracy().name().toLowerCase(Locale.ROOT), NO_SAMPLES, NONE, NONE, bound, point.error());
     }
 
-    private static CsvRow row(String kind, String scene, int width, int height, String edit, String value, String level, Samples time,
+    private static CsvRow row(String kind, String scene, int width, int height, String edit, String value, String grade, Samples time,
             double saving, double paper, Work work, PictureError e) {
-        return new CsvRow(cell(kind), cell(scene), width, height, cell(edit), cell(value), cell(level), time.samples().size(),
+        return new CsvRow(cell(kind), cell(scene), width, height, cell(edit), cell(value), cell(grade), time.samples().size(),
                 time.median(), time.lowerQuartile(),
                 time.upperQuartile(), saving, work.cap(), paper, cell(work.plan()), work.rowsTouched(), work.shadowRays(),
                 work.shadowRaysAvoided(), work.bytesMoved(), work.floorMs(), work.timesFloor(), e.values(), e.maxUlp(), e.maxAbsolute(),

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.accuracy.OrdinaryEdits;
 import lightning.accuracy.PictureError;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
@@ -11,11 +12,10 @@ import lightning.relight.plan.Accuracy;
 import lightning.relight.plan.Reflections;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
-import lightning.shading.TraditionalTracer;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
-/** Measures what becomes of a picture after 1, 10, 100, … edits, at the levels ratio and exact. */
+/** Measures what becomes of a picture after 1, 10, 100, … edits, at the grades ratio and exact. */
 final class DriftBench {
     private static final Options CURRENT = Options.DEFAULT.withReflections(Reflections.CURRENT);
 

@@ -8,7 +8,7 @@ import lightning.relight.plan.Accuracy;
  *
  * @param edits     how many
  * @param error     how far it is from a full trace
- * @param bound     how far any value may be off by the engine's own account, linear; 0 at level exact
+ * @param bound     how far any value may be off by the engine's own account, linear; 0 at grade exact
  * @param refreshes how often contributions were computed anew until then because that bound had grown too large
  */
 public record DriftPoint(Accuracy accuracy, int edits, PictureError error, double bound, int refreshes) {}

@@ -11,7 +11,7 @@ public record Failure(Kind kind, String where, String what) {
     public enum Kind {
         /** A scene could not be read. */
         UNREAD,
-        /** A picture is not what its level of accuracy promises. */
+        /** A picture is not what its grade of accuracy promises. */
         BROKEN,
         /** Memory was too small, or another program failed. */
         UNMEASURED

@@ -2,7 +2,6 @@ package lightning.bench;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import lightning.image.ViewTransform;
 import lightning.math.Rgb;
 import lightning.scene.Group;
@@ -35,10 +34,7 @@ final class FlatColors {
     private Node colored(Node node) {
         return switch (node) {
             case Group g -> new Group(g.name(), g.placement(), g.children().stream().map(this::colored).toList());
-            case Shape.Sphere s -> new Shape.Sphere(s.name(), next(), s.placement());
-            case Shape.Cone s -> new Shape.Cone(s.name(), next(), s.placement());
-            case Shape.Cylinder s -> new Shape.Cylinder(s.name(), next(), s.placement());
-            case Shape.Plane s -> new Shape.Plane(s.name(), next(), s.placement());
+            case Shape s -> s.withMaterial(next());
         };
     }
 
@@ -46,7 +42,7 @@ final class FlatColors {
     private String next() {
         int i = materials.size();
         Rgb color = new Rgb(channel(i), channel(i / LEVELS), channel(i / LEVELS / LEVELS));
-        Material material = new Material("flat" + i, color, Rgb.BLACK, Rgb.BLACK, 1, Rgb.BLACK, Optional.empty());
+        Material material = Material.of("flat" + i).withAmbient(color).withDiffuse(Rgb.BLACK).withShininess(1);
         materials.add(material);
         return material.name();
     }

@@ -2,7 +2,6 @@ package lightning.bench;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.Random;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
@@ -16,6 +15,7 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.World;
 
 /**
@@ -38,13 +38,14 @@ final class GeneratedScenes {
     static Scene of(long seed, PictureSize size, int shapes, int lights, int depth) {
         Random random = new Random(seed);
         List<Node> nodes = new ArrayList<>();
-        nodes.add(new Shape.Plane("floor", "matt", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(20, 1, 20))));
+        nodes.add(new Shape(Solid.PLANE, "floor", "matt", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(20, 1, 20))));
         // So many balls of this radius take a tenth of the block, whatever their number.
         double radius = Math.cbrt(0.1 * WIDTH * WIDTH * HEIGHT / (Math.max(shapes - 1, 1) * 4 / 3.0 * Math.PI));
         for (int i = 1; i < shapes; i++) {
             Vec3 at = new Vec3(WIDTH * (random.nextDouble() - 0.5), radius + HEIGHT * random.nextDouble(),
                     WIDTH * (random.nextDouble() - 0.5));
-            nodes.add(new Shape.Sphere("ball" + i, i % 2 == 0 ? "mirror" : "matt", new Placement(at, Vec3.ZERO, Vec3.ONE.times(radius))));
+            nodes.add(new Shape(Solid.SPHERE, "ball" + i, i % 2 == 0 ? "mirror" : "matt",
+                    new Placement(at, Vec3.ZERO, Vec3.ONE.times(radius))));
         }
         List<Light> shining = new ArrayList<>();
         for (int i = 0; i < lights; i++) {
@@ -57,11 +58,12 @@ final class GeneratedScenes {
     private static Light light(int i, int lights, Random random) {
         LightType type = List.of(LightType.POINT, LightType.DIRECTIONAL, LightType.SPOT).get(i % 3);
         Vec3 at = new Vec3(10 * (random.nextDouble() - 0.5), 4 + 4 * random.nextDouble(), 10 * (random.nextDouble() - 0.3));
-        return new Light("light" + i, type, Rgb.WHITE, 2.0 / lights, at, new Vec3(0, 1, 0).minus(at), new Attenuation(0.5, 0.05, 0.01),
-                30, 2, true, false);
+        return Light.of("light" + i, type).withIntensity(2.0 / lights).withPosition(at).withDirection(new Vec3(0, 1, 0).minus(at))
+                .withAttenuation(new Attenuation(0.5, 0.05, 0.01)).withDropoff(2);
     }
 
     private static Material material(String name, Rgb reflective) {
-        return new Material(name, Rgb.grey(0.1), Rgb.grey(0.7), Rgb.grey(0.2), 16, reflective, Optional.empty());
+        return Material.of(name).withAmbient(Rgb.grey(0.1)).withDiffuse(Rgb.grey(0.7)).withSpecular(Rgb.grey(0.2))
+                .withReflective(reflective);
     }
 }

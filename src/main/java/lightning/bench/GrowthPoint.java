@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param at        how many pixels, lights, shapes or mirror bounces
  * @param fullTrace the traditional trace
- * @param edits     each kind of edit at level exact, mirrors stale
+ * @param edits     each kind of edit at grade exact, mirrors stale
  */
 public record GrowthPoint(long at, Samples fullTrace, List<EditTime> edits) {
     public GrowthPoint {

@@ -129,6 +129,9 @@ public final class Harness {
             if (settings.peers()) {
                 PovPeer.find().ifPresent(peer -> parts.add(peer.part(settings, ledger, page, scene, size, pace)));
             }
+            if (settings.processes() > 0 && scene.file() != null) {
+                parts.add(new ColdBench(settings, ledger).part(page, scene, size, pace));
+            }
             groups.add(new Group(parts, bench));
         }
     }

@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import lightning.accuracy.FirstPassCost;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
 
 /** What was measured until now. */
 final class Ledger {
@@ -18,6 +18,7 @@ final class Ledger {
         private FirstPassCost firstPass;
         private String before;
         private Peer peer;
+        private Cold cold;
 
         private Page(NamedScene scene, PictureSize size) {
             this.scene = scene;
@@ -45,17 +46,21 @@ final class Ledger {
             peer = v;
         }
 
+        void cold(Cold v) {
+            cold = v;
+        }
+
         private SceneResult result() {
             return new SceneResult(scene.name(), size.width(), size.height(), scene.scene().picture().depth(),
                     scene.scene().stage().shapeCount(), scene.scene().lights().size(), before,
                     firstPass == null ? null : FirstPass.of(firstPass, size.pixels(), averageSavedMs()), edits, effects,
-                    peer);
+                    peer, cold);
         }
 
-        /** What an edit of level exact saves, the average of all. */
+        /** What an edit of grade exact saves, the average of all. */
         private double averageSavedMs() {
             return edits.stream().flatMap(edit -> edit.values().stream()).mapToDouble(value -> value.rungs().getLast().time().median()
-                    - value.rungs().get(Level.EXACT.ordinal()).time().median()).average().orElse(0);
+                    - value.rungs().get(Grade.EXACT.ordinal()).time().median()).average().orElse(0);
         }
     }
 

@@ -1,8 +1,9 @@
 package lightning.bench;
 
 import lightning.effects.Effect;
+import lightning.engine.choice.Engines;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.scene.Scene;
-import lightning.shading.TraditionalTracer;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
@@ -24,7 +25,7 @@ record Pace(double msPerPixel) {
     private static final double WARM_UPS = 3;
     /** One round of a ladder in full traces: the trace, and re-renders of all kinds. */
     private static final double LADDER_ROUND = 1.5;
-    /** Comparing the levels with their oracles, in full traces. */
+    /** Comparing the grades with their oracles, in full traces. */
     private static final double LADDER_CHECK = 6;
     /** What a ladder takes however small its pictures are, milliseconds: code that is met for the first time, files. */
     private static final double LADDER_LEAST_MS = 120;
@@ -39,7 +40,7 @@ record Pace(double msPerPixel) {
      * @param leastMs for how long at least, milliseconds: the compiler takes its time
      */
     static Pace of(Scene scene, Workers workers, double leastMs, Progress progress) {
-        var tracer = new TraditionalTracer(SMALL.of(scene));
+        var tracer = new TraditionalTracer(SMALL.of(scene)).by(Engines.FASTEST);
         double best = Double.POSITIVE_INFINITY;
         long start = System.nanoTime();
         double ran;

@@ -4,19 +4,19 @@ import java.io.IOException;
 import java.util.Optional;
 import lightning.accuracy.SavingMeter;
 import lightning.accuracy.TurnTimes;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
 import lightning.pov.PovRay;
 import lightning.pov.PovScene;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
-import lightning.shading.TraditionalTracer;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
 /** Measures POV-Ray beside our full trace, and compares what the two see. */
 final class PovPeer {
-    private static final String PROGRAM = "POV-Ray 3.7";
+    static final String PROGRAM = "POV-Ray 3.7";
     private static final String MEASURE = "pixels that show the same shape (or background), each shape in a flat colour of its own";
     private static final int REPETITIONS = 3;
     /** Warming up, starting the program, and the picture of flat colours, as traces. */

@@ -1,12 +1,14 @@
 package lightning.bench;
 
+import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.Objects;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
 import lightning.accuracy.PictureError;
 
 /**
- * One level of accuracy for one edit.
+ * One grade of accuracy for one edit.
  *
+ * @param grade      in files of results it is called a level
  * @param saving     percent of the full trace's time; negative where it takes longer
  * @param error      how far its picture is from the full trace
  * @param work       what it did; null for the full trace
@@ -14,10 +16,11 @@ import lightning.accuracy.PictureError;
  * @param difference the file of the false-colour picture of its difference to the full trace; null where none was
  *                   written or there is none
  */
-public record RungResult(Level level, Samples time, double saving, PictureError error, Work work, String picture, String difference) {
+public record RungResult(@JsonProperty("level") Grade grade, Samples time, double saving, PictureError error, Work work, String picture,
+        String difference) {
     public RungResult {
         // Results that are read may lack anything, and would be missed only after all was measured.
-        Objects.requireNonNull(level, "a level is missing");
+        Objects.requireNonNull(grade, "a level is missing");
         Objects.requireNonNull(time, "a time is missing");
         Objects.requireNonNull(error, "an error is missing");
     }

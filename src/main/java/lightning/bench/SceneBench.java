@@ -9,9 +9,9 @@ import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import lightning.accuracy.EffectCost;
 import lightning.accuracy.EffectCosts;
+import lightning.accuracy.Grade;
 import lightning.accuracy.Ladder;
 import lightning.accuracy.LadderMeter;
-import lightning.accuracy.Level;
 import lightning.accuracy.PaperCase;
 import lightning.accuracy.PaperCases;
 import lightning.accuracy.Rung;
@@ -125,30 +125,30 @@ final class SceneBench implements AutoCloseable {
     }
 
     private static double average(List<ValueResult> values, ToDoubleFunction<RungResult> what) {
-        return values.stream().mapToDouble(value -> what.applyAsDouble(value.rungs().get(Level.EXACT.ordinal()))).average()
+        return values.stream().mapToDouble(value -> what.applyAsDouble(value.rungs().get(Grade.EXACT.ordinal()))).average()
                 .orElse(Double.NaN);
     }
 
     /** @param picture how the names of its pictures begin, or null where none are written */
     private List<RungResult> rungs(Ladder ladder, String picture) throws IOException {
-        Rung full = ladder.rung(Level.FULL_TRACE);
+        Rung full = ladder.rung(Grade.FULL_TRACE);
         double fullMs = full.time().median();
         String reference = picture == null || pictures == null ? null : pictures.picture(picture + "-full", full.film());
         List<RungResult> results = new ArrayList<>();
         for (Rung rung : ladder.rungs()) {
             Work work = rung.update() == null ? null
                     : Work.of(rung.update(), rung.time().median(), fullMs, ladder.fullRays(), bytesPerMs);
-            String level = picture + "-" + rung.level().name().toLowerCase(Locale.ROOT).replace('_', '-');
-            results.add(new RungResult(rung.level(), Samples.of(rung.time()), ladder.saving(rung.level()), rung.error(), work,
-                    reference == null ? null : shown(level, rung.film(), full.film(), reference),
-                    reference == null ? null : pictures.difference(level + "-difference", rung.film(), full.film())));
+            String grade = picture + "-" + rung.grade().name().toLowerCase(Locale.ROOT).replace('_', '-');
+            results.add(new RungResult(rung.grade(), Samples.of(rung.time()), ladder.saving(rung.grade()), rung.error(), work,
+                    reference == null ? null : shown(grade, rung.film(), full.film(), reference),
+                    reference == null ? null : pictures.difference(grade + "-difference", rung.film(), full.film())));
         }
         return results;
     }
 
     /** A picture equal to the reference needs no file of its own. */
-    private String shown(String level, Film film, Film full, String reference) throws IOException {
-        return film.sameBits(full) ? reference : pictures.picture(level, film);
+    private String shown(String grade, Film film, Film full, String reference) throws IOException {
+        return film.sameBits(full) ? reference : pictures.picture(grade, film);
     }
 
     @Override

@@ -14,9 +14,10 @@ import java.util.List;
  * @param edits     in the paper's order
  * @param effects   what each effect takes, and what the absence of others saves; empty where it was not measured
  * @param peer      the same trace by another program; null where there is none
+ * @param cold      the picture by processes that have just begun; null where it was not measured
  */
 public record SceneResult(String scene, int width, int height, int depth, int shapes, int lights, String before,
-        FirstPass firstPass, List<EditResult> edits, List<EffectResult> effects, Peer peer) {
+        FirstPass firstPass, List<EditResult> edits, List<EffectResult> effects, Peer peer, Cold cold) {
     public SceneResult {
         edits = List.copyOf(edits);
         effects = List.copyOf(effects);

@@ -5,8 +5,8 @@ import java.util.List;
 /**
  * One edit with one value.
  *
- * @param value what was changed to what, as in {@code sun.color = 1 0 0}
- * @param rungs one for each level of accuracy, from the roughest to the full trace
+ * @param value what was changed to what, as in {@code sun: color 1 1 1 → 1 0 0}
+ * @param rungs one for each grade of accuracy, from the roughest to the full trace
  */
 public record ValueResult(String value, List<RungResult> rungs) {
     public ValueResult {

@@ -4,40 +4,39 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.image.Film;
 import lightning.scene.Scene;
-import lightning.shading.Sight;
+import lightning.shading.SeenScenes;
 import lightning.trace.Geometry;
 
 /**
  * Everything kept of a picture, and which scene it shows.
  *
  * <p>The first level and the mirror levels may show different scenes, because reflections are updated
- * on demand (paper §4.8). A layer may be older than its scene where its light does not shine: the
- * stamps tell for which light each layer was computed.
+ * on demand (paper §4.8). A layer may be older than its scene where its light does not shine: each
+ * light tells what its layers were computed for.
  */
 public final class PixelCache {
     private final Geometry geometry;
     private final CachedTile[] tiles;
     private final FineTile[] fine;
-    private final Sight sight;
-    private final LayerStamp[] stamps;
-    private final LayerStamp[] mirroredStamps;
+    private final SeenScenes scenes;
+    private final List<KnownLight> lights;
+    private final List<KnownLight> mirroredLights;
 
     /**
      * @param tiles          the pixels' centres; none where all pixels have several samples
      * @param fine           finer samples of each tile; none without anti-aliasing
-     * @param sight          what the film and the first level show, and what the mirror levels and Cr show
-     * @param stamps         for each light of the scene the light that its layer was computed for,
-     *                       null where there is no layer
-     * @param mirroredStamps the same for the mirrored scene
+     * @param scenes          what the film and the first level show, and what the mirror levels and Cr show
+     * @param lights         all lights of the scene, in its order
+     * @param mirroredLights the same of the mirrored scene
      */
-    public PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fine, Sight sight, LayerStamp[] stamps,
-            LayerStamp[] mirroredStamps) {
+    public PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fine, SeenScenes scenes, List<KnownLight> lights,
+            List<KnownLight> mirroredLights) {
         this.geometry = geometry;
         this.tiles = tiles;
         this.fine = fine;
-        this.sight = sight;
-        this.stamps = stamps;
-        this.mirroredStamps = mirroredStamps;
+        this.scenes = scenes;
+        this.lights = List.copyOf(lights);
+        this.mirroredLights = List.copyOf(mirroredLights);
     }
 
     /** With the materials of the first level. */
@@ -47,7 +46,7 @@ public final class PixelCache {
 
     /** The same shapes with the materials that mirrors show. */
     public Geometry mirroredGeometry() {
-        return geometry.of(sight.mirrored());
+        return geometry.of(scenes.mirrored());
     }
 
     /** How many tiles of pixels' centres there are: none where all pixels have several samples. */
@@ -87,37 +86,27 @@ public final class PixelCache {
 
     /** What the film shows. */
     public Scene scene() {
-        return sight.scene();
+        return scenes.scene();
     }
 
     /** What mirrors show. */
     public Scene mirroredScene() {
-        return sight.mirrored();
+        return scenes.mirrored();
     }
 
     /** What the film and the mirrors show. */
-    public Sight sight() {
-        return sight;
+    public SeenScenes scenes() {
+        return scenes;
     }
 
-    /** The light that layer {@code l} of the first level was computed for, or null. */
-    public LayerStamp stamp(int l) {
-        return stamps[l];
+    /** The lights of the scene, in its order, and what their layers of the first level were computed for. */
+    public List<KnownLight> lights() {
+        return lights;
     }
 
-    /** The light that layer {@code l} of the mirror levels was computed for, or null. */
-    public LayerStamp mirroredStamp(int l) {
-        return mirroredStamps[l];
-    }
-
-    /** The stamps of all layers of the first level. */
-    public LayerStamp[] stamps() {
-        return stamps.clone();
-    }
-
-    /** The stamps of all layers of the mirror levels. */
-    public LayerStamp[] mirroredStamps() {
-        return mirroredStamps.clone();
+    /** The lights of the mirrored scene, in its order, and what their layers of the mirror levels were computed for. */
+    public List<KnownLight> mirroredLights() {
+        return mirroredLights;
     }
 
     /** The picture, over the tiles' own arrays. */

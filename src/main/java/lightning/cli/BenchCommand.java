@@ -28,14 +28,15 @@ import picocli.CommandLine.Spec;
 /** Measures what re-rendering saves and what accuracy costs. */
 @Command(name = "bench", header = "Measure what re-rendering saves, and what accuracy costs in time.", abbreviateSynopsis = true,
         description = {
-            "Makes the paper's edits, and a few more, on every scene, each with three values, at each level of accuracy, from",
+            "Makes the paper's edits, and a few more, on every scene, each with three values, at each grade of accuracy, from",
             "half the resolution to the full trace, and measures time and error of each. Also measures the first pass, how times",
             "grow with pixels, lights, shapes and mirror bounces, how errors drift over 10 000 edits, the bandwidth of memory, and",
-            "POV-Ray where it is installed. Works are measured in turns; no picture is timed before it was compared.",
+            "POV-Ray where it is installed, and whole processes that begin cold. Works are measured in turns; no picture is timed",
+            "before it was compared.",
             "",
             "Writes report.html (a page with charts and pictures, which needs no network), results.json (everything, with every",
             "sample), results.csv (a row for each measurement) and pictures into the folder. A run that is cancelled keeps what it",
-            "has. The exit code is 1 if a picture was not what its level promises, or something became worse than the baseline; 2 if",
+            "has. The exit code is 1 if a picture was not what its grade promises, or something became worse than the baseline; 2 if",
             "a scene could not be read (the others are measured)."},
         footer = {
             "Examples:",
@@ -44,6 +45,7 @@ import picocli.CommandLine.Spec;
             "  lightning bench -o new --baseline old/results.json"})
 final class BenchCommand implements Callable<Integer> {
     private static final double MINUTE = 60;
+    private static final int MOST_PROCESSES = 1000;
 
     private final Console console;
     /** What makes a page of the results. */
@@ -60,6 +62,9 @@ final class BenchCommand implements Callable<Integer> {
     private boolean quick;
     @Option(names = "--effects", description = "What each effect of the scenes takes, and nothing else but the first pass.")
     private boolean effects;
+    @Option(names = "--cold", description = {"Whole processes that begin cold, in turns with POV-Ray's where it is installed, and nothing",
+        "else but the first pass."})
+    private boolean cold;
     @Option(names = "--size", paramLabel = "WxH", converter = Size.Converter.class,
             description = "Pixels, more than once for several sizes; 300x300 and 1920x1080 without it.")
     private List<Size> sizes = List.of();
@@ -73,6 +78,16 @@ final class BenchCommand implements Callable<Integer> {
     private ThreadsOption threads;
     private int figure;
     private Integer repetitions;
+    private Integer processes;
+
+    @Option(names = "--processes", paramLabel = "N",
+            description = "How many processes that begin cold render each picture; 10 without it, 0 with --quick.")
+    private void setProcesses(int value) {
+        if (value < 0 || value > MOST_PROCESSES) {
+            throw new ParameterException(command.commandLine(), "--processes must be from 0 to " + MOST_PROCESSES + ", was " + value);
+        }
+        processes = value;
+    }
 
     @Option(names = "--figure", paramLabel = "N",
             description = "The edits of one of the paper's figures alone, on bird where no scene is named.")
@@ -118,6 +133,12 @@ final class BenchCommand implements Callable<Integer> {
         }
         if (effects) {
             settings = settings.effectsAlone();
+        }
+        if (cold) {
+            settings = settings.coldAlone();
+        }
+        if (processes != null) {
+            settings = settings.withProcesses(processes);
         }
         return repetitions == null ? settings : settings.withRepetitions(repetitions);
     }

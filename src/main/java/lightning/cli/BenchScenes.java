@@ -35,7 +35,7 @@ record BenchScenes(List<NamedScene> scenes, List<Failure> problems) {
         Set<String> names = new HashSet<>();
         for (Path file : files.isEmpty() ? own(one) : files) {
             try {
-                scenes.add(new NamedScene(name(file, names), JenReader.read(file).scene()));
+                scenes.add(new NamedScene(name(file, names), JenReader.read(file).scene(), file));
             } catch (JenException e) {
                 problems.add(unread(file, e.problems().stream().map(Object::toString).collect(Collectors.joining("\n"))));
             } catch (IOException e) {

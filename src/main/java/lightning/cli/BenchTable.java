@@ -4,7 +4,7 @@ import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
 import lightning.bench.DriftPoint;
 import lightning.bench.EditResult;
 import lightning.bench.FirstPass;
@@ -51,23 +51,23 @@ final class BenchTable {
     }
 
     private void row(EditResult edit) {
-        console.line(COLUMNS, edit.edit(), ms(edit, Level.FULL_TRACE), number(edit.saving(), 1), number(edit.paperSaving(), 0),
-                number(edit.cap(), 1), ms(edit, Level.HALF_RESOLUTION), ms(edit, Level.FAST_SHADING), ms(edit, Level.RATIO),
-                ms(edit, Level.EXACT), ms(edit, Level.EXACT_UPDATED), ms(edit, Level.EXACT_CURRENT),
-                flip(edit, Level.HALF_RESOLUTION), flip(edit, Level.FAST_SHADING));
+        console.line(COLUMNS, edit.edit(), ms(edit, Grade.FULL_TRACE), number(edit.saving(), 1), number(edit.paperSaving(), 0),
+                number(edit.cap(), 1), ms(edit, Grade.HALF_RESOLUTION), ms(edit, Grade.FAST_SHADING), ms(edit, Grade.RATIO),
+                ms(edit, Grade.EXACT), ms(edit, Grade.EXACT_UPDATED), ms(edit, Grade.EXACT_CURRENT),
+                flip(edit, Grade.HALF_RESOLUTION), flip(edit, Grade.FAST_SHADING));
     }
 
-    private static String flip(EditResult edit, Level level) {
-        return number(average(edit, rung -> rung.error().flip(), level), 3);
+    private static String flip(EditResult edit, Grade grade) {
+        return number(average(edit, rung -> rung.error().flip(), grade), 3);
     }
 
     /** The average over all values of the medians. */
-    private static String ms(EditResult edit, Level level) {
-        return number(average(edit, rung -> rung.time().median(), level), 2);
+    private static String ms(EditResult edit, Grade grade) {
+        return number(average(edit, rung -> rung.time().median(), grade), 2);
     }
 
-    private static double average(EditResult edit, ToDoubleFunction<RungResult> what, Level level) {
-        return edit.values().stream().mapToDouble(value -> what.applyAsDouble(value.rungs().get(level.ordinal()))).average()
+    private static double average(EditResult edit, ToDoubleFunction<RungResult> what, Grade grade) {
+        return edit.values().stream().mapToDouble(value -> what.applyAsDouble(value.rungs().get(grade.ordinal()))).average()
                 .orElse(Double.NaN);
     }
 
@@ -78,14 +78,22 @@ final class BenchTable {
     /** Says what all of it means, and what is not in the table. */
     void foot(Results results) {
         console.line("");
-        console.line("saves: level exact, of a full trace's time; paper: on its own scene and machine of 1998;");
-        console.line("cap: what ray counts and memory allow; then milliseconds of each level, and the mean FLIP error (0 to 1) of the"
+        console.line("saves: grade exact, of a full trace's time; paper: on its own scene and machine of 1998;");
+        console.line("cap: what ray counts and memory allow; then milliseconds of each grade, and the mean FLIP error (0 to 1) of the"
                 + " two roughest");
         for (SceneResult scene : results.scenes()) {
             if (scene.peer() != null) {
                 console.line("%s at %d x %d: %.1f times as fast as %s; %.2f %% of the pixels show the same shape", scene.scene(),
                         scene.width(),
                         scene.height(), scene.peer().ratio(), scene.peer().program(), 100 * scene.peer().agreement());
+            }
+        }
+        for (SceneResult scene : results.scenes()) {
+            if (scene.cold() != null) {
+                console.line("%s at %d x %d, from cold: %.2f s%s", scene.scene(), scene.width(), scene.height(),
+                        scene.cold().process().median() / 1e3, scene.cold().rival() == null ? ""
+                                : Console.text(", %s %.2f s", scene.cold().rival().program(),
+                                        scene.cold().rival().process().median() / 1e3));
             }
         }
         results.drift().forEach(drift -> drift.points().stream().reduce((_, last) -> last).ifPresent(last -> drift.points().stream()
@@ -96,7 +104,7 @@ final class BenchTable {
     }
 
     private static String drift(DriftPoint point) {
-        return Console.text("after %d edits, level %s: %d values differ, by at most %.2g of %.2g allowed", point.edits(),
+        return Console.text("after %d edits, grade %s: %d values differ, by at most %.2g of %.2g allowed", point.edits(),
                 point.accuracy().name().toLowerCase(Locale.ROOT), point.error().values(), point.error().maxAbsolute(), point.bound());
     }
 }

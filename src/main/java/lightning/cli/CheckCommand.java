@@ -9,7 +9,6 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.scene.Light;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
@@ -35,7 +34,7 @@ final class CheckCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         Scene scene = input.read().scene();
         List<String> parts = new ArrayList<>();
-        parts.add(counted("shape", scene.placedShapes().stream().map(s -> kind(s.shape()))));
+        parts.add(counted("shape", scene.placedShapes().stream().map(s -> s.shape().solid().noun())));
         parts.add(counted("light", scene.lights().stream().map(CheckCommand::kind)));
         parts.add(number(scene.materials().size(), "material"));
         parts.add(number(scene.materials().stream().flatMap(m -> m.texture().stream()).map(t -> t.file()).distinct().count(), "texture"));
@@ -54,15 +53,6 @@ final class CheckCommand implements Callable<Integer> {
 
     private static String number(long count, String noun) {
         return count + " " + noun + (count == 1 ? "" : "s");
-    }
-
-    private static String kind(Shape shape) {
-        return switch (shape) {
-            case Shape.Sphere _ -> "sphere";
-            case Shape.Cone _ -> "cone";
-            case Shape.Cylinder _ -> "cylinder";
-            case Shape.Plane _ -> "plane";
-        };
     }
 
     private static String kind(Light light) {

@@ -40,26 +40,22 @@ record ColumnBytes(long rows, long layerRows, long geometry, long textures, long
         for (CachedTile tile : cache.all()) {
             for (TileLevel level : tile.levels) {
                 HitRows rows = level.rows();
-                long texture = rows.texelRed == null ? 0 : COLOR * rows.texelRed.length;
+                long texture = rows.bytes(HitRows.Part.TEXEL);
                 textures += texture;
                 geometry += rows.bytes() - texture;
                 levels += level.bytes();
                 for (LightLayer layer : level.layers()) {
                     if (layer instanceof LightRows l) {
                         layerRows += rows.count;
-                        states += l.stateBytes();
-                        cosines += bytes(l.cosine);
-                        speculars += bytes(l.specular);
-                        falloffs += bytes(l.falloff);
+                        states += l.bytes(LightRows.Column.STATE);
+                        cosines += l.bytes(LightRows.Column.COSINE);
+                        speculars += l.bytes(LightRows.Column.SPECULAR);
+                        falloffs += l.bytes(LightRows.Column.FALLOFF);
                     }
                 }
             }
         }
         return new ColumnBytes(cache.rowCount(), layerRows, geometry, textures, cache.bytes() - levels, states, cosines, speculars,
                 falloffs, cache.bytes());
-    }
-
-    private static long bytes(float[] column) {
-        return column == null ? 0 : TERM * column.length;
     }
 }

@@ -3,8 +3,9 @@ package lightning.cli;
 import java.util.concurrent.Callable;
 import lightning.image.ViewTransform;
 import lightning.math.Vec3;
-import lightning.scene.PlacedShape;
+import lightning.scene.Material;
 import lightning.scene.Scene;
+import lightning.scene.Shape;
 import lightning.shading.LightReport;
 import lightning.shading.PixelExplainer;
 import lightning.shading.PointReport;
@@ -66,12 +67,13 @@ final class ExplainCommand implements Callable<Integer> {
         }
         SurfacePoint at = report.at();
         var geometry = explainer.geometry();
-        PlacedShape shape = geometry.shape(at.shape());
+        Shape shape = geometry.shape(at.primitive());
+        Material material = geometry.material(at.primitive());
         Vec3 point = geometry.toScene(new Vec3(at.px(), at.py(), at.pz()));
-        console.line("%s%s of material %s", indent, shape.shape().name(), shape.material().name());
+        console.line("%s%s of material %s", indent, shape.name(), material.name());
         console.line("%s  at %.6g %.6g %.6g, normal %.6g %.6g %.6g", indent, point.x(), point.y(), point.z(), at.nx(), at.ny(), at.nz());
         double all = total(report.color());
-        var parts = new PointParts(shape.material(), at);
+        var parts = new PointParts(material, at);
         console.line("%s  %-12s adds %s %s", indent, "ambient", rgb(report.ambient()), share(report.ambient(), all));
         for (LightReport light : report.lights()) {
             float[] added = parts.of(light);
@@ -93,7 +95,7 @@ final class ExplainCommand implements Callable<Integer> {
             case DARK -> "off";
             case AWAY -> Console.text("facing away, cosine %.6g", light.cosine());
             case OUTSIDE -> Console.text("outside the cone, cosine %.6g", light.cosine());
-            case SHADOWED -> Console.text("shadowed by %s, cosine %.6g", explainer.geometry().shape(light.blocker()).shape().name(),
+            case SHADOWED -> Console.text("shadowed by %s, cosine %.6g", explainer.geometry().shape(light.blocker()).name(),
                     light.cosine());
             case LIT -> Console.text("lit, cosine %.6g, specular %.6g, falloff %.6g", light.cosine(), light.specular(), light.falloff());
         };

@@ -58,7 +58,7 @@ final class RelightCommand implements Callable<Integer> {
     private ThreadsOption threads;
     @ArgGroup(exclusive = true, multiplicity = "1..*", heading = "Edits:%n")
     private List<EditStep> steps;
-    @Option(names = "--accuracy", paramLabel = "LEVEL", defaultValue = "exact",
+    @Option(names = "--accuracy", paramLabel = "ACCURACY", defaultValue = "exact",
             description = "exact (equal to a full trace in every bit) or ratio (the paper's method, with an error bound).")
     private Accuracy accuracy;
     @Mixin

@@ -1,13 +1,14 @@
 package lightning.cli;
 
 import java.util.concurrent.Callable;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
 import lightning.relight.MemoryNeed;
 import lightning.relight.Renderer;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
 import lightning.shading.TraceCounts;
-import lightning.shading.TraditionalTracer;
+import lightning.warmup.LateWarmUp;
 import lightning.work.Workers;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -55,7 +56,8 @@ final class RenderCommand implements Callable<Integer> {
 
     private void traceTraditionally(Scene scene) throws Exception {
         MemoryNeed.checkFilm(scene.picture(), output.memory(scene));
-        try (Workers workers = new Workers(threads.count()); ProgressBar bar = new ProgressBar(console, "tracing")) {
+        try (var _ = new LateWarmUp(scene); Workers workers = new Workers(threads.count());
+                ProgressBar bar = new ProgressBar(console, "tracing")) {
             long start = System.nanoTime();
             TraditionalTracer.Result result = new TraditionalTracer(scene).trace(workers, bar);
             write(scene, result.film(), "traditional trace", (System.nanoTime() - start) / 1e6, result.rays());
@@ -63,7 +65,8 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void firstPass(Scene scene) throws Exception {
-        try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(threads.count()).withMemory(output.memory(scene)));
+        try (var _ = new LateWarmUp(scene);
+                Renderer renderer = new Renderer(Options.DEFAULT.withThreads(threads.count()).withMemory(output.memory(scene)));
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
             var update = renderer.render(scene, bar);
             write(scene, renderer.film(), "first pass", update.milliseconds(), update.rays());

@@ -1,6 +1,12 @@
 package lightning.cli;
 
+import java.lang.module.FindException;
+import java.lang.module.ModuleDescriptor;
+import java.lang.module.ModuleFinder;
+import java.lang.module.ModuleReference;
+import java.net.URISyntaxException;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
@@ -50,9 +56,18 @@ final class RootCommand implements Callable<Integer> {
     static final class Version implements IVersionProvider {
         @Override
         public String[] getVersion() {
-            var descriptor = Lightning.class.getModule().getDescriptor();
-            String number = descriptor == null ? "of a build" : descriptor.rawVersion().orElse("of a build");
+            String number = descriptor().flatMap(ModuleDescriptor::rawVersion).orElse("of a build");
             return new String[] {"Lightning " + number + " on Java " + Runtime.version()};
+        }
+
+        /** The program is a module wherever it lies, but on a class path runs as none. */
+        private static Optional<ModuleDescriptor> descriptor() {
+            try {
+                Path program = Path.of(Lightning.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+                return ModuleFinder.of(program).find("lightning").map(ModuleReference::descriptor);
+            } catch (URISyntaxException | FindException e) {
+                return Optional.empty();
+            }
         }
     }
 }

@@ -52,7 +52,7 @@ public final class Autosave implements AutoCloseable {
         if (waiting == null) {
             thread.schedule(this::write, delay.toMillis(), TimeUnit.MILLISECONDS);
         }
-        waiting = new Work(document.file(), document.saved(), document.scene());
+        waiting = new Work(document.file(), document.savedText(), document.scene());
         kept.add(document.file());
     }
 
@@ -61,6 +61,12 @@ public final class Autosave implements AutoCloseable {
         waiting = null;
         kept.forEach(file -> thread.execute(() -> attempt(() -> recovery.forget(file))));
         kept.clear();
+    }
+
+    /** Takes over what a crash left; see {@link Recovery#adopt}. */
+    public synchronized void adopt(Recovery.Found found) {
+        kept.add(found.file());
+        thread.execute(() -> attempt(() -> recovery.adopt(found)));
     }
 
     private void write() {

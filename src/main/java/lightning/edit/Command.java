@@ -1,19 +1,160 @@
 package lightning.edit;
 
+import java.util.Locale;
 import java.util.Optional;
-import lightning.scene.Limits;
-import lightning.scene.VisiblePart;
+import java.util.function.Function;
 
-/** What the buttons and menus do, and why one of them has nothing to do (paper §3.2 to §3.7). */
+/**
+ * Everything that an artist can ask for: its words, its key, and why it has nothing to do now (paper §3.2 to §3.7). All
+ * menus, and the buttons that do the same, are made of these; what one does says whoever can do it.
+ */
 public enum Command {
-    GO, UPDATE_REFLECTIONS, VERIFY, CANCEL,
-    UNDO, REDO, UNDO_LIGHT, REDO_LIGHT,
-    LOAD_FILE, RELOAD, SAVE_SCENE, SAVE_SCENE_AS, SAVE_IMAGE,
-    ADD_LIGHT, DELETE_LIGHT, DUPLICATE_LIGHT, RENAME_LIGHT, CHANGE_TYPE, SWITCH_ON, SOLO,
-    COPY_SETTINGS, PASTE_SETTINGS, AIM, LOOK_THROUGH_LIGHT, PICK_MATERIAL,
-    MAKE_ANIMATION;
+    LOAD_FILE("Load File…", "Open a scene", "mdi2f-folder-open-outline", "Shortcut+O", Obstacles.alone()),
+    LOAD_RECENT("Load Recent", "Open a scene that was open before", "mdi2h-history", "", Obstacles.alone()),
+    RELOAD("Reload", "Start over with the file as it is on disk", "mdi2r-reload", "Shortcut+R", Obstacles.alone(Obstacles::asOnDisk)),
+    SAVE_SCENE("Save Scene", "Write the scene to its file", "mdi2c-content-save-outline", "Shortcut+S", Obstacles.alone(Obstacles::saved)),
+    SAVE_SCENE_AS("Save Scene As…", "Write the scene to another file", "mdi2c-content-save-edit-outline", "Shortcut+Shift+S",
+            Obstacles.alone()),
+    SAVE_IMAGE("Save Image…", "Write the traced picture to a file", "mdi2i-image-outline", "Shortcut+E", Obstacles::noPicture),
+    QUIT("Quit", "Close the window; it asks about edits that are not saved", "mdi2e-exit-to-app", "Shortcut+Q", Obstacles.NONE),
 
-    private static final String NO_PICTURE = "there is no picture yet";
+    UNDO("Undo", "Take the last edit back", "mdi2u-undo", "Shortcut+Z", Obstacles.alone(Obstacles::nothingToUndo), Situation::undo),
+    REDO("Redo", "Do again what was undone", "mdi2r-redo", "Shortcut+Shift+Z", Obstacles.alone(Obstacles::nothingToRedo), Situation::redo),
+    UNDO_LIGHT("Undo Light", "Take back the last edit of the selected light alone", "mdi2u-undo-variant", "Shortcut+Alt+Z",
+            Obstacles.alone(Obstacles::nothingToUndoOfLight), Situation::undoLight),
+    REDO_LIGHT("Redo Light", "Do again what was undone of the selected light alone", "mdi2r-redo-variant", "Shortcut+Alt+Shift+Z",
+            Obstacles.alone(Obstacles::nothingToRedoOfLight), Situation::redoLight),
+    COPY_SETTINGS("Copy Settings", "Remember the selected light's settings", "mdi2c-content-copy", "Shortcut+Shift+C", Obstacles::noLight),
+    PASTE_SETTINGS("Paste Settings", "Give the selected light the settings that were copied", "mdi2c-content-paste", "Shortcut+Shift+V",
+            Obstacles.alone(Obstacles::nothingCopied)),
+    PICK_MATERIAL("Edit Material…",
+            "Pick a shape in the traced picture and edit its material; a right click on a shape offers it too",
+            "mdi2e-eyedropper", "Shortcut+Shift+M", Obstacles::noPicture),
+    EDIT_MATERIAL("Edit Material of Shape", "Edit the material of the shape under the mouse", "mdi2p-palette-outline", "", Obstacles.NONE),
+    CHOOSE_TEXTURE("Choose Texture", "Give the material a picture that lies beside the scene", "mdi2i-image-plus", "", Obstacles.NONE),
+
+    ADD_LIGHT("Add Light", "Add a light to the scene", "mdi2l-lightbulb-on-outline", "Shortcut+L", Obstacles.alone(Obstacles::noRoom)),
+    DUPLICATE_LIGHT("Duplicate Light", "Add a light like the selected one", "mdi2c-content-duplicate", "Shortcut+D",
+            Obstacles.alone(Obstacles::noLightOrNoRoom)),
+    DELETE_LIGHT("Delete Light", "Take the selected light out of the scene", "mdi2t-trash-can-outline", "Shortcut+Delete",
+            Obstacles.alone(Obstacles::noLight)),
+    RENAME_LIGHT("Rename Light", "Give the selected light another name", "mdi2r-rename-box", "F2", Obstacles.alone(Obstacles::noLight)),
+    CHANGE_TYPE("Change Type", "Make the selected light a point, spot or directional light", "mdi2s-shape-outline", "",
+            Obstacles.alone(Obstacles::noLight)),
+    SWITCH_ON("Light On or Off", "Switch the selected light", "mdi2p-power", "Shortcut+Shift+H", Obstacles.alone(Obstacles::noLight)),
+    SOLO("Solo", "Let the selected light shine alone", "mdi2a-alpha-s-box-outline", "Shortcut+Shift+L",
+            Obstacles.alone(Obstacles::noLight)),
+    LOOK_THROUGH_LIGHT("Look Through Light", "See the preview as the selected light does, and again as before", "mdi2e-eye-outline",
+            "Shortcut+Shift+T", Obstacles::noLight),
+    AIM("Aim…", "Turn the selected light to a point picked in the traced picture", "mdi2c-crosshairs-gps", "Shortcut+T",
+            Obstacles.alone(Obstacles::noDirection)),
+    PLACE_HIGHLIGHT("Place Highlight…", "Move the selected light so that its highlight lies where you click", "mdi2f-flare",
+            "Shortcut+Shift+G", Obstacles.alone(Obstacles::noLight)),
+    PLACE_SHADOW("Place Shadow…", "Move the selected light so that the shadow of one point falls on another", "mdi2b-box-shadow",
+            "Shortcut+Shift+D", Obstacles.alone(Obstacles::noLight)),
+    MAKE_ANIMATION("Make Animation…", "Record and play the way of the selected light", "mdi2m-movie-open-outline", "Shortcut+M",
+            Obstacles.alone(Obstacles::nothingToAnimate)),
+
+    GO("Go", "Render the edits into the traced picture", "mdi2p-play", "F5", Obstacles::nothingToRender),
+    LIVE("Live", "Render edits while they are made, without Go", "mdi2f-flash", "F8", Obstacles.NONE),
+    UPDATE_REFLECTIONS("Update Reflections", "Make the mirrors show the lights that the picture shows", "mdi2m-mirror", "F6",
+            Obstacles::mirrorsAreCurrent),
+    VERIFY("Verify", "Trace the picture in full in the background and compare", "mdi2c-check-decagram-outline", "F7", Obstacles::noPicture),
+    CANCEL("Cancel", "Stop what is being rendered, verified or read", "mdi2s-stop", "Esc", Obstacles::nothingRuns),
+    ACCURACY_PANEL("What Accuracy Costs…", "Each grade's time and error for the edit made last", "mdi2c-chart-scatter-plot", "F9",
+            Obstacles.NONE),
+    EFFECTS_PANEL("Effects…", "What the scene calls for, and who calls for it; hide an effect from the view", "mdi2l-layers-outline",
+            "Shift+F9", Obstacles.NONE),
+    ACCURACY("Accuracy", "How exact the picture is after an edit", "mdi2t-target", "", Obstacles.NONE),
+    PICTURE_SIZE("Size of the Picture", "How many pixels are traced; another size traces the picture anew", "mdi2r-resize", "",
+            Obstacles.NONE),
+    ANTIALIAS("Anti-Aliasing", "Which pixels are the mean of several samples", "mdi2b-blur", "", Obstacles.NONE),
+    SAMPLES("Samples in a Pixel", "How many samples such a pixel has", "mdi2g-grid", "", Obstacles::oneSample),
+
+    ONLY_SELECTED("Only the Selected Light", "Show what it gives to the picture, in mirrors too: no ambience, no background",
+            "mdi2f-filter-outline", "Shortcut+I", Obstacles.NONE),
+    CURVE("Display Curve", "How light becomes brightness on the screen", "mdi2c-chart-bell-curve", "", Obstacles.NONE),
+    SHADOWS("Shadows", "Show shadows in the traced picture", "mdi2b-box-shadow", "", Obstacles.NONE),
+    REFLECTIONS("Reflections", "Show mirrors in the traced picture", "mdi2m-mirror", "", Obstacles.NONE),
+    LIT_TEXTURES("Light on Textures", "Let lights fall on textures; else they glow, as in 1998", "mdi2t-texture", "", Obstacles.NONE),
+    TRACED_FIT("Fit Picture", "The whole picture. The wheel zooms, the middle button moves", "mdi2f-fit-to-page-outline", "Shortcut+0",
+            Obstacles.NONE),
+    TRACED_ONE_TO_ONE("Actual Pixels", "One pixel of the picture is one of the screen's", "mdi2n-numeric-1-box-outline", "Shortcut+1",
+            Obstacles.NONE),
+    TRACED_ZOOM_IN("Zoom In", "Show the picture larger", "mdi2m-magnify-plus-outline", "Shortcut+EQUALS", Obstacles.NONE),
+    TRACED_ZOOM_OUT("Zoom Out", "Show the picture smaller", "mdi2m-magnify-minus-outline", "Shortcut+MINUS", Obstacles.NONE),
+    REGION("Trace a Region", "Drag a frame in the picture; that part shows the edits that are not rendered yet", "mdi2s-selection-drag",
+            "Shortcut+B", Obstacles::notPlain),
+    VIEW_X("Preview Along X", "Along the x axis (X)", "mdi2a-axis-x-arrow", "Shortcut+F2", Obstacles.NONE),
+    VIEW_Y("Preview from Above", "From above, along the negative y axis (Y)", "mdi2a-axis-y-arrow", "Shortcut+F3", Obstacles.NONE),
+    VIEW_Z("Reset the Preview", "Reset: the scene's own camera (Z)", "mdi2a-axis-z-arrow", "Shortcut+F4", Obstacles.NONE),
+    VIEW_ALL("Show All Lights", "Go back until all lights are in view (A)", "mdi2a-arrow-expand-all", "Shortcut+F5", Obstacles.NONE),
+    PREVIEW_SIZE("Size of the Preview", "How large the preview is drawn", "mdi2r-resize", "", Obstacles.NONE),
+    HIDE_GIZMOS("Hide the Gizmos", "While the lights' gizmos are hidden (G), the mouse takes no light", "mdi2c-cone-off", "Shortcut+G",
+            Obstacles.NONE),
+    GIZMO_SIZE("Size of the Gizmos", "How large the lights' wireframes are drawn", "mdi2c-cone", "", Obstacles.NONE),
+    GLOWING_TEXTURES("Glowing Textures in the Preview, as in 1998", "Let textures glow in the preview, without light on them",
+            "mdi2t-texture", "", Obstacles.NONE),
+    LIGHT_THEME("Light Theme", "Windows for bright rooms", "mdi2w-white-balance-sunny", "", Obstacles.NONE),
+
+    KEYS("Mouse and Keyboard", "What mouse and keyboard do", "mdi2k-keyboard-outline", "F1", Obstacles.NONE),
+    ABOUT("About Lightning", "What the program is", "mdi2i-information-outline", "", Obstacles.NONE);
+
+    private final String title;
+    private final String help;
+    private final String icon;
+    private final String shortcut;
+    private final Function<Situation, Optional<String>> obstacle;
+    private final Function<Situation, Optional<String>> subject;
+
+    Command(String title, String help, String icon, String shortcut, Function<Situation, Optional<String>> obstacle) {
+        this(title, help, icon, shortcut, obstacle, _ -> Optional.empty());
+    }
+
+    Command(String title, String help, String icon, String shortcut, Function<Situation, Optional<String>> obstacle,
+            Function<Situation, Optional<String>> subject) {
+        this.title = title;
+        this.help = help;
+        this.icon = icon;
+        this.shortcut = shortcut;
+        this.obstacle = obstacle;
+        this.subject = subject;
+    }
+
+    /** As menus have it; it ends in … where something is asked first. */
+    public String title() {
+        return title;
+    }
+
+    /** The title, and what it would act on where that changes: {@code Undo (intensity of key)}. */
+    public String title(Situation s) {
+        return title + subject.apply(s).map(what -> " (" + what + ")").orElse("");
+    }
+
+    /** The title as buttons and tables have it, without the dots. */
+    public String plainTitle() {
+        return title.replace("…", "");
+    }
+
+    /** What it does, a sentence without a full stop. */
+    public String help() {
+        return help;
+    }
+
+    /** The icon's name in the set of Material Design. */
+    public String icon() {
+        return icon;
+    }
+
+    /** The key as the window toolkit reads it, {@code Shortcut+Shift+Z}; empty where there is none. */
+    public String shortcut() {
+        return shortcut;
+    }
+
+    /** How the parts of a window that show it are called: {@code go} for {@code GO}, {@code save-scene} for {@code SAVE_SCENE}. */
+    public String id() {
+        return name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
 
     /** Whether the command has something to do. */
     public boolean isEnabled(Situation s) {
@@ -22,74 +163,6 @@ public enum Command {
 
     /** Why the command is disabled: a clause without a full stop; empty if it is enabled. */
     public Optional<String> obstacle(Situation s) {
-        if (s.animating() && !runsBesideAnimation()) {
-            return Optional.of("an animation is open; close it first");
-        }
-        return switch (this) {
-            case GO -> go(s);
-            case UPDATE_REFLECTIONS -> reflections(s);
-            case VERIFY, PICK_MATERIAL -> s.rendered().isEmpty() ? Optional.of(NO_PICTURE) : Optional.empty();
-            case CANCEL -> unless(s.inWork().isPresent() || s.verifying(), "nothing is running");
-            case UNDO -> unless(s.undo().isPresent(), "there is nothing to undo");
-            case REDO -> unless(s.redo().isPresent(), "there is nothing to redo");
-            case UNDO_LIGHT -> ofLight(s, s.undoLight().isPresent(), "there is nothing to undo of this light");
-            case REDO_LIGHT -> ofLight(s, s.redoLight().isPresent(), "there is nothing to redo of this light");
-            case LOAD_FILE, SAVE_SCENE_AS -> Optional.empty();
-            case RELOAD -> unless(s.dirty() || s.changedOnDisk(), "the scene is as it is on disk");
-            case SAVE_SCENE -> unless(s.dirty(), "there is nothing to save");
-            case SAVE_IMAGE -> unless(s.rendered().isPresent(), NO_PICTURE);
-            case ADD_LIGHT -> room(s);
-            case DUPLICATE_LIGHT -> s.selected().isEmpty() ? noLight() : room(s);
-            case DELETE_LIGHT, RENAME_LIGHT, CHANGE_TYPE, SWITCH_ON, SOLO, COPY_SETTINGS, LOOK_THROUGH_LIGHT ->
-                    ofLight(s, true, "");
-            case PASTE_SETTINGS -> ofLight(s, s.copied().isPresent(), "no settings were copied");
-            case AIM -> s.type().map(Attribute.DIRECTION::obstacle).orElseGet(Command::noLight);
-            case MAKE_ANIMATION -> ofLight(s, !s.isPending(),
-                    s.rendered().isEmpty() ? NO_PICTURE : "the picture does not show the last edits; press Go first");
-        };
-    }
-
-    /** Whether it neither changes the document nor writes what an animation has changed for a while. */
-    private boolean runsBesideAnimation() {
-        return switch (this) {
-            case GO, UPDATE_REFLECTIONS, VERIFY, CANCEL, SAVE_IMAGE, COPY_SETTINGS, LOOK_THROUGH_LIGHT, PICK_MATERIAL -> true;
-            case UNDO, REDO, UNDO_LIGHT, REDO_LIGHT, LOAD_FILE, RELOAD, SAVE_SCENE, SAVE_SCENE_AS, ADD_LIGHT, DELETE_LIGHT,
-                    DUPLICATE_LIGHT, RENAME_LIGHT, CHANGE_TYPE, SWITCH_ON, SOLO, PASTE_SETTINGS, AIM, MAKE_ANIMATION -> false;
-        };
-    }
-
-    private static Optional<String> go(Situation s) {
-        if (!s.isPending()) {
-            return Optional.of("nothing was edited since the last Go");
-        }
-        boolean comes = s.inWork().filter(scene -> VisiblePart.same(scene, s.scene())).isPresent();
-        return comes ? Optional.of("the scene is being rendered") : Optional.empty();
-    }
-
-    private static Optional<String> reflections(Situation s) {
-        if (s.rendered().isEmpty() || s.mirrored().isEmpty()) {
-            return Optional.of(NO_PICTURE);
-        }
-        if (VisiblePart.same(s.rendered().get(), s.mirrored().get())) {
-            return Optional.of("the mirrors show the picture's lights already");
-        }
-        return unless(s.mirrorsRemark().isPresent(), "nothing in the picture mirrors");
-    }
-
-    private static Optional<String> room(Situation s) {
-        return unless(s.scene().lights().size() < Limits.MAX_LIGHTS,
-                "a scene has at most " + Limits.MAX_LIGHTS + " lights");
-    }
-
-    private static Optional<String> ofLight(Situation s, boolean possible, String obstacle) {
-        return s.selected().isEmpty() ? noLight() : unless(possible, obstacle);
-    }
-
-    private static Optional<String> noLight() {
-        return Optional.of("no light is selected");
-    }
-
-    private static Optional<String> unless(boolean possible, String obstacle) {
-        return possible ? Optional.empty() : Optional.of(obstacle);
+        return obstacle.apply(s);
     }
 }

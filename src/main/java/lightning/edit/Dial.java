@@ -1,12 +1,17 @@
 package lightning.edit;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import lightning.math.Rgb;
-import lightning.scene.Attenuation;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import lightning.scene.Attribute;
 import lightning.scene.Light;
-import lightning.scene.Limits;
+import lightning.scene.LightAttribute;
+import lightning.scene.Picture;
+import lightning.scene.Quantity;
 import lightning.scene.Scene;
+import lightning.scene.World;
 import lightning.text.Decimal;
 import lightning.text.Quote;
 
@@ -14,51 +19,95 @@ import lightning.text.Quote;
  * One number that an arrow widget or a slider of the property editor turns (paper §3.2, Figure 5): of the selected
  * light, or of the whole scene.
  */
-public enum Dial {
-    RED("red", 0.1, Limits.MAX_LIGHT_COLOR, Attribute.COLOR),
-    GREEN("green", 0.1, Limits.MAX_LIGHT_COLOR, Attribute.COLOR),
-    BLUE("blue", 0.1, Limits.MAX_LIGHT_COLOR, Attribute.COLOR),
-    INTENSITY("intensity", 0.1, Limits.MAX_INTENSITY, Attribute.INTENSITY),
-    CONSTANT("attenuation constant", 0.1, Limits.MAX_ATTENUATION, Attribute.ATTENUATION),
-    LINEAR("attenuation linear", 0.1, Limits.MAX_ATTENUATION, Attribute.ATTENUATION),
-    QUADRATIC("attenuation quadratic", 0.1, Limits.MAX_ATTENUATION, Attribute.ATTENUATION),
-    ANGLE("angle", 1, Limits.MAX_ANGLE, Attribute.ANGLE),
-    DROPOFF("dropoff", 0.1, Limits.MAX_DROPOFF, Attribute.DROPOFF),
+public final class Dial {
     /** Of the scene. */
-    AMBIENCE("ambience", 0.1, Limits.MAX_AMBIENCE, null),
+    public static final Dial AMBIENCE = ofScene(World.AMBIENCE, Scene::world, Scene::withWorld);
     /** Of the scene: mirror bounces, whole. */
-    DEPTH("depth", 1, Limits.MAX_DEPTH, null);
+    public static final Dial DEPTH = ofScene(Picture.DEPTH, Scene::picture, Scene::withPicture);
+
+    /** All, those of lights first. */
+    public static final List<Dial> ALL =
+            Stream.concat(LightAttribute.ALL.stream().flatMap(a -> of(a).stream()), Stream.of(AMBIENCE, DEPTH)).toList();
 
     private final String title;
-    private final double step;
-    private final double max;
-    private final Attribute attribute;
+    private final String label;
+    private final Quantity<?> quantity;
+    private final Optional<LightAttribute<?>> attribute;
+    private final Get get;
+    private final Set set;
 
-    Dial(String title, double step, double max, Attribute attribute) {
-        this.title = title;
-        this.step = step;
-        this.max = max;
-        this.attribute = attribute;
+    private interface Get {
+        double from(Scene scene, String light);
     }
 
-    /** For people, lower case. */
+    private interface Set {
+        Scene on(Scene scene, String light, double value);
+    }
+
+    private interface Part<T> {
+        T of(Scene scene);
+    }
+
+    private interface WithPart<T> {
+        Scene on(Scene scene, T part);
+    }
+
+    private Dial(String title, String label, Quantity<?> quantity, Optional<LightAttribute<?>> attribute, Get get, Set set) {
+        this.title = title;
+        this.label = label;
+        this.quantity = quantity;
+        this.attribute = attribute;
+        this.get = get;
+        this.set = set;
+    }
+
+    /** A dial for each number of an attribute; none where it has no numbers, or where they are set together as a place is. */
+    public static <V> List<Dial> of(LightAttribute<V> attribute) {
+        return attribute.kind() instanceof Quantity<V> quantity && !quantity.isVector()
+                ? IntStream.range(0, quantity.labels().size()).mapToObj(i -> of(attribute, quantity, i)).toList() : List.of();
+    }
+
+    private static <V> Dial of(LightAttribute<V> attribute, Quantity<V> quantity, int index) {
+        String label = quantity.labels().get(index);
+        // What a channel or an axis is of, people see by the colour or the place that it stands beside.
+        String title = label.isEmpty() ? attribute.title()
+                : quantity.form() == Quantity.Form.COLOR ? label : attribute.title() + " " + label;
+        return new Dial(title, label.isEmpty() ? title : label, quantity, Optional.of(attribute),
+                (scene, light) -> quantity.number(attribute.of(LightEdits.light(scene, light)), index),
+                (scene, light, value) -> {
+                    Light before = LightEdits.light(scene, light);
+                    return scene.withLight(attribute.with(before, quantity.with(attribute.of(before), index, value)));
+                });
+    }
+
+    private static <T, V> Dial ofScene(Attribute<T, V> attribute, Part<T> part, WithPart<T> with) {
+        if (!(attribute.kind() instanceof Quantity<V> quantity)) {
+            throw new IllegalArgumentException(attribute.title() + " is no number");
+        }
+        return new Dial(attribute.title(), attribute.title(), quantity, Optional.empty(),
+                (scene, _) -> quantity.number(attribute.of(part.of(scene)), 0),
+                (scene, _, value) -> with.on(scene,
+                        attribute.with(part.of(scene), quantity.with(attribute.of(part.of(scene)), 0, value))));
+    }
+
+    /** For people, lower case: {@code attenuation linear}. */
     public String title() {
         return title;
     }
 
-    /** What one click adds: 0.1, a degree, or a bounce; and the limits. */
-    public Steps steps() {
-        return new Steps(step, 0, max);
+    /** The last word of the title: {@code linear}. */
+    public String label() {
+        return label;
     }
 
-    /** The largest value allowed; the least is always 0. */
-    public double max() {
-        return max;
+    /** What one click adds, and the limits. */
+    public Steps steps() {
+        return new Steps(quantity.step(), quantity.min(), quantity.max());
     }
 
     /** Whether it belongs to the scene and needs no light. */
     public boolean isOfScene() {
-        return attribute == null;
+        return attribute.isEmpty();
     }
 
     /**
@@ -68,23 +117,14 @@ public enum Dial {
      * @throws IllegalArgumentException if it is needed and there is none of that name
      */
     public double value(Scene scene, String light) {
-        return switch (this) {
-            case AMBIENCE -> scene.world().ambience();
-            case DEPTH -> scene.picture().depth();
-            case RED, GREEN, BLUE, INTENSITY, CONSTANT, LINEAR, QUADRATIC, ANGLE, DROPOFF -> of(LightEdits.light(scene, light));
-        };
+        return get.from(scene, light);
     }
 
-    /** Sets the value; refused outside 0…{@link #max()}, and for the depth if it is not whole. */
+    /** Sets the value; refused if it is out of its range, and if it is not whole where it must be. */
     public Change set(Scene scene, String light, double value) {
         return Change.of(() -> {
-            Limits.range(title, value, 0, max);
-            return switch (this) {
-                case AMBIENCE -> scene.withWorld(scene.world().withAmbience(value));
-                case DEPTH -> scene.withPicture(scene.picture().withDepth(whole(value)));
-                case RED, GREEN, BLUE, INTENSITY, CONSTANT, LINEAR, QUADRATIC, ANGLE, DROPOFF ->
-                        scene.withLight(on(LightEdits.light(scene, light), value));
-            };
+            quantity.check(title, value);
+            return set.on(scene, light, value);
         });
     }
 
@@ -106,48 +146,14 @@ public enum Dial {
 
     /** Why it cannot be turned: a clause; empty if it can. */
     public Optional<String> obstacle(Optional<Light> selected) {
-        if (attribute == null) {
+        if (attribute.isEmpty()) {
             return Optional.empty();
         }
-        return selected.isEmpty() ? Optional.of("no light is selected") : attribute.obstacle(selected.get().type());
+        return selected.isEmpty() ? Optional.of("no light is selected") : attribute.get().obstacle(selected.get().type());
     }
 
-    private double of(Light light) {
-        return switch (this) {
-            case RED -> light.color().r();
-            case GREEN -> light.color().g();
-            case BLUE -> light.color().b();
-            case INTENSITY -> light.intensity();
-            case CONSTANT -> light.attenuation().constant();
-            case LINEAR -> light.attenuation().linear();
-            case QUADRATIC -> light.attenuation().quadratic();
-            case ANGLE -> light.angle();
-            case DROPOFF -> light.dropoff();
-            case AMBIENCE, DEPTH -> throw new IllegalStateException(title + " is the scene's");
-        };
-    }
-
-    private Light on(Light light, double v) {
-        Rgb c = light.color();
-        Attenuation a = light.attenuation();
-        return switch (this) {
-            case RED -> light.withColor(new Rgb(v, c.g(), c.b()));
-            case GREEN -> light.withColor(new Rgb(c.r(), v, c.b()));
-            case BLUE -> light.withColor(new Rgb(c.r(), c.g(), v));
-            case INTENSITY -> light.withIntensity(v);
-            case CONSTANT -> light.withAttenuation(new Attenuation(v, a.linear(), a.quadratic()));
-            case LINEAR -> light.withAttenuation(new Attenuation(a.constant(), v, a.quadratic()));
-            case QUADRATIC -> light.withAttenuation(new Attenuation(a.constant(), a.linear(), v));
-            case ANGLE -> light.withAngle(v);
-            case DROPOFF -> light.withDropoff(v);
-            case AMBIENCE, DEPTH -> throw new IllegalStateException(title + " is the scene's");
-        };
-    }
-
-    private int whole(double value) {
-        if (value != Math.rint(value)) {
-            throw new IllegalArgumentException(title + " must be a whole number, was " + Limits.text(value));
-        }
-        return (int) value;
+    @Override
+    public String toString() {
+        return title;
     }
 }

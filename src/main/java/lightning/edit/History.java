@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.SceneChange;
 
 /**
  * Unlimited undo and redo: one history for the document and one for each light alone (paper §3.4).
@@ -55,7 +56,7 @@ public final class History {
         undone.clear();
         state = base;
         if (!edited.equals(base.scene())) {
-            push(base.after(edited, this::freshId), gesture, EditText.of(base.scene(), edited));
+            push(base.after(edited, this::freshId), gesture, SceneChange.summary(base.scene(), edited));
         }
     }
 
@@ -95,13 +96,13 @@ public final class History {
     /** What {@link #undoLight} would take back; empty if there is nothing or no such light. */
     public Optional<String> undoLabel(long id) {
         return light(id).filter(_ -> state.track(id).past() != null)
-                .map(now -> EditText.of(state.track(id).past().light(), now));
+                .map(now -> SceneChange.summary(state.track(id).past().light(), now));
     }
 
     /** What {@link #redoLight} would do again; empty if there is nothing or no such light. */
     public Optional<String> redoLabel(long id) {
         return light(id).filter(_ -> state.track(id).future() != null)
-                .map(now -> EditText.of(now, state.track(id).future().light()));
+                .map(now -> SceneChange.summary(now, state.track(id).future().light()));
     }
 
     /** Takes back the last edit of one light alone; refused if there is none, or if its name of that time is taken. */

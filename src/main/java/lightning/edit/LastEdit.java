@@ -24,12 +24,7 @@ public record LastEdit(Scene before, Scene after, boolean pending) {
         boolean pending = rendered.isPresent() && !VisiblePart.same(rendered.get(), scene);
         Optional<Scene> before = pending ? rendered : previous;
         Optional<Scene> after = pending ? Optional.of(scene) : rendered;
-        return before.isPresent() && after.isPresent() && samePlace(before.get(), after.get())
+        return before.isPresent() && after.isPresent() && before.get().showsSameShapes(after.get())
                 ? Optional.of(new LastEdit(before.get(), after.get(), pending)) : Optional.empty();
-    }
-
-    private static boolean samePlace(Scene a, Scene b) {
-        return a.picture().width() == b.picture().width() && a.picture().height() == b.picture().height()
-                && a.camera().equals(b.camera()) && a.nodes().equals(b.nodes());
     }
 }

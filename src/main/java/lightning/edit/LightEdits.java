@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
 import lightning.scene.Limits;
 import lightning.scene.Scene;
@@ -65,7 +66,7 @@ public final class LightEdits {
     /** Turns the light to a point, from its position; refused for a point light, and where it stands at the point. */
     public static Change aim(Scene scene, String name, Vec3 target) {
         return with(scene, name, l -> {
-            Attribute.DIRECTION.obstacle(l.type()).ifPresent(reason -> {
+            LightAttribute.DIRECTION.obstacle(l.type()).ifPresent(reason -> {
                 throw new IllegalArgumentException(reason);
             });
             Vec3 way = target.minus(l.position());
@@ -136,13 +137,17 @@ public final class LightEdits {
     }
 
     /**
-     * Gives a light the settings of another: type, colour, intensity, attenuation, angle and dropoff. It keeps its name,
-     * its place, its direction and its switches.
+     * Gives a light the settings of another: type, colour and all that shapes its light. It keeps its name, its place, its
+     * direction and its switches.
      */
     public static Change paste(Scene scene, String name, Light settings) {
-        return with(scene, name, l -> l.withType(settings.type()).withColor(settings.color())
-                .withIntensity(settings.intensity()).withAttenuation(settings.attenuation()).withAngle(settings.angle())
-                .withDropoff(settings.dropoff()));
+        return with(scene, name, light -> {
+            Light pasted = light;
+            for (LightAttribute<?> attribute : LightAttribute.ALL) {
+                pasted = attribute.isSetting() ? attribute.copy(settings, pasted) : pasted;
+            }
+            return pasted;
+        });
     }
 
     /** The name itself, or with the least number behind it that no light, shape or group has: {@code key2}. */

@@ -22,8 +22,17 @@ public record LightGizmo(Light light, List<Line> lines) {
     private static final double THIN_RADIUS = 5;
     private static final int SIDES = 24;
     private static final int RIBS = 8;
+    private static final double[] COSINES = new double[SIDES];
+    private static final double[] SINES = new double[SIDES];
     /** What is nearer to the eye than this share of the viewing distance is not drawn. */
     private static final double NEAR = 1e-3;
+
+    static {
+        for (int i = 0; i < SIDES; i++) {
+            COSINES[i] = Math.cos(2 * Math.PI * i / SIDES);
+            SINES[i] = Math.sin(2 * Math.PI * i / SIDES);
+        }
+    }
 
     public LightGizmo {
         lines = List.copyOf(lines);
@@ -91,8 +100,7 @@ public record LightGizmo(Light light, List<Line> lines) {
         Vec3 v = axis.cross(u);
         List<Vec3> points = new ArrayList<>();
         for (int i = 0; i < SIDES; i++) {
-            double angle = 2 * Math.PI * i / SIDES;
-            points.add(center.plus(u.times(radius * Math.cos(angle))).plus(v.times(radius * Math.sin(angle))));
+            points.add(center.plus(u.times(radius * COSINES[i])).plus(v.times(radius * SINES[i])));
         }
         return points;
     }

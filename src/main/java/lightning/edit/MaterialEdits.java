@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import lightning.jen.PropertyEdit;
-import lightning.math.Rgb;
 import lightning.scene.Group;
 import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
 import lightning.scene.Node;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
@@ -52,29 +52,9 @@ public final class MaterialEdits {
         return material;
     }
 
-    /** @param color linear, 0…1000000 per channel: also what the surface emits */
-    public static Change ambient(Scene scene, String name, Rgb color) {
-        return with(scene, name, m -> m.withAmbient(color));
-    }
-
-    /** @param color linear, 0…1 per channel; multiplied by the texture where there is one */
-    public static Change diffuse(Scene scene, String name, Rgb color) {
-        return with(scene, name, m -> m.withDiffuse(color));
-    }
-
-    /** @param color linear, 0…1 per channel; black for no highlights */
-    public static Change specular(Scene scene, String name, Rgb color) {
-        return with(scene, name, m -> m.withSpecular(color));
-    }
-
-    /** @param shininess the exponent of the highlight, 0…1000000 */
-    public static Change shininess(Scene scene, String name, double shininess) {
-        return with(scene, name, m -> m.withShininess(shininess));
-    }
-
-    /** @param color linear, 0…1 per channel; black for no mirror */
-    public static Change reflective(Scene scene, String name, Rgb color) {
-        return with(scene, name, m -> m.withReflective(color));
+    /** Another value of an attribute. */
+    public static <V> Change set(Scene scene, String name, MaterialAttribute<V> attribute, V value) {
+        return with(scene, name, m -> attribute.with(m, value));
     }
 
     /**

@@ -2,12 +2,9 @@ package lightning.edit;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
-import lightning.file.ChangedFileException;
 import lightning.file.FileState;
-import lightning.file.ReadOnlyFileException;
 import lightning.jen.JenDocument;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
@@ -18,17 +15,15 @@ import lightning.text.Quote;
 /** The open scene file: what it holds now, what was selected, what can be undone, and what is not saved yet. */
 public final class OpenDocument {
     private final History history;
-    private Path file;
-    private JenDocument saved;
-    /** What the file held when it was read or written here; none where it never held what was opened. */
-    private FileState known;
+    /** What the file held when it was read or written here; its state is none where it never held what was opened. */
+    private SavedScene saved;
     private DiskNews news;
     private boolean keptAgainstNews;
     private Selection selection = Selection.NONE;
 
-    private OpenDocument(Path file, FileState known, JenDocument saved) {
-        is(file, known, saved);
-        history = new History(saved.scene());
+    private OpenDocument(SavedScene saved) {
+        is(saved);
+        history = new History(saved.document().scene());
     }
 
     /**
@@ -38,16 +33,12 @@ public final class OpenDocument {
      * @throws JenException if its content is wrong; holds all problems
      */
     public static OpenDocument open(Path file) throws IOException, JenException {
-        // Before it is read: what comes in between then counts as another's change, and is not lost.
-        FileState known = FileState.of(file);
-        return new OpenDocument(file, known, JenReader.read(file));
+        return new OpenDocument(SavedScene.read(file));
     }
 
-    private void is(Path where, FileState what, JenDocument text) {
-        file = where;
-        known = what;
-        saved = text;
-        news = new DiskNews(where, what, what, false);
+    private void is(SavedScene now) {
+        saved = now;
+        news = new DiskNews(now.file(), now.state(), now.state(), false);
         keptAgainstNews = false;
     }
 
@@ -64,17 +55,17 @@ public final class OpenDocument {
             document.history.edit(edits.scene());
             return document;
         } catch (IOException | JenException e) {
-            return new OpenDocument(found.file(), FileState.NONE, edits);
+            return new OpenDocument(new SavedScene(found.file(), FileState.NONE, edits));
         }
     }
 
     public Path file() {
-        return file;
+        return saved.file();
     }
 
     /** The file's name without its folder, as a line shows it. */
     public String name() {
-        return Quote.path(file.getFileName());
+        return Quote.path(file().getFileName());
     }
 
     public Scene scene() {
@@ -85,34 +76,34 @@ public final class OpenDocument {
         return history;
     }
 
-    /** The scene's text now, with the comments and the order of the file. */
-    public JenDocument document() {
-        return saved.with(scene());
+    /** The text of a scene that the document has or had, with the comments and the order of the file. On any thread. */
+    public String text(Scene of) {
+        return saved.document().with(of).text();
     }
 
     /** The scene as the file holds it. */
     public Scene savedScene() {
-        return saved.scene();
+        return savedText().scene();
     }
 
     /** What the file holds. */
-    JenDocument saved() {
-        return saved;
+    JenDocument savedText() {
+        return saved.document();
     }
 
     /** Whether there are edits that the file does not have. */
     public boolean isDirty() {
-        return known.equals(FileState.NONE) || news.isGone() || keptAgainstNews || !scene().equals(saved.scene());
+        return known().equals(FileState.NONE) || news.isGone() || keptAgainstNews || !scene().equals(savedScene());
     }
 
     /** What the file held when it was read or written here. */
     public FileState known() {
-        return known;
+        return saved.state();
     }
 
     /** Takes what was seen of the file, unless that is of before it was read or written last. */
     public void hear(DiskNews seen) {
-        if (seen.file().equals(file) && seen.known().equals(known)) {
+        if (seen.file().equals(file()) && seen.known().equals(known())) {
             news = seen;
         }
     }
@@ -169,61 +160,19 @@ public final class OpenDocument {
         return selection.light(history);
     }
 
-    /** Writes the scene to its file: {@link #save(Set)} with nothing allowed. */
-    public void save() throws IOException {
-        save(Set.of());
+    /** The scene as it is now, to be written on any thread. */
+    SceneWriting writing(Path target, Set<Consent> allowed) {
+        return new SceneWriting(saved, scene(), target, allowed);
     }
 
-    /**
-     * Writes the scene to its file. In all failures the file is unchanged and the document still dirty.
-     *
-     * @throws ChangedFileException  if the file holds what somebody else wrote, unless that may be overwritten
-     * @throws ReadOnlyFileException if the file is read-only, unless that may be replaced
-     * @throws IOException           if it cannot be written
-     */
-    public void save(Set<Consent> allowed) throws IOException {
-        JenDocument now = document();
-        is(file, now.save(Consent.to(file, known, allowed)), now);
+    /** The scene was written. What was edited since is not in the file. */
+    void written(SavedScene now) {
+        is(now);
     }
 
-    /** Writes the scene to another file: {@link #saveAs(Path, Set)}, with nothing allowed but what a new name allows. */
-    public void saveAs(Path target) throws IOException {
-        saveAs(target, Set.of());
-    }
-
-    /**
-     * Writes the scene to another file, which is the document's from now on. To choose its own file is to {@link #save};
-     * another that is there is replaced: ask before.
-     *
-     * @throws ReadOnlyFileException if that file is read-only, unless it may be replaced
-     * @throws IOException           if it cannot be written, or could not be read again there because its textures are not
-     *                               found from that folder; nothing has changed then
-     */
-    public void saveAs(Path target, Set<Consent> allowed) throws IOException {
-        if (target.toAbsolutePath().equals(file.toAbsolutePath())) {
-            save(allowed);
-            return;
-        }
-        JenDocument now = document();
-        try {
-            JenReader.read(now.text(), target.toString(), target.toAbsolutePath().getParent());
-        } catch (JenException e) {
-            throw new IOException("the scene cannot be read from there: " + e.problems().getFirst(), e);
-        }
-        Set<Consent> more = EnumSet.of(Consent.OVERWRITE_CHANGED);
-        more.addAll(allowed);
-        is(target, now.save(Consent.to(target, FileState.NONE, more)), now);
-    }
-
-    /**
-     * Starts over with the file as it is on disk (paper §3.4), as one step that can be undone.
-     *
-     * @throws IOException  if it cannot be read at all; the open scene stays
-     * @throws JenException if its content is wrong; the open scene stays
-     */
-    public void reload() throws IOException, JenException {
-        FileState now = FileState.of(file);
-        is(file, now, JenReader.read(file));
-        history.edit(saved.scene());
+    /** The file was read anew: the document starts over with it (paper §3.4), as one step that can be undone. */
+    void reloaded(SavedScene now) {
+        is(now);
+        history.edit(now.document().scene());
     }
 }

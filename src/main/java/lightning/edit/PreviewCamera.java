@@ -13,7 +13,7 @@ import lightning.scene.Scene;
  *
  * @param camera {@code up} is always square to the view and of length 1
  */
-public record PreviewCamera(Camera camera) {
+public final class PreviewCamera {
     /** A drag over the whole canvas zooms by this power of e. */
     private static final double ZOOM_PER_CANVAS = 2;
     /** A drag over the whole canvas turns the scene by this angle, radians. */
@@ -23,10 +23,24 @@ public record PreviewCamera(Camera camera) {
     private static final double LEAST_LIGHT_FOV = 2;
     private static final double MOST_LIGHT_FOV = 150;
 
-    public PreviewCamera {
-        Vec3 forward = camera.to().minus(camera.from()).normalized();
-        Vec3 right = forward.cross(camera.up().normalized()).normalized();
-        camera = new Camera(camera.from(), camera.to(), right.cross(forward).normalized(), camera.fov());
+    private final Camera camera;
+    private final Vec3 forward;
+    private final Vec3 right;
+    private final double sin;
+    private final double cos;
+
+    /** @param seen its direction that is up need not be at a right angle to the view */
+    public PreviewCamera(Camera seen) {
+        forward = seen.to().minus(seen.from()).normalized();
+        Vec3 side = forward.cross(seen.up().normalized()).normalized();
+        camera = new Camera(seen.from(), seen.to(), side.cross(forward).normalized(), seen.fov());
+        right = forward.cross(camera.up()).normalized();
+        sin = Transform.sinDegrees(camera.fov() / 2);
+        cos = Transform.cosDegrees(camera.fov() / 2);
+    }
+
+    public Camera camera() {
+        return camera;
     }
 
     /** The scene's own camera: button −Z (Reset). */
@@ -69,12 +83,12 @@ public record PreviewCamera(Camera camera) {
 
     /** The unit direction of the view. */
     public Vec3 forward() {
-        return camera.to().minus(camera.from()).normalized();
+        return forward;
     }
 
     /** The unit direction that is right in the picture. */
     public Vec3 right() {
-        return forward().cross(camera.up()).normalized();
+        return right;
     }
 
     /** The unit direction that is up in the picture. */
@@ -89,7 +103,7 @@ public record PreviewCamera(Camera camera) {
 
     /** How far a point lies before the eye, along the view; negative behind it. */
     public double depth(Vec3 point) {
-        return point.minus(camera.from()).dot(forward());
+        return point.minus(camera.from()).dot(forward);
     }
 
     /**
@@ -99,8 +113,7 @@ public record PreviewCamera(Camera camera) {
      * @param height of the canvas, pixels
      */
     public double pixelScale(double depth, double height) {
-        double half = camera.fov() / 2;
-        return 2 * depth * Transform.sinDegrees(half) / Transform.cosDegrees(half) / height;
+        return 2 * depth * sin / cos / height;
     }
 
     /** The eye comes nearer (drag up) or goes away (down), by the same factor for the same way. */
@@ -134,5 +147,20 @@ public record PreviewCamera(Camera camera) {
         boolean allowed = from.maxAbs() <= Limits.MAX_COORDINATE && to.maxAbs() <= Limits.MAX_COORDINATE
                 && to.minus(from).maxAbs() >= NEAREST / 2;
         return allowed ? new PreviewCamera(new Camera(from, to, up, camera.fov())) : this;
+    }
+
+    @Override
+    public boolean equals(Object o) {
+        return o instanceof PreviewCamera other && camera.equals(other.camera);
+    }
+
+    @Override
+    public int hashCode() {
+        return camera.hashCode();
+    }
+
+    @Override
+    public String toString() {
+        return camera.toString();
     }
 }

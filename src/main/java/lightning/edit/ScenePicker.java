@@ -4,6 +4,7 @@ import java.util.Optional;
 import lightning.math.Vec3;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
+import lightning.trace.MaterialTable;
 import lightning.trace.Ray;
 import lightning.trace.SurfacePoint;
 
@@ -16,6 +17,11 @@ public final class ScenePicker {
         this(scene, new Geometry(scene));
     }
 
+    /** The picker of a scene, made of a geometry as far as that serves. */
+    public static ScenePicker of(Scene scene, Geometry known) {
+        return new ScenePicker(scene, known.forScene(scene, known.mirrors()));
+    }
+
     private ScenePicker(Scene scene, Geometry geometry) {
         this.scene = scene;
         this.geometry = geometry;
@@ -23,7 +29,7 @@ public final class ScenePicker {
 
     /** The picker of another scene, made of this one's as far as that serves. */
     public ScenePicker forScene(Scene other) {
-        return serves(other) ? this : new ScenePicker(other, geometry.forScene(other, false));
+        return serves(other) ? this : new ScenePicker(other, geometry.forScene(other, MaterialTable.MIRRORS));
     }
 
     /**
@@ -52,7 +58,7 @@ public final class ScenePicker {
         }
         SurfacePoint at = geometry.surface(shape, ray);
         Vec3 point = geometry.toScene(new Vec3(at.px(), at.py(), at.pz()));
-        return Optional.of(new Found(geometry.shape(shape).shape().name(), point,
+        return Optional.of(new Found(geometry.shape(shape).name(), point,
                 new Vec3(at.nx(), at.ny(), at.nz()).normalized(), eye));
     }
 

@@ -2,18 +2,18 @@ package lightning.edit;
 
 import java.util.Optional;
 import lightning.edit.loop.Frame;
+import lightning.edit.loop.Look;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 import lightning.scene.VisiblePart;
-import lightning.shading.Sight;
+import lightning.shading.SeenScenes;
 
 /**
  * Everything that decides which commands have something to do.
  *
  * @param scene         the document's scene
- * @param rendered      what the traced picture shows; empty before the first
- * @param mirrored      what its mirrors show; empty before the first
+ * @param frame         the traced picture; empty before the first
  * @param inWork        the scene that is being rendered; empty if none is
  * @param verifying     whether a verification runs
  * @param selected      the selected light
@@ -22,59 +22,90 @@ import lightning.shading.Sight;
  * @param changedOnDisk whether someone else changed the file
  * @param copied        the light whose settings were copied
  * @param animating     whether an animation is open
+ * @param reading       whether a scene file is being read
  */
-public record Situation(Scene scene, Optional<Scene> rendered, Optional<Scene> mirrored, Optional<Scene> inWork,
+public record Situation(Scene scene, Optional<Frame> frame, Optional<Scene> inWork,
         boolean verifying, Optional<Light> selected, Optional<String> undo, Optional<String> redo,
         Optional<String> undoLight, Optional<String> redoLight, boolean dirty, boolean changedOnDisk,
-        Optional<Light> copied, boolean animating) {
+        Optional<Light> copied, boolean animating, boolean reading) {
 
     /** The situation of a document with a picture, and nothing running, copied or animated. */
     public static Situation of(OpenDocument document, Optional<Frame> frame) {
         History history = document.history();
         Optional<Light> selected = document.selectedLight();
         long id = selected.map(l -> history.id(l.name())).orElse(-1L);
-        return new Situation(document.scene(), frame.map(Frame::scene), frame.map(Frame::mirrored), Optional.empty(), false,
+        return new Situation(document.scene(), frame, Optional.empty(), false,
                 selected, history.undoLabel(), history.redoLabel(), history.undoLabel(id), history.redoLabel(id),
-                document.isDirty(), document.isChangedOnDisk(), Optional.empty(), false);
+                document.isDirty(), document.isChangedOnDisk(), Optional.empty(), false, false);
     }
 
     public Situation withInWork(Optional<Scene> v) {
-        return new Situation(scene, rendered, mirrored, v, verifying, selected, undo, redo, undoLight, redoLight, dirty,
-                changedOnDisk, copied, animating);
+        return new Situation(scene, frame, v, verifying, selected, undo, redo, undoLight, redoLight, dirty,
+                changedOnDisk, copied, animating, reading);
     }
 
     public Situation withVerifying(boolean v) {
-        return new Situation(scene, rendered, mirrored, inWork, v, selected, undo, redo, undoLight, redoLight, dirty,
-                changedOnDisk, copied, animating);
+        return new Situation(scene, frame, inWork, v, selected, undo, redo, undoLight, redoLight, dirty,
+                changedOnDisk, copied, animating, reading);
     }
 
     public Situation withCopied(Optional<Light> v) {
-        return new Situation(scene, rendered, mirrored, inWork, verifying, selected, undo, redo, undoLight, redoLight, dirty,
-                changedOnDisk, v, animating);
+        return new Situation(scene, frame, inWork, verifying, selected, undo, redo, undoLight, redoLight, dirty,
+                changedOnDisk, v, animating, reading);
     }
 
     public Situation withAnimating(boolean v) {
-        return new Situation(scene, rendered, mirrored, inWork, verifying, selected, undo, redo, undoLight, redoLight, dirty,
-                changedOnDisk, copied, v);
+        return new Situation(scene, frame, inWork, verifying, selected, undo, redo, undoLight, redoLight, dirty,
+                changedOnDisk, copied, v, reading);
+    }
+
+    public Situation withReading(boolean v) {
+        return new Situation(scene, frame, inWork, verifying, selected, undo, redo, undoLight, redoLight, dirty, changedOnDisk, copied,
+                animating, v);
+    }
+
+    /** The same of an open animation, which shows a scene of its own with the selected light as it is there. */
+    public Situation withStaged(Scene staged, Optional<Light> light) {
+        return new Situation(staged, frame, inWork, verifying, light, undo, redo, undoLight, redoLight, dirty, changedOnDisk,
+                copied, animating, reading);
+    }
+
+    /** What the traced picture shows; empty before the first. */
+    public Optional<Scene> rendered() {
+        return frame.map(Frame::scene);
+    }
+
+    /** What its mirrors show; empty before the first. */
+    public Optional<Scene> mirrored() {
+        return frame.map(Frame::mirrored);
+    }
+
+    /** Whether the canvas shows the picture itself, and not a share of it. */
+    boolean plain() {
+        return frame.map(Frame::look).orElse(Look.PLAIN).isPlain();
     }
 
     /** Whether there are edits that the traced picture does not show, its mirrors left out. */
     public boolean isPending() {
-        return rendered.isEmpty() || !VisiblePart.same(scene, rendered.get());
+        return frame.isEmpty() || !VisiblePart.same(scene, frame.get().scene());
     }
 
     /** What the canvas and Save Image say of a picture that is behind the document; empty if it is not. */
     public Optional<String> pendingRemark() {
-        return rendered.isPresent() && isPending() ? Optional.of("the picture does not show the edits since the last Go")
+        return frame.isPresent() && isPending() ? Optional.of("the picture does not show the edits since the last Go")
                 : Optional.empty();
     }
 
     /** What the canvas says of mirrors that are older than the rest of the picture; empty where they are not. */
     public Optional<String> mirrorsRemark() {
-        if (rendered.isEmpty() || mirrored.isEmpty() || new Sight(rendered.get(), mirrored.get()).isCurrent()) {
+        if (frame.isEmpty()) {
             return Optional.empty();
         }
-        boolean dark = rendered.get().lights().stream().noneMatch(rendered.get()::shines);
+        Scene shown = frame.get().scene();
+        if (new SeenScenes(shown, frame.get().mirrored()).isCurrent()) {
+            return Optional.empty();
+        }
+        boolean dark = shown.lights().stream().noneMatch(shown::shines);
         return Optional.of(dark ? "No light shines here; the mirrors still show those of before" : "The mirrors are older than the lights");
     }
 

@@ -1,18 +1,18 @@
 package lightning.edit;
 
-import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.LongFunction;
 import lightning.edit.loop.Frame;
 import lightning.edit.loop.Look;
+import lightning.edit.loop.RenderFeed;
 import lightning.edit.loop.RenderListener;
 import lightning.edit.loop.RenderLoop;
+import lightning.edit.loop.RenderState;
 import lightning.image.ViewTransform;
-import lightning.jen.JenException;
 import lightning.relight.tile.Options;
 import lightning.scene.Light;
 import lightning.scene.Scene;
@@ -22,16 +22,20 @@ import lightning.scene.VisiblePart;
  * Everything that an editor's window works on: the open document, its picture, and what renders and keeps it. All panes
  * share one, change the document through it, and hear of every change.
  *
- * <p>Belongs to one thread, that of {@code window}; what the render loop tells is brought there.
+ * <p>Belongs to the window's thread; what the render loop tells, and what comes of files, is brought there.
  */
 public final class Workbench implements AutoCloseable {
-    private final Executor window;
     private final Runnable changed;
     private final RenderLoop loop;
-    private final Recovery recovery;
+    private final FileThread files;
+    private final ArrayDeque<Runnable> saves = new ArrayDeque<>();
     private final Autosave autosave;
     private OpenDocument document;
-    private Optional<Frame> frame = Optional.empty();
+    private final RenderFeed feed;
+    private final Runnable progressed;
+    /** The picture and how far it is, as heard last. */
+    private RenderState rendering = RenderState.NONE;
+    private long opened;
     private Optional<Scene> previous = Optional.empty();
     private Optional<Scene> inWork = Optional.empty();
     private Optional<Light> copied = Optional.empty();
@@ -41,19 +45,21 @@ public final class Workbench implements AutoCloseable {
 
     /**
      * @param document what is open first; it is rendered by {@link #go()}
-     * @param window   runs tasks, in their order, on the thread that the workbench belongs to
-     * @param changed  called there after every change of what the workbench tells
-     * @param canvas   hears the render loop on its own threads, before the workbench does
-     * @param trouble  hears, on the autosave thread, why edits could not be kept
+     * @param files      reads and writes the document; its window's thread is the one that the workbench belongs to
+     * @param changed    called there after every change of what the workbench tells
+     * @param progressed called there where nothing but {@link #rendering} is another
+     * @param canvas     hears the render loop on its own threads, before the workbench does
+     * @param trouble    hears, on the autosave thread, why edits could not be kept
      */
-    public Workbench(OpenDocument document, Options options, Recovery recovery, Executor window, Runnable changed,
-            RenderListener canvas, Consumer<Throwable> trouble) {
+    public Workbench(OpenDocument document, Options options, Recovery recovery, FileThread files, Runnable changed,
+            Runnable progressed, RenderListener canvas, Consumer<Throwable> trouble) {
         this.document = document;
-        this.window = window;
         this.changed = changed;
-        this.recovery = recovery;
+        this.progressed = progressed;
+        this.files = files;
         autosave = new Autosave(recovery, Autosave.DEFAULT_DELAY, trouble);
-        loop = new RenderLoop(options, new WorkbenchEar(canvas, this::tell, this::take, this::nothingShown, this::refresh));
+        feed = new RenderFeed(files.window(), canvas, this::hear);
+        loop = new RenderLoop(options, feed);
     }
 
     public OpenDocument document() {
@@ -65,58 +71,68 @@ public final class Workbench implements AutoCloseable {
         return document.scene();
     }
 
+    /** The picture, and how far the next one is. */
+    public RenderState rendering() {
+        return rendering;
+    }
+
     /** The picture rendered last; its film may be written over by now. */
     public Optional<Frame> frame() {
-        return frame;
+        return Optional.ofNullable(rendering.frame());
     }
 
-    /** What the loop tells on its threads is heard on the window's. */
-    private void tell(Runnable what) {
-        window.execute(() -> {
-            what.run();
-            changed.run();
-        });
+    private void hear() {
+        Frame before = rendering.frame();
+        boolean worked = inWork.isPresent();
+        boolean verified = verifying;
+        refresh();
+        boolean same = rendering.frame() == before && inWork.isPresent() == worked && verifying == verified;
+        (same ? progressed : changed).run();
     }
 
-    private void take(Frame finished) {
-        Optional<Scene> shown = frame.map(Frame::scene);
-        previous = shown.filter(s -> !VisiblePart.same(s, finished.scene())).or(() -> previous);
-        frame = Optional.of(finished);
-    }
-
-    private void nothingShown() {
-        frame = Optional.empty();
-        previous = Optional.empty();
+    /** Looks at what the loop does, and then at what it has told: what it finished before the first is in the second. */
+    private void refresh() {
+        boolean busy = loop.isBusy();
+        verifying = loop.isVerifying();
+        inWork = busy ? inWork : Optional.empty();
+        RenderState now = feed.state();
+        if (now.frame() != null && now.frame() != rendering.frame()) {
+            Optional<Scene> shown = frame().map(Frame::scene);
+            previous = shown.filter(s -> !VisiblePart.same(s, now.frame().scene())).or(() -> previous);
+        }
+        rendering = now;
     }
 
     /** The edit made last; empty where there is none, or it made another picture of it. */
     public Optional<LastEdit> lastEdit() {
-        return LastEdit.of(scene(), frame.map(Frame::scene), previous);
+        return LastEdit.of(scene(), frame().map(Frame::scene), previous);
     }
 
     /** What decides which commands are enabled. */
     public Situation situation() {
-        return Situation.of(document, frame).withInWork(inWork).withVerifying(verifying).withCopied(copied)
+        return Situation.of(document, frame()).withInWork(inWork).withVerifying(verifying).withCopied(copied)
                 .withAnimating(animating);
     }
 
     /** Puts another document in place of the open one and renders it. The open one's unsaved edits are lost. */
     public void open(OpenDocument other) {
-        loop.open(other.scene());
+        opened++;
+        feed.open(opened);
+        loop.open(other.scene(), opened);
         inWork = Optional.of(other.scene());
         autosave.forget();
         document = other;
-        nothingShown();
+        rendering = RenderState.NONE;
+        previous = Optional.empty();
         animating = false;
         autosave.changed(document);
         changed.run();
     }
 
     /** Opens what a crash left unsaved: see {@link OpenDocument#recover}. Until it is saved it can be recovered again. */
-    public void recover(Recovery.Found found) throws IOException, JenException {
-        OpenDocument recovered = OpenDocument.recover(found);
+    public void recover(Recovery.Found found, OpenDocument recovered) {
         open(recovered);
-        recovery.adopt(found);
+        autosave.adopt(found);
     }
 
     /** Makes an edit unless it was refused; returns the reason if it was. Live, the edit is rendered at once. */
@@ -184,16 +200,41 @@ public final class Workbench implements AutoCloseable {
                 : edit(LightEdits.paste(scene(), selected.get().name(), copied.get()));
     }
 
-    /** Saves to the document's file: see {@link OpenDocument#save(Set)}. */
-    public void save(Set<Consent> allowed) throws IOException {
-        document.save(allowed);
-        kept();
+    /**
+     * Saves to a file, that of the document or another, after all saves asked for before: see {@link SceneWriting#write}.
+     *
+     * @param ended hears why the scene could not be written; nothing where it was
+     */
+    public void saveAs(Path file, Set<Consent> allowed, Consumer<Optional<Throwable>> ended) {
+        OpenDocument saved = document;
+        saves.add(() -> write(saved, file, allowed, ended));
+        if (saves.size() == 1) {
+            saves.element().run();
+        }
     }
 
-    /** Saves to another file: see {@link OpenDocument#saveAs(Path, Set)}. */
-    public void saveAs(Path file, Set<Consent> allowed) throws IOException {
-        document.saveAs(file, allowed);
-        kept();
+    private void write(OpenDocument saved, Path file, Set<Consent> allowed, Consumer<Optional<Throwable>> ended) {
+        files.inTurn(saved.writing(file, allowed)::write, now -> {
+            saved.written(now);
+            kept();
+            saveNext();
+            ended.accept(Optional.empty());
+        }, why -> {
+            saveNext();
+            ended.accept(Optional.of(why));
+        });
+    }
+
+    private void saveNext() {
+        saves.remove();
+        if (!saves.isEmpty()) {
+            saves.element().run();
+        }
+    }
+
+    /** Whether a save is not written yet. */
+    public boolean isSaving() {
+        return !saves.isEmpty();
     }
 
     /** Takes what was seen of the document's file on disk. */
@@ -208,11 +249,21 @@ public final class Workbench implements AutoCloseable {
         kept();
     }
 
-    /** Starts over with the file as it is on disk and renders it. */
-    public void reload() throws IOException, JenException {
-        document.reload();
-        kept();
-        go();
+    /**
+     * Starts over with the file as it is on disk and renders it.
+     *
+     * @param ended hears why the file could not be read; nothing where it was. Not told where another document is open by then
+     */
+    public void reload(Consumer<Optional<Throwable>> ended) {
+        OpenDocument old = document;
+        files.inTurn(() -> SavedScene.read(old.file()), now -> {
+            if (old == document) {
+                old.reloaded(now);
+                kept();
+                go();
+                ended.accept(Optional.empty());
+            }
+        }, why -> ended.accept(Optional.of(why)));
     }
 
     private void kept() {
@@ -233,28 +284,22 @@ public final class Workbench implements AutoCloseable {
     }
 
     public void updateReflections() {
-        inWork = Optional.of(inWork.orElseGet(() -> frame.map(Frame::scene).orElse(scene())));
+        inWork = Optional.of(inWork.orElseGet(() -> frame().map(Frame::scene).orElse(scene())));
         loop.updateReflections();
         changed.run();
     }
 
     public void verify() {
-        verifying = frame.isPresent();
+        verifying = frame().isPresent();
         loop.verify();
         changed.run();
     }
 
-    /** Stops what runs and forgets what waits. */
+    /** Stops what runs and forgets what waits; what only waited may be gone without a word. */
     public void cancel() {
         loop.cancel();
         refresh();
         changed.run();
-    }
-
-    /** The loop tells of the end of what ran; what only waited may be gone without a word. */
-    private void refresh() {
-        inWork = loop.isBusy() ? inWork : Optional.empty();
-        verifying = loop.isVerifying();
     }
 
     /** Another accuracy: what is known of the picture serves on. */

@@ -4,7 +4,7 @@
  *
  * <pre>{@code
  * OpenDocument document = OpenDocument.open(Path.of("scenes/bird.jen"));
- * document.apply(Dial.INTENSITY.typed(document.scene(), "lamp", "1.2"));
+ * document.apply(LightEdits.with(document.scene(), "lamp", light -> light.withIntensity(1.2)));
  * document.undo();
  * }</pre>
  *

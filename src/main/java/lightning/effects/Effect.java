@@ -10,7 +10,7 @@ import lightning.scene.Attenuation;
 import lightning.scene.LightType;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
+import lightning.scene.Solid;
 
 /**
  * The parts of the picture that a scene may or may not call for: the one place that names them. Each tells who calls for
@@ -35,10 +35,11 @@ public enum Effect {
     DIRECTIONAL_LIGHTS("directional lights", LightType.DIRECTIONAL),
     POINT_LIGHTS("point lights", LightType.POINT),
     SPOT_LIGHTS("spot lights", LightType.SPOT),
-    SPHERES("spheres", Shape.Sphere.class),
-    CONES("cones", Shape.Cone.class),
-    CYLINDERS("cylinders", Shape.Cylinder.class),
-    PLANES("planes", Shape.Plane.class);
+    SPHERES("spheres", Solid.Sphere.class),
+    CONES("cones", Solid.Cone.class),
+    CYLINDERS("cylinders", Solid.Cylinder.class),
+    FRUSTUMS("frustums", Solid.Frustum.class),
+    PLANES("planes", Solid.Plane.class);
 
     private final String title;
     private final Function<Uses, Stream<String>> callers;
@@ -61,7 +62,7 @@ public enum Effect {
                 scene -> Without.lights(scene, l -> l.type() == type ? l.withOn(false) : l));
     }
 
-    Effect(String title, Class<? extends Shape> type) {
+    Effect(String title, Class<? extends Solid> type) {
         this(title, uses -> uses.shapes(type), scene -> Without.shapes(scene, type));
     }
 

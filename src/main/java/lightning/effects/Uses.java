@@ -8,6 +8,7 @@ import lightning.scene.Material;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 
 /**
  * What of a scene takes part in its picture.
@@ -24,7 +25,7 @@ record Uses(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
     }
 
     private static boolean shines(Scene scene, Light light) {
-        return scene.shines(light) && light.intensity() > 0 && !light.color().isBlack();
+        return scene.shines(light) && !light.weight().isBlack();
     }
 
     /** The names of such lights. */
@@ -51,8 +52,8 @@ record Uses(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
         return scene.picture().sampling().isFine() ? Stream.of("picture") : Stream.empty();
     }
 
-    /** The names of such shapes. */
-    Stream<String> shapes(Class<? extends Shape> type) {
-        return shapes.stream().map(PlacedShape::shape).filter(type::isInstance).map(Shape::name);
+    /** The names of shapes of such a form. */
+    Stream<String> shapes(Class<? extends Solid> type) {
+        return shapes.stream().map(PlacedShape::shape).filter(s -> type.isInstance(s.solid())).map(Shape::name);
     }
 }

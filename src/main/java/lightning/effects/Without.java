@@ -8,6 +8,7 @@ import lightning.scene.Material;
 import lightning.scene.Node;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 
 /** Scenes with something taken away. */
 final class Without {
@@ -21,14 +22,15 @@ final class Without {
         return s.withLights(s.lights().stream().map(change).toList());
     }
 
-    static Scene shapes(Scene s, Class<? extends Shape> type) {
+    static Scene shapes(Scene s, Class<? extends Solid> type) {
         return s.withNodes(nodes(s.nodes(), type));
     }
 
-    private static List<Node> nodes(List<Node> nodes, Class<? extends Shape> type) {
-        return nodes.stream().filter(node -> !type.isInstance(node)).map(node -> switch (node) {
-            case Group group -> new Group(group.name(), group.placement(), nodes(group.children(), type));
-            case Shape shape -> shape;
-        }).toList();
+    private static List<Node> nodes(List<Node> nodes, Class<? extends Solid> type) {
+        return nodes.stream().filter(node -> !(node instanceof Shape shape && type.isInstance(shape.solid())))
+                .<Node>map(node -> switch (node) {
+                    case Group group -> new Group(group.name(), group.placement(), nodes(group.children(), type));
+                    case Shape shape -> shape;
+                }).toList();
     }
 }

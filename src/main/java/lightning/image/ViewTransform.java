@@ -72,17 +72,25 @@ public record ViewTransform(double exposure, DisplayCurve curve) {
      * @param pixels {@code int[width * height]} of the whole film, as {@link #toPixels} gives it
      */
     public void packTile(Film film, int tile, int[] pixels) {
+        packTile(film.red(tile), film.green(tile), film.blue(tile), tile % film.tilesX() * Film.TILE, tile / film.tilesX() * Film.TILE,
+                film.width(), pixels);
+    }
+
+    /**
+     * Writes the visible pixels of a tile that is in no film yet.
+     *
+     * @param red    {@code float[1024]}, linear; likewise {@code green} and {@code blue}
+     * @param left   the picture's column of the tile's first; likewise {@code top}
+     * @param width  the picture's
+     * @param pixels {@code int[width * height]}, as {@link #toPixels} gives it
+     */
+    public void packTile(float[] red, float[] green, float[] blue, int left, int top, int width, int[] pixels) {
         float gain = gain();
-        float[] red = film.red(tile);
-        float[] green = film.green(tile);
-        float[] blue = film.blue(tile);
-        int left = tile % film.tilesX() * Film.TILE;
-        int top = tile / film.tilesX() * Film.TILE;
-        int columns = Math.min(Film.TILE, film.width() - left);
-        int rows = Math.min(Film.TILE, film.height() - top);
+        int columns = Math.min(Film.TILE, width - left);
+        int rows = Math.min(Film.TILE, pixels.length / width - top);
         for (int y = 0; y < rows; y++) {
             int from = y * Film.TILE;
-            int to = (top + y) * film.width() + left;
+            int to = (top + y) * width + left;
             for (int x = 0; x < columns; x++) {
                 pixels[to + x] = 0xFF000000
                         | curve.encode(red[from + x] * gain) << 16

@@ -1,11 +1,8 @@
 package lightning.jen;
 
 import java.util.ArrayList;
-import java.util.HashSet;
-import java.util.LinkedHashMap;
+import java.util.Collections;
 import java.util.List;
-import java.util.Map;
-import java.util.Set;
 import lightning.text.Quote;
 
 /** A block as it stands in the text. All places are numbers of tokens; −1 where something is missing. */
@@ -20,22 +17,61 @@ final class Block {
      */
     record Entry(Property<?> property, int nameToken, int from, int to, Value value) {}
 
+    private static final int FEW = 3;
+
     final BlockType<?> type;
     final int keyword;
     int nameToken = -1;
     String name = "";
     int open = -1;
     int close = -1;
-    /** The names of all properties that are written, well or not. */
-    final Set<String> written = new HashSet<>();
-    /** The well written ones by property name, in the order of the text. */
-    final Map<String, Entry> entries = new LinkedHashMap<>();
     /** What a group holds. */
-    final List<Block> children = new ArrayList<>();
+    final List<Block> children;
+    /** All properties that are written, well or not. Lists, as there are few of them and may be a million blocks. */
+    private final List<Property<?>> written = new ArrayList<>(FEW);
+    /** The well written ones, in the order of the text. */
+    private final List<Entry> entries = new ArrayList<>(FEW);
 
     Block(BlockType<?> type, int keyword) {
         this.type = type;
         this.keyword = keyword;
+        children = type == Blocks.GROUP ? new ArrayList<>() : List.of();
+    }
+
+    /** Tells that a property is written; whether it was not before. */
+    boolean write(Property<?> property) {
+        return !isWritten(property.name()) && written.add(property);
+    }
+
+    boolean isWritten(String property) {
+        for (Property<?> p : written) {
+            if (p.name().equals(property)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Adds a well written property, unless it has been before. */
+    void add(Entry entry) {
+        if (entry(entry.property().name()) == null) {
+            entries.add(entry);
+        }
+    }
+
+    /** A well written property; null where there is none of that name. */
+    Entry entry(String property) {
+        for (Entry e : entries) {
+            if (e.property().name().equals(property)) {
+                return e;
+            }
+        }
+        return null;
+    }
+
+    /** The well written properties, in the order of the text. */
+    List<Entry> entries() {
+        return Collections.unmodifiableList(entries);
     }
 
     /** How messages call it: {@code light 'key'} or {@code camera}. */

@@ -20,9 +20,9 @@ final class BlockPatch {
         if (!block.name.equals(wanted.name())) {
             replace(block.nameToken, NameText.of(wanted.name()));
         }
-        block.type.header().ifPresent(p -> change(block.entries.get(p.name()), wanted.values().get(p.name())));
+        block.type.header().ifPresent(p -> change(block.entry(p.name()), wanted.values().get(p.name())));
         for (Property<?> property : block.type.properties()) {
-            Block.Entry entry = block.entries.get(property.name());
+            Block.Entry entry = block.entry(property.name());
             Value value = wanted.values().get(property.name());
             if (entry == null) {
                 if (wanted.mustSay(property)) {
@@ -67,7 +67,7 @@ final class BlockPatch {
 
     /** Puts a property behind the last one in the braces, on a line of its own where that one ends its line. */
     private void insert(Block block, String property) {
-        int last = block.entries.values().stream().mapToInt(e -> e.to() - 1).filter(t -> t > block.open).max()
+        int last = block.entries().stream().mapToInt(e -> e.to() - 1).filter(t -> t > block.open).max()
                 .orElse(block.open);
         int end = tokens.end(last);
         int lineEnd = source.lineEnd(end);

@@ -5,24 +5,25 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Antialias;
-import lightning.scene.Attenuation;
 import lightning.scene.Camera;
 import lightning.scene.Group;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
 import lightning.scene.Limits;
 import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
 import lightning.scene.Node;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Sampling;
 import lightning.scene.Shape;
-import lightning.scene.TextureMap;
+import lightning.scene.Solid;
 import lightning.scene.World;
 
 /** The table of all blocks and their properties: the one place that knows what a file may say. */
@@ -31,8 +32,7 @@ final class Blocks {
             Property.<Picture>numbers("size", List.of(" width", " height"),
                     Value.of(Picture.DEFAULT.width(), Picture.DEFAULT.height()), 1, Limits.MAX_SIZE, "pixels",
                     p -> Value.of(p.width(), p.height())).inWholeNumbers(),
-            Property.<Picture>number("depth", Picture.DEFAULT.depth(), 0, Limits.MAX_DEPTH, "mirror bounces",
-                    p -> (double) p.depth()).inWholeNumbers(),
+            Property.of(Picture.DEPTH).getFirst(),
             Property.choice("antialias", word(Sampling.DEFAULT.antialias()), words(Antialias.values()),
                     p -> word(p.sampling().antialias())),
             Property.<Picture>number("samples", Sampling.DEFAULT.grid(), Limits.MIN_SAMPLES, Limits.MAX_SAMPLES,
@@ -47,53 +47,37 @@ final class Blocks {
             Property.number("fov", Camera.DEFAULT.fov(), Limits.MIN_FOV, Limits.MAX_FOV, "degrees, vertical", Camera::fov)),
             (name, v, children) -> new Camera(v.vector("from"), v.vector("to"), v.vector("up"), v.number("fov")));
 
-    static final BlockType<World> WORLD = new BlockType<>("world", false, Optional.empty(), List.of(
-            Property.number("ambience", World.DEFAULT.ambience(), 0, Limits.MAX_AMBIENCE, "", World::ambience),
-            color("background", World.DEFAULT.background(), Limits.MAX_EMISSION, World::background)),
-            (name, v, children) -> new World(v.number("ambience"), v.color("background")));
+    static final BlockType<World> WORLD = new BlockType<>("world", false, Optional.empty(), Property.of(World.ATTRIBUTES),
+            (name, v, children) -> v.on(World.DEFAULT, World.ATTRIBUTES));
 
-    static final BlockType<Material> MATERIAL = new BlockType<>("material", true, Optional.empty(), List.of(
-            color("ambient", Material.DEFAULT.ambient(), Limits.MAX_EMISSION, Material::ambient),
-            color("diffuse", Material.DEFAULT.diffuse(), 1, Material::diffuse),
-            Property.quoted("texture", "a PNG or JPEG file", v -> TextureName.check(((Value.Quoted) v).file()),
-                    m -> texture(m, t -> new Value.Quoted(t.file()))),
-            Property.<Material>numbers("repeat", List.of(" u", " v"), Value.of(1, 1), -Limits.MAX_REPEAT,
-                    Limits.MAX_REPEAT, "times, needs a texture", m -> texture(m, t -> Value.of(t.repeatU(), t.repeatV())))
-                    .also(v -> new TextureMap("", component(v, 0), component(v, 1), null)),
-            color("specular", Material.DEFAULT.specular(), 1, Material::specular),
-            Property.number("shininess", Material.DEFAULT.shininess(), 0, Limits.MAX_SHININESS, "exponent",
-                    Material::shininess),
-            color("reflective", Material.DEFAULT.reflective(), 1, Material::reflective)),
-            (name, v, children) -> new Material(name, v.color("ambient"), v.color("diffuse"), v.color("specular"),
-                    v.number("shininess"), v.color("reflective"), textureMap(v)));
+    static final BlockType<Material> MATERIAL = new BlockType<>("material", true, Optional.empty(),
+            Property.of(MaterialAttribute.ALL), (name, v, children) -> v.on(Material.of(name), MaterialAttribute.ALL));
 
-    static final BlockType<Shape.Sphere> SPHERE =
-            shape("sphere", (name, v, children) -> new Shape.Sphere(name, v.name("material"), placement(v)));
-    static final BlockType<Shape.Cone> CONE =
-            shape("cone", (name, v, children) -> new Shape.Cone(name, v.name("material"), placement(v)));
-    static final BlockType<Shape.Cylinder> CYLINDER =
-            shape("cylinder", (name, v, children) -> new Shape.Cylinder(name, v.name("material"), placement(v)));
-    static final BlockType<Shape.Plane> PLANE =
-            shape("plane", (name, v, children) -> new Shape.Plane(name, v.name("material"), placement(v)));
+    private static final BlockType<Shape> SPHERE = shape(Solid.SPHERE, List.of(), v -> Solid.SPHERE);
+    private static final BlockType<Shape> CONE =
+            shape(Solid.CONE, List.of(caps(s -> ((Solid.Cone) s).caps())), v -> new Solid.Cone(v.word("caps").equals("yes")));
+    private static final BlockType<Shape> CYLINDER =
+            shape(Solid.CYLINDER, List.of(caps(s -> ((Solid.Cylinder) s).caps())), v -> new Solid.Cylinder(v.word("caps").equals("yes")));
+    private static final BlockType<Shape> FRUSTUM = shape(Solid.FRUSTUM, List.of(
+            Property.number("top", ((Solid.Frustum) Solid.FRUSTUM).top(), 0, Limits.MAX_TOP, "radius, that of the base is 1",
+                    s -> ((Solid.Frustum) s.solid()).top()),
+            caps(s -> ((Solid.Frustum) s).caps())), v -> new Solid.Frustum(v.number("top"), v.word("caps").equals("yes")));
+    private static final BlockType<Shape> PLANE = shape(Solid.PLANE, List.of(), v -> Solid.PLANE);
 
     static final BlockType<Group> GROUP = new BlockType<>("group", true, Optional.empty(), placed(),
             (name, v, children) -> new Group(name, placement(v), children));
 
-    static final BlockType<Light> LIGHT = new BlockType<>("light", true,
-            Optional.of(Property.choice("type", word(LightType.POINT), words(LightType.values()), l -> word(l.type()))),
-            lightProperties(Light.of("initial", LightType.POINT)),
-            (name, v, children) -> new Light(name, LightType.valueOf(v.word("type").toUpperCase(Locale.ROOT)),
-                    v.color("color"), v.number("intensity"), v.vector("at"), v.vector("direction"),
-                    new Attenuation(v.number("attenuation", 0), v.number("attenuation", 1), v.number("attenuation", 2)),
-                    v.number("angle"), v.number("dropoff"), v.yes("on"), v.yes("solo")));
+    static final BlockType<Light> LIGHT = new BlockType<>("light", true, Optional.of(Property.of(LightAttribute.TYPE).getFirst()),
+            Property.of(LightAttribute.ALL.stream().filter(a -> a != LightAttribute.TYPE).toList()),
+            (name, v, children) -> v.on(Light.of(name, LightType.POINT), LightAttribute.ALL));
 
     private static final Map<String, BlockType<?>> BY_KEYWORD = Stream.of(PICTURE, CAMERA, WORLD, MATERIAL, SPHERE, CONE,
-            CYLINDER, PLANE, GROUP, LIGHT).collect(Collectors.toUnmodifiableMap(BlockType::keyword, b -> b));
+            CYLINDER, FRUSTUM, PLANE, GROUP, LIGHT).collect(Collectors.toUnmodifiableMap(BlockType::keyword, b -> b));
 
     /** The keywords of all blocks. */
     static final List<String> KEYWORDS = BY_KEYWORD.keySet().stream().sorted().toList();
     /** The keywords of the blocks that may stand in a group. */
-    static final List<String> NODES = List.of("sphere", "cone", "cylinder", "plane", "group");
+    static final List<String> NODES = Stream.of(SPHERE, CONE, CYLINDER, FRUSTUM, PLANE, GROUP).map(BlockType::keyword).toList();
 
     private Blocks() {}
 
@@ -101,26 +85,29 @@ final class Blocks {
         return Optional.ofNullable(BY_KEYWORD.get(keyword));
     }
 
-    private static List<Property<Light>> lightProperties(Light initial) {
-        return List.of(
-                color("color", initial.color(), Limits.MAX_LIGHT_COLOR, Light::color),
-                Property.number("intensity", initial.intensity(), 0, Limits.MAX_INTENSITY, "", Light::intensity),
-                position("at", initial.position(), Light::position),
-                direction("direction", initial.direction(), Light::direction),
-                Property.numbers("attenuation", List.of(" constant", " linear", " quadratic"),
-                        attenuation(initial.attenuation()), 0, Limits.MAX_ATTENUATION,
-                        "per scene unit to the power 0, 1, 2", l -> attenuation(l.attenuation())),
-                Property.number("angle", initial.angle(), 0, Limits.MAX_ANGLE, "degrees from the axis", Light::angle),
-                Property.number("dropoff", initial.dropoff(), 0, Limits.MAX_DROPOFF, "exponent", Light::dropoff),
-                Property.yes("on", initial.on(), Light::on),
-                Property.yes("solo", initial.solo(), Light::solo));
+    /** The block of a shape. */
+    static BlockType<Shape> of(Solid solid) {
+        return switch (solid) {
+            case Solid.Sphere _ -> SPHERE;
+            case Solid.Cone _ -> CONE;
+            case Solid.Cylinder _ -> CYLINDER;
+            case Solid.Frustum _ -> FRUSTUM;
+            case Solid.Plane _ -> PLANE;
+        };
     }
 
-    private static <T extends Shape> BlockType<T> shape(String keyword, BlockType.Builder<T> builder) {
-        Property<T> material = Property.name("material", new Value.Name(Material.DEFAULT.name()),
+    /** @param own the properties of the solid itself */
+    private static BlockType<Shape> shape(Solid initial, List<Property<Shape>> own, Function<Values, Solid> solid) {
+        Property<Shape> material = Property.name("material", new Value.Name(Material.DEFAULT.name()),
                 "the name of a material", s -> new Value.Name(s.material()));
-        return new BlockType<>(keyword, true, Optional.empty(),
-                Stream.concat(Stream.of(material), Blocks.<T>placed().stream()).toList(), builder);
+        return new BlockType<>(initial.noun(), true, Optional.empty(),
+                Stream.of(List.of(material), own, Blocks.<Shape>placed()).flatMap(List::stream).toList(),
+                (name, v, children) -> new Shape(solid.apply(v), name, v.name("material"), placement(v)));
+    }
+
+    private static Property<Shape> caps(Predicate<Solid> get) {
+        return Property.choice("caps", new Value.Word("yes"), List.of("yes", "no"),
+                s -> new Value.Word(get.test(s.solid()) ? "yes" : "no"));
     }
 
     private static <T extends Node> List<Property<T>> placed() {
@@ -144,27 +131,6 @@ final class Blocks {
     private static <T> Property<T> direction(String name, Vec3 initial, Function<T, Vec3> get) {
         return Property.<T>vector(name, Value.of(initial), Limits.MAX_COORDINATE, "any length but 0",
                 t -> Value.of(get.apply(t))).also(v -> Limits.direction(name, vector(v)));
-    }
-
-    private static <T> Property<T> color(String name, Rgb initial, double max, Function<T, Rgb> get) {
-        return Property.color(name, Value.of(initial), max, t -> Value.of(get.apply(t)));
-    }
-
-    private static Optional<TextureMap> textureMap(Values v) {
-        if (v.has("texture")) {
-            String file = v.file("texture");
-            return Optional.of(new TextureMap(file, v.number("repeat", 0), v.number("repeat", 1),
-                    v.textures().apply(file)));
-        }
-        return Optional.empty();
-    }
-
-    private static Value texture(Material m, Function<TextureMap, Value> get) {
-        return m.texture().map(get).orElse(new Value.Absent());
-    }
-
-    private static Value attenuation(Attenuation a) {
-        return Value.of(a.constant(), a.linear(), a.quadratic());
     }
 
     private static Value word(Enum<?> choice) {

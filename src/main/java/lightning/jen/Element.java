@@ -32,10 +32,7 @@ record Element(BlockType<?> type, String name, Map<String, Value> values, List<E
         Element element = switch (node) {
             case Group g -> new Element(Blocks.GROUP, "", Blocks.GROUP.values(g),
                     g.children().stream().map(Element::of).toList());
-            case Shape.Sphere s -> of(Blocks.SPHERE, s);
-            case Shape.Cone c -> of(Blocks.CONE, c);
-            case Shape.Cylinder c -> of(Blocks.CYLINDER, c);
-            case Shape.Plane p -> of(Blocks.PLANE, p);
+            case Shape s -> of(Blocks.of(s.solid()), s);
         };
         return element.named(node.name());
     }

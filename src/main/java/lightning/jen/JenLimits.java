@@ -5,10 +5,10 @@ package lightning.jen;
  * scene itself (counts, nesting, ranges) are in {@link lightning.scene.Limits}.
  */
 public final class JenLimits {
-    /** Bytes of a scene file: 64 MiB, room for a million shapes. */
-    public static final int FILE_BYTES = 64 << 20;
+    /** Bytes of a scene file: 256 MiB, room for a million shapes of 268 bytes each. */
+    public static final int FILE_BYTES = 256 << 20;
     /** Words, numbers, strings and braces in a scene file. */
-    public static final int TOKENS = 20_000_000;
+    public static final int TOKENS = 40_000_000;
     /** Characters of one word, number or string. */
     public static final int TOKEN_LENGTH = 1000;
     /** Problems reported for one file; reading stops there. */

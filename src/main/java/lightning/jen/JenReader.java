@@ -23,15 +23,23 @@ public final class JenReader {
     public static JenDocument read(Path file) throws IOException, JenException {
         var problems = new Problems();
         OrdinaryFile.check(file, "a .jen file");
+        if (Files.size(file) > JenLimits.FILE_BYTES) {
+            throw tooLarge(file, problems);
+        }
         byte[] bytes;
+        // It may grow meanwhile.
         try (InputStream in = Files.newInputStream(file)) {
             bytes = in.readNBytes(JenLimits.FILE_BYTES + 1);
         }
         if (bytes.length > JenLimits.FILE_BYTES) {
-            problems.add(0, "a scene file may have at most " + JenLimits.FILE_BYTES + " bytes, found more");
-            throw new JenException(problems.in(new Source(file.toString(), "")));
+            throw tooLarge(file, problems);
         }
         return read(Source.decode(file.toString(), bytes, problems), file.toAbsolutePath().getParent(), problems);
+    }
+
+    private static JenException tooLarge(Path file, Problems problems) {
+        problems.add(0, "a scene file may have at most " + JenLimits.FILE_BYTES + " bytes, found more");
+        return new JenException(problems.in(new Source(file.toString(), "")));
     }
 
     /**

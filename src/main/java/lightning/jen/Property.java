@@ -2,9 +2,15 @@ package lightning.jen;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import lightning.scene.Attribute;
+import lightning.scene.Choice;
+import lightning.scene.Kind;
 import lightning.scene.Limits;
+import lightning.scene.Quantity;
+import lightning.scene.TextureMap;
 import lightning.text.Quote;
 
 /**
@@ -34,8 +40,38 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         QUOTED
     }
 
+    /** How often a picture repeats, written beside its file. */
+    static final String REPEAT = "repeat";
+
     private static final List<String> XYZ = List.of(" x", " y", " z");
-    private static final List<String> CHANNELS = List.of(" red", " green", " blue");
+
+    /** How a file writes attributes, in their order. */
+    static <T> List<Property<T>> of(List<? extends Attribute<T, ?>> attributes) {
+        return attributes.stream().flatMap(a -> of(a).stream()).toList();
+    }
+
+    /** How a file writes an attribute: a picture as its file and how often it repeats, all others as one property. */
+    static <T, V> List<Property<T>> of(Attribute<T, V> a) {
+        return switch (a.kind()) {
+            case Quantity<V> n -> List.of(new Property<>(a.name(), Form.NUMBERS,
+                    n.labels().stream().map(l -> l.isEmpty() ? l : " " + l).toList(), n.min(), n.max(), List.of(),
+                    new Value.Numbers(n.split().apply(a.initial())), a.unit(), n.whole(),
+                    v -> n.check(a.name(), n.join().apply(((Value.Numbers) v).all())),
+                    t -> new Value.Numbers(n.split().apply(a.of(t)))));
+            case Choice<V> c -> List.of(choice(a.name(), new Value.Word(c.text(a.initial())), c.words(),
+                    t -> new Value.Word(c.text(a.of(t)))));
+            case Kind.Texturing _ -> List.of(
+                    quoted(a.name(), "a PNG or JPEG file", v -> TextureName.check(((Value.Quoted) v).file()),
+                            t -> picture(a.of(t), map -> new Value.Quoted(map.file()))),
+                    Property.<T>numbers(REPEAT, List.of(" u", " v"), Value.of(1, 1), -Limits.MAX_REPEAT, Limits.MAX_REPEAT,
+                            "times, needs a texture", t -> picture(a.of(t), map -> Value.of(map.repeatU(), map.repeatV())))
+                            .also(v -> new TextureMap("", ((Value.Numbers) v).all().get(0), ((Value.Numbers) v).all().get(1), null)));
+        };
+    }
+
+    private static Value picture(Object map, Function<TextureMap, Value> get) {
+        return ((Optional<?>) map).map(m -> get.apply((TextureMap) m)).orElse(new Value.Absent());
+    }
 
     static <T> Property<T> number(String name, double initial, double min, double max, String unit,
             Function<T, Double> get) {
@@ -47,10 +83,6 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         return numbers(name, XYZ, initial, -max, max, unit, get);
     }
 
-    static <T> Property<T> color(String name, Value initial, double max, Function<T, Value> get) {
-        return numbers(name, CHANNELS, initial, 0, max, "linear red, green, blue", get);
-    }
-
     static <T> Property<T> numbers(String name, List<String> labels, Value initial, double min, double max,
             String unit, Function<T, Value> get) {
         return new Property<>(name, Form.NUMBERS, labels, min, max, List.of(), initial, unit, false, v -> {}, get);
@@ -58,11 +90,6 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
 
     static <T> Property<T> choice(String name, Value initial, List<String> choices, Function<T, Value> get) {
         return new Property<>(name, Form.WORD, List.of(), 0, 0, choices, initial, "", false, v -> {}, get);
-    }
-
-    /** {@code yes} or {@code no}. */
-    static <T> Property<T> yes(String name, boolean initial, Function<T, Boolean> get) {
-        return choice(name, Value.yes(initial), List.of("yes", "no"), t -> Value.yes(get.apply(t)));
     }
 
     /** The name of something. */

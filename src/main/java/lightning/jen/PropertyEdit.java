@@ -205,10 +205,7 @@ public final class PropertyEdit {
         }
         return switch (node) {
             case Group g -> edited(textures, Blocks.GROUP, target, g, property, value);
-            case Shape.Sphere s -> edited(textures, Blocks.SPHERE, target, s, property, value);
-            case Shape.Cone c -> edited(textures, Blocks.CONE, target, c, property, value);
-            case Shape.Cylinder c -> edited(textures, Blocks.CYLINDER, target, c, property, value);
-            case Shape.Plane p -> edited(textures, Blocks.PLANE, target, p, property, value);
+            case Shape s -> edited(textures, Blocks.of(s.solid()), target, s, property, value);
         };
     }
 
@@ -268,7 +265,7 @@ public final class PropertyEdit {
                     + tokens.found(end));
         }
         throwIfAny(problems);
-        return block.entries.get(property).value();
+        return block.entry(property).value();
     }
 
     /** A picture that the scene already holds: without a folder an edit reads no files. */

@@ -1,8 +1,10 @@
 package lightning.jen;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Set;
 import lightning.jen.Tokens.Kind;
 import lightning.text.Decimal;
@@ -14,6 +16,8 @@ final class PropertyParser {
 
     private final Tokens tokens;
     private final Problems problems;
+    /** The names found so far: a million shapes share those of a few materials. */
+    private final Map<String, Value.Name> names = new HashMap<>();
 
     PropertyParser(Tokens tokens, Problems problems) {
         this.tokens = tokens;
@@ -37,7 +41,7 @@ final class PropertyParser {
                     + (hint.isEmpty() ? ", expected one of " + String.join(", ", block.type.propertyNames()) : hint));
             return skipValue(block, at + 1);
         }
-        if (!block.written.add(name)) {
+        if (!block.write(property)) {
             problem(at, at, block.title() + ": " + name + " must be written once, found it again");
         }
         return value(block, property, at, at + 1);
@@ -61,20 +65,20 @@ final class PropertyParser {
         try {
             Value value = value(property, tokens.text(at));
             property.checkTogether(value);
-            block.entries.putIfAbsent(property.name(), new Block.Entry(property, nameToken, at, at + 1, value));
+            block.add(new Block.Entry(property, nameToken, at, at + 1, value));
         } catch (IllegalArgumentException e) {
             problem(at, at, block.title() + ": " + e.getMessage());
         }
         return at + 1;
     }
 
-    private static Value value(Property<?> property, String text) {
+    private Value value(Property<?> property, String text) {
         return switch (property.form()) {
             case WORD -> {
                 property.checkWord(text);
                 yield new Value.Word(text);
             }
-            case NAME -> new Value.Name(text);
+            case NAME -> names.computeIfAbsent(text, Value.Name::new);
             case QUOTED -> new Value.Quoted(text);
             case NUMBERS -> throw new IllegalStateException(property.name() + " is no single word");
         };
@@ -105,7 +109,7 @@ final class PropertyParser {
     private void together(Block block, Block.Entry entry) {
         try {
             entry.property().checkTogether(entry.value());
-            block.entries.putIfAbsent(entry.property().name(), entry);
+            block.add(entry);
         } catch (IllegalArgumentException e) {
             problem(entry.from(), entry.from(), block.title() + ": " + e.getMessage());
         }

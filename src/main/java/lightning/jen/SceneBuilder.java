@@ -117,13 +117,13 @@ final class SceneBuilder {
     }
 
     private static Placement scale(Block block) {
-        Block.Entry entry = block.entries.get("scale");
+        Block.Entry entry = block.entry("scale");
         return entry == null ? Placement.IDENTITY
                 : new Placement(Vec3.ZERO, Vec3.ZERO, new Values(Map.of("scale", entry.value()), null).vector("scale"));
     }
 
     private void checkMaterial(Block block) {
-        Block.Entry entry = block.entries.get("material");
+        Block.Entry entry = block.entry("material");
         if (entry != null && entry.value() instanceof Value.Name(String name) && !materialNames.contains(name)) {
             problems.add(tokens.start(entry.from()), block.title() + ": there is no material " + Quote.of(name)
                     + Nearest.hint(name, materialNames));
@@ -140,15 +140,15 @@ final class SceneBuilder {
     /** The record of a block; nothing where a problem of the file stands in the way. */
     private <T> Optional<T> record(Block block, BlockType<T> type, List<Node> children) {
         Map<String, Value> values = new HashMap<>(type.initials());
-        block.entries.forEach((name, entry) -> values.put(name, entry.value()));
-        if (block.entries.containsKey("repeat") && !block.written.contains("texture")) {
-            problems.add(tokens.start(block.entries.get("repeat").nameToken()),
+        block.entries().forEach(entry -> values.put(entry.property().name(), entry.value()));
+        if (block.entry("repeat") != null && !block.isWritten("texture")) {
+            problems.add(tokens.start(block.entry("repeat").nameToken()),
                     block.title() + ": repeat needs a texture, found none");
         }
         Texture image = image(block);
         if (!problems.isEmpty() && (type.named() && block.name.isEmpty()
                 || type.header().filter(p -> !values.containsKey(p.name())).isPresent()
-                || block.written.contains("texture") && image == null)) {
+                || block.isWritten("texture") && image == null)) {
             return Optional.empty();
         }
         try {
@@ -160,7 +160,7 @@ final class SceneBuilder {
     }
 
     private Texture image(Block block) {
-        Block.Entry entry = block.entries.get("texture");
+        Block.Entry entry = block.entry("texture");
         if (entry == null) {
             return null;
         }

@@ -20,6 +20,10 @@ record Source(String name, String text) {
      * the file can still be checked.
      */
     static Source decode(String name, byte[] bytes, Problems problems) {
+        String decoded = new String(bytes, StandardCharsets.UTF_8);
+        if (decoded.indexOf(REPLACEMENT) < 0) {
+            return new Source(name, decoded);
+        }
         var in = ByteBuffer.wrap(bytes);
         var out = CharBuffer.allocate(bytes.length + 1);
         var decoder = StandardCharsets.UTF_8.newDecoder();

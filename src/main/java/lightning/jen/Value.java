@@ -3,7 +3,6 @@ package lightning.jen;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
-import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.text.Decimal;
 
@@ -56,13 +55,5 @@ sealed interface Value {
 
     static Value of(Vec3 v) {
         return of(v.x(), v.y(), v.z());
-    }
-
-    static Value of(Rgb c) {
-        return of(c.r(), c.g(), c.b());
-    }
-
-    static Value yes(boolean v) {
-        return new Word(v ? "yes" : "no");
     }
 }

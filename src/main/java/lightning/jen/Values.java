@@ -2,10 +2,15 @@ package lightning.jen;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
-import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.scene.Attribute;
+import lightning.scene.Choice;
+import lightning.scene.Kind;
+import lightning.scene.Quantity;
 import lightning.scene.Texture;
+import lightning.scene.TextureMap;
 
 /**
  * All values of one block by property name, written or by default, in the types of the scene.
@@ -14,8 +19,38 @@ import lightning.scene.Texture;
  */
 record Values(Map<String, Value> all, Function<String, Texture> textures) {
 
-    boolean has(String property) {
-        return !(all.get(property) instanceof Value.Absent);
+    /** The record with all of these attributes as the block has them. */
+    <T> T on(T record, List<? extends Attribute<T, ?>> attributes) {
+        T on = record;
+        for (Attribute<T, ?> attribute : attributes) {
+            on = on(on, attribute);
+        }
+        return on;
+    }
+
+    private <T, V> T on(T record, Attribute<T, V> attribute) {
+        return attribute.with(record, of(attribute));
+    }
+
+    /** The value of an attribute. */
+    <V> V of(Attribute<?, V> attribute) {
+        return switch (attribute.kind()) {
+            case Quantity<V> n -> n.join().apply(numbers(attribute.name()));
+            case Choice<V> c -> c.value(word(attribute.name()));
+            case Kind.Texturing _ -> unchecked(picture(attribute.name()));
+        };
+    }
+
+    private Optional<TextureMap> picture(String property) {
+        return all.get(property) instanceof Value.Quoted(String file)
+                ? Optional.of(new TextureMap(file, number(Property.REPEAT, 0), number(Property.REPEAT, 1), textures.apply(file)))
+                : Optional.empty();
+    }
+
+    /** A picture, where the kind of the attribute has told that {@code V} is one: the compiler cannot follow that. */
+    @SuppressWarnings("unchecked")
+    private static <V> V unchecked(Optional<TextureMap> picture) {
+        return (V) picture;
     }
 
     double number(String property) {
@@ -35,25 +70,12 @@ record Values(Map<String, Value> all, Function<String, Texture> textures) {
         return new Vec3(n.get(0), n.get(1), n.get(2));
     }
 
-    Rgb color(String property) {
-        List<Double> n = numbers(property);
-        return new Rgb(n.get(0), n.get(1), n.get(2));
-    }
-
     String word(String property) {
         return ((Value.Word) all.get(property)).text();
     }
 
     String name(String property) {
         return ((Value.Name) all.get(property)).name();
-    }
-
-    boolean yes(String property) {
-        return word(property).equals("yes");
-    }
-
-    String file(String property) {
-        return ((Value.Quoted) all.get(property)).file();
     }
 
     private List<Double> numbers(String property) {

@@ -4,6 +4,7 @@ import java.util.List;
 import lightning.math.Vec3;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
+import lightning.scene.Solid;
 
 /**
  * A sphere around all shapes of a scene.
@@ -20,9 +21,9 @@ record Extent(Vec3 center, double radius) {
         double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
         double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
         for (PlacedShape shape : shapes) {
-            // Every canonical solid is inside the cube from −1 to 1.
+            double wide = wide(shape.shape().solid());
             for (int corner = 0; corner < 8; corner++) {
-                Vec3 p = shape.toWorld().point(new Vec3((corner & 1) * 2 - 1, (corner & 2) - 1, (corner & 4) / 2 - 1));
+                Vec3 p = shape.toWorld().point(new Vec3(wide * ((corner & 1) * 2 - 1), (corner & 2) - 1, wide * ((corner & 4) / 2 - 1)));
                 double[] at = {p.x(), p.y(), p.z()};
                 for (int axis = 0; axis < 3; axis++) {
                     low[axis] = Math.min(low[axis], at[axis]);
@@ -33,5 +34,13 @@ record Extent(Vec3 center, double radius) {
         Vec3 from = new Vec3(low[0], low[1], low[2]);
         Vec3 to = new Vec3(high[0], high[1], high[2]);
         return new Extent(from.plus(to).times(0.5), to.minus(from).length() / 2);
+    }
+
+    /** How far a solid reaches at most along x and z; along y it is 1. */
+    private static double wide(Solid solid) {
+        return switch (solid) {
+            case Solid.Sphere _,Solid.Cone _,Solid.Cylinder _,Solid.Plane _ -> 1;
+            case Solid.Frustum f -> Math.max(1, f.top());
+        };
     }
 }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.math.Rgb;
 import lightning.scene.Material;
-import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.TextureMap;
 
 /**
@@ -21,9 +21,9 @@ final class PovMaterial {
         this.losses = losses;
     }
 
-    /** The texture of one shape, on one or several lines; {@code image} is the texture's file. */
-    String text(Material m, Shape shape, String image) {
-        return m.texture().isPresent() ? textured(m, m.texture().get(), shape, image) : plain(m);
+    /** The texture of a shape, on one or several lines; {@code image} is the texture's file. */
+    String text(Material m, Solid solid, String image) {
+        return m.texture().isPresent() ? textured(m, m.texture().get(), solid, image) : plain(m);
     }
 
     private String plain(Material m) {
@@ -36,31 +36,32 @@ final class PovMaterial {
                 + " diffuse 1 " + shine(m) + " }\n  }";
     }
 
-    private String textured(Material m, TextureMap map, Shape shape, String image) {
+    private String textured(Material m, TextureMap map, Solid solid, String image) {
         double diffuse = grey(m.name(), "diffuse, with a texture,", m.diffuse());
         double kept = 1 - grey(m.name(), "reflective, for what a texture keeps,", m.reflective());
         if (!m.ambient().isBlack()) {
             lose("material " + m.name() + ": ambient is multiplied by the texture");
         }
         Rgb ambient = m.ambient().times(kept);
-        return "texture {\n    pigment { image_map { png \"" + image + "\" " + mapping(shape) + " interpolate 2 } "
-                + String.join(" ", placing(m, map, shape)) + " }\n    finish { ambient " + PovText.rgb(ambient) + " diffuse "
+        return "texture {\n    pigment { image_map { png \"" + image + "\" " + mapping(solid) + " interpolate 2 } "
+                + String.join(" ", placing(m, map, solid)) + " }\n    finish { ambient " + PovText.rgb(ambient) + " diffuse "
                 + diffuse * kept + " " + shine(m) + " }\n  }";
     }
 
-    private static String mapping(Shape shape) {
-        return switch (shape) {
-            case Shape.Sphere _ -> "map_type 1";
-            case Shape.Cone _ -> "map_type 2";
-            case Shape.Cylinder _ -> "map_type 2";
-            case Shape.Plane _ -> "map_type 0";
+    private static String mapping(Solid solid) {
+        return switch (solid) {
+            case Solid.Sphere _ -> "map_type 1";
+            case Solid.Cone _ -> "map_type 2";
+            case Solid.Cylinder _ -> "map_type 2";
+            case Solid.Frustum _ -> "map_type 2";
+            case Solid.Plane _ -> "map_type 0";
         };
     }
 
     /** Puts POV-Ray's map, which lies in the xy plane or winds about y, where our texture coordinates are. */
-    private List<String> placing(Material m, TextureMap map, Shape shape) {
+    private List<String> placing(Material m, TextureMap map, Solid solid) {
         List<String> words = new ArrayList<>();
-        if (shape instanceof Shape.Plane) {
+        if (solid instanceof Solid.Plane) {
             words.add("scale <" + 1 / map.repeatU() + ", " + 1 / map.repeatV() + ", 1>");
             words.add("rotate <90, 0, 0> translate <-0.5, 0, -0.5>");
             return words;
@@ -68,11 +69,20 @@ final class PovMaterial {
         if (map.repeatU() != 1 || map.repeatV() != 1) {
             lose("material " + m.name() + ": a texture around a shape does not repeat");
         }
-        if (!(shape instanceof Shape.Sphere)) {
+        if (hasCaps(solid)) {
             lose("material " + m.name() + ": caps have the texture of the side's edge");
         }
         words.add("scale <-1, 1, 1> rotate <0, -90, 0>");
         return words;
+    }
+
+    private static boolean hasCaps(Solid solid) {
+        return switch (solid) {
+            case Solid.Sphere _,Solid.Plane _ -> false;
+            case Solid.Cone c -> c.caps();
+            case Solid.Cylinder c -> c.caps();
+            case Solid.Frustum f -> f.caps();
+        };
     }
 
     private String shine(Material m) {

@@ -62,6 +62,30 @@ public final class PovRay {
         });
     }
 
+    /** Runs a process, and may measure it. */
+    public interface Around {
+        void run(Run process) throws IOException, InterruptedException;
+
+        /** Starts the process and waits for its end. */
+        interface Run {
+            void run() throws IOException, InterruptedException;
+        }
+    }
+
+    /**
+     * Traces a scene, without anti-aliasing, into a PNG file that nobody reads.
+     *
+     * @param around runs the process: nothing else is done then
+     * @throws IOException          as {@link #traceMs}
+     * @throws InterruptedException as {@link #traceMs}
+     */
+    public void process(PovScene scene, int width, int height, int threads, Around around) throws IOException, InterruptedException {
+        inFolder(scene, folder -> {
+            around.run(() -> traceMs(folder, command(width, height, threads, "+FN8", "+Opicture.png")));
+            return null;
+        });
+    }
+
     private List<String> command(int width, int height, int threads, String... output) {
         List<String> words = new ArrayList<>(List.of(program.toString(), "+Iscene.pov", "+W" + width, "+H" + height, "-A",
                 "+WT" + threads, "-D"));

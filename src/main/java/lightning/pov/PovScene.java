@@ -16,7 +16,7 @@ import lightning.math.Vec3;
 import lightning.scene.Camera;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 
@@ -48,8 +48,8 @@ public final class PovScene {
         var materials = new PovMaterial(losses);
         for (PlacedShape shape : scene.placedShapes()) {
             String image = shape.material().texture().map(t -> image(images, t, name)).orElse("");
-            body.append("// ").append(shape.shape().name()).append('\n').append(solid(shape.shape())).append("\n  ")
-                    .append(materials.text(shape.material(), shape.shape(), image)).append("\n  ")
+            body.append("// ").append(shape.shape().name()).append('\n').append(solid(shape.shape().solid())).append("\n  ")
+                    .append(materials.text(shape.material(), shape.shape().solid(), image)).append("\n  ")
                     .append(PovText.matrix(shape.toWorld())).append("\n}\n");
         }
         var lights = new PovLight(Extent.of(scene), losses);
@@ -78,13 +78,18 @@ public final class PovScene {
     }
 
     /** A canonical solid, left open for texture and placing. */
-    private static String solid(Shape shape) {
-        return switch (shape) {
-            case Shape.Sphere _ -> "sphere { <0, 0, 0>, 1";
-            case Shape.Cone _ -> "cone { <0, 0, 0>, 1, <0, 1, 0>, 0";
-            case Shape.Cylinder _ -> "cylinder { <0, 0, 0>, <0, 1, 0>, 1";
-            case Shape.Plane _ -> "polygon { 5, <-0.5, 0, -0.5>, <0.5, 0, -0.5>, <0.5, 0, 0.5>, <-0.5, 0, 0.5>, <-0.5, 0, -0.5>";
+    private static String solid(Solid solid) {
+        return switch (solid) {
+            case Solid.Sphere _ -> "sphere { <0, 0, 0>, 1";
+            case Solid.Cone c -> "cone { <0, 0, 0>, 1, <0, 1, 0>, 0" + open(c.caps());
+            case Solid.Cylinder c -> "cylinder { <0, 0, 0>, <0, 1, 0>, 1" + open(c.caps());
+            case Solid.Frustum f -> "cone { <0, 0, 0>, 1, <0, 1, 0>, " + f.top() + open(f.caps());
+            case Solid.Plane _ -> "polygon { 5, <-0.5, 0, -0.5>, <0.5, 0, -0.5>, <0.5, 0, 0.5>, <-0.5, 0, 0.5>, <-0.5, 0, -0.5>";
         };
+    }
+
+    private static String open(boolean caps) {
+        return caps ? "" : " open";
     }
 
     private static String image(Map<String, Texture> images, TextureMap map, String name) {

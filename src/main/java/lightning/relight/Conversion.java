@@ -6,9 +6,11 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.cache.CachedTile;
 import lightning.cache.FineTile;
-import lightning.cache.LayerStamp;
+import lightning.cache.KnownLight;
 import lightning.cache.PixelCache;
 import lightning.cache.TileLevel;
+import lightning.engine.Crew;
+import lightning.engine.Engine;
 import lightning.relight.plan.LayerPlan;
 import lightning.relight.plan.LevelPlan;
 import lightning.relight.plan.LightUpdate;
@@ -19,19 +21,18 @@ import lightning.relight.tile.Options;
 import lightning.relight.tile.Tally;
 import lightning.relight.tile.TilePainter;
 import lightning.scene.Scene;
-import lightning.shading.Lamp;
 import lightning.shading.LightKernel;
 import lightning.shading.LightLayer;
+import lightning.shading.Luminaire;
 import lightning.shading.RatioKernel;
 import lightning.shading.TraceCounts;
 import lightning.trace.Geometry;
 import lightning.trace.MaterialTable;
-import lightning.trace.PacketTracer;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
 /**
- * Brings what is known of a picture from one level of accuracy to another. Both keep each row's state, so that the terms
+ * Brings what is known of a picture from one accuracy to the other. Both keep each row's state, so that the terms
  * of one follow from the other's without a ray: contributions by multiplying the terms, terms by computing those of lit
  * rows anew. The picture is then composed anew, so that no error of scaled contributions stays in it.
  *
@@ -49,15 +50,14 @@ record Conversion(PixelCache cache, Options to) {
     UpdatePlan plan() {
         int depth = cache.scene().picture().depth();
         MaterialTable materials = cache.geometry().materials();
-        return new UpdatePlan.Relight(level(cache.scene(), cache.stamps(), materials),
-                level(cache.mirroredScene(), cache.mirroredStamps(), materials), depth, depth);
+        return new UpdatePlan.Relight(level(cache.lights(), materials),
+                level(cache.mirroredLights(), materials), depth, depth);
     }
 
-    private static LevelPlan level(Scene scene, LayerStamp[] stamps, MaterialTable materials) {
+    private static LevelPlan level(List<KnownLight> lights, MaterialTable materials) {
         List<LayerPlan> layers = new ArrayList<>();
-        for (int l = 0; l < stamps.length; l++) {
-            LightUpdate update = stamps[l] == null ? new LightUpdate.Keep() : new LightUpdate.Refresh();
-            layers.add(new LayerPlan(scene.lights().get(l), l, stamps[l], update));
+        for (KnownLight light : lights) {
+            layers.add(new LayerPlan(light.light(), light, light.stamp() == null ? new LightUpdate.Keep() : new LightUpdate.Refresh()));
         }
         return new LevelPlan(layers, List.of(), true, MaterialUpdate.none(materials));
     }
@@ -67,72 +67,61 @@ record Conversion(PixelCache cache, Options to) {
 
     /** @throws CancellationException if {@code progress} asked to stop */
     Result run(Workers workers, Progress progress) {
-        var top = Lit.of(cache.scene(), cache.stamps());
-        var mirrors = Lit.of(cache.mirroredScene(), cache.mirroredStamps());
-        Tiles[] threads = new Tiles[workers.count()];
-        Arrays.setAll(threads, _ -> new Tiles(cache, to));
+        var top = Lights.of(cache.scene(), cache.lights());
+        var mirrors = Lights.of(cache.mirroredScene(), cache.mirroredLights());
+        List<Crew<Tiles>> threads = Crew.each(workers.count(), to.engines(), engine -> new Tiles(cache, to, engine));
         CachedTile[] tiles = new CachedTile[cache.tileCount()];
         FineTile[] fine = new FineTile[cache.fineCount()];
         int perPixel = cache.scene().picture().sampling().perPixel();
         workers.run(Math.max(tiles.length, fine.length), (worker, i) -> {
-            CachedTile center = tiles.length == 0 ? null : threads[worker].convert(cache.tile(i), top, mirrors);
+            CachedTile center = tiles.length == 0 ? null : threads.get(worker).forTile(i).convert(cache.tile(i), top, mirrors);
             if (center != null) {
                 tiles[i] = center;
             }
             if (fine.length > 0) {
-                fine[i] = cache.fine(i).map(center, block -> threads[worker].convert(block, top, mirrors), perPixel);
+                fine[i] = cache.fine(i).map(center, block -> threads.get(worker).forTile(i).convert(block, top, mirrors), perPixel);
             }
         }, progress);
-        Tally work = Tally.NONE;
-        for (Tiles thread : threads) {
-            work = work.plus(thread.work());
-        }
-        return new Result(new PixelCache(cache.geometry(), tiles, fine, cache.sight(), fresh(cache.stamps()),
-                fresh(cache.mirroredStamps())), work);
+        Tally work = threads.stream().flatMap(crew -> crew.all().stream()).map(Tiles::work).reduce(Tally.NONE, Tally::plus);
+        return new Result(new PixelCache(cache.geometry(), tiles, fine, cache.scenes(), recomputed(cache.lights()),
+                recomputed(cache.mirroredLights())), work);
     }
 
-    private static LayerStamp[] fresh(LayerStamp[] stamps) {
-        return Arrays.stream(stamps).map(s -> s == null ? null : LayerStamp.fresh(s.light())).toArray(LayerStamp[]::new);
+    private static List<KnownLight> recomputed(List<KnownLight> lights) {
+        return lights.stream().map(KnownLight::recomputed).toList();
     }
 
-    /**
-     * The lights of some levels.
-     *
-     * @param scene    what the levels show
-     * @param shining  its lights
-     * @param computed the light that each layer was computed for, which may be older where the light does not shine; null
-     *                 where there is no layer
-     */
-    private record Lit(Scene scene, Lamp[] shining, Lamp[] computed) {
-        static Lit of(Scene scene, LayerStamp[] stamps) {
-            return new Lit(scene, Lamp.all(scene), Arrays.stream(stamps)
-                    .map(s -> s == null ? null : Lamp.shining(s.light(), scene)).toArray(Lamp[]::new));
+    /** The lights of a scene that levels show, as they shine, and as they are known. */
+    private record Lights(Scene scene, Luminaire[] shining, List<KnownLight> known) {
+        static Lights of(Scene scene, List<KnownLight> known) {
+            return new Lights(scene, Luminaire.all(scene), known);
         }
     }
 
     /** Converts layers, with scratch memory: one for each thread and each of the first level and those in mirrors. */
     private static final class Layers {
-        private final LightKernel lights;
+        private final LightKernel kernel;
         private final RatioKernel ratios;
         private final LayerUpdater updater;
 
-        Layers(Geometry geometry, Options to) {
-            lights = new LightKernel(geometry, new PacketTracer(geometry), to.view());
-            ratios = new RatioKernel(lights);
-            updater = LayerUpdater.of(to.accuracy(), lights, ratios);
+        Layers(Geometry geometry, Options to, Engine engine) {
+            kernel = new LightKernel(geometry, engine.tracer(geometry), engine.terms(), to.view());
+            ratios = new RatioKernel(kernel);
+            updater = LayerUpdater.of(to.accuracy(), kernel, ratios);
         }
 
-        TileLevel convert(TileLevel old, Lit lit) {
-            LightLayer[] layers = new LightLayer[old.layers().length];
-            for (int l = 0; l < layers.length; l++) {
-                LightLayer before = old.layers()[l];
-                layers[l] = before == null ? null : updater.convert(old.rows(), lit.computed()[l], before);
-            }
-            return new TileLevel(old.rows(), layers);
+        TileLevel convert(TileLevel old, Lights lights) {
+            return new TileLevel(old.rows(), lights.known().stream().map(light -> convert(old, light, lights.scene()))
+                    .toArray(LightLayer[]::new));
+        }
+
+        private LightLayer convert(TileLevel old, KnownLight light, Scene scene) {
+            LightLayer before = light.layer(old);
+            return before == null ? null : updater.convert(old.rows(), Luminaire.shining(light.stamp().light(), scene), before);
         }
 
         Tally work(long rowsComposed) {
-            return new Tally(lights.rowsTouched() + ratios.rowsScaled(), rowsComposed, 0, new TraceCounts(0, 0, lights.shadowRays()));
+            return new Tally(kernel.rowsTouched() + ratios.rowsScaled(), rowsComposed, 0, new TraceCounts(0, 0, kernel.shadowRays()));
         }
     }
 
@@ -143,13 +132,13 @@ record Conversion(PixelCache cache, Options to) {
         private final TilePainter painter;
         private long rowsComposed;
 
-        Tiles(PixelCache cache, Options to) {
-            eye = new Layers(cache.geometry(), to);
-            mirror = new Layers(cache.geometry().of(cache.mirroredScene()), to);
-            painter = new TilePainter(cache, to.view());
+        Tiles(PixelCache cache, Options to, Engine engine) {
+            eye = new Layers(cache.geometry(), to, engine);
+            mirror = new Layers(cache.geometry().of(cache.mirroredScene()), to, engine);
+            painter = new TilePainter(cache, engine, to.view());
         }
 
-        CachedTile convert(CachedTile old, Lit top, Lit mirrors) {
+        CachedTile convert(CachedTile old, Lights top, Lights mirrors) {
             TileLevel[] levels = new TileLevel[old.levels.length];
             for (int k = 0; k < levels.length; k++) {
                 levels[k] = k == 0 ? eye.convert(old.levels[k], top) : mirror.convert(old.levels[k], mirrors);

@@ -1,21 +1,21 @@
 package lightning.relight;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.Function;
 import lightning.cache.CachedTile;
 import lightning.cache.PixelCache;
-import lightning.effects.ViewEffects;
+import lightning.engine.Crew;
 import lightning.image.Film;
 import lightning.math.Rgb;
+import lightning.relight.tile.Options;
 import lightning.relight.tile.TilePainter;
 import lightning.scene.Light;
 import lightning.scene.Rig;
 import lightning.scene.Scene;
 import lightning.scene.World;
-import lightning.shading.Lamp;
+import lightning.shading.Luminaire;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
@@ -47,23 +47,23 @@ public final class LightShare {
      * @throws IllegalStateException if mirror levels are not kept as rows
      * @throws CancellationException if {@code progress} asked to stop
      */
-    static Film film(PixelCache cache, ViewEffects view, String light, Workers workers, Progress progress) {
+    static Film film(PixelCache cache, Options options, String light, Workers workers, Progress progress) {
         Scene scene = scene(cache.scene(), light);
-        Lamp[] top = Lamp.all(scene);
-        Lamp[] mirrors = Lamp.all(scene(cache.mirroredScene(), light));
-        TilePainter[] painters = new TilePainter[workers.count()];
-        Arrays.setAll(painters, _ -> new TilePainter(cache, view));
+        Luminaire[] top = Luminaire.all(scene);
+        Luminaire[] mirrors = Luminaire.all(scene(cache.mirroredScene(), light));
+        List<Crew<TilePainter>> painters = Crew.each(workers.count(), options.engines(),
+                engine -> new TilePainter(cache, engine, options.view()));
         int perPixel = scene.picture().sampling().perPixel();
         float[][][] films = new float[Math.max(cache.tileCount(), cache.fineCount())][][];
         workers.run(films.length, (worker, i) -> {
-            Function<CachedTile, float[][]> share = tile -> share(tile, painters[worker], top, mirrors, scene.world());
+            Function<CachedTile, float[][]> share = tile -> share(tile, painters.get(worker).forTile(i), top, mirrors, scene.world());
             CachedTile center = cache.tileCount() == 0 ? null : cache.tile(i);
             films[i] = cache.fineCount() == 0 ? share.apply(center) : cache.fine(i).film(center, share, perPixel);
         }, progress);
         return film(scene, films);
     }
 
-    private static float[][] share(CachedTile tile, TilePainter painter, Lamp[] top, Lamp[] mirrors, World world) {
+    private static float[][] share(CachedTile tile, TilePainter painter, Luminaire[] top, Luminaire[] mirrors, World world) {
         if (tile.hitShapes.length > 0) {
             throw new IllegalStateException("mirror levels are kept as hit shapes");
         }

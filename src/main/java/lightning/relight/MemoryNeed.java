@@ -1,10 +1,11 @@
 package lightning.relight;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import lightning.cache.PixelCache;
+import lightning.column.ColumnKind;
 import lightning.image.Film;
-import lightning.relight.plan.Accuracy;
 import lightning.relight.tile.MirrorStorage;
 import lightning.relight.tile.Options;
 import lightning.scene.Antialias;
@@ -12,6 +13,9 @@ import lightning.scene.Limits;
 import lightning.scene.Picture;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
+import lightning.shading.LightRows;
+import lightning.shading.RatioRows;
+import lightning.trace.HitRows.Part;
 
 /**
  * How much memory a picture takes, before any work begins: by the formula of docs/architecture.md, where every ray hits and every
@@ -35,9 +39,12 @@ public final class MemoryNeed {
         Sampling sampling = picture.sampling();
         boolean mirrors = picture.depth() > 0 && scene.materials().stream().anyMatch(m -> !m.reflective().isBlack());
         boolean edges = sampling.antialias() == Antialias.EDGES;
-        long light = options.accuracy() == Accuracy.EXACT ? 1 + 3 * Float.BYTES : 1 + 2 * COLOR;
-        // Point, normal, direction, place; texel; code.
-        long row = 38 + COLOR + (edges ? Integer.BYTES : 0) + light * scene.lights().size();
+        long light = ColumnKind.bytesPerRow(switch (options.accuracy()) {
+            case EXACT -> EnumSet.allOf(LightRows.Column.class);
+            case RATIO -> EnumSet.allOf(RatioRows.Column.class);
+        });
+        long row = Part.HIT.bytesPerRow() + Part.TEXEL.bytesPerRow() + (edges ? Part.CODE.bytesPerRow() : 0)
+                + light * scene.lights().size();
         long levels = mirrors ? picture.depth() : 0;
         long mirrored = mirrors ? COLOR + levels * (options.storage() == MirrorStorage.FULL_ROWS ? row : Integer.BYTES) : 0;
         long samples = switch (sampling.antialias()) {

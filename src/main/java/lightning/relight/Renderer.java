@@ -1,26 +1,36 @@
 package lightning.relight;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.function.Predicate;
+import lightning.cache.KnownLight;
 import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
-import lightning.effects.Effect;
 import lightning.image.DisplayCurve;
 import lightning.image.Film;
 import lightning.relight.plan.Accuracy;
 import lightning.relight.plan.Dispatcher;
 import lightning.relight.plan.ErrorBound;
+import lightning.relight.plan.LayerPlan;
 import lightning.relight.plan.LevelPlan;
 import lightning.relight.plan.Reflections;
 import lightning.relight.plan.UpdatePlan;
 import lightning.relight.tile.Job;
+import lightning.relight.tile.LevelJob;
 import lightning.relight.tile.Options;
+import lightning.relight.tile.PreparedScene;
 import lightning.relight.tile.RepeatedEdit;
 import lightning.relight.tile.Tally;
 import lightning.relight.tile.TileRun;
 import lightning.scene.Antialias;
+import lightning.scene.Material;
 import lightning.scene.Scene;
-import lightning.shading.Sight;
+import lightning.shading.Demands;
+import lightning.shading.Luminaire;
+import lightning.shading.SeenScenes;
 import lightning.trace.Geometry;
+import lightning.trace.MaterialTable;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
@@ -34,6 +44,8 @@ public final class Renderer implements AutoCloseable {
     private final RepeatedEdit repeat = new RepeatedEdit();
     private final RepeatedEdit mirroredRepeat = new RepeatedEdit();
     private PixelCache cache;
+    /** What a first pass may take where the cache has nothing that serves; may be null. */
+    private Geometry shared;
     /** How the cache is known; its accuracy differs from the wanted one after a change, until the next update. */
     private Accuracy known;
     private double exposure;
@@ -49,7 +61,7 @@ public final class Renderer implements AutoCloseable {
     }
 
     /**
-     * Tells how the film is shown, which decides when an error of level ratio would become visible.
+     * Tells how the film is shown, which decides when an error of accuracy ratio would become visible.
      *
      * @param stops the exposure, in stops
      */
@@ -75,10 +87,16 @@ public final class Renderer implements AutoCloseable {
         }
     }
 
-    /** What {@link #render} would do. */
-    public UpdatePlan plan(Scene wanted) {
-        UpdatePlan plan = difference(options.view().of(wanted), options.reflections() == Reflections.CURRENT);
-        return plan instanceof UpdatePlan.Nothing && converts() ? new Conversion(cache, options).plan() : plan;
+    /** What it takes to make the film show the wanted scene. */
+    public PlannedUpdate plan(Scene wanted) {
+        return plan(options.view().of(wanted), options.reflections() == Reflections.CURRENT);
+    }
+
+    private PlannedUpdate plan(Scene wanted, boolean mirrors) {
+        long start = System.nanoTime();
+        UpdatePlan difference = difference(wanted, mirrors);
+        UpdatePlan told = difference instanceof UpdatePlan.Nothing && converts() ? new Conversion(cache, options).plan() : difference;
+        return new PlannedUpdate(wanted, mirrors, difference, told, cache, System.nanoTime() - start);
     }
 
     private UpdatePlan difference(Scene wanted, boolean mirrors) {
@@ -98,7 +116,27 @@ public final class Renderer implements AutoCloseable {
      *         is then as before the call
      */
     public Update render(Scene wanted, Progress progress) {
-        return run(options.view().of(wanted), options.reflections() == Reflections.CURRENT, progress);
+        return render(plan(wanted), progress);
+    }
+
+    /**
+     * Does what was planned; where something else is known of the picture since, it is planned anew.
+     *
+     * @param planned by {@link #plan}
+     * @throws PictureTooLarge       as {@link #render(Scene, Progress)}
+     * @throws CancellationException likewise
+     */
+    public Update render(PlannedUpdate planned, Progress progress) {
+        PlannedUpdate now = planned.startsFrom(cache) ? planned : plan(planned.wanted, planned.mirrors);
+        PixelCache before = cache;
+        Accuracy knownBefore = known;
+        try {
+            return update(now, progress);
+        } catch (CancellationException e) {
+            cache = before;
+            known = knownBefore;
+            throw e;
+        }
     }
 
     /**
@@ -108,7 +146,7 @@ public final class Renderer implements AutoCloseable {
      * @throws CancellationException as {@link #render}
      */
     public Update updateReflections(Progress progress) {
-        return run(cache().scene(), true, progress);
+        return render(plan(cache().scene(), true), progress);
     }
 
     /** Whether the mirror images show the scene rendered last. */
@@ -125,7 +163,7 @@ public final class Renderer implements AutoCloseable {
      * @throws CancellationException if {@code progress} asked to stop
      */
     public Film share(String light, Progress progress) {
-        return LightShare.film(cache(), options.view(), light, workers, progress);
+        return LightShare.film(cache(), options, light, workers, progress);
     }
 
     /** The picture as it is now: later updates make new ones. */
@@ -158,6 +196,7 @@ public final class Renderer implements AutoCloseable {
     /** Drops all that is known: the next picture is a first pass. */
     public void forget() {
         restore(null);
+        shared = null;
     }
 
     /**
@@ -173,30 +212,18 @@ public final class Renderer implements AutoCloseable {
         mirroredRepeat.end();
     }
 
-    private Update run(Scene wanted, boolean mirrors, Progress progress) {
-        PixelCache before = cache;
-        Accuracy knownBefore = known;
-        try {
-            return update(wanted, mirrors, progress);
-        } catch (CancellationException e) {
-            cache = before;
-            known = knownBefore;
-            throw e;
-        }
-    }
-
     /** Leaves things half done where it is cancelled. */
-    private Update update(Scene wanted, boolean mirrors, Progress progress) {
-        long start = System.nanoTime();
-        UpdatePlan plan = difference(wanted, mirrors);
-        UpdatePlan told = plan;
+    private Update update(PlannedUpdate planned, Progress progress) {
+        long start = System.nanoTime() - planned.nanoseconds;
+        UpdatePlan plan = planned.difference;
+        Scene wanted = planned.wanted;
         Tally work = Tally.NONE;
         if (converts() && !(plan instanceof UpdatePlan.FirstPass)) {
-            var conversion = new Conversion(cache, options);
-            work = convert(conversion, progress);
-            plan = difference(wanted, mirrors);
-            told = plan instanceof UpdatePlan.Nothing ? conversion.plan() : plan;
+            work = convert(new Conversion(cache, options), progress);
+            // The same lights and rows, but layers are known in another way.
+            plan = difference(wanted, planned.mirrors);
         }
+        UpdatePlan told = plan instanceof UpdatePlan.Nothing ? planned.update() : plan;
         work = work.plus(switch (plan) {
             case UpdatePlan.Nothing _ -> Tally.NONE;
             case UpdatePlan.FirstPass _ -> firstPass(wanted, progress);
@@ -235,38 +262,56 @@ public final class Renderer implements AutoCloseable {
 
     private Tally firstPass(Scene wanted, Progress progress) {
         checkMemory(wanted, cache == null ? 0 : MemoryNeed.of(cache));
+        PreparedScene shown = PreparedScene.of(geometry(wanted), wanted);
+        boolean coding = wanted.picture().sampling().antialias() == Antialias.EDGES;
+        List<KnownLight> lights = KnownLight.all(wanted, light -> Luminaire.of(light, wanted).isDark() ? null : LayerStamp.fresh(light));
+        TileRun run = new TileRun(new Job(shown, shown, options, null, null, coding, progress), workers, null);
+        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), SeenScenes.of(wanted), lights, lights);
+        return run.work();
+    }
+
+    /** What rays of a scene can meet, as a first pass takes it; it is kept for that. */
+    public Geometry prepare(Scene wanted) {
+        shared = geometry(options.view().of(wanted));
+        return shared;
+    }
+
+    /** Lets first passes take what is known elsewhere of the same shapes; null is nothing. */
+    public void share(Geometry geometry) {
+        shared = geometry;
+    }
+
+    private Geometry geometry(Scene wanted) {
         boolean coding = wanted.picture().sampling().antialias() == Antialias.EDGES;
         // Anti-aliasing looks into mirrors for edges, so what mirrors nothing must not be followed then.
-        boolean everyMirror = options.view().forces(Effect.REFLECTION) && !coding;
-        Geometry geometry = cache == null ? new Geometry(wanted, everyMirror) : cache.geometry().forScene(wanted, everyMirror);
-        Job.Shown shown = Job.Shown.of(geometry, wanted);
-        LayerStamp[] stamps = new LayerStamp[shown.lamps().length];
-        for (int l = 0; l < stamps.length; l++) {
-            stamps[l] = shown.lamps()[l].isDark() ? null : LayerStamp.fresh(shown.lamps()[l].light());
-        }
-        TileRun run = new TileRun(new Job(shown, shown, options, null, null, coding, progress), workers, null);
-        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), Sight.of(wanted), stamps, stamps);
-        return run.work();
+        Predicate<Material> mirrors = coding ? MaterialTable.MIRRORS : Demands.of(options.view()).mirrors();
+        Geometry own = cache == null ? null : cache.geometry();
+        Geometry best = shared != null && (own == null || !own.serves(wanted)) ? shared : own;
+        return best == null ? new Geometry(wanted, mirrors) : best.forScene(wanted, mirrors);
     }
 
     private Tally relight(UpdatePlan.Relight plan, Scene wanted, Progress progress) {
         PixelCache old = cache;
         boolean mirrors = plan.mirrors() != null;
-        Job.Shown shown = Job.Shown.of(old.geometry(), wanted);
-        Job.Shown mirrored = mirrors ? shown : Job.Shown.of(old.geometry(), old.mirroredScene());
-        Job job = new Job(shown, mirrored, options, Job.Level.of(plan.top(), old.scene(), shown.lamps(), repeat),
-                mirrors ? Job.Level.of(plan.mirrors(), old.mirroredScene(), shown.lamps(), mirroredRepeat) : null,
+        PreparedScene shown = PreparedScene.of(old.geometry(), wanted);
+        PreparedScene mirrored = mirrors ? shown : PreparedScene.of(old.geometry(), old.mirroredScene());
+        Job job = new Job(shown, mirrored, options, LevelJob.of(plan.top(), old.scene(), shown.lights(), repeat),
+                mirrors ? LevelJob.of(plan.mirrors(), old.mirroredScene(), shown.lights(), mirroredRepeat) : null,
                 wanted.picture().sampling().antialias() == Antialias.EDGES, progress);
         TileRun run = new TileRun(job, workers, old);
-        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), new Sight(wanted, mirrored.scene()),
-                stamps(plan.top(), run.leastFalloff()),
-                mirrors ? stamps(plan.mirrors(), run.leastFalloff()) : old.mirroredStamps());
+        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), new SeenScenes(wanted, mirrored.scene()),
+                lights(plan.top(), run.leastFalloff()),
+                mirrors ? lights(plan.mirrors(), run.leastFalloff()) : old.mirroredLights());
         return run.work();
     }
 
-    private LayerStamp[] stamps(LevelPlan plan, double leastFalloff) {
+    private List<KnownLight> lights(LevelPlan plan, double leastFalloff) {
         boolean scaled = options.accuracy() == Accuracy.RATIO;
-        return plan.layers().stream().map(layer -> layer.stamp(scaled, leastFalloff)).toArray(LayerStamp[]::new);
+        List<KnownLight> lights = new ArrayList<>();
+        for (LayerPlan layer : plan.layers()) {
+            lights.add(new KnownLight(lights.size(), layer.light(), layer.stamp(scaled, leastFalloff)));
+        }
+        return lights;
     }
 
     @Override

@@ -13,7 +13,7 @@ import lightning.shading.TraceCounts;
  *                     memory must move if no cache helps; 0 for a first pass
  * @param rays         rays cast
  * @param nanoseconds  from the call to the finished film
- * @param errorBound   how far any value of the film may be from a full trace's, linear; 0 at level exact
+ * @param errorBound   how far any value of the film may be from a full trace's, linear; 0 at accuracy exact
  * @param refreshed    whether contributions were computed anew because the bound had grown too large
  */
 public record Update(UpdatePlan plan, long rowsTouched, long rowsComposed, long bytesMoved, TraceCounts rays, long nanoseconds,

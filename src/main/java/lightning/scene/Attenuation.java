@@ -12,6 +12,10 @@ public record Attenuation(double constant, double linear, double quadratic) {
         Limits.range("attenuation constant", constant, 0, Limits.MAX_ATTENUATION);
         Limits.range("attenuation linear", linear, 0, Limits.MAX_ATTENUATION);
         Limits.range("attenuation quadratic", quadratic, 0, Limits.MAX_ATTENUATION);
+        // A zero without sign: 1/−0 is −∞, which would be less than 1.
+        constant += 0.0;
+        linear += 0.0;
+        quadratic += 0.0;
     }
 
     /** Whether the factor is 1 at every distance. */

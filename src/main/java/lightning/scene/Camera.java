@@ -9,15 +9,24 @@ import lightning.math.Vec3;
  * @param to   what it looks at, another point than {@code from}
  * @param up   the direction that is up in the picture, not along the view
  * @param fov  the vertical opening angle, degrees
+ * @param origin where render space begins, in which rays and shapes are computed: {@code from} for every picture. A camera that
+ *               is moved all the time, as a preview's, may keep another, so that nothing of the shapes is computed anew;
+ *               its pictures then differ in their last bits.
  */
-public record Camera(Vec3 from, Vec3 to, Vec3 up, double fov) {
+public record Camera(Vec3 from, Vec3 to, Vec3 up, double fov, Vec3 origin) {
     public static final Camera DEFAULT = new Camera(new Vec3(0, 0, 10), Vec3.ZERO, Vec3.Y, 40);
+
+    /** Where it stands, render space begins. */
+    public Camera(Vec3 from, Vec3 to, Vec3 up, double fov) {
+        this(from, to, up, fov, from);
+    }
 
     public Camera {
         Limits.position("from", from);
         Limits.position("to", to);
         Limits.direction("up", up);
         Limits.range("fov", fov, Limits.MIN_FOV, Limits.MAX_FOV);
+        Limits.position("origin", origin);
         Vec3 view = to.minus(from);
         if (!(view.maxAbs() >= 1e-12)) {
             throw new IllegalArgumentException("from and to must be two different points");
@@ -25,5 +34,10 @@ public record Camera(Vec3 from, Vec3 to, Vec3 up, double fov) {
         if (!(view.normalized().cross(up.normalized()).length() >= 1e-9)) {
             throw new IllegalArgumentException("up must not be along the view");
         }
+    }
+
+    /** The same view, computed in the space that begins at another place. */
+    public Camera withOrigin(Vec3 v) {
+        return new Camera(from, to, up, fov, v);
     }
 }

@@ -4,16 +4,14 @@ import lightning.math.Rgb;
 import lightning.math.Vec3;
 
 /**
- * A light with all attributes, whatever its type; the type decides which of them act (paper §4.5).
+ * A light with all attributes, whatever its type; the type decides which of them act (paper §4.5). {@link LightAttribute}
+ * tells their ranges and units.
  *
  * @param name        unique among all shapes, groups and lights
- * @param color       linear, 0…1000 per channel
- * @param intensity   ≥ 0
- * @param position    scene units
+ * @param color       linear
  * @param direction   where it shines to, any length
- * @param attenuation point and spot lights
- * @param angle       half the opening of a spot's cone, degrees, 0…180
- * @param dropoff     the exponent of a spot's fall from its axis, ≥ 0
+ * @param angle       half the opening of a spot's cone
+ * @param dropoff     the exponent of a spot's fall from its axis
  * @param on          whether it shines
  * @param solo        whether it shines alone: where any light is solo, the others are dark
  */
@@ -22,17 +20,25 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
 
     public Light {
         Limits.name(name);
-        Limits.range("color", color, Limits.MAX_LIGHT_COLOR);
-        Limits.range("intensity", intensity, 0, Limits.MAX_INTENSITY);
-        Limits.position("position", position);
-        Limits.direction("direction", direction);
-        Limits.range("angle", angle, 0, Limits.MAX_ANGLE);
-        Limits.range("dropoff", dropoff, 0, Limits.MAX_DROPOFF);
+        LightAttribute.COLOR.check(color);
+        LightAttribute.INTENSITY.check(intensity);
+        LightAttribute.POSITION.check(position);
+        LightAttribute.DIRECTION.check(direction);
+        LightAttribute.ANGLE.check(angle);
+        LightAttribute.DROPOFF.check(dropoff);
     }
 
-    /** A white light of intensity 1 at the origin, shining down, without fading. */
+    /** A light of which nothing else was said. */
     public static Light of(String name, LightType type) {
-        return new Light(name, type, Rgb.WHITE, 1, Vec3.ZERO, new Vec3(0, -1, 0), Attenuation.NONE, 30, 0, true, false);
+        return new Light(name, type, LightAttribute.COLOR.initial(), LightAttribute.INTENSITY.initial(),
+                LightAttribute.POSITION.initial(), LightAttribute.DIRECTION.initial(), LightAttribute.ATTENUATION.initial(),
+                LightAttribute.ANGLE.initial(), LightAttribute.DROPOFF.initial(), LightAttribute.ON.initial(),
+                LightAttribute.SOLO.initial());
+    }
+
+    /** Colour times intensity, with which all that the light adds is multiplied while it shines. */
+    public Rgb weight() {
+        return color.times(intensity);
     }
 
     public Light withName(String v) {

@@ -28,6 +28,8 @@ public final class Limits {
     /** Absolute scale factors of a shape or a group. */
     public static final double MIN_SCALE = 1e-9;
     public static final double MAX_SCALE = 1e9;
+    /** The radius of a frustum's top, that of its base being 1. */
+    public static final double MAX_TOP = 1e6;
     public static final double MAX_EMISSION = 1e6;
     public static final double MAX_AMBIENCE = 1e6;
     public static final double MAX_LIGHT_COLOR = 1e3;

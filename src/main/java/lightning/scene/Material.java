@@ -4,30 +4,36 @@ import java.util.Optional;
 import lightning.math.Rgb;
 
 /**
- * How a surface answers light (paper §2.2). All colours are linear.
+ * How a surface answers light (paper §2.2). All colours are linear; {@link MaterialAttribute} tells the ranges.
  *
  * @param name       unique among the materials
- * @param ambient    k<sub>ambient</sub>, also what the surface emits; ≥ 0
- * @param diffuse    k<sub>diffuse</sub>, 0…1, multiplied by the texture where there is one
- * @param specular   k<sub>specular</sub>, 0…1
- * @param shininess  the exponent of the highlight, ≥ 0
- * @param reflective k<sub>reflect</sub> per channel, 0…1
+ * @param ambient    k<sub>ambient</sub>, also what the surface emits
+ * @param diffuse    k<sub>diffuse</sub>, multiplied by the texture where there is one
+ * @param specular   k<sub>specular</sub>
+ * @param shininess  the exponent of the highlight
+ * @param reflective k<sub>reflect</sub> per channel
  * @param texture    the picture on the surface
  */
 public record Material(String name, Rgb ambient, Rgb diffuse, Rgb specular, double shininess, Rgb reflective,
         Optional<TextureMap> texture) {
 
     /** What a shape without a material gets: plain grey. */
-    public static final Material DEFAULT =
-            new Material("default", Rgb.BLACK, Rgb.grey(0.8), Rgb.BLACK, 16, Rgb.BLACK, Optional.empty());
+    public static final Material DEFAULT = of("default");
 
     public Material {
         Limits.name(name);
-        Limits.range("ambient", ambient, Limits.MAX_EMISSION);
-        Limits.range("diffuse", diffuse, 1);
-        Limits.range("specular", specular, 1);
-        Limits.range("shininess", shininess, 0, Limits.MAX_SHININESS);
-        Limits.range("reflective", reflective, 1);
+        MaterialAttribute.AMBIENT.check(ambient);
+        MaterialAttribute.DIFFUSE.check(diffuse);
+        MaterialAttribute.SPECULAR.check(specular);
+        MaterialAttribute.SHININESS.check(shininess);
+        MaterialAttribute.REFLECTIVE.check(reflective);
+    }
+
+    /** A material of which nothing else was said. */
+    public static Material of(String name) {
+        return new Material(name, MaterialAttribute.AMBIENT.initial(), MaterialAttribute.DIFFUSE.initial(),
+                MaterialAttribute.SPECULAR.initial(), MaterialAttribute.SHININESS.initial(),
+                MaterialAttribute.REFLECTIVE.initial(), MaterialAttribute.TEXTURE.initial());
     }
 
     public Material withAmbient(Rgb v) {

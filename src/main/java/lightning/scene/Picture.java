@@ -9,7 +9,10 @@ package lightning.scene;
  * @param sampling how many samples its pixels have
  */
 public record Picture(int width, int height, int depth, Sampling sampling) {
-    public static final Picture DEFAULT = new Picture(200, 200, 3);
+    public static final Attribute<Picture, Integer> DEPTH = new Attribute<>("depth", "depth",
+            Quantity.whole(0, Limits.MAX_DEPTH), 3, "mirror bounces", Picture::depth, Picture::withDepth);
+
+    public static final Picture DEFAULT = new Picture(200, 200, DEPTH.initial());
 
     /** One sample a pixel. */
     public Picture(int width, int height, int depth) {
@@ -19,7 +22,7 @@ public record Picture(int width, int height, int depth, Sampling sampling) {
     public Picture {
         Limits.range("size: width", width, 1, Limits.MAX_SIZE);
         Limits.range("size: height", height, 1, Limits.MAX_SIZE);
-        Limits.range("depth", depth, 0, Limits.MAX_DEPTH);
+        DEPTH.check(depth);
     }
 
     public Picture withSize(int newWidth, int newHeight) {

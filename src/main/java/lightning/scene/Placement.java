@@ -18,6 +18,9 @@ public record Placement(Vec3 at, Vec3 rotate, Vec3 scale) {
         Limits.position("at", at);
         Limits.range("rotate", rotate, -Limits.MAX_ROTATION, Limits.MAX_ROTATION);
         Limits.range("scale", scale, -Limits.MAX_SCALE, Limits.MAX_SCALE);
+        // Most things are neither turned nor scaled: what a million of them have in common they share.
+        rotate = rotate.equals(Vec3.ZERO) ? Vec3.ZERO : rotate;
+        scale = scale.equals(Vec3.ONE) ? Vec3.ONE : scale;
         double least = least(scale);
         if (least < Limits.MIN_SCALE) {
             throw new IllegalArgumentException("scale must be at least " + Limits.text(Limits.MIN_SCALE)

@@ -70,6 +70,15 @@ public record Scene(Picture picture, Camera camera, World world, Stage stage, Ri
     }
 
     /**
+     * Whether both show the same shapes from the same camera at the same size, so that what is known of the one's picture
+     * serves the other's: they differ in lights, materials, the world and how deep mirrors are followed at most.
+     */
+    public boolean showsSameShapes(Scene o) {
+        return picture.width() == o.picture.width() && picture.height() == o.picture.height()
+                && camera.equals(o.camera) && nodes().equals(o.nodes());
+    }
+
+    /**
      * This scene with the light of the same name replaced.
      *
      * @throws IllegalArgumentException if no light has that name

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Consumer;
 import lightning.math.Transform;
 import lightning.text.Quote;
 
@@ -84,18 +85,39 @@ public final class Stage {
     /** All shapes, in the order of the file, with materials and groups resolved. */
     public List<PlacedShape> placedShapes() {
         List<PlacedShape> placed = new ArrayList<>(tree.shapes);
-        place(tree.nodes, Transform.IDENTITY, Transform.IDENTITY, PlacementError.NONE, placed);
+        place(placed::add);
         return placed;
     }
 
-    private void place(List<Node> nodes, Transform outer, Transform back, PlacementError outerError, List<PlacedShape> placed) {
+    /** Hands over the same, one after the other: a list of a million of them takes half a gigabyte. */
+    public void place(Consumer<PlacedShape> to) {
+        place(tree.nodes, Transform.IDENTITY, Transform.IDENTITY, PlacementError.NONE, to);
+    }
+
+    /** All shapes, in the order of the file, as they stand there. */
+    public List<Shape> shapes() {
+        List<Shape> shapes = new ArrayList<>(tree.shapes);
+        collect(tree.nodes, shapes);
+        return shapes;
+    }
+
+    private static void collect(List<Node> nodes, List<Shape> shapes) {
+        for (Node node : nodes) {
+            switch (node) {
+                case Group g -> collect(g.children(), shapes);
+                case Shape s -> shapes.add(s);
+            }
+        }
+    }
+
+    private void place(List<Node> nodes, Transform outer, Transform back, PlacementError outerError, Consumer<PlacedShape> to) {
         for (Node node : nodes) {
             Transform toWorld = outer.times(node.placement().transform());
             Transform directionsBack = node.placement().directionsBack().times(back);
             PlacementError error = outerError.within(outer, back, node.placement());
             switch (node) {
-                case Group g -> place(g.children(), toWorld, directionsBack, error, placed);
-                case Shape s -> placed.add(new PlacedShape(s, byName.get(s.material()), toWorld, directionsBack, error));
+                case Group g -> place(g.children(), toWorld, directionsBack, error, to);
+                case Shape s -> to.accept(new PlacedShape(s, byName.get(s.material()), toWorld, directionsBack, error));
             }
         }
     }

@@ -14,6 +14,11 @@ public record TextureMap(String file, double repeatU, double repeatV, Texture im
         repeat("repeat v", repeatV);
     }
 
+    /** Whether it shows the same on every surface: another file name alone shows nothing. */
+    boolean hasTexelsOf(TextureMap o) {
+        return repeatU == o.repeatU && repeatV == o.repeatV && image.equals(o.image);
+    }
+
     private static void repeat(String what, double value) {
         Limits.range(what, value, -Limits.MAX_REPEAT, Limits.MAX_REPEAT);
         if (Math.abs(value) < 1e-6) {

@@ -2,8 +2,6 @@ package lightning.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.math.Rgb;
-import lightning.math.Vec3;
 
 /**
  * What of a scene the picture shows. Two scenes with equal visible parts give the same picture in every bit: moving a
@@ -22,7 +20,17 @@ public final class VisiblePart {
     /** Whether two scenes give the same picture for sure. */
     public static boolean same(Scene a, Scene b) {
         return a.stage().equals(b.stage()) && a.picture().equals(b.picture()) && a.camera().equals(b.camera())
-                && a.world().equals(b.world()) && (a.rig().equals(b.rig()) || lights(a).equals(lights(b)));
+                && a.world().equals(b.world()) && sameLights(a, b);
+    }
+
+    private static boolean sameLights(Scene a, Scene b) {
+        boolean same = a.lights().size() == b.lights().size();
+        for (int i = 0; same && i < a.lights().size(); i++) {
+            Light one = a.lights().get(i);
+            Light other = b.lights().get(i);
+            same = one.equals(other) && a.shines(one) == b.shines(other) || light(a, one, "light").equals(light(b, other, "light"));
+        }
+        return same;
     }
 
     /** The lights with everything that does not act set to one fixed value, their names included. */
@@ -35,20 +43,15 @@ public final class VisiblePart {
     }
 
     private static Light light(Scene scene, Light light, String name) {
-        Light plain = Light.of(name, LightType.POINT);
-        Rgb weight = light.color().times(light.intensity());
-        if (!scene.shines(light) || weight.isBlack()) {
-            return plain.withOn(false);
+        if (!scene.shines(light) || light.weight().isBlack()) {
+            return Light.of(name, LightType.POINT).withOn(false);
         }
-        LightType type = light.type();
-        Vec3 place = type.hasPosition() ? light.position() : Vec3.ZERO;
-        Light acting = plain.withType(type).withColor(light.color()).withIntensity(light.intensity()).withPosition(place);
-        if (type.hasDirection()) {
-            acting = acting.withDirection(light.direction());
+        Light acting = Light.of(name, light.type());
+        for (LightAttribute<?> attribute : LightAttribute.ALL) {
+            if (attribute.term(light.type()).isPresent()) {
+                acting = attribute.copy(light, acting);
+            }
         }
-        if (type.hasPosition()) {
-            acting = acting.withAttenuation(light.attenuation().isNone() ? Attenuation.NONE : light.attenuation());
-        }
-        return type.hasCone() ? acting.withAngle(light.angle()).withDropoff(light.dropoff()) : acting;
+        return acting.attenuation().isNone() ? acting.withAttenuation(Attenuation.NONE) : acting;
     }
 }

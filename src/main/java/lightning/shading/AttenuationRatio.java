@@ -7,13 +7,17 @@ import lightning.trace.HitRows;
  * its old one, both computed, because neither is stored. Holds scratch columns: one for each thread.
  */
 final class AttenuationRatio {
-    private final LightLanes lanes = new LightLanes();
-    private final double[] before = new double[LightLanes.ROWS];
-    private final double[] after = new double[LightLanes.ROWS];
+    private final Terms terms;
+    private final double[] before = new double[Terms.ROWS];
+    private final double[] after = new double[Terms.ROWS];
     /** The ratio of each row; 1 where the row is not lit. */
-    final float[] ratio = new float[LightLanes.ROWS];
+    final float[] ratio = new float[Terms.ROWS];
 
     private double least;
+
+    AttenuationRatio(Terms terms) {
+        this.terms = terms;
+    }
 
     /** The least of all falloffs, old and new, of the rows computed last, but not below the least normal float. */
     double least() {
@@ -45,10 +49,10 @@ final class AttenuationRatio {
             java.util.Arrays.fill(to, 0, rows.count, 1);
             return;
         }
-        lanes.aim(rows, lamp);
+        terms.aim(rows, lamp);
         if (lamp.type().hasCone()) {
-            lanes.axisCosines(rows, lamp);
+            terms.aimCone(rows, lamp);
         }
-        lanes.factors(rows, lamp, to);
+        terms.factors(rows, lamp, to);
     }
 }

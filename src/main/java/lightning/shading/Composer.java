@@ -1,8 +1,5 @@
 package lightning.shading;
 
-import jdk.incubator.vector.FloatVector;
-import jdk.incubator.vector.VectorMask;
-import jdk.incubator.vector.VectorSpecies;
 import lightning.effects.ViewEffects;
 import lightning.scene.World;
 import lightning.trace.HitRows;
@@ -13,25 +10,27 @@ import lightning.trace.MaterialTable;
  * over all rows. Holds scratch columns: one for each thread.
  */
 final class Composer {
-    private static final int ROWS = LightLanes.ROWS;
-    private static final VectorSpecies<Float> F = FloatVector.SPECIES_PREFERRED;
+    private static final int ROWS = Terms.ROWS;
     private static final float[] ZEROS = new float[ROWS];
     private static final float[][] NO_MIRRORS = new float[3][];
 
     private final MaterialTable materials;
     private final boolean litTextures;
-    private final LightSum lights = new LightSum();
+    private final Sums sums;
+    private final LightSum lightSum;
     private final float[] red = new float[ROWS];
     private final float[] green = new float[ROWS];
     private final float[] blue = new float[ROWS];
 
-    Composer(MaterialTable materials, ViewEffects view) {
+    Composer(MaterialTable materials, Sums sums, ViewEffects view) {
+        this.sums = sums;
+        lightSum = new LightSum(sums);
         this.materials = materials;
         litTextures = view.litTextures();
     }
 
-    LightSum lights() {
-        return lights;
+    LightSum lightSum() {
+        return lightSum;
     }
 
     /** The colours of the rows composed last, linear, {@code float[1024]}. */
@@ -50,13 +49,13 @@ final class Composer {
     /**
      * Computes the colours of all rows.
      *
-     * @param lamps    the lights in scene order
+     * @param lights   the lights in scene order
      * @param layers   the layer of each light; unread where the light is dark
      * @param branches sums that are known already, or null
      * @param mirrored Cr of the reflective rows: red, green and blue columns; null where there are none
      */
-    void compose(HitRows rows, Lamp[] lamps, LightLayer[] layers, BranchSums branches, World world, float[][] mirrored) {
-        SumRows sum = branches == null ? lights.of(rows.count, lamps, layers) : lights.of(rows.count, lamps, layers, branches);
+    void compose(HitRows rows, Luminaire[] lights, LightLayer[] layers, BranchSums branches, World world, float[][] mirrored) {
+        SumRows sum = branches == null ? lightSum.of(rows.count, lights, layers) : lightSum.of(rows.count, lights, layers, branches);
         float[][] cr = mirrored == null ? NO_MIRRORS : mirrored;
         for (int r = 0; r < rows.runs; r++) {
             closeRun(rows, r, sum, (float) world.ambience(), cr);
@@ -88,34 +87,11 @@ final class Composer {
         }
     }
 
-    /**
-     * One channel of one run: {@link LightingEquation#color} with absent terms left out, which changes
-     * no bit, because they would add +0 or multiply by 1.
-     */
     private void close(HitRows rows, int r, int channel, float ambience, float[] texture, float[] diffuse,
             float[] specular, float[] mirrored, float[] out) {
         int m = rows.runMaterial[r];
-        float emitted = materials.ambient(m, channel) * ambience;
-        float kd = materials.diffuse(m, channel);
-        float ks = specular == null ? 0 : materials.specular(m, channel);
-        float kr = materials.reflective(m, channel);
-        int to = rows.runEnd[r];
-        for (int i = rows.runStart(r); i < to; i += F.length()) {
-            VectorMask<Float> in = F.indexInRange(i, to);
-            FloatVector light = FloatVector.fromArray(F, diffuse, i, in);
-            // kd·texel first, as where a point carries its diffuse colour.
-            light = texture == null ? light.mul(kd) : light.mul(FloatVector.fromArray(F, texture, i, in).mul(kd));
-            FloatVector color = light.add(emitted);
-            if (kr != 0) {
-                color = color.mul(1 - kr);
-            }
-            if (ks != 0) {
-                color = color.add(FloatVector.fromArray(F, specular, i, in).mul(ks));
-            }
-            if (kr != 0) {
-                color = color.add(FloatVector.fromArray(F, mirrored, i, in).mul(kr));
-            }
-            color.intoArray(out, i, in);
-        }
+        sums.close(rows.runStart(r), rows.runEnd[r], new Sums.Channel(materials.ambient(m, channel) * ambience,
+                materials.diffuse(m, channel), specular == null ? 0 : materials.specular(m, channel), materials.reflective(m, channel),
+                texture, diffuse, specular, mirrored), out);
     }
 }

@@ -16,10 +16,10 @@ public final class EdgeCoder {
     /** Steps of a specular term from 0 to 1. */
     private static final float STEPS = 4;
 
-    private final int[] shapes = new int[LightLanes.ROWS];
-    private final int[] lights = new int[LightLanes.ROWS];
-    private final int[] mirroredShapes = new int[LightLanes.ROWS];
-    private final int[] mirroredLights = new int[LightLanes.ROWS];
+    private final int[] shapes = new int[Terms.ROWS];
+    private final int[] lights = new int[Terms.ROWS];
+    private final int[] mirroredShapes = new int[Terms.ROWS];
+    private final int[] mirroredLights = new int[Terms.ROWS];
     private short[][] pixels = new short[1][];
     private boolean mirrors;
 
@@ -78,7 +78,7 @@ public final class EdgeCoder {
             return rows.parent;
         }
         if (pixels[level] == null) {
-            pixels[level] = new short[LightLanes.ROWS];
+            pixels[level] = new short[Terms.ROWS];
         }
         short[] above = pixels[level - 1];
         for (int i = 0; i < rows.count; i++) {

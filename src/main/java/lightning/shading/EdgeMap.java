@@ -41,7 +41,7 @@ public final class EdgeMap {
     }
 
     /** Some tiles of a film and those beside them, ascending. */
-    static int[] withNeighbours(Film film, int[] tiles) {
+    public static int[] withNeighbours(Film film, int[] tiles) {
         boolean[] wanted = new boolean[film.tileCount()];
         for (int tile : tiles) {
             int x = tile % film.tilesX();

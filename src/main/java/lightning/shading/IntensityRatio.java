@@ -12,7 +12,7 @@ public record IntensityRatio(float red, float green, float blue) {
      * so small that contributions made with it have lost digits: these are not even scaled by falloffs, though their
      * weight stays.
      */
-    public static IntensityRatio between(Lamp before, Lamp after) {
+    public static IntensityRatio between(Luminaire before, Luminaire after) {
         return new IntensityRatio(ratio(before.red(), after.red()), ratio(before.green(), after.green()),
                 ratio(before.blue(), after.blue()));
     }

@@ -7,48 +7,26 @@ import lightning.scene.LightType;
 import lightning.scene.Scene;
 
 /**
- * A light as the equation needs it, in render space.
+ * Where a light shines from, in render space: all that decides which rows it reaches and the terms there, and not how strongly
+ * it shines.
  *
- * @param light     what it was made from
- * @param source    the position of a point or spot light; for a directional light the unit vector
- *                  towards it
- * @param axis      the unit direction in which a spot light shines
- * @param cosAngle  the cosine of half the cone's opening
- * @param red       colour · intensity of the red channel; 0 in all three where the light is off
- * @param green     likewise
- * @param blue      likewise
+ * @param light    what it was made from
+ * @param source   the position of a point or spot light; for a directional light the unit vector
+ *                 towards it
+ * @param axis     the unit direction in which a spot light shines
+ * @param cosAngle the cosine of half the cone's opening
  */
-public record Lamp(Light light, Vec3 source, Vec3 axis, double cosAngle, float red, float green, float blue) {
+public record Lamp(Light light, Vec3 source, Vec3 axis, double cosAngle) {
 
-    /** Prepares a light of a scene. */
+    /** The lamp of a light as the scene's camera sees it. */
     public static Lamp of(Light light, Scene scene) {
-        return of(light, scene.camera().from(), scene.shines(light) ? light.intensity() : 0);
-    }
-
-    /** Prepares all lights of a scene, in its order. */
-    public static Lamp[] all(Scene scene) {
-        return scene.lights().stream().map(light -> of(light, scene)).toArray(Lamp[]::new);
-    }
-
-    /** Prepares a light as if it were on and no other were solo. */
-    public static Lamp shining(Light light, Scene scene) {
-        return of(light, scene.camera().from(), light.intensity());
-    }
-
-    private static Lamp of(Light light, Vec3 camera, double power) {
         Vec3 axis = light.direction().normalized();
-        Vec3 source = light.type().hasPosition() ? light.position().minus(camera) : axis.negated();
-        return new Lamp(light, source, axis, Transform.cosDegrees(light.angle()),
-                (float) (light.color().r() * power), (float) (light.color().g() * power), (float) (light.color().b() * power));
+        Vec3 source = light.type().hasPosition() ? light.position().minus(scene.camera().origin()) : axis.negated();
+        return new Lamp(light, source, axis, Transform.cosDegrees(light.angle()));
     }
 
     public LightType type() {
         return light.type();
-    }
-
-    /** Whether it adds nothing anywhere: off, or a weight that is 0 in every channel. */
-    public boolean isDark() {
-        return red == 0 && green == 0 && blue == 0;
     }
 
     /** Whether its falloff is 1 everywhere, so that no column is needed for it. */

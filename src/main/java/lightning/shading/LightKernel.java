@@ -1,13 +1,15 @@
 package lightning.shading;
 
 import java.util.Arrays;
-import lightning.effects.Effect;
+import java.util.EnumSet;
+import java.util.Set;
+import lightning.column.ColumnSet;
 import lightning.effects.ViewEffects;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialSet;
-import lightning.trace.PacketTracer;
 import lightning.trace.RowSplice;
+import lightning.trace.Tracer;
 
 /**
  * The second stage for one tile: fills a light's layer over the hit rows, in full or in part. Holds
@@ -17,22 +19,29 @@ public final class LightKernel {
     private static final int WAY = LightRows.CLEAR | LightRows.BLOCKED;
 
     private final ShadowCaster shadows;
-    private final LightLanes lanes = new LightLanes();
-    private final TermColumns terms;
-    private final float[] cosine = new float[LightLanes.ROWS];
+    private final Tracer tracer;
+    private final Terms terms;
+    private final TermColumns written;
+    private final Demands demands;
+    private final float[] cosine = new float[Terms.ROWS];
     private final int[] facing = RowBits.room();
     private final int[] chosen = RowBits.room();
     private final int[] blocked = RowBits.room();
     private final int[] lit = RowBits.room();
     private final int[] litBefore = RowBits.room();
-    /** Whether tiles are asked that a cone cannot reach. */
-    private final boolean asksAll;
     private long rowsTouched;
 
-    public LightKernel(Geometry geometry, PacketTracer tracer, ViewEffects view) {
-        asksAll = view.forces(Effect.SPOT_CONE);
+    public LightKernel(Geometry geometry, Tracer tracer, Terms terms, ViewEffects view) {
+        this.tracer = tracer;
+        this.terms = terms;
+        demands = Demands.of(view);
         shadows = new ShadowCaster(geometry, tracer, view);
-        terms = new TermColumns(geometry.materials(), lanes, view);
+        written = new TermColumns(geometry.materials(), terms, demands);
+    }
+
+    /** What computes the terms. */
+    Terms terms() {
+        return terms;
     }
 
     /** Shadow rays cast since the start. */
@@ -47,16 +56,17 @@ public final class LightKernel {
 
     /** The light's whole diffuse and specular terms: the paper's worst case (§4.5). */
     public LightRows full(HitRows rows, Lamp lamp, Columns columns) {
-        if (rows.count > 0 && lamp.type().hasCone() && !asksAll && !ConeReach.mayReach(lamp, rows.box())) {
+        if (!demands.reaches(lamp, rows, tracer)) {
             return LightRows.UNREACHED;
         }
         aim(rows, lamp);
-        lanes.cosines(rows, cosine);
-        boolean cone = lamp.type().hasCone();
+        terms.cosines(rows, cosine);
         int words = RowBits.words(rows.count);
-        for (int b = 0; b < words; b++) {
-            facing[b] = lanes.facing(cosine, b) & RowBits.valid(b, rows.count);
-            chosen[b] = cone && facing[b] != 0 ? facing[b] & lanes.inside(b, lamp.cosAngle()) : facing[b];
+        terms.facing(cosine, rows.count, facing);
+        if (lamp.type().hasCone()) {
+            terms.inside(facing, rows.count, lamp.cosAngle(), chosen);
+        } else {
+            System.arraycopy(facing, 0, chosen, 0, words);
         }
         shadows.cast(rows, lamp, chosen, blocked);
         for (int b = 0; b < words; b++) {
@@ -92,9 +102,9 @@ public final class LightKernel {
     }
 
     private void aim(HitRows rows, Lamp lamp) {
-        lanes.aim(rows, lamp);
+        terms.aim(rows, lamp);
         if (lamp.type().hasCone()) {
-            lanes.axisCosines(rows, lamp);
+            terms.aimCone(rows, lamp);
         }
     }
 
@@ -102,12 +112,12 @@ public final class LightKernel {
     private LightRows layer(HitRows rows, Lamp lamp, byte[] state, LightRows before, Columns columns) {
         int count = RowBits.count(lit, rows.count);
         if (count == 0) {
-            return new LightRows(state, null, null, null, 0);
+            return LightRows.unlit(state);
         }
         int[] known = before == null || before.specular == null ? null : litBefore;
-        return new LightRows(state, terms.cosines(rows, cosine, lit, columns),
-                terms.speculars(rows, lit, known, before == null ? null : before.specular, columns),
-                before == null ? terms.falloffs(rows, lamp, columns) : before.falloff, count);
+        return new LightRows(state, written.cosines(rows, cosine, lit, columns),
+                written.speculars(rows, lit, known, before == null ? null : before.specular, columns),
+                before == null ? written.falloffs(rows, lamp, columns) : before.falloff, count);
     }
 
     /**
@@ -132,18 +142,18 @@ public final class LightKernel {
         if (moved.lit == 0) {
             return moved;
         }
-        float[] falloffs = falloff || before.falloff == null ? terms.falloffs(rows, lamp, columns) : before.falloff;
-        return new LightRows(moved.state, moved.cosine, moved.specular, falloffs, moved.lit);
+        float[] falloffs = falloff || before.falloff == null ? written.falloffs(rows, lamp, columns) : before.falloff;
+        return moved.with(LightRows.Column.FALLOFF, falloffs);
     }
 
     /** All terms anew for rows whose states are known: no shadow ray is cast. */
     public LightRows again(HitRows rows, Lamp lamp, LightLayer before, Columns columns) {
         rowsTouched += before.lit();
         if (before.lit() == 0) {
-            return new LightRows(before.states(), null, null, null, 0);
+            return LightRows.unlit(before.states());
         }
         aim(rows, lamp);
-        lanes.cosines(rows, cosine);
+        terms.cosines(rows, cosine);
         RowBits.inState(before.states(), rows.count, LightRows.LIT, lit);
         return layer(rows, lamp, before.states(), null, columns);
     }
@@ -159,69 +169,72 @@ public final class LightKernel {
         if (before.lit == 0 || !changed.isIn(rows)) {
             return before;
         }
-        if (!terms.hasSpecular(rows)) {
-            return before.specular == null ? before : new LightRows(before.state, before.cosine, null, before.falloff, before.lit);
+        if (!written.hasSpecular(rows)) {
+            return before.specular == null ? before : before.with(LightRows.Column.SPECULAR, null);
         }
         RowBits.inState(before.state, rows.count, LightRows.LIT, lit);
         System.arraycopy(lit, 0, litBefore, 0, RowBits.words(rows.count));
         for (int r = 0; r < rows.runs; r++) {
             if (changed.contains(rows.runMaterial[r])) {
-                rowsTouched += terms.isSpecular(rows.runMaterial[r]) ? RowBits.count(lit, rows.runStart(r), rows.runEnd[r]) : 0;
+                rowsTouched += written.isSpecular(rows.runMaterial[r]) ? RowBits.count(lit, rows.runStart(r), rows.runEnd[r]) : 0;
                 RowBits.remove(litBefore, rows.runStart(r), rows.runEnd[r]);
             }
         }
-        lanes.aim(rows, lamp);
-        float[] column = terms.speculars(rows, lit, before.specular == null ? null : litBefore, before.specular, columns);
-        return new LightRows(before.state, before.cosine, column, before.falloff, before.lit);
+        terms.aim(rows, lamp);
+        float[] column = written.speculars(rows, lit, before.specular == null ? null : litBefore, before.specular, columns);
+        return before.with(LightRows.Column.SPECULAR, column);
+    }
+
+    /** The layer over rows of which some may be gone, in another order; {@code before} is over the old rows. */
+    public LightRows sorted(RowSplice splice, LightRows before) {
+        return spliced(splice, before, null, null);
     }
 
     /**
-     * The layer over rows that were put together anew.
+     * The layer over rows that were put together of old ones and others.
      *
      * @param before over the old rows
-     * @param added  over the added rows; null where there are none
-     * @param lamp   the light that both were computed for; unread where no rows were added
+     * @param added  over the added rows
+     * @param lamp   that of the light that both were computed for
      */
-    public LightRows spliced(RowSplice splice, LightRows before, LightRows added, Lamp lamp) {
+    public LightRows joined(RowSplice splice, LightRows before, LightRows added, Lamp lamp) {
+        return spliced(splice, before, added, lamp);
+    }
+
+    /** @param added null where there are no added rows; then {@code lamp} is unread */
+    private LightRows spliced(RowSplice splice, LightRows before, LightRows added, Lamp lamp) {
         if (before.state == LightRows.UNREACHED.state && (added == null || added.state == LightRows.UNREACHED.state)) {
             return LightRows.UNREACHED;
         }
         HitRows rows = splice.rows();
-        byte[] state = Columns.FRESH.states(rows.count);
-        splice.copy(before.state, added == null ? null : added.state, state);
+        // A layer that lacks terms has no lit row, or none with a highlight: 0 stands for them. A lack of falloffs tells less.
+        Set<LightRows.Column> known = EnumSet.allOf(LightRows.Column.class);
+        boolean fades = before.falloff != null && (added == null || added.falloff != null);
+        known.removeIf(kind -> kind == LightRows.Column.FALLOFF && !fades
+                || kind == LightRows.Column.SPECULAR && !written.hasSpecular(rows));
+        ColumnSet<LightRows.Column> columns = ColumnSet.room(LightRows.Column.class, known, rows.count);
+        splice.fill(columns, before.columns(), added == null ? null : added.columns());
+        byte[] state = (byte[]) columns.get(LightRows.Column.STATE);
         RowBits.inState(state, rows.count, LightRows.LIT, lit);
         int count = RowBits.count(lit, rows.count);
         if (count == 0) {
-            return new LightRows(state, null, null, null, 0);
+            return LightRows.unlit(state);
         }
-        float[] specular = terms.hasSpecular(rows) ? spliced(splice, before.specular, added == null ? null : added.specular) : null;
-        return new LightRows(state, spliced(splice, before.cosine, added == null ? null : added.cosine), specular,
-                falloffs(splice, before, added, lamp), count);
+        return new LightRows(fades || added == null ? columns
+                : columns.with(LightRows.Column.FALLOFF, falloffs(rows, lamp)), count);
     }
 
-    private float[] falloffs(RowSplice splice, LightRows before, LightRows added, Lamp lamp) {
-        if (added == null) {
-            return before.falloff == null ? null : spliced(splice, before.falloff, null);
-        }
-        if (before.falloff != null && added.falloff != null) {
-            return spliced(splice, before.falloff, added.falloff);
-        }
-        // The light does not fall off, or one of the two has no lit row and therefore no falloffs.
+    /** For a light that does not fall off, or where one of the layers put together has no lit row and therefore no falloffs. */
+    private float[] falloffs(HitRows rows, Lamp lamp) {
         if (lamp.fallsOff()) {
-            aim(splice.rows(), lamp);
+            aim(rows, lamp);
         }
-        return terms.falloffs(splice.rows(), lamp, Columns.FRESH);
-    }
-
-    private static float[] spliced(RowSplice splice, float[] before, float[] added) {
-        float[] column = Columns.FRESH.floats(splice.rows().count);
-        splice.copy(before, added, column);
-        return column;
+        return written.falloffs(rows, lamp, Columns.FRESH);
     }
 
     /** Whether any of the rows' materials has a highlight. */
     boolean hasSpecular(HitRows rows) {
-        return terms.hasSpecular(rows);
+        return written.hasSpecular(rows);
     }
 
     private static int looksAt(HitRows rows, LightRows before, ConeChange cone) {
@@ -234,19 +247,19 @@ public final class LightKernel {
         return looked;
     }
 
-    /** Moves rows into and out of the cone; falloffs are left as before. Expects aimed lanes. */
+    /** Moves rows into and out of the cone; falloffs are left as before. Expects terms that were aimed. */
     private LightRows moveCone(HitRows rows, Lamp lamp, LightRows before, ConeChange change, Columns columns) {
         byte[] state = columns.states(rows.count);
         System.arraycopy(before.state, 0, state, 0, rows.count);
         Arrays.fill(chosen, 0);
-        lanes.cosines(rows, cosine);
+        terms.cosines(rows, cosine);
         boolean cone = lamp.type().hasCone();
         for (int i = 0; i < rows.count; i++) {
             if (!change.looksAt(before.state(i))) {
                 continue;
             }
             int way = before.state[i] & WAY;
-            if (cone && !(lanes.axisCosine[i] >= lamp.cosAngle())) {
+            if (cone && !terms.isInside(i, lamp.cosAngle())) {
                 state[i] = (byte) (LightRows.OUTSIDE | way);
             } else if (way == 0 && !(cosine[i] > 0)) {
                 // It was among rows that the cone did not reach at all.

@@ -1,6 +1,9 @@
 package lightning.shading;
 
 import java.util.Arrays;
+import lightning.column.ColumnKind;
+import lightning.column.ColumnSet;
+import lightning.column.Element;
 
 /**
  * One light's layer over the hit rows of one tile and level: state, cosine, specular term and
@@ -22,8 +25,27 @@ public final class LightRows implements LightLayer {
     public static final int CLEAR = 4;
     public static final int BLOCKED = 8;
 
+    /** All columns that there are: what makes, counts and splices layers knows no others. */
+    public enum Column implements ColumnKind {
+        STATE(Element.BYTE),
+        COSINE(Element.FLOAT),
+        SPECULAR(Element.FLOAT),
+        FALLOFF(Element.FLOAT);
+
+        private final Element element;
+
+        Column(Element element) {
+            this.element = element;
+        }
+
+        @Override
+        public Element element() {
+            return element;
+        }
+    }
+
     /** All rows outside: shared by all tiles that no light in question reaches, and not counted as memory. */
-    public static final LightRows UNREACHED = new LightRows(outside(), null, null, null, 0);
+    public static final LightRows UNREACHED = unlit(outside());
 
     /** State and way of each row. */
     public final byte[] state;
@@ -36,28 +58,40 @@ public final class LightRows implements LightLayer {
     /** How many rows are lit. */
     public final int lit;
 
+    private final ColumnSet<Column> columns;
+
     public LightRows(byte[] state, float[] cosine, float[] specular, float[] falloff, int lit) {
-        this.state = state;
-        this.cosine = cosine;
-        this.specular = specular;
-        this.falloff = falloff;
+        this(ColumnSet.of(Column.class, state, cosine, specular, falloff), lit);
+    }
+
+    LightRows(ColumnSet<Column> columns, int lit) {
+        this.columns = columns;
         this.lit = lit;
+        state = (byte[]) columns.get(Column.STATE);
+        cosine = (float[]) columns.get(Column.COSINE);
+        specular = (float[]) columns.get(Column.SPECULAR);
+        falloff = (float[]) columns.get(Column.FALLOFF);
+    }
+
+    /** A layer of which no row is lit. */
+    static LightRows unlit(byte[] state) {
+        return new LightRows(state, null, null, null, 0);
+    }
+
+    /** This layer with another column, or with none where it is null; the same rows are lit. */
+    LightRows with(Column kind, float[] column) {
+        return new LightRows(columns.with(kind, column), lit);
     }
 
     private static byte[] outside() {
-        byte[] state = new byte[LightLanes.ROWS];
+        byte[] state = new byte[Terms.ROWS];
         Arrays.fill(state, OUTSIDE);
         return state;
     }
 
-    /** The bytes that states of rows take. */
-    static long bytes(byte[] states) {
-        return states == UNREACHED.state ? 0 : states.length;
-    }
-
-    /** The bytes that the states take. */
-    public long stateBytes() {
-        return bytes(state);
+    /** The bytes of a layer's columns that are counted with no layer, because all share them. */
+    static long shared(byte[] states) {
+        return states == UNREACHED.state ? states.length : 0;
     }
 
     /** The state of a row, without the way. */
@@ -75,13 +109,19 @@ public final class LightRows implements LightLayer {
         return lit;
     }
 
-    @Override
-    public long bytes() {
-        return stateBytes() + 4L * (length(cosine) + length(specular) + length(falloff));
+    /** The columns that this layer has. */
+    ColumnSet<Column> columns() {
+        return columns;
     }
 
-    private static int length(float[] column) {
-        return column == null ? 0 : column.length;
+    @Override
+    public long bytes() {
+        return columns.bytes() - shared(state);
+    }
+
+    /** The bytes of one kind of column. */
+    public long bytes(Column kind) {
+        return columns.bytes(kind) - (kind == Column.STATE ? shared(state) : 0);
     }
 
     @Override
@@ -89,7 +129,6 @@ public final class LightRows implements LightLayer {
         if (!(before instanceof LightRows b)) {
             return bytes();
         }
-        return (state == b.state ? 0 : stateBytes()) + 4L * ((cosine == b.cosine ? 0 : length(cosine))
-                + (specular == b.specular ? 0 : length(specular)) + (falloff == b.falloff ? 0 : length(falloff)));
+        return columns.newBytes(b.columns) - (state == b.state ? 0 : shared(state));
     }
 }

@@ -9,44 +9,44 @@ package lightning.shading;
  */
 final class LightSum {
     /** Enough for the depth of a tree over the most lights that a scene may have. */
-    private static final int LEVELS = 12;
+    private static final int DEPTH = 12;
 
-    private final SumRows[] sums = new SumRows[LEVELS];
+    private final SumRows[] sums = new SumRows[DEPTH];
 
-    LightSum() {
-        java.util.Arrays.setAll(sums, _ -> new SumRows(LightLanes.ROWS));
+    LightSum(Sums kernel) {
+        java.util.Arrays.setAll(sums, _ -> new SumRows(kernel, Terms.ROWS));
     }
 
     /** The sum over all lights, or null where none adds anything. */
-    SumRows of(int rows, Lamp[] lamps, LightLayer[] layers) {
-        return of(rows, lamps, layers, 0, lamps.length, 0);
+    SumRows of(int rows, Luminaire[] lights, LightLayer[] layers) {
+        return of(rows, lights, layers, 0, lights.length, 0);
     }
 
-    private static boolean isActive(Lamp lamp, LightLayer layer) {
-        return !lamp.isDark() && layer.lit() > 0;
+    private static boolean isActive(Luminaire light, LightLayer layer) {
+        return !light.isDark() && layer.lit() > 0;
     }
 
-    /** The sum of lights {@code from … to} in the scratch columns of a level of the tree, or null. */
-    private SumRows of(int rows, Lamp[] lamps, LightLayer[] layers, int from, int to, int level) {
+    /** The sum of lights {@code from … to} in the scratch columns of a depth of the tree, or null. */
+    private SumRows of(int rows, Luminaire[] lights, LightLayer[] layers, int from, int to, int depth) {
         if (to - from < 2) {
-            if (from == to || !isActive(lamps[from], layers[from])) {
+            if (from == to || !isActive(lights[from], layers[from])) {
                 return null;
             }
-            sums[level].set(rows, lamps[from], layers[from]);
-            return sums[level];
+            sums[depth].set(rows, lights[from], layers[from]);
+            return sums[depth];
         }
         int middle = (from + to) >>> 1;
-        SumRows left = of(rows, lamps, layers, from, middle, level);
+        SumRows left = of(rows, lights, layers, from, middle, depth);
         if (left == null) {
-            return of(rows, lamps, layers, middle, to, level);
+            return of(rows, lights, layers, middle, to, depth);
         }
         if (to - middle == 1) {
-            if (isActive(lamps[middle], layers[middle])) {
-                left.add(rows, lamps[middle], layers[middle]);
+            if (isActive(lights[middle], layers[middle])) {
+                left.add(rows, lights[middle], layers[middle]);
             }
             return left;
         }
-        SumRows right = of(rows, lamps, layers, middle, to, level + 1);
+        SumRows right = of(rows, lights, layers, middle, to, depth + 1);
         if (right != null) {
             left.add(rows, right);
         }
@@ -54,12 +54,12 @@ final class LightSum {
     }
 
     /** The same sum where the branches beside one light's way to the root are known. */
-    SumRows of(int rows, Lamp[] lamps, LightLayer[] layers, BranchSums branches) {
+    SumRows of(int rows, Luminaire[] lights, LightLayer[] layers, BranchSums branches) {
         SumRows sum = sums[0];
         int light = branches.key().light();
-        boolean any = isActive(lamps[light], layers[light]);
+        boolean any = isActive(lights[light], layers[light]);
         if (any) {
-            sum.set(rows, lamps[light], layers[light]);
+            sum.set(rows, lights[light], layers[light]);
         }
         for (SumRows branch : branches.fromLeaf()) {
             if (branch != null) {
@@ -75,19 +75,19 @@ final class LightSum {
     }
 
     /** Computes the sums of all branches beside a light's way to the root. */
-    BranchSums branches(int rows, Lamp[] lamps, LightLayer[] layers, BranchSums.Key key) {
-        SumRows[] fromLeaf = new SumRows[LEVELS];
-        int at = LEVELS;
+    BranchSums branches(int rows, Luminaire[] lights, LightLayer[] layers, BranchSums.Key key) {
+        SumRows[] fromLeaf = new SumRows[DEPTH];
+        int at = DEPTH;
         int from = 0;
-        int to = lamps.length;
+        int to = lights.length;
         while (to - from > 1) {
             int middle = (from + to) >>> 1;
             boolean left = key.light() < middle;
-            SumRows beside = of(rows, lamps, layers, left ? middle : from, left ? to : middle, 0);
+            SumRows beside = of(rows, lights, layers, left ? middle : from, left ? to : middle, 0);
             fromLeaf[--at] = beside == null ? null : beside.compact(rows);
             from = left ? from : middle;
             to = left ? middle : to;
         }
-        return new BranchSums(key, java.util.Arrays.copyOfRange(fromLeaf, at, LEVELS));
+        return new BranchSums(key, java.util.Arrays.copyOfRange(fromLeaf, at, DEPTH));
     }
 }

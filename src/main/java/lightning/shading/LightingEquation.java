@@ -15,9 +15,9 @@ import lightning.scene.Attenuation;
  * <p>An instance holds the vector from the row to the light. Points and vectors are in render space;
  * what is given as float was rounded when the row was stored.
  */
-final class LightingEquation {
+public final class LightingEquation {
     /** Below it the square of a distance has too few digits to give a vector the length 1; it counts as 0. */
-    static final double NO_DISTANCE = 0x1p-500;
+    public static final double NO_DISTANCE = 0x1p-500;
 
     private final Lamp lamp;
     private double lx;

@@ -1,7 +1,9 @@
 package lightning.shading;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Scene;
@@ -10,6 +12,7 @@ import lightning.trace.Geometry;
 import lightning.trace.MaterialTable;
 import lightning.trace.Ray;
 import lightning.trace.SurfacePoint;
+import lightning.trace.WayEnd;
 
 /** Traces single pixels and tells why they have their colour; the colour is the film's in every bit. */
 public final class PixelExplainer {
@@ -18,13 +21,32 @@ public final class PixelExplainer {
     private final Scene scene;
     private final Geometry geometry;
     private final MaterialTable materials;
-    private final List<Lamp> lamps;
+    private final List<Luminaire> lights;
+
+    /** Where ways to lights end, by the place of a light. */
+    private final Map<Vec3, WayEnd> ends;
 
     public PixelExplainer(Scene scene) {
+        this(scene, new Geometry(scene), new HashMap<>());
+    }
+
+    /** @param known a geometry that serves the scene, as a picture of it was traced with */
+    public PixelExplainer(Scene scene, Geometry known) {
+        this(scene, known.forScene(scene, known.mirrors()), new HashMap<>());
+    }
+
+    private PixelExplainer(Scene scene, Geometry geometry, Map<Vec3, WayEnd> ends) {
         this.scene = scene;
-        geometry = new Geometry(scene);
+        this.geometry = geometry;
+        this.ends = ends;
         materials = geometry.materials();
-        lamps = scene.lights().stream().map(light -> Lamp.of(light, scene)).toList();
+        lights = scene.lights().stream().map(light -> Luminaire.of(light, scene)).toList();
+    }
+
+    /** The explainer of another scene, which shares with this one what it knows of the shapes. */
+    public PixelExplainer forScene(Scene other, Geometry known) {
+        boolean same = geometry.serves(other);
+        return new PixelExplainer(other, (same ? geometry : known).forScene(other, known.mirrors()), same ? ends : new HashMap<>());
     }
 
     /** The shapes and materials that the reports point to. */
@@ -38,7 +60,7 @@ public final class PixelExplainer {
     }
 
     private PointReport ray(Ray ray, int depth) {
-        int shape = geometry.nearestOfAll(ray);
+        int shape = geometry.nearest(ray);
         if (shape < 0) {
             Rgb background = scene.world().background();
             float[] color = {(float) background.r(), (float) background.g(), (float) background.b()};
@@ -46,9 +68,9 @@ public final class PixelExplainer {
         }
         SurfacePoint at = geometry.surface(shape, ray);
         PointReport reflected = materials.isReflective(at.material()) && depth > 0 ? ray(at.mirrored(), depth - 1) : null;
-        List<LightReport> lights = new ArrayList<>();
-        for (Lamp lamp : lamps) {
-            lights.add(light(lamp, at));
+        List<LightReport> reports = new ArrayList<>();
+        for (Luminaire light : lights) {
+            reports.add(report(light, at));
         }
         float[] color = new float[3];
         float[] ambient = new float[3];
@@ -57,10 +79,10 @@ public final class PixelExplainer {
             float ka = materials.ambient(at.material(), c);
             float kr = materials.reflective(at.material(), c);
             ambient[c] = ka * ambience * (1 - kr);
-            color[c] = LightingEquation.color(ka, ambience, at.diffuse()[c], sum(lights, c, true),
-                    materials.specular(at.material(), c), sum(lights, c, false), kr, reflected == null ? 0 : reflected.color()[c]);
+            color[c] = LightingEquation.color(ka, ambience, at.diffuse()[c], sum(reports, c, true),
+                    materials.specular(at.material(), c), sum(reports, c, false), kr, reflected == null ? 0 : reflected.color()[c]);
         }
-        return new PointReport(at, color, ambient, lights, reflected);
+        return new PointReport(at, color, ambient, reports, reflected);
     }
 
     private static float sum(List<LightReport> lights, int channel, boolean diffuse) {
@@ -71,42 +93,45 @@ public final class PixelExplainer {
         return LightingEquation.sum(terms, 0, terms.length);
     }
 
-    private LightReport light(Lamp lamp, SurfacePoint at) {
-        var equation = new LightingEquation(lamp);
+    private LightReport report(Luminaire light, SurfacePoint at) {
+        var equation = new LightingEquation(light.lamp());
         equation.at(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz());
         float cosine = equation.cosine(at.nx(), at.ny(), at.nz());
         int blocker = -1;
         LightReport.State state;
-        if (lamp.isDark()) {
+        if (light.isDark()) {
             state = LightReport.State.DARK;
         } else if (!(cosine > 0)) {
             state = LightReport.State.AWAY;
         } else if (!equation.insideCone()) {
             state = LightReport.State.OUTSIDE;
         } else {
-            blocker = blocker(lamp, at);
+            blocker = blocker(light.lamp(), at);
             state = blocker < 0 ? LightReport.State.LIT : LightReport.State.SHADOWED;
         }
         if (state != LightReport.State.LIT) {
-            return new LightReport(lamp.light(), state, blocker, cosine, 0, 0, NONE, NONE);
+            return new LightReport(light.light(), state, blocker, cosine, 0, 0, NONE, NONE);
         }
         float specular = equation.specular(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(), materials.shininess(at.material()));
         float falloff = equation.falloff();
-        return new LightReport(lamp.light(), state, blocker, cosine, specular, falloff,
-                contribution(lamp, cosine, falloff), contribution(lamp, specular, falloff));
+        return new LightReport(light.light(), state, blocker, cosine, specular, falloff,
+                contribution(light, cosine, falloff), contribution(light, specular, falloff));
     }
 
-    private static float[] contribution(Lamp lamp, float term, float falloff) {
+    private static float[] contribution(Luminaire light, float term, float falloff) {
         return new float[] {
-            LightingEquation.contribution(lamp.red(), term, falloff),
-            LightingEquation.contribution(lamp.green(), term, falloff),
-            LightingEquation.contribution(lamp.blue(), term, falloff)};
+            LightingEquation.contribution(light.red(), term, falloff),
+            LightingEquation.contribution(light.green(), term, falloff),
+            LightingEquation.contribution(light.blue(), term, falloff)};
     }
 
-    /** The shape between the point and the light that is nearest to the point, or −1. */
+    /** The shape between the point and the light that is nearest to the point, or −1; all are asked only where one is. */
     private int blocker(Lamp lamp, SurfacePoint at) {
         Vec3 point = new Vec3(at.px(), at.py(), at.pz());
-        return lamp.type().hasPosition() ? geometry.blocker(point, geometry.end(lamp.source()))
-                : geometry.nearestOfAll(new Ray(point, lamp.source()));
+        if (!lamp.type().hasPosition()) {
+            return geometry.nearest(new Ray(point, lamp.source()));
+        }
+        boolean free = !geometry.blocked(new Ray(point, lamp.source().minus(point)), 1);
+        return free ? -1 : geometry.blocker(point, ends.computeIfAbsent(lamp.source(), geometry::end));
     }
 }

@@ -1,5 +1,8 @@
 package lightning.shading;
 
+import java.util.EnumSet;
+import java.util.Set;
+import lightning.column.ColumnSet;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialSet;
 import lightning.trace.RowSplice;
@@ -9,16 +12,17 @@ import lightning.trace.RowSplice;
  * multiplied in, and scaled by ratios. Holds scratch memory: one for each thread.
  */
 public final class RatioKernel {
-    private static final float[] ZEROS = new float[LightLanes.ROWS];
+    private static final float[] ZEROS = new float[Terms.ROWS];
 
     private final LightKernel exact;
-    private final AttenuationRatio falloffs = new AttenuationRatio();
+    private final AttenuationRatio falloffs;
     private final ScratchColumns scratch = new ScratchColumns();
     private double leastFalloff = 1;
     private long rowsScaled;
 
     public RatioKernel(LightKernel exact) {
         this.exact = exact;
+        falloffs = new AttenuationRatio(exact.terms());
     }
 
     /**
@@ -35,30 +39,30 @@ public final class RatioKernel {
     }
 
     /** All contributions, shadow rays included: the worst case, and the paper's answer to an old value of 0. */
-    public RatioRows full(HitRows rows, Lamp lamp) {
+    public RatioRows full(HitRows rows, Luminaire light) {
         scratch.reset();
-        return contributions(rows, lamp, exact.full(rows, lamp, scratch), Columns.FRESH.states(rows.count));
+        return contributions(rows, light, exact.full(rows, light.lamp(), scratch), Columns.FRESH.states(rows.count));
     }
 
     /** All contributions anew for rows whose states are known: no shadow ray is cast. */
-    public RatioRows again(HitRows rows, Lamp lamp, RatioRows before) {
+    public RatioRows again(HitRows rows, Luminaire light, RatioRows before) {
         scratch.reset();
-        return contributions(rows, lamp, exact.again(rows, lamp, before, scratch), Columns.FRESH.states(rows.count));
+        return contributions(rows, light, exact.again(rows, light.lamp(), before, scratch), Columns.FRESH.states(rows.count));
     }
 
     /** The terms of rows whose states are known, in columns that are valid until the next call; no shadow ray is cast. */
-    public LightRows terms(HitRows rows, Lamp lamp, RatioRows layer) {
+    public LightRows terms(HitRows rows, Luminaire light, RatioRows layer) {
         scratch.reset();
-        return exact.again(rows, lamp, layer, scratch);
+        return exact.again(rows, light.lamp(), layer, scratch);
     }
 
     /** All contributions from terms that are known: the same as {@link #full} would give, and no ray is cast. */
-    public RatioRows of(HitRows rows, Lamp lamp, LightRows layer) {
+    public RatioRows of(HitRows rows, Luminaire light, LightRows layer) {
         rowsScaled += layer.lit;
-        return contributions(rows, lamp, layer, Columns.FRESH.states(rows.count));
+        return contributions(rows, light, layer, Columns.FRESH.states(rows.count));
     }
 
-    private RatioRows contributions(HitRows rows, Lamp lamp, LightRows layer, byte[] states) {
+    private RatioRows contributions(HitRows rows, Luminaire light, LightRows layer, byte[] states) {
         if (layer.state == LightRows.UNREACHED.state) {
             return RatioRows.UNREACHED;
         }
@@ -66,18 +70,18 @@ public final class RatioKernel {
         if (layer.lit == 0) {
             return new RatioRows(states, null, null, 0);
         }
-        float[][] diffuse = weighted(rows, lamp, layer.cosine, layer.falloff);
-        float[][] specular = layer.specular == null ? null : weighted(rows, lamp, layer.specular, layer.falloff);
+        float[][] diffuse = weighted(rows, light, layer.cosine, layer.falloff);
+        float[][] specular = layer.specular == null ? null : weighted(rows, light, layer.specular, layer.falloff);
         return new RatioRows(states, diffuse, specular, layer.lit);
     }
 
-    private static float[][] weighted(HitRows rows, Lamp lamp, float[] term, float[] falloff) {
+    private static float[][] weighted(HitRows rows, Luminaire light, float[] term, float[] falloff) {
         float[][] out = columns(rows);
         for (int i = 0; i < rows.count; i++) {
             float faded = falloff == null ? term[i] : term[i] * falloff[i];
-            out[0][i] = lamp.red() * faded;
-            out[1][i] = lamp.green() * faded;
-            out[2][i] = lamp.blue() * faded;
+            out[0][i] = light.red() * faded;
+            out[1][i] = light.green() * faded;
+            out[2][i] = light.blue() * faded;
         }
         return out;
     }
@@ -87,7 +91,7 @@ public final class RatioKernel {
     }
 
     /** The paper's updates of colour, intensity, attenuation, dropoff and angle, alone or together. */
-    public RatioRows partial(HitRows rows, Lamp from, Lamp to, RatioRows before, ConeChange cone, boolean falloff) {
+    public RatioRows partial(HitRows rows, Luminaire from, Luminaire to, RatioRows before, ConeChange cone, boolean falloff) {
         IntensityRatio intensity = IntensityRatio.between(from, to);
         if (!intensity.isUsable()) {
             return full(rows, to);
@@ -96,7 +100,7 @@ public final class RatioKernel {
             return cone == ConeChange.NONE ? before : moved(rows, to, before, before, cone);
         }
         if (falloff && before.lit() > 0) {
-            if (!falloffs.compute(rows, from, to, before.states())) {
+            if (!falloffs.compute(rows, from.lamp(), to.lamp(), before.states())) {
                 return full(rows, to);
             }
             leastFalloff = Math.min(leastFalloff, falloffs.least());
@@ -134,14 +138,14 @@ public final class RatioKernel {
     }
 
     /** Removes rows that left the cone and adds those that entered it; {@code scaled} holds the others. */
-    private RatioRows moved(HitRows rows, Lamp lamp, RatioRows before, RatioRows scaled, ConeChange cone) {
+    private RatioRows moved(HitRows rows, Luminaire light, RatioRows before, RatioRows scaled, ConeChange cone) {
         scratch.reset();
         LightRows known = new LightRows(before.states(), ZEROS, before.specular == null ? null : ZEROS, null, before.lit());
-        LightRows now = exact.partial(rows, lamp, known, cone, false, scratch);
+        LightRows now = exact.partial(rows, light.lamp(), known, cone, false, scratch);
         if (now.state == known.state) {
             return scaled;
         }
-        RatioRows entered = contributions(rows, lamp, now, Columns.FRESH.states(rows.count));
+        RatioRows entered = contributions(rows, light, now, Columns.FRESH.states(rows.count));
         for (int i = 0; i < rows.count && entered.lit() > 0; i++) {
             boolean stays = (before.states()[i] & LightRows.STATE) == LightRows.LIT
                     && (entered.states()[i] & LightRows.STATE) == LightRows.LIT;
@@ -159,21 +163,21 @@ public final class RatioKernel {
      * The layer after an edit of materials: of the rows of those that changed the specular contribution anew, without a
      * ray.
      *
-     * @param lamp    the light that the layer was computed for
+     * @param light   the light that the layer was computed for
      * @param changed materials whose shininess changed, or that got or lost their highlights
      */
-    public RatioRows speculars(HitRows rows, Lamp lamp, RatioRows before, MaterialSet changed) {
+    public RatioRows speculars(HitRows rows, Luminaire light, RatioRows before, MaterialSet changed) {
         if (before.lit() == 0 || !changed.isIn(rows)) {
             return before;
         }
         scratch.reset();
         LightRows known = new LightRows(before.states(), ZEROS, before.specular == null ? null : ZEROS, null, before.lit());
-        LightRows now = exact.speculars(rows, lamp, known, changed, scratch);
+        LightRows now = exact.speculars(rows, light.lamp(), known, changed, scratch);
         if (now.specular == null) {
             return new RatioRows(before.states(), before.diffuse, null, before.lit());
         }
-        LightRows faded = exact.partial(rows, lamp, now, ConeChange.NONE, true, scratch);
-        float[][] specular = weighted(rows, lamp, faded.specular, faded.falloff);
+        LightRows faded = exact.partial(rows, light.lamp(), now, ConeChange.NONE, true, scratch);
+        float[][] specular = weighted(rows, light, faded.specular, faded.falloff);
         for (int r = 0; r < rows.runs && before.specular != null; r++) {
             for (int i = rows.runStart(r); i < rows.runEnd[r] && !changed.contains(rows.runMaterial[r]); i++) {
                 take(before.specular, specular, i);
@@ -182,29 +186,28 @@ public final class RatioKernel {
         return new RatioRows(before.states(), before.diffuse, specular, before.lit());
     }
 
-    /** The layer over rows that were put together anew: as {@link LightKernel#spliced}. */
+    /**
+     * The layer over rows that were put together of old ones and others.
+     *
+     * @param before over the old rows
+     * @param added  over the added rows; null where there are none
+     */
     public RatioRows spliced(RowSplice splice, RatioRows before, RatioRows added) {
         if (before.states() == LightRows.UNREACHED.state && (added == null || added.states() == LightRows.UNREACHED.state)) {
             return RatioRows.UNREACHED;
         }
-        HitRows rows = splice.rows();
-        byte[] states = Columns.FRESH.states(rows.count);
-        splice.copy(before.states(), added == null ? null : added.states(), states);
+        Set<RatioRows.Column> known = EnumSet.allOf(RatioRows.Column.class);
+        if (!exact.hasSpecular(splice.rows())) {
+            known.removeAll(RatioRows.Column.SPECULAR);
+        }
+        ColumnSet<RatioRows.Column> columns = ColumnSet.room(RatioRows.Column.class, known, splice.rows().count);
+        splice.fill(columns, before.columns(), added == null ? null : added.columns());
+        byte[] states = (byte[]) columns.get(RatioRows.Column.STATE);
         int lit = 0;
         for (byte state : states) {
             lit += (state & LightRows.STATE) == LightRows.LIT ? 1 : 0;
         }
-        return new RatioRows(states, lit == 0 ? null : spliced(splice, before.diffuse, added == null ? null : added.diffuse),
-                lit == 0 || !exact.hasSpecular(rows) ? null : spliced(splice, before.specular, added == null ? null : added.specular),
-                lit);
-    }
-
-    private static float[][] spliced(RowSplice splice, float[][] before, float[][] added) {
-        float[][] out = columns(splice.rows());
-        for (int c = 0; c < 3; c++) {
-            splice.copy(before == null ? null : before[c], added == null ? null : added[c], out[c]);
-        }
-        return out;
+        return lit == 0 ? new RatioRows(states, null, null, 0) : new RatioRows(columns, lit);
     }
 
     private static void take(float[][] from, float[][] to, int row) {

@@ -1,11 +1,41 @@
 package lightning.shading;
 
+import java.util.List;
+import lightning.column.ColumnKind;
+import lightning.column.ColumnSet;
+import lightning.column.Element;
+
 /**
  * One light's layer as the paper stores it (§2.4): the finished contributions, weight and falloff
  * multiplied in, which edits scale by ratios. Rows that the light does not reach hold 0; the paper's
  * negative diffuse colour, its flag for them, is the state here.
  */
 public final class RatioRows implements LightLayer {
+    /** All columns that there are: what makes, counts and splices layers knows no others. */
+    public enum Column implements ColumnKind {
+        STATE(Element.BYTE),
+        DIFFUSE_RED(Element.FLOAT),
+        DIFFUSE_GREEN(Element.FLOAT),
+        DIFFUSE_BLUE(Element.FLOAT),
+        SPECULAR_RED(Element.FLOAT),
+        SPECULAR_GREEN(Element.FLOAT),
+        SPECULAR_BLUE(Element.FLOAT);
+
+        static final List<Column> DIFFUSE = List.of(DIFFUSE_RED, DIFFUSE_GREEN, DIFFUSE_BLUE);
+        static final List<Column> SPECULAR = List.of(SPECULAR_RED, SPECULAR_GREEN, SPECULAR_BLUE);
+
+        private final Element element;
+
+        Column(Element element) {
+            this.element = element;
+        }
+
+        @Override
+        public Element element() {
+            return element;
+        }
+    }
+
     /** No row is reached: shared, as {@link LightRows#UNREACHED}. */
     static final RatioRows UNREACHED = new RatioRows(LightRows.UNREACHED.state, null, null, 0);
 
@@ -16,11 +46,28 @@ public final class RatioRows implements LightLayer {
     /** Specular contributions; null where no row is lit or none is specular. */
     final float[][] specular;
 
+    private final ColumnSet<Column> columns;
+
     RatioRows(byte[] states, float[][] diffuse, float[][] specular, int lit) {
-        this.states = states;
-        this.diffuse = diffuse;
-        this.specular = specular;
+        this(ColumnSet.of(Column.class, states, channel(diffuse, 0), channel(diffuse, 1), channel(diffuse, 2), channel(specular, 0),
+                channel(specular, 1), channel(specular, 2)), lit);
+    }
+
+    RatioRows(ColumnSet<Column> columns, int lit) {
+        this.columns = columns;
         this.lit = lit;
+        states = (byte[]) columns.get(Column.STATE);
+        diffuse = colors(columns, Column.DIFFUSE);
+        specular = colors(columns, Column.SPECULAR);
+    }
+
+    private static float[] channel(float[][] colors, int c) {
+        return colors == null ? null : colors[c];
+    }
+
+    private static float[][] colors(ColumnSet<Column> columns, List<Column> channels) {
+        return !columns.has(channels.getFirst()) ? null
+                : channels.stream().map(channel -> (float[]) columns.get(channel)).toArray(float[][]::new);
     }
 
     @Override
@@ -33,9 +80,14 @@ public final class RatioRows implements LightLayer {
         return lit;
     }
 
+    /** The columns that this layer has. */
+    ColumnSet<Column> columns() {
+        return columns;
+    }
+
     @Override
     public long bytes() {
-        return LightRows.bytes(states) + 12L * ((diffuse == null ? 0 : diffuse[0].length) + (specular == null ? 0 : specular[0].length));
+        return columns.bytes() - LightRows.shared(states);
     }
 
     /** Scaling reads every contribution and writes it anew. */

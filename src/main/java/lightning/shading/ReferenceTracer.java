@@ -24,7 +24,7 @@ public final class ReferenceTracer {
     private final Scene scene;
     private final Geometry geometry;
     private final MaterialTable materials;
-    private final Lamp[] lamps;
+    private final Luminaire[] lights;
     private final WayEnd[] ends;
     private final ReferenceTracer mirrors;
 
@@ -41,8 +41,9 @@ public final class ReferenceTracer {
         mirrors = scene == mirrored ? this : new ReferenceTracer(mirrored);
         geometry = new Geometry(scene);
         materials = geometry.materials();
-        lamps = Lamp.all(scene);
-        ends = Arrays.stream(lamps).map(lamp -> lamp.type().hasPosition() ? geometry.end(lamp.source()) : null).toArray(WayEnd[]::new);
+        lights = Luminaire.all(scene);
+        ends = Arrays.stream(lights).map(Luminaire::lamp).map(lamp -> lamp.type().hasPosition() ? geometry.end(lamp.source()) : null)
+                .toArray(WayEnd[]::new);
     }
 
     /** The whole picture. */
@@ -85,31 +86,31 @@ public final class ReferenceTracer {
 
     /** The colour that a ray brings; {@code depth} more mirrors may be followed. */
     private float[] color(Ray ray, int depth) {
-        int shape = geometry.nearestOfAll(ray);
-        if (shape < 0) {
+        int primitive = geometry.nearestOfAll(ray);
+        if (primitive < 0) {
             Rgb background = scene.world().background();
             return new float[] {(float) background.r(), (float) background.g(), (float) background.b()};
         }
-        SurfacePoint at = geometry.surface(shape, ray);
+        SurfacePoint at = geometry.surface(primitive, ray);
         int material = at.material();
         float[] mirrored = {0, 0, 0};
         if (materials.isReflective(material) && depth > 0) {
             mirrored = mirrors.color(at.mirrored(), depth - 1);
         }
         float[] color = new float[3];
-        float[] diffuse = new float[lamps.length];
-        float[] specular = new float[lamps.length];
+        float[] diffuse = new float[lights.length];
+        float[] specular = new float[lights.length];
         float[][] terms = terms(at);
         for (int c = 0; c < 3; c++) {
-            for (int l = 0; l < lamps.length; l++) {
-                float weight = weight(lamps[l], c);
+            for (int l = 0; l < lights.length; l++) {
+                float weight = weight(lights[l], c);
                 diffuse[l] = LightingEquation.contribution(weight, terms[l][0], terms[l][2]);
                 specular[l] = LightingEquation.contribution(weight, terms[l][1], terms[l][2]);
             }
             color[c] = LightingEquation.color(
                     materials.ambient(material, c), (float) scene.world().ambience(),
-                    at.diffuse()[c], LightingEquation.sum(diffuse, 0, lamps.length),
-                    materials.specular(material, c), LightingEquation.sum(specular, 0, lamps.length),
+                    at.diffuse()[c], LightingEquation.sum(diffuse, 0, lights.length),
+                    materials.specular(material, c), LightingEquation.sum(specular, 0, lights.length),
                     materials.reflective(material, c), mirrored[c]);
         }
         return color;
@@ -117,9 +118,9 @@ public final class ReferenceTracer {
 
     /** For each light its cosine, specular term and falloff at a point; all 0 where it does not reach. */
     private float[][] terms(SurfacePoint at) {
-        float[][] terms = new float[lamps.length][3];
-        for (int l = 0; l < lamps.length; l++) {
-            LightingEquation equation = new LightingEquation(lamps[l]);
+        float[][] terms = new float[lights.length][3];
+        for (int l = 0; l < lights.length; l++) {
+            LightingEquation equation = new LightingEquation(lights[l].lamp());
             equation.at(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz());
             float cosine = equation.cosine(at.nx(), at.ny(), at.nz());
             if (state(l, at, equation, cosine) == LightRows.LIT) {
@@ -141,9 +142,10 @@ public final class ReferenceTracer {
     /** Whether nothing stands between a point and a light. */
     private boolean isVisible(int light, SurfacePoint at) {
         Vec3 point = new Vec3(at.px(), at.py(), at.pz());
-        return lamps[light].type().hasPosition()
+        Lamp lamp = lights[light].lamp();
+        return lamp.type().hasPosition()
                 ? !geometry.blockedByAny(point, ends[light])
-                : !geometry.blockedByAny(new Ray(point, lamps[light].source()), Double.POSITIVE_INFINITY);
+                : !geometry.blockedByAny(new Ray(point, lamp.source()), Double.POSITIVE_INFINITY);
     }
 
     /**
@@ -153,16 +155,16 @@ public final class ReferenceTracer {
      * @param sums  the code of shapes and that of lights, {@code int[2]}
      */
     private void look(Ray ray, int depth, int level, int[] sums) {
-        int shape = geometry.nearestOfAll(ray);
-        if (shape < 0) {
+        int primitive = geometry.nearestOfAll(ray);
+        if (primitive < 0) {
             return;
         }
-        SurfacePoint at = geometry.surface(shape, ray);
-        int hit = HitCode.of(shape, at.nx(), at.ny(), at.nz());
+        SurfacePoint at = geometry.surface(primitive, ray);
+        int hit = HitCode.of(geometry.owner(primitive), at.nx(), at.ny(), at.nz());
         sums[0] += HitCode.seen(materials.isTextured(at.material())
                 ? HitCode.textured(hit, at.texel()[0], at.texel()[1], at.texel()[2]) : hit, level);
-        for (int l = 0; l < lamps.length; l++) {
-            if (!lamps[l].isDark()) {
+        for (int l = 0; l < lights.length; l++) {
+            if (!lights[l].isDark()) {
                 int code = look(l, at);
                 sums[1] += level == 0 ? code : HitCode.seen(code, level);
             }
@@ -173,7 +175,7 @@ public final class ReferenceTracer {
     }
 
     private int look(int light, SurfacePoint at) {
-        LightingEquation equation = new LightingEquation(lamps[light]);
+        LightingEquation equation = new LightingEquation(lights[light].lamp());
         equation.at(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz());
         float specular = equation.specular(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(),
                 materials.shininess(at.material()));
@@ -206,11 +208,11 @@ public final class ReferenceTracer {
         return fine;
     }
 
-    private static float weight(Lamp lamp, int channel) {
+    private static float weight(Luminaire light, int channel) {
         return switch (channel) {
-            case 0 -> lamp.red();
-            case 1 -> lamp.green();
-            default -> lamp.blue();
+            case 0 -> light.red();
+            case 1 -> light.green();
+            default -> light.blue();
         };
     }
 }

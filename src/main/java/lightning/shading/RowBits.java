@@ -1,32 +1,36 @@
 package lightning.shading;
 
-import lightning.trace.RayPacket;
+import lightning.trace.Tracer;
 
 /**
- * Sets of rows of a tile: one bit for each row, as many bits in an {@code int} as a packet has rays, the
- * lowest for the first row.
+ * Sets of rows of a tile: one bit for each row, the lowest of an {@code int} for its first row.
  */
-final class RowBits {
+public final class RowBits {
     /** Rows in a word. */
-    static final int WIDTH = RayPacket.WIDTH;
-    private static final int ALL = WIDTH == 32 ? -1 : (1 << WIDTH) - 1;
+    public static final int WIDTH = Tracer.WORD;
+    private static final int ALL = (1 << WIDTH) - 1;
 
     private RowBits() {}
 
     /** Room for the rows of any tile. */
     static int[] room() {
-        return new int[words(LightLanes.ROWS)];
+        return new int[words(Terms.ROWS)];
     }
 
     /** How many words hold {@code rows} rows. */
-    static int words(int rows) {
+    public static int words(int rows) {
         return (rows + WIDTH - 1) / WIDTH;
     }
 
     /** The bits of word {@code b} that stand for one of {@code rows} rows. */
-    static int valid(int b, int rows) {
+    public static int valid(int b, int rows) {
         int rest = rows - b * WIDTH;
         return rest >= WIDTH ? ALL : (1 << rest) - 1;
+    }
+
+    /** The bits of word {@code b} that stand for rows {@code from … to − 1}. */
+    public static int within(int b, int from, int to) {
+        return valid(b, to) & -1 << Math.max(0, from - b * WIDTH);
     }
 
     /** How many of {@code rows} rows are in the set. */
@@ -54,11 +58,11 @@ final class RowBits {
         }
     }
 
-    static boolean contains(int[] bits, int row) {
+    public static boolean contains(int[] bits, int row) {
         return (bits[row / WIDTH] >>> row % WIDTH & 1) != 0;
     }
 
-    static void add(int[] bits, int row) {
+    public static void add(int[] bits, int row) {
         bits[row / WIDTH] |= 1 << row % WIDTH;
     }
 

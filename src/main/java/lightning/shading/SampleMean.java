@@ -26,6 +26,6 @@ public final class SampleMean {
 
     /** How many pixels of {@code perPixel} samples each are traced together. */
     public static int pixelsTogether(int perPixel) {
-        return LightLanes.ROWS / perPixel;
+        return Terms.ROWS / perPixel;
     }
 }

@@ -4,14 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Columns that are handed out in turn and, after {@link #reset}, again. */
-final class ScratchColumns implements Columns {
+public final class ScratchColumns implements Columns {
     private final List<float[]> floats = new ArrayList<>();
     private final List<byte[]> states = new ArrayList<>();
     private int floatsUsed;
     private int statesUsed;
 
     /** Takes all columns back. */
-    void reset() {
+    public void reset() {
         floatsUsed = 0;
         statesUsed = 0;
     }
@@ -19,7 +19,7 @@ final class ScratchColumns implements Columns {
     @Override
     public float[] floats(int rows) {
         if (floatsUsed == floats.size()) {
-            floats.add(new float[LightLanes.ROWS]);
+            floats.add(new float[Terms.ROWS]);
         }
         return floats.get(floatsUsed++);
     }
@@ -27,7 +27,7 @@ final class ScratchColumns implements Columns {
     @Override
     public byte[] states(int rows) {
         if (statesUsed == states.size()) {
-            states.add(new byte[LightLanes.ROWS]);
+            states.add(new byte[Terms.ROWS]);
         }
         return states.get(statesUsed++);
     }

@@ -1,23 +1,18 @@
 package lightning.shading;
 
-import jdk.incubator.vector.FloatVector;
-import jdk.incubator.vector.VectorSpecies;
 import lightning.trace.HitRows;
 
 /**
  * A sum of lights' contributions over the rows of a tile: diffuse and specular, three channels each.
- *
- * <p>Columns are as long as whole lanes over the rows, so that loops run over the end. Plain loops
- * with three stores were not vectorised and took eight times as long.
  */
 final class SumRows {
-    private static final VectorSpecies<Float> F = FloatVector.SPECIES_PREFERRED;
-    private static final float[] ONES = new float[LightLanes.ROWS];
+    private static final float[] ONES = new float[Terms.ROWS];
 
     static {
         java.util.Arrays.fill(ONES, 1);
     }
 
+    private final Sums sums;
     final float[] diffuseRed;
     final float[] diffuseGreen;
     final float[] diffuseBlue;
@@ -28,12 +23,16 @@ final class SumRows {
     /** Whether any light summed here has specular terms; else those columns are undefined. */
     boolean hasSpecular;
 
-    /** @param length of the columns: whole lanes */
-    SumRows(int length) {
-        this(length, true);
+    /**
+     * @param sums   who adds
+     * @param length of the columns, as {@link HitRows#padded}
+     */
+    SumRows(Sums sums, int length) {
+        this(sums, length, true);
     }
 
-    private SumRows(int length, boolean specular) {
+    private SumRows(Sums sums, int length, boolean specular) {
+        this.sums = sums;
         diffuseRed = new float[length];
         diffuseGreen = new float[length];
         diffuseBlue = new float[length];
@@ -44,7 +43,7 @@ final class SumRows {
 
     /** A copy that is just long enough. */
     SumRows compact(int rows) {
-        SumRows copy = new SumRows(HitRows.padded(rows), hasSpecular);
+        SumRows copy = new SumRows(sums, HitRows.padded(rows), hasSpecular);
         copy.copy(rows, this);
         return copy;
     }
@@ -66,14 +65,14 @@ final class SumRows {
     }
 
     /** Sets this to one light's contribution. */
-    void set(int rows, Lamp lamp, LightLayer layer) {
+    void set(int rows, Luminaire light, LightLayer layer) {
         switch (layer) {
             case LightRows exact -> {
                 float[] falloff = exact.falloff == null ? ONES : exact.falloff;
-                set(rows, lamp, exact.cosine, falloff, diffuseRed, diffuseGreen, diffuseBlue);
+                sums.set(rows, light, exact.cosine, falloff, diffuseRed, diffuseGreen, diffuseBlue);
                 hasSpecular = exact.specular != null;
                 if (hasSpecular) {
-                    set(rows, lamp, exact.specular, falloff, specularRed, specularGreen, specularBlue);
+                    sums.set(rows, light, exact.specular, falloff, specularRed, specularGreen, specularBlue);
                 }
             }
             case RatioRows ratio -> {
@@ -87,9 +86,9 @@ final class SumRows {
     }
 
     /** Adds one light's contribution. */
-    void add(int rows, Lamp lamp, LightLayer layer) {
+    void add(int rows, Luminaire light, LightLayer layer) {
         switch (layer) {
-            case LightRows exact -> addExact(rows, lamp, exact);
+            case LightRows exact -> addExact(rows, light, exact);
             case RatioRows ratio -> {
                 addDiffuse(rows, ratio.diffuse[0], ratio.diffuse[1], ratio.diffuse[2]);
                 addSpecular(rows, ratio.specular);
@@ -97,14 +96,14 @@ final class SumRows {
         }
     }
 
-    private void addExact(int rows, Lamp lamp, LightRows layer) {
+    private void addExact(int rows, Luminaire light, LightRows layer) {
         float[] falloff = layer.falloff == null ? ONES : layer.falloff;
-        add(rows, lamp, layer.cosine, falloff, diffuseRed, diffuseGreen, diffuseBlue);
+        sums.add(rows, light, layer.cosine, falloff, diffuseRed, diffuseGreen, diffuseBlue);
         if (layer.specular != null) {
             if (hasSpecular) {
-                add(rows, lamp, layer.specular, falloff, specularRed, specularGreen, specularBlue);
+                sums.add(rows, light, layer.specular, falloff, specularRed, specularGreen, specularBlue);
             } else {
-                set(rows, lamp, layer.specular, falloff, specularRed, specularGreen, specularBlue);
+                sums.set(rows, light, layer.specular, falloff, specularRed, specularGreen, specularBlue);
             }
             hasSpecular = true;
         }
@@ -119,9 +118,9 @@ final class SumRows {
     }
 
     private void addDiffuse(int rows, float[] red, float[] green, float[] blue) {
-        add(rows, red, diffuseRed);
-        add(rows, green, diffuseGreen);
-        add(rows, blue, diffuseBlue);
+        sums.add(rows, red, diffuseRed);
+        sums.add(rows, green, diffuseGreen);
+        sums.add(rows, blue, diffuseBlue);
     }
 
     private void addSpecular(int rows, float[][] specular) {
@@ -132,45 +131,14 @@ final class SumRows {
 
     private void addSpecular(int rows, float[] red, float[] green, float[] blue) {
         if (hasSpecular) {
-            add(rows, red, specularRed);
-            add(rows, green, specularGreen);
-            add(rows, blue, specularBlue);
+            sums.add(rows, red, specularRed);
+            sums.add(rows, green, specularGreen);
+            sums.add(rows, blue, specularBlue);
         } else {
             System.arraycopy(red, 0, specularRed, 0, rows);
             System.arraycopy(green, 0, specularGreen, 0, rows);
             System.arraycopy(blue, 0, specularBlue, 0, rows);
         }
         hasSpecular = true;
-    }
-
-    /** As {@link LightingEquation#contribution}, in lanes. */
-    private static void set(int rows, Lamp lamp, float[] term, float[] falloff, float[] red, float[] green, float[] blue) {
-        float r = lamp.red();
-        float g = lamp.green();
-        float b = lamp.blue();
-        for (int i = 0; i < rows; i += F.length()) {
-            FloatVector faded = FloatVector.fromArray(F, term, i).mul(FloatVector.fromArray(F, falloff, i));
-            faded.mul(r).intoArray(red, i);
-            faded.mul(g).intoArray(green, i);
-            faded.mul(b).intoArray(blue, i);
-        }
-    }
-
-    private static void add(int rows, Lamp lamp, float[] term, float[] falloff, float[] red, float[] green, float[] blue) {
-        float r = lamp.red();
-        float g = lamp.green();
-        float b = lamp.blue();
-        for (int i = 0; i < rows; i += F.length()) {
-            FloatVector faded = FloatVector.fromArray(F, term, i).mul(FloatVector.fromArray(F, falloff, i));
-            FloatVector.fromArray(F, red, i).add(faded.mul(r)).intoArray(red, i);
-            FloatVector.fromArray(F, green, i).add(faded.mul(g)).intoArray(green, i);
-            FloatVector.fromArray(F, blue, i).add(faded.mul(b)).intoArray(blue, i);
-        }
-    }
-
-    private static void add(int rows, float[] from, float[] to) {
-        for (int i = 0; i < rows; i += F.length()) {
-            FloatVector.fromArray(F, to, i).add(FloatVector.fromArray(F, from, i)).intoArray(to, i);
-        }
     }
 }

@@ -1,43 +1,29 @@
 package lightning.shading;
 
 import java.util.Arrays;
-import jdk.incubator.vector.FloatVector;
-import jdk.incubator.vector.VectorMask;
-import jdk.incubator.vector.VectorSpecies;
-import lightning.effects.Effect;
-import lightning.effects.ViewEffects;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
-import lightning.trace.RayPacket;
 
 /**
- * Writes the columns of a layer from lanes that were aimed at the light: 0 for rows that are not lit.
+ * Writes the columns of a layer from terms that were aimed at the light: 0 for rows that are not lit.
  * Holds scratch memory: one for each thread.
  */
 final class TermColumns {
-    private static final VectorSpecies<Float> F = FloatVector.SPECIES_PREFERRED;
-
     private final MaterialTable materials;
-    private final LightLanes lanes;
-    private final float[] specular = new float[LightLanes.ROWS];
-    private final boolean everySpecular;
-    private final boolean everyFalloff;
+    private final Terms terms;
+    private final Demands demands;
+    private final int[] fresh = RowBits.room();
 
-    /** @param view whether columns are written that hold nothing but what changes no picture */
-    TermColumns(MaterialTable materials, LightLanes lanes, ViewEffects view) {
-        everySpecular = view.forces(Effect.SPECULAR);
-        everyFalloff = view.forces(Effect.ATTENUATION) || view.forces(Effect.DROPOFF);
+    TermColumns(MaterialTable materials, Terms terms, Demands demands) {
         this.materials = materials;
-        this.lanes = lanes;
+        this.terms = terms;
+        this.demands = demands;
     }
 
     /** The cosine of lit rows. */
     float[] cosines(HitRows rows, float[] cosine, int[] lit, Columns columns) {
         float[] column = columns.floats(rows.count);
-        for (int b = 0, i = 0; i < rows.count; b++, i += F.length()) {
-            FloatVector c = FloatVector.fromArray(F, cosine, i);
-            FloatVector.zero(F).blend(c, VectorMask.fromLong(F, lit[b])).intoArray(column, i);
-        }
+        terms.select(cosine, lit, rows.count, column);
         return column;
     }
 
@@ -71,56 +57,34 @@ final class TermColumns {
     }
 
     boolean isSpecular(int material) {
-        return everySpecular || materials.isSpecular(material);
+        return demands.isSpecular(materials, material);
     }
 
     private void run(HitRows rows, int r, int[] lit, int[] known, float[] before, float[] column) {
         int from = rows.runStart(r);
         int to = rows.runEnd[r];
-        int first = to;
-        int last = from;
-        for (int b = from / F.length(); b * F.length() < to; b++) {
-            int in = lit[b] & within(b, from, to);
-            int fresh = known == null ? in : in & ~known[b];
-            if (fresh != in) {
-                merge(before, column, b, in & ~fresh);
+        int[] asked = lit;
+        if (known != null) {
+            for (int i = from; i < to; i++) {
+                if (RowBits.contains(known, i) && RowBits.contains(lit, i)) {
+                    column[i] = before[i];
+                }
             }
-            if (fresh != 0) {
-                first = Math.min(first, b * F.length());
-                last = (b + 1) * F.length();
+            for (int b = from / RowBits.WIDTH; b * RowBits.WIDTH < to; b++) {
+                fresh[b] = lit[b] & ~known[b];
             }
+            asked = fresh;
         }
-        if (first >= last) {
-            return;
-        }
-        lanes.speculars(rows, first, last, materials.shininess(rows.runMaterial[r]), specular);
-        for (int b = first / F.length(); b * F.length() < last; b++) {
-            int in = lit[b] & within(b, from, to);
-            merge(specular, column, b, known == null ? in : in & ~known[b]);
-        }
-    }
-
-    /** The bits of word {@code b} that stand for rows {@code from … to}. */
-    private static int within(int b, int from, int to) {
-        int start = Math.max(0, from - b * RayPacket.WIDTH);
-        return RowBits.valid(b, to) & -1 << start;
-    }
-
-    private static void merge(float[] from, float[] to, int b, int bits) {
-        if (bits != 0) {
-            int i = b * F.length();
-            FloatVector old = FloatVector.fromArray(F, to, i);
-            old.blend(FloatVector.fromArray(F, from, i), VectorMask.fromLong(F, bits)).intoArray(to, i);
-        }
+        terms.speculars(rows, from, to, asked, materials.shininess(rows.runMaterial[r]), column);
     }
 
     /** The falloff of all rows, lit or not; null where it is 1 everywhere. */
     float[] falloffs(HitRows rows, Lamp lamp, Columns columns) {
-        if (!lamp.fallsOff() && !(everyFalloff && lamp.type().hasPosition())) {
+        if (!demands.fallsOff(lamp)) {
             return null;
         }
         float[] column = columns.floats(rows.count);
-        lanes.falloffs(rows, lamp, column);
+        terms.falloffs(rows, lamp, column);
         return column;
     }
 }

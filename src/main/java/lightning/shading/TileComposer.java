@@ -13,10 +13,10 @@ import lightning.trace.MaterialTable;
  */
 public final class TileComposer {
     private final Composer composer;
-    private final float[][] mirrored = new float[3][LightLanes.ROWS];
+    private final float[][] mirrored = new float[3][Terms.ROWS];
 
-    public TileComposer(MaterialTable materials, ViewEffects view) {
-        composer = new Composer(materials, view);
+    public TileComposer(MaterialTable materials, Sums sums, ViewEffects view) {
+        composer = new Composer(materials, sums, view);
     }
 
     /**
@@ -46,18 +46,18 @@ public final class TileComposer {
     /**
      * Composes the rows of one level.
      *
-     * @param lamps    the lights in scene order
+     * @param lights   the lights in scene order
      * @param layers   the layer of each light; unread where the light is dark
      * @param branches sums that are known already, or null
      * @param cr       Cr of the reflective rows: red, green and blue columns; null where there are none
      */
-    public void level(HitRows rows, Lamp[] lamps, LightLayer[] layers, BranchSums branches, World world, float[][] cr) {
-        composer.compose(rows, lamps, layers, branches, world, cr);
+    public void level(HitRows rows, Luminaire[] lights, LightLayer[] layers, BranchSums branches, World world, float[][] cr) {
+        composer.compose(rows, lights, layers, branches, world, cr);
     }
 
     /** The sums beside one light, to be given to {@link #level} while that light alone is edited. */
-    public BranchSums branches(HitRows rows, Lamp[] lamps, LightLayer[] layers, BranchSums.Key key) {
-        return composer.lights().branches(rows.count, lamps, layers, key);
+    public BranchSums branches(HitRows rows, Luminaire[] lights, LightLayer[] layers, BranchSums.Key key) {
+        return composer.lightSum().branches(rows.count, lights, layers, key);
     }
 
     /** Writes the colours composed last to a tile of the film: the background where no row is. */

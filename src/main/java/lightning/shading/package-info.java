@@ -1,10 +1,9 @@
 /**
- * The lighting equation (paper §2.2), once in readable form and once as loops over columns, and the
- * two full tracers.
+ * The lighting equation (paper §2.2), once in readable form and once as loops over columns.
  *
  * <p>{@link lightning.shading.LightingEquation} is the equation; {@link lightning.shading.ReferenceTracer}
- * the oracle that follows §2.1 of the paper word for word; {@link lightning.shading.TraditionalTracer} the
- * fastest full trace there is, which keeps nothing. They agree in every bit, because all of them
+ * the oracle that follows §2.1 of the paper word for word; {@link lightning.shading.Terms} and
+ * {@link lightning.shading.Sums} are what engines do over all rows of a tile. They agree in every bit, because all of them
  * round to float at the same places: point, normal, view direction, material colours, light weight,
  * cosine, specular term and falloff. Between two roundings all arithmetic is in double; after the
  * last, in float, grouped as {@code weight·(cosine·falloff)} and summed over the lights as a balanced

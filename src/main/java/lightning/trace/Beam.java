@@ -1,9 +1,6 @@
 package lightning.trace;
 
 import java.util.Arrays;
-import jdk.incubator.vector.DoubleVector;
-import jdk.incubator.vector.VectorOperators;
-import jdk.incubator.vector.VectorSpecies;
 import lightning.math.Vec3;
 
 /**
@@ -18,13 +15,12 @@ import lightning.math.Vec3;
  *
  * <pre>{@code
  * beam.clear();
- * beam.origins(rows.box());
+ * beam.origins(rows.box(tracer));
  * beam.towards(light);
  * candidates.collect(geometry, beam);
  * }</pre>
  */
 public final class Beam {
-    private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_PREFERRED;
     /** Rays reach their light only up to rounding. */
     private static final double PAST_END = 1 + 0x1p-20;
 
@@ -32,6 +28,7 @@ public final class Beam {
     private final double[] high = new double[3];
     private final double[] lowSpeed = new double[3];
     private final double[] highSpeed = new double[3];
+    private final double[] range = new double[2];
     private double end;
 
     public Beam() {
@@ -52,11 +49,6 @@ public final class Beam {
         include(low, high, x, y, z);
     }
 
-    /** Adds the origins {@code 0 … count − 1}, at least one, render space. */
-    public void origins(float[] x, float[] y, float[] z, int count) {
-        origins(new PointBox(x, y, z, count));
-    }
-
     /** Adds all origins in a box, render space. */
     public void origins(PointBox box) {
         for (int axis = 0; axis < 3; axis++) {
@@ -70,30 +62,17 @@ public final class Beam {
         include(lowSpeed, highSpeed, x, y, z);
     }
 
-    /** Adds the directions {@code 0 … count − 1}, at least one. */
-    void directions(double[] x, double[] y, double[] z, int count) {
-        directions(0, x, count);
-        directions(1, y, count);
-        directions(2, z, count);
+    /** Adds the directions of all rays, at least one. */
+    void directions(RayColumns rays, Tracer tracer) {
+        directions(0, rays.dx, rays.count, tracer);
+        directions(1, rays.dy, rays.count, tracer);
+        directions(2, rays.dz, rays.count, tracer);
     }
 
-    private void directions(int axis, double[] v, int count) {
-        DoubleVector least = DoubleVector.broadcast(DOUBLES, v[0]);
-        DoubleVector most = least;
-        int i = 0;
-        for (; i + DOUBLES.length() <= count; i += DOUBLES.length()) {
-            DoubleVector x = DoubleVector.fromArray(DOUBLES, v, i);
-            least = least.min(x);
-            most = most.max(x);
-        }
-        double lowest = least.reduceLanes(VectorOperators.MIN);
-        double highest = most.reduceLanes(VectorOperators.MAX);
-        for (; i < count; i++) {
-            lowest = Math.min(lowest, v[i]);
-            highest = Math.max(highest, v[i]);
-        }
-        lowSpeed[axis] = Math.min(lowSpeed[axis], lowest);
-        highSpeed[axis] = Math.max(highSpeed[axis], highest);
+    private void directions(int axis, double[] values, int count, Tracer tracer) {
+        tracer.range(values, count, range);
+        lowSpeed[axis] = Math.min(lowSpeed[axis], range[0]);
+        highSpeed[axis] = Math.max(highSpeed[axis], range[1]);
     }
 
     /** All rays go in one direction, of any length, without a limit: to a directional light. */
@@ -119,7 +98,7 @@ public final class Beam {
      */
     void eye(CameraRays camera, int column, int row, int columns, int rows) {
         clear();
-        origin(0, 0, 0);
+        origin(camera.eye.x(), camera.eye.y(), camera.eye.z());
         // Directions to the rectangle in the picture plane; pixel centres are half a pixel inside it.
         for (int corner = 0; corner < 4; corner++) {
             double x = column + (corner & 1) * columns;

@@ -12,12 +12,13 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorShuffle;
 import jdk.incubator.vector.VectorSpecies;
+import lightning.trace.solid.Lanes;
 
 /**
  * A packet's rays as floats, to be tested against boxes.
  *
  * <p>A box only rejects, so rounding may go either way as long as the boxes are padded by more than
- * all of it ({@link ShapeBoxes}): fused multiply-add is welcome here. The plane {@code x = b} is met at
+ * all of it ({@link PrimitiveBoxes}): fused multiply-add is welcome here. The plane {@code x = b} is met at
  * {@code b·inverse + shift}. Distances are in units of the direction's largest component, so that every
  * inverse has an absolute value from 1 to {@link #STEEPEST} and no product overflows.
  */

@@ -1,28 +1,30 @@
 package lightning.trace;
 
-/** One ray to be tested against padded boxes, in double. */
+/** A ray to be tested against padded boxes, in double; one after the other. */
 final class BoxRay {
     /** Finite, so that a ray within a box's plane makes no NaN. */
     private static final double STEEPEST = 0x1p900;
 
-    private final double ox;
-    private final double oy;
-    private final double oz;
-    private final double inverseX;
-    private final double inverseY;
-    private final double inverseZ;
+    private double ox;
+    private double oy;
+    private double oz;
+    private double inverseX;
+    private double inverseY;
+    private double inverseZ;
 
-    BoxRay(Ray ray) {
-        ox = ray.origin().x();
-        oy = ray.origin().y();
-        oz = ray.origin().z();
-        inverseX = inverse(ray.direction().x());
-        inverseY = inverse(ray.direction().y());
-        inverseZ = inverse(ray.direction().z());
+    /** Takes a ray. */
+    void enter(double originX, double originY, double originZ, double directionX, double directionY, double directionZ) {
+        ox = originX;
+        oy = originY;
+        oz = originZ;
+        inverseX = inverse(directionX);
+        inverseY = inverse(directionY);
+        inverseZ = inverse(directionZ);
     }
 
     private static double inverse(double d) {
-        return Math.clamp(1 / d, -STEEPEST, STEEPEST);
+        double inverse = 1 / d;
+        return inverse < -STEEPEST ? -STEEPEST : inverse > STEEPEST ? STEEPEST : inverse;
     }
 
     /** Whether the ray goes towards greater coordinates on the axis. */
@@ -32,14 +34,29 @@ final class BoxRay {
 
     /** Whether the ray may meet the box {@code boxes[at … at + 5]} at a distance up to {@code limit}. */
     boolean hits(float[] boxes, int at, double limit) {
-        double x0 = (boxes[at] - ox) * inverseX;
-        double x1 = (boxes[at + 3] - ox) * inverseX;
-        double y0 = (boxes[at + 1] - oy) * inverseY;
-        double y1 = (boxes[at + 4] - oy) * inverseY;
-        double z0 = (boxes[at + 2] - oz) * inverseZ;
-        double z1 = (boxes[at + 5] - oz) * inverseZ;
-        double in = Math.max(Math.max(Math.min(x0, x1), Math.min(y0, y1)), Math.max(Math.min(z0, z1), 0));
-        double out = Math.min(Math.min(Math.max(x0, x1), Math.max(y0, y1)), Math.min(Math.max(z0, z1), limit));
+        double in = 0;
+        double out = limit;
+        double a = (boxes[at] - ox) * inverseX;
+        double b = (boxes[at + 3] - ox) * inverseX;
+        in = least(a, b) > in ? least(a, b) : in;
+        out = most(a, b) < out ? most(a, b) : out;
+        a = (boxes[at + 1] - oy) * inverseY;
+        b = (boxes[at + 4] - oy) * inverseY;
+        in = least(a, b) > in ? least(a, b) : in;
+        out = most(a, b) < out ? most(a, b) : out;
+        a = (boxes[at + 2] - oz) * inverseZ;
+        b = (boxes[at + 5] - oz) * inverseZ;
+        in = least(a, b) > in ? least(a, b) : in;
+        out = most(a, b) < out ? most(a, b) : out;
         return in <= out;
+    }
+
+    /** Math.min but for the order of ±0, on which nothing depends here, and for NaN, of which there is none. */
+    private static double least(double a, double b) {
+        return a < b ? a : b;
+    }
+
+    private static double most(double a, double b) {
+        return a < b ? b : a;
     }
 }

@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * Builds the tree from the top: each node is split where the surface area heuristic, on a few bins per
- * axis, expects the fewest boxes and shapes to be tested (Wald 2007, On fast Construction of
+ * axis, expects the fewest boxes and primitives to be tested (Wald 2007, On fast Construction of
  * SAH-based Bounding Volume Hierarchies).
  */
 final class BvhBuilder {
@@ -17,7 +17,7 @@ final class BvhBuilder {
     final byte[] axis;
     int depth;
 
-    private final float[] shapeBoxes;
+    private final float[] primitiveBoxes;
     private final int[] order;
     private int nodes;
     private final int[] binCount = new int[3 * BINS];
@@ -26,9 +26,9 @@ final class BvhBuilder {
     private final float[] centres = new float[6];
     private final double[] areaAbove = new double[BINS];
 
-    BvhBuilder(float[] shapeBoxes) {
-        this.shapeBoxes = shapeBoxes;
-        int count = shapeBoxes.length / 6;
+    BvhBuilder(float[] primitiveBoxes) {
+        this.primitiveBoxes = primitiveBoxes;
+        int count = primitiveBoxes.length / 6;
         int inner = Math.max(0, count - 1);
         child = new int[2 * inner];
         boxes = new float[12 * inner];
@@ -58,7 +58,7 @@ final class BvhBuilder {
         return node;
     }
 
-    /** Moves the shapes of one side before those of the other and returns where the other begins. */
+    /** Moves the primitives of one side before those of the other and returns where the other begins. */
     private int split(int from, int to, int node) {
         empty(centres, 0);
         for (int i = from; i < to; i++) {
@@ -120,26 +120,26 @@ final class BvhBuilder {
             for (int a = 0; a < 3; a++) {
                 int b = a * BINS + bin(order[i], a);
                 binCount[b]++;
-                grow(binBox, 6 * b, shapeBoxes, 6 * order[i]);
+                grow(binBox, 6 * b, primitiveBoxes, 6 * order[i]);
             }
         }
     }
 
-    private float centre(int shape, int a) {
-        return 0.5f * shapeBoxes[6 * shape + a] + 0.5f * shapeBoxes[6 * shape + 3 + a];
+    private float centre(int primitive, int a) {
+        return 0.5f * primitiveBoxes[6 * primitive + a] + 0.5f * primitiveBoxes[6 * primitive + 3 + a];
     }
 
     /** All in bin 0 where the centres do not differ, or are NaN because boxes are infinite. */
-    private int bin(int shape, int a) {
+    private int bin(int primitive, int a) {
         float from = centres[a];
         float range = centres[3 + a] - from;
-        return range > 0 ? Math.min(BINS - 1, (int) ((centre(shape, a) - from) / range * BINS)) : 0;
+        return range > 0 ? Math.min(BINS - 1, (int) ((centre(primitive, a) - from) / range * BINS)) : 0;
     }
 
     private void bound(int from, int to, float[] into, int at) {
         empty(into, at);
         for (int i = from; i < to; i++) {
-            grow(into, at, shapeBoxes, 6 * order[i]);
+            grow(into, at, primitiveBoxes, 6 * order[i]);
         }
     }
 

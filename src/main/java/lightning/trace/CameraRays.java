@@ -6,17 +6,20 @@ import lightning.scene.Camera;
 import lightning.scene.Picture;
 
 /**
- * The rays from the eye, which is the origin of render space, through points of the picture.
+ * The rays from the eye, which is the origin of render space unless the camera says otherwise, through points of the picture.
  *
  * <p>The direction through picture coordinates x, y (pixels from the left and from the top) is
  * {@code corner + x·right + y·down}, at length 1.
  */
-final class CameraRays {
+public final class CameraRays {
+    /** Where they leave from, render space. */
+    final Vec3 eye;
     final Vec3 corner;
     final Vec3 right;
     final Vec3 down;
 
     CameraRays(Camera camera, Picture picture) {
+        eye = camera.from().minus(camera.origin());
         Vec3 forward = camera.to().minus(camera.from()).normalized();
         Vec3 side = forward.cross(camera.up().normalized()).normalized();
         Vec3 up = side.cross(forward);
@@ -35,10 +38,21 @@ final class CameraRays {
 
     /** The ray through picture coordinates x, y; its direction has length 1. */
     Ray at(double x, double y) {
+        double[] dx = new double[1];
+        double[] dy = new double[1];
+        double[] dz = new double[1];
+        at(x, y, dx, dy, dz, 0);
+        return new Ray(eye, new Vec3(dx[0], dy[0], dz[0]));
+    }
+
+    /** Writes the direction, of length 1, of the ray through picture coordinates x, y to place {@code i}. */
+    void at(double x, double y, double[] toX, double[] toY, double[] toZ, int i) {
         double dx = corner.x() + x * right.x() + y * down.x();
         double dy = corner.y() + x * right.y() + y * down.y();
         double dz = corner.z() + x * right.z() + y * down.z();
         double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        return new Ray(Vec3.ZERO, new Vec3(dx / length, dy / length, dz / length));
+        toX[i] = dx / length;
+        toY[i] = dy / length;
+        toZ[i] = dz / length;
     }
 }

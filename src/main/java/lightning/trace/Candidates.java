@@ -3,7 +3,7 @@ package lightning.trace;
 import java.util.Arrays;
 
 /**
- * The few shapes that a bundle of rays can meet, nearest first, each with its box: found once for the
+ * The few primitives that a bundle of rays can meet, nearest first, each with its box: found once for the
  * bundle, so that its packets need not search the tree. Reused; not shared between threads.
  */
 public final class Candidates {
@@ -13,21 +13,21 @@ public final class Candidates {
     int count;
     /** Whether there are more than fit: packets must search the tree. */
     boolean tooMany;
-    int[] shape = new int[MOST];
-    /** The shapes' boxes, {@code float[6 * count]}. */
+    int[] primitive = new int[MOST];
+    /** The primitives' boxes, {@code float[6 * count]}. */
     float[] boxes = new float[6 * MOST];
     /** Scratch of the tracer: which lanes of a packet may meet each. */
     int[] masks = new int[MOST];
     private final double[] since = new double[MOST];
     private int[] stack = new int[16];
 
-    /** All shapes of a small scene. */
+    /** All primitives of a small scene. */
     static Candidates all(Bvh bvh) {
         Candidates c = new Candidates();
-        c.count = bvh.shapes.count;
-        c.shape = new int[c.count];
-        Arrays.setAll(c.shape, s -> s);
-        c.boxes = bvh.shapeBoxes.clone();
+        c.count = bvh.primitives.count;
+        c.primitive = new int[c.count];
+        Arrays.setAll(c.primitive, s -> s);
+        c.boxes = bvh.primitiveBoxes.clone();
         c.masks = new int[c.count];
         return c;
     }
@@ -37,7 +37,7 @@ public final class Candidates {
         return count == 0 && !tooMany;
     }
 
-    /** Finds the shapes whose boxes the beam touches. */
+    /** Finds the primitives whose boxes the beam touches. */
     public void collect(Geometry geometry, Beam beam) {
         collect(geometry.bvh(), beam);
     }
@@ -49,9 +49,9 @@ public final class Candidates {
             stack = new int[bvh.depth + 2];
         }
         int top = 0;
-        if (bvh.shapes.count == 1) {
-            add(bvh, 0, beam.touches(bvh.shapeBoxes, 0));
-        } else if (bvh.shapes.count > 1) {
+        if (bvh.primitives.count == 1) {
+            add(bvh, 0, beam.touches(bvh.primitiveBoxes, 0));
+        } else if (bvh.primitives.count > 1) {
             stack[top++] = 0;
         }
         while (top > 0) {
@@ -71,7 +71,7 @@ public final class Candidates {
         }
     }
 
-    /** Puts a shape before those that the beam touches later. */
+    /** Puts a primitive before those that the beam touches later. */
     private void add(Bvh bvh, int s, double time) {
         if (!(time < Double.POSITIVE_INFINITY)) {
             return;
@@ -83,36 +83,36 @@ public final class Candidates {
         int at = count++;
         for (; at > 0 && since[at - 1] > time; at--) {
             since[at] = since[at - 1];
-            shape[at] = shape[at - 1];
+            primitive[at] = primitive[at - 1];
             System.arraycopy(boxes, 6 * at - 6, boxes, 6 * at, 6);
         }
         since[at] = time;
-        shape[at] = s;
-        System.arraycopy(bvh.shapeBoxes, 6 * s, boxes, 6 * at, 6);
+        primitive[at] = s;
+        System.arraycopy(bvh.primitiveBoxes, 6 * s, boxes, 6 * at, 6);
     }
 
-    /** Leaves out the shapes of all materials but one; does nothing where there are too many. */
-    void keepMaterial(ShapeTable shapes, int material) {
+    /** Leaves out the primitives of all materials but one; does nothing where there are too many. */
+    void keepMaterial(PrimitiveTable primitives, int material) {
         int kept = 0;
         for (int c = 0; c < count; c++) {
-            if (shapes.material[shape[c]] == material) {
+            if (primitives.material[primitive[c]] == material) {
                 since[kept] = since[c];
-                shape[kept] = shape[c];
+                primitive[kept] = primitive[c];
                 System.arraycopy(boxes, 6 * c, boxes, 6 * kept++, 6);
             }
         }
         count = kept;
     }
 
-    /** Moves a shape that blocks rays to the front: the next packet is likely to be blocked by it too. */
+    /** Moves a primitive that blocks rays to the front: the next packet is likely to be blocked by it too. */
     void promote(int c) {
         for (int i = 6 * c - 1; i >= 0; i--) {
             float b = boxes[i + 6];
             boxes[i + 6] = boxes[i];
             boxes[i] = b;
         }
-        int s = shape[c];
-        System.arraycopy(shape, 0, shape, 1, c);
-        shape[0] = s;
+        int s = primitive[c];
+        System.arraycopy(primitive, 0, primitive, 1, c);
+        primitive[0] = s;
     }
 }

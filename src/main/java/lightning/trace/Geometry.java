@@ -3,9 +3,13 @@ package lightning.trace;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Predicate;
 import lightning.math.Vec3;
-import lightning.scene.PlacedShape;
+import lightning.scene.Material;
 import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.trace.solid.Form;
+import lightning.trace.solid.Touch;
 
 /**
  * What rays can meet: a scene's shapes and materials in render space, without its lights.
@@ -15,80 +19,90 @@ import lightning.scene.Scene;
  */
 public final class Geometry {
     private final Scene scene;
-    private final List<PlacedShape> placed;
+    private final List<Shape> shapes;
     private final List<String> names;
-    private final ShapeTable shapes;
+    private final PrimitiveTable primitives;
     private final MaterialTable materials;
     private final Bvh bvh;
-    private final boolean everyMirror;
+    private final Predicate<Material> mirrors;
 
     /** Prepares the shapes of a scene. */
     public Geometry(Scene scene) {
-        this(scene, false);
+        this(scene, MaterialTable.MIRRORS);
     }
 
     /**
      * Prepares the shapes of a scene.
      *
-     * @param everyMirror whether mirrored rays are cast from all of them, although most may mirror nothing
+     * @param mirrors which materials cast mirrored rays: all that mirror, and perhaps others
      */
-    public Geometry(Scene scene, boolean everyMirror) {
+    public Geometry(Scene scene, Predicate<Material> mirrors) {
         this.scene = scene;
-        placed = scene.placedShapes();
-        names = MaterialTable.names(placed);
-        this.everyMirror = everyMirror;
-        materials = new MaterialTable(names, scene, everyMirror);
-        shapes = new ShapeTable(placed, materialOf(), scene.camera().from());
-        bvh = new Bvh(shapes);
+        shapes = scene.stage().shapes();
+        names = MaterialTable.names(shapes);
+        this.mirrors = mirrors;
+        materials = new MaterialTable(names, scene, mirrors);
+        primitives = PrimitiveTable.of(scene.stage(), materialOf(), scene.camera().origin());
+        bvh = new Bvh(primitives);
     }
 
     private Geometry(Geometry shared, Scene scene) {
         this.scene = scene;
-        placed = shared.placed;
-        names = shared.names;
-        everyMirror = shared.everyMirror;
-        materials = new MaterialTable(names, scene, everyMirror);
         shapes = shared.shapes;
+        names = shared.names;
+        mirrors = shared.mirrors;
+        materials = new MaterialTable(names, scene, mirrors);
+        primitives = shared.primitives;
         bvh = shared.bvh;
     }
 
     /** The form of the tree is another's. */
-    private Geometry(Geometry shared, Scene scene, boolean everyMirror) {
+    private Geometry(Geometry shared, Scene scene, Predicate<Material> mirrors) {
         this.scene = scene;
-        placed = shared.placed;
+        shapes = shared.shapes;
         names = shared.names;
-        this.everyMirror = everyMirror;
-        materials = new MaterialTable(names, scene, everyMirror);
-        shapes = new ShapeTable(placed, shared.shapes.material, scene.camera().from());
-        bvh = new Bvh(shapes, shared.bvh);
+        this.mirrors = mirrors;
+        materials = new MaterialTable(names, scene, mirrors);
+        primitives = shared.primitives.from(scene.camera().origin());
+        bvh = new Bvh(primitives, shared.bvh);
     }
 
     private int[] materialOf() {
         Map<String, Integer> index = new HashMap<>();
         names.forEach(name -> index.put(name, index.size()));
-        return placed.stream().mapToInt(s -> index.get(s.shape().material())).toArray();
+        return shapes.stream().mapToInt(s -> index.get(s.material())).toArray();
     }
 
     /** Whether the shapes of {@code other} are these, seen from this place; its materials may be others. */
     public boolean serves(Scene other) {
-        return hasShapesOf(other) && scene.camera().from().equals(other.camera().from());
+        return hasShapesOf(other) && scene.camera().origin().equals(other.camera().origin());
     }
 
     private boolean hasShapesOf(Scene other) {
         return scene.nodes().equals(other.nodes());
     }
 
+    /** Whether these are the shapes of a scene, and an eye may stand at a point of it without their being moved. */
+    public boolean servesEye(Scene other, Vec3 eye) {
+        return hasShapesOf(other) && toRenderSpace(eye).maxAbs() <= primitives.farthest;
+    }
+
+    /** Where render space begins, a point of the scene. */
+    public Vec3 origin() {
+        return scene.camera().origin();
+    }
+
     /**
      * What rays of another scene can meet: this itself where it serves that scene, its tree with moved boxes where shapes are
      * the same and the camera stands elsewhere, and else built anew.
      *
-     * @param everyMirrors as for a new one
+     * @param casting as for a new one
      */
-    public Geometry forScene(Scene other, boolean everyMirrors) {
+    public Geometry forScene(Scene other, Predicate<Material> casting) {
         if (!hasShapesOf(other)) {
-            return new Geometry(other, everyMirrors);
+            return new Geometry(other, casting);
         }
-        return serves(other) && everyMirror == everyMirrors ? of(other) : new Geometry(this, other, everyMirrors);
+        return serves(other) && mirrors == casting ? of(other) : new Geometry(this, other, casting);
     }
 
     /**
@@ -103,33 +117,42 @@ public final class Geometry {
         return scene.materials().equals(other.materials()) ? this : new Geometry(this, other);
     }
 
-    /** Whether mirrored rays are cast from all shapes. */
-    public boolean everyMirror() {
-        return everyMirror;
+    /** Which materials cast mirrored rays. */
+    public Predicate<Material> mirrors() {
+        return mirrors;
     }
 
     public MaterialTable materials() {
         return materials;
     }
 
-    public int shapeCount() {
-        return shapes.count;
+    /** How many primitives there are. */
+    public int primitiveCount() {
+        return primitives.count;
     }
 
-    /** The shape with the given index. */
-    public PlacedShape shape(int index) {
-        PlacedShape shape = placed.get(index);
-        return new PlacedShape(shape.shape(), materials.material(shapes.material[index]), shape.toWorld(), shape.directionsBack(),
-                shape.error());
+    /** The index of the shape that a primitive is of. */
+    public int owner(int primitive) {
+        return primitives.owner[primitive];
     }
 
-    /** The index of the material of the shape with the given index. */
-    public int materialOf(int shape) {
-        return shapes.material[shape];
+    /** The shape that a primitive is of. */
+    public Shape shape(int primitive) {
+        return shapes.get(owner(primitive));
     }
 
-    ShapeTable shapes() {
-        return shapes;
+    /** The material of a primitive. */
+    public Material material(int primitive) {
+        return materials.material(materialOf(primitive));
+    }
+
+    /** The index of the material of a primitive. */
+    public int materialOf(int primitive) {
+        return primitives.material[primitive];
+    }
+
+    PrimitiveTable primitives() {
+        return primitives;
     }
 
     Bvh bvh() {
@@ -138,23 +161,23 @@ public final class Geometry {
 
     /** Where a point of the scene lies in render space. */
     public Vec3 toRenderSpace(Vec3 world) {
-        return world.minus(scene.camera().from());
+        return world.minus(scene.camera().origin());
     }
 
     /** Where a point of render space lies in the scene. */
     public Vec3 toScene(Vec3 render) {
-        return render.plus(scene.camera().from());
+        return render.plus(scene.camera().origin());
     }
 
     /**
-     * The shape that a ray meets first: every shape is asked, none is skipped.
+     * The primitive that a ray meets first: every one is asked, none is skipped.
      *
      * @return its index, or −1
      */
     public int nearestOfAll(Ray ray) {
         int nearest = -1;
-        double least = Solids.MISS;
-        for (int s = 0; s < shapes.count; s++) {
+        double least = Form.MISS;
+        for (int s = 0; s < primitives.count; s++) {
             double t = distance(s, ray);
             if (t < least) {
                 least = t;
@@ -169,14 +192,14 @@ public final class Geometry {
         return bvh.nearest(ray);
     }
 
-    /** Whether any shape is met at a distance below {@code limit}, by the tree of boxes. */
+    /** Whether any primitive is met at a distance below {@code limit}, by the tree of boxes. */
     public boolean blocked(Ray ray, double limit) {
         return bvh.blocked(ray, limit);
     }
 
-    /** Whether any shape is met at a distance below {@code limit}; every shape is asked. */
+    /** Whether any primitive is met at a distance below {@code limit}; every one is asked. */
     public boolean blockedByAny(Ray ray, double limit) {
-        for (int s = 0; s < shapes.count; s++) {
+        for (int s = 0; s < primitives.count; s++) {
             if (distance(s, ray) < limit) {
                 return true;
             }
@@ -186,13 +209,13 @@ public final class Geometry {
 
     /** Where ways to a light at a point in render space end. */
     public WayEnd end(Vec3 point) {
-        return WayEnd.at(point, shapes);
+        return WayEnd.at(point, primitives);
     }
 
-    /** Whether any shape stands between a point and a light, both in render space; every shape is asked. */
+    /** Whether any primitive stands between a point and a light, both in render space; every one is asked. */
     public boolean blockedByAny(Vec3 point, WayEnd end) {
         Ray way = new Ray(point, end.point().minus(point));
-        for (int s = 0; s < shapes.count; s++) {
+        for (int s = 0; s < primitives.count; s++) {
             if (distance(s, way, end) < 1) {
                 return true;
             }
@@ -201,7 +224,7 @@ public final class Geometry {
     }
 
     /**
-     * The shape that stands nearest to a point on its way to a light, both in render space; every shape is asked.
+     * The primitive that stands nearest to a point on its way to a light, both in render space; every one is asked.
      *
      * @return its index, or −1 where the way is free
      */
@@ -209,7 +232,7 @@ public final class Geometry {
         Ray way = new Ray(point, end.point().minus(point));
         int nearest = -1;
         double least = 1;
-        for (int s = 0; s < shapes.count; s++) {
+        for (int s = 0; s < primitives.count; s++) {
             double t = distance(s, way, end);
             if (t < least) {
                 least = t;
@@ -219,44 +242,45 @@ public final class Geometry {
         return nearest;
     }
 
-    /** The distance along a ray to a shape, or {@code +∞}. */
-    public double distance(int shape, Ray ray) {
+    /** The distance along a ray to a primitive, or {@code +∞}. */
+    public double distance(int primitive, Ray ray) {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
-        return shapes.distance(shape, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+        return primitives.distance(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
     }
 
-    /** The distance along the way to a light, 1 at the light, to a shape that comes between; {@code +∞} where it does not. */
-    private double distance(int shape, Ray way, WayEnd end) {
+    /** The distance along the way to a light, 1 at the light, to a primitive that comes between; {@code +∞} where it does not. */
+    private double distance(int primitive, Ray way, WayEnd end) {
         Vec3 o = way.origin();
         Vec3 d = way.direction();
-        return end.touches(shape, o) ? shapes.distance(shape, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), Touch.END) : distance(shape, way);
+        return end.touches(primitive, o) ? primitives.distance(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), Touch.END)
+                : distance(primitive, way);
     }
 
     /**
-     * What a ray meets on a shape.
+     * What a ray meets on a primitive.
      *
-     * @throws IllegalArgumentException if the ray misses the shape
+     * @throws IllegalArgumentException if the ray misses the primitive
      */
-    public SurfacePoint surface(int shape, Ray ray) {
-        double t = distance(shape, ray);
-        if (t == Solids.MISS) {
-            throw new IllegalArgumentException("the ray misses shape " + shape);
+    public SurfacePoint surface(int primitive, Ray ray) {
+        double t = distance(primitive, ray);
+        if (t == Form.MISS) {
+            throw new IllegalArgumentException("the ray misses primitive " + primitive);
         }
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
         Surface surface = new Surface();
-        surface.at(shapes, shape, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
-        int material = shapes.material[shape];
+        surface.at(primitives, primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
+        int material = primitives.material[primitive];
         float[] diffuse = {materials.diffuse(material, 0), materials.diffuse(material, 1), materials.diffuse(material, 2)};
         float[] texel = {1, 1, 1};
         if (materials.isTextured(material)) {
-            TextureLookup.sample(materials.texture(material), shapes.kind[shape], surface.ownX, surface.ownY, surface.ownZ, texel);
+            primitives.texel(primitive, materials.texture(material), surface.ownX, surface.ownY, surface.ownZ, texel);
             for (int c = 0; c < 3; c++) {
                 diffuse[c] *= texel[c];
             }
         }
-        return new SurfacePoint(shape, material, surface.px, surface.py, surface.pz, surface.nx, surface.ny, surface.nz,
+        return new SurfacePoint(primitive, material, surface.px, surface.py, surface.pz, surface.nx, surface.ny, surface.nz,
                 (float) d.x(), (float) d.y(), (float) d.z(), diffuse, texel);
     }
 }

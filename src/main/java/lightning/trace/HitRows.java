@@ -1,5 +1,12 @@
 package lightning.trace;
 
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.Set;
+import lightning.column.ColumnKind;
+import lightning.column.ColumnSet;
+import lightning.column.Element;
+
 /**
  * Hit rows of one tile at one level: what the first pass learned of each ray that hit something, in
  * plain columns that share one index.
@@ -9,6 +16,59 @@ package lightning.trace;
  * lanes may run over the end; what stands there is never used.
  */
 public final class HitRows {
+    /** When a tile's rows have a column. */
+    public enum Part {
+        /** Always. */
+        HIT,
+        /** Where any row's material is textured. */
+        TEXEL,
+        /** Where anti-aliasing looks for edges. */
+        CODE;
+
+        /** The columns that come and go together. */
+        Set<Column> columns() {
+            Set<Column> columns = EnumSet.allOf(Column.class);
+            columns.removeIf(column -> column.part != this);
+            return columns;
+        }
+
+        /** The bytes of a row in them. */
+        public int bytesPerRow() {
+            return ColumnKind.bytesPerRow(columns());
+        }
+    }
+
+    /** All columns that there are: what makes, counts, shares and splices rows knows no others. */
+    public enum Column implements ColumnKind {
+        PX(Part.HIT, Element.FLOAT),
+        PY(Part.HIT, Element.FLOAT),
+        PZ(Part.HIT, Element.FLOAT),
+        NX(Part.HIT, Element.FLOAT),
+        NY(Part.HIT, Element.FLOAT),
+        NZ(Part.HIT, Element.FLOAT),
+        VX(Part.HIT, Element.FLOAT),
+        VY(Part.HIT, Element.FLOAT),
+        VZ(Part.HIT, Element.FLOAT),
+        TEXEL_RED(Part.TEXEL, Element.FLOAT),
+        TEXEL_GREEN(Part.TEXEL, Element.FLOAT),
+        TEXEL_BLUE(Part.TEXEL, Element.FLOAT),
+        PARENT(Part.HIT, Element.SHORT),
+        CODE(Part.CODE, Element.INT);
+
+        private final Part part;
+        private final Element element;
+
+        Column(Part part, Element element) {
+            this.part = part;
+            this.element = element;
+        }
+
+        @Override
+        public Element element() {
+            return element;
+        }
+    }
+
     /** How many rows are in use. */
     public int count;
     /** Points, off the surface, render space. */
@@ -42,6 +102,8 @@ public final class HitRows {
     /** Of the points, once someone asked; whoever writes other points forgets it. */
     PointBox box;
 
+    private final ColumnSet<Column> columns;
+
     /** Makes room for {@code rows} rows without codes. */
     public HitRows(int rows, boolean textured) {
         this(rows, textured, false);
@@ -49,73 +111,81 @@ public final class HitRows {
 
     /** Makes room for {@code rows} rows. */
     public HitRows(int rows, boolean textured, boolean coded) {
-        int length = padded(rows);
-        px = new float[length];
-        py = new float[length];
-        pz = new float[length];
-        nx = new float[length];
-        ny = new float[length];
-        nz = new float[length];
-        vx = new float[length];
-        vy = new float[length];
-        vz = new float[length];
-        texelRed = textured ? new float[length] : null;
-        texelGreen = textured ? new float[length] : null;
-        texelBlue = textured ? new float[length] : null;
-        parent = new short[length];
-        code = coded ? new int[length] : null;
+        this(ColumnSet.room(Column.class, columns(textured, coded), rows));
     }
 
-    /** The same rows with other texels, all three null for none, other codes, other parents and other materials that mirror. */
-    private HitRows(HitRows o, float[] red, float[] green, float[] blue, int[] codes, short[] parents, int mirrors) {
-        count = o.count;
-        px = o.px;
-        py = o.py;
-        pz = o.pz;
-        nx = o.nx;
-        ny = o.ny;
-        nz = o.nz;
-        vx = o.vx;
-        vy = o.vy;
-        vz = o.vz;
-        texelRed = red;
-        texelGreen = green;
-        texelBlue = blue;
-        parent = parents;
-        code = codes;
-        runs = o.runs;
-        runMaterial = o.runMaterial;
-        runEnd = o.runEnd;
-        reflective = mirrors;
-        box = o.box;
+    /** Rows in columns that are filled already; there are no runs yet. */
+    HitRows(ColumnSet<Column> columns) {
+        this.columns = columns;
+        px = (float[]) columns.get(Column.PX);
+        py = (float[]) columns.get(Column.PY);
+        pz = (float[]) columns.get(Column.PZ);
+        nx = (float[]) columns.get(Column.NX);
+        ny = (float[]) columns.get(Column.NY);
+        nz = (float[]) columns.get(Column.NZ);
+        vx = (float[]) columns.get(Column.VX);
+        vy = (float[]) columns.get(Column.VY);
+        vz = (float[]) columns.get(Column.VZ);
+        texelRed = (float[]) columns.get(Column.TEXEL_RED);
+        texelGreen = (float[]) columns.get(Column.TEXEL_GREEN);
+        texelBlue = (float[]) columns.get(Column.TEXEL_BLUE);
+        parent = (short[]) columns.get(Column.PARENT);
+        code = (int[]) columns.get(Column.CODE);
+    }
+
+    private static Set<Column> columns(boolean textured, boolean coded) {
+        Set<Column> columns = Part.HIT.columns();
+        if (textured) {
+            columns.addAll(Part.TEXEL.columns());
+        }
+        if (coded) {
+            columns.addAll(Part.CODE.columns());
+        }
+        return columns;
+    }
+
+    /** The same rows in other columns, with other materials that mirror. */
+    private HitRows in(ColumnSet<Column> others, int mirrors) {
+        HitRows rows = new HitRows(others);
+        rows.count = count;
+        rows.runs = runs;
+        rows.runMaterial = runMaterial;
+        rows.runEnd = runEnd;
+        rows.reflective = mirrors;
+        rows.box = box;
+        return rows;
     }
 
     /** These rows without texels. */
     HitRows withoutTexels() {
-        return new HitRows(this, null, null, null, code, parent, reflective);
+        return in(columns.without(Part.TEXEL.columns()), reflective);
     }
 
     /** These rows with texels of their own, copies of these. */
     HitRows withOwnTexels() {
-        int length = parent.length;
-        return texelRed == null
-                ? new HitRows(this, new float[length], new float[length], new float[length], code, parent, reflective)
-                : new HitRows(this, texelRed.clone(), texelGreen.clone(), texelBlue.clone(), code, parent, reflective);
+        ColumnSet<Column> own = ColumnSet.room(Column.class, Part.TEXEL.columns(), count);
+        own.copy(columns, 0, 0, count);
+        return in(columns.with(own), reflective);
     }
 
     /** These rows with other codes, or null for none. */
     public HitRows withCode(int[] to) {
-        return new HitRows(this, texelRed, texelGreen, texelBlue, to, parent, reflective);
+        return in(columns.with(Column.CODE, to), reflective);
     }
 
     /** These rows, in this order, seen from other parents, with other materials that mirror. */
     HitRows seenFrom(short[] parents, int mirrors) {
-        return new HitRows(this, texelRed, texelGreen, texelBlue, code, parents, mirrors);
+        return in(columns.with(Column.PARENT, parents), mirrors);
     }
 
-    /** The length of a column of {@code rows} rows: a multiple of 16. */
+    /** The length of a column of floats for {@code rows} rows: a multiple of 16. */
     public static int padded(int rows) {
-        return (rows + 15) & ~15;
+        return Element.FLOAT.length(rows);
+    }
+
+    /** The columns that these rows have. */
+    ColumnSet<Column> columns() {
+        return columns;
     }
 
     /** The first row of run {@code r}. */
@@ -124,22 +194,31 @@ public final class HitRows {
     }
 
     /** Where the points lie; there must be a row. */
-    public PointBox box() {
+    public PointBox box(Tracer tracer) {
         if (box == null) {
-            box = new PointBox(px, py, pz, count);
+            box = tracer.box(px, py, pz, count);
         }
         return box;
     }
 
-    /** The bytes of the columns, array headers left out: 38 for each row, 12 more where the tile is textured, 4 with codes. */
+    /** The bytes of the columns, array headers left out. */
     public long bytes() {
-        return (38L + (texelRed == null ? 0 : 12) + (code == null ? 0 : 4)) * parent.length;
+        return columns.bytes();
+    }
+
+    /** The bytes of the columns of a part. */
+    public long bytes(Part part) {
+        long bytes = 0;
+        for (Column column : part.columns()) {
+            bytes += columns.bytes(column);
+        }
+        return bytes;
     }
 
     void addRun(int material, int end) {
         if (runs == runEnd.length) {
-            runMaterial = java.util.Arrays.copyOf(runMaterial, 2 * runs);
-            runEnd = java.util.Arrays.copyOf(runEnd, 2 * runs);
+            runMaterial = Arrays.copyOf(runMaterial, 2 * runs);
+            runEnd = Arrays.copyOf(runEnd, 2 * runs);
         }
         runMaterial[runs] = material;
         runEnd[runs++] = end;

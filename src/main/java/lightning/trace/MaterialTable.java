@@ -2,10 +2,11 @@ package lightning.trace;
 
 import java.util.List;
 import java.util.Map;
+import java.util.function.Predicate;
 import lightning.math.Rgb;
 import lightning.scene.Material;
-import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
+import lightning.scene.Shape;
 import lightning.scene.TextureMap;
 
 /**
@@ -17,8 +18,11 @@ import lightning.scene.TextureMap;
  * a prefix.
  */
 public final class MaterialTable {
+    /** The materials that mirror anything. */
+    public static final Predicate<Material> MIRRORS = material -> (float) material.reflective().max() > 0;
+
     private final List<Material> materials;
-    private final boolean everyMirror;
+    private final Predicate<Material> mirrors;
     private final int reflectiveCount;
     private final int[] rank;
     private final int[] ranked;
@@ -30,10 +34,10 @@ public final class MaterialTable {
     /**
      * @param names the materials' names, each once: material {@code m} is that of name {@code m}
      * @param scene says what they are
-     * @param everyMirror whether rays are followed from all of them, although most may mirror nothing
+     * @param mirrors which of them cast mirrored rays: all that mirror, and perhaps others
      */
-    MaterialTable(List<String> names, Scene scene, boolean everyMirror) {
-        this.everyMirror = everyMirror;
+    MaterialTable(List<String> names, Scene scene, Predicate<Material> mirrors) {
+        this.mirrors = mirrors;
         Map<String, Material> byName = scene.materialsByName();
         materials = names.stream().map(byName::get).toList();
         int count = materials.size();
@@ -43,31 +47,27 @@ public final class MaterialTable {
         reflective = new float[3 * count];
         rank = new int[count];
         ranked = new int[count];
-        int mirrors = 0;
+        int casting = 0;
         for (int m = 0; m < count; m++) {
             Material material = materials.get(m);
             store(material.ambient(), ambient, 3 * m);
             store(material.diffuse(), diffuse, 3 * m);
             store(material.specular(), specular, 3 * m);
             store(material.reflective(), reflective, 3 * m);
-            mirrors += mirrors(material) ? 1 : 0;
+            casting += mirrors.test(material) ? 1 : 0;
         }
-        reflectiveCount = mirrors;
+        reflectiveCount = casting;
         int first = 0;
-        int last = mirrors;
+        int last = casting;
         for (int m = 0; m < count; m++) {
-            rank[m] = mirrors(materials.get(m)) ? first++ : last++;
+            rank[m] = mirrors.test(materials.get(m)) ? first++ : last++;
             ranked[rank[m]] = m;
         }
     }
 
     /** The names of the materials that shapes use, each once, in the order of their first use. */
-    static List<String> names(List<PlacedShape> shapes) {
-        return shapes.stream().map(s -> s.shape().material()).distinct().toList();
-    }
-
-    private boolean mirrors(Material m) {
-        return everyMirror || (float) m.reflective().max() > 0;
+    static List<String> names(List<Shape> shapes) {
+        return shapes.stream().map(Shape::material).distinct().toList();
     }
 
     private static void store(Rgb c, float[] to, int at) {

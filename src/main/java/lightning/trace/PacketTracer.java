@@ -1,24 +1,26 @@
 package lightning.trace;
 
 import java.util.Arrays;
+import lightning.trace.solid.Form;
+import lightning.trace.solid.Lanes;
 
 /**
  * Traces packets of rays. Holds scratch memory: one for each thread.
  *
  * <p>A packet is a way to run, not an approximation: each lane's answer is that of the scalar
- * functions of {@link Solids} and {@link Surface}, bit for bit. Boxes are tested in floats and only
+ * functions of {@link Form} and {@link Surface}, bit for bit. Boxes are tested in floats and only
  * reject; whatever they let through is decided in doubles.
  *
  * <p>Directions have a length from 1e−30 to 1e30; origins are the camera or lie within the box of the scene.
  */
 public final class PacketTracer {
-    /** Up to this many shapes the boxes of all are tested in turn, which the tree beats from about forty. */
+    /** Up to this many primitives the boxes of all are tested in turn, which the tree beats from about forty. */
     static final int FEW = 32;
 
-    /** Up to this many shapes are tested without their boxes, which cost as much as one or two shapes. */
+    /** Up to this many primitives are tested without their boxes, which cost as much as one or two primitives. */
     private static final int BARE = 3;
 
-    private final ShapeTable shapes;
+    private final PrimitiveTable primitives;
     private final Bvh bvh;
     private final BoxLanes box = new BoxLanes();
     private final SolidLanes solid;
@@ -35,15 +37,15 @@ public final class PacketTracer {
 
     PacketTracer(Bvh bvh, int few) {
         this.bvh = bvh;
-        shapes = bvh.shapes;
-        solid = new SolidLanes(shapes);
-        surface = new SurfaceLanes(shapes);
+        primitives = bvh.primitives;
+        solid = new SolidLanes(primitives);
+        surface = new SurfaceLanes(primitives);
         stack = new int[bvh.depth + 1];
         stackMask = new int[bvh.depth + 1];
-        all = shapes.count <= Math.max(few, 1) ? Candidates.all(bvh) : null;
+        all = primitives.count <= Math.max(few, 1) ? Candidates.all(bvh) : null;
     }
 
-    /** Finds the nearest hit of the first {@code live} lanes; writes {@code t} and {@code shape}. */
+    /** Finds the nearest hit of the first {@code live} lanes; writes {@code t} and {@code primitive}. */
     public void nearest(RayPacket p, int live) {
         if (all != null) {
             nearest(p, live, all);
@@ -78,13 +80,13 @@ public final class PacketTracer {
             }
             do {
                 if (top == 0) {
-                    solid.shapes(p);
+                    solid.write(p);
                     return;
                 }
                 next = stack[--top];
                 mask = stackMask[top];
                 // The boxes of an inner node's children are tested anyway.
-                mask = next < 0 ? (int) box.hits(bvh.shapeBoxes, 6 * ~next) & mask : mask;
+                mask = next < 0 ? (int) box.hits(bvh.primitiveBoxes, 6 * ~next) & mask : mask;
             } while (mask == 0);
         }
     }
@@ -103,7 +105,7 @@ public final class PacketTracer {
         int lanes = lanes(live);
         if (candidates.count <= BARE) {
             for (int c = 0; c < candidates.count; c++) {
-                solid.nearer(p, candidates.shape[c], 0, RayPacket.WIDTH);
+                solid.nearer(p, candidates.primitive[c], 0, RayPacket.WIDTH);
             }
         } else {
             box.enter(p);
@@ -116,15 +118,15 @@ public final class PacketTracer {
                     mask &= (int) box.hits(candidates.boxes, 6 * c);
                 }
                 if (mask != 0) {
-                    met |= meet(p, candidates.shape[c], mask);
+                    met |= meet(p, candidates.primitive[c], mask);
                 }
             }
         }
-        solid.shapes(p);
+        solid.write(p);
     }
 
     /**
-     * Which of the first {@code live} lanes meet any shape at a distance below their {@code limit}.
+     * Which of the first {@code live} lanes meet any primitive at a distance below their {@code limit}.
      *
      * @return one bit for each lane, the lowest for lane 0
      */
@@ -137,7 +139,7 @@ public final class PacketTracer {
         int open = lanes(live);
         int lanes = open;
         if (lastOccluder >= 0) {
-            open &= ~blockedBy(p, lastOccluder, (int) box.hits(bvh.shapeBoxes, 6 * lastOccluder) & open);
+            open &= ~blockedBy(p, lastOccluder, (int) box.hits(bvh.primitiveBoxes, 6 * lastOccluder) & open);
         }
         int top = 0;
         stack[top] = 0;
@@ -183,7 +185,7 @@ public final class PacketTracer {
             box.hits(candidates.boxes, 0, candidates.count, masks);
         }
         for (int c = 0; c < candidates.count && open != 0; c++) {
-            int blocked = blockedBy(p, candidates.shape[c], masks[c] & open);
+            int blocked = blockedBy(p, candidates.primitive[c], masks[c] & open);
             open &= ~blocked;
             if (blocked != 0) {
                 candidates.promote(c);
@@ -226,26 +228,21 @@ public final class PacketTracer {
         return (axis == 0 ? p.dx : axis == 1 ? p.dy : p.dz)[lane] > 0;
     }
 
-    /** For lanes whose {@code shape} is known without a search: writes {@code t}. */
+    /** For lanes whose {@code primitive} is known without a search: writes {@code t}. */
     public void distances(RayPacket p, int live) {
         int left = 0;
         for (int i = 0; i < live; i++) {
-            p.t[i] = Solids.MISS;
-            left |= p.shape[i] >= 0 ? 1 << i : 0;
+            p.t[i] = Form.MISS;
+            left |= p.primitive[i] >= 0 ? 1 << i : 0;
         }
         while (left != 0) {
-            int s = p.shape[Integer.numberOfTrailingZeros(left)];
+            int s = p.primitive[Integer.numberOfTrailingZeros(left)];
             left &= ~solid.distances(p, s, left, first(left), end(left));
         }
     }
 
-    /** Computes the surfaces of those of the first {@code live} lanes that hit a shape. */
+    /** Computes the surfaces of those of the first {@code live} lanes that hit a primitive. */
     public void surfaces(RayPacket p, int live, SurfacePacket out) {
         surface.at(p, live, out);
-    }
-
-    /** Puts the eye rays through pixels {@code x … x + live − 1} of row {@code y} into the packet. */
-    static void eyeRays(CameraRays camera, int x, int y, int live, RayPacket p) {
-        EyeLanes.through(camera, x, y, p);
     }
 }

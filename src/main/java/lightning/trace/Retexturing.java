@@ -1,7 +1,5 @@
 package lightning.trace;
 
-import java.util.Arrays;
-import lightning.math.Vec3;
 import lightning.scene.Scene;
 
 /**
@@ -9,28 +7,23 @@ import lightning.scene.Scene;
  * own shape is computed again, and no other is searched for. Holds scratch memory: one for each thread.
  */
 public final class Retexturing {
-    private static final int ROWS = 1024;
-
     private final Geometry geometry;
     private final MaterialTable materials;
     private final CameraRays camera;
-    private final PacketTracer tracer;
+    private final Tracer tracer;
     private final TexelColumns texels;
     private final Beam beam = new Beam();
     private final Candidates candidates = new Candidates();
-    private final RayPacket packet = new RayPacket();
-    private final SurfacePacket surface = new SurfacePacket();
-    private final double[] dx = new double[ROWS];
-    private final double[] dy = new double[ROWS];
-    private final double[] dz = new double[ROWS];
+    private final RayColumns rays;
     private long rowsTouched;
 
     /** @param geometry with the materials as they are wanted */
-    public Retexturing(Geometry geometry, Scene scene, PacketTracer tracer) {
+    public Retexturing(Geometry geometry, Scene scene, Tracer tracer) {
         this.geometry = geometry;
         this.tracer = tracer;
         materials = geometry.materials();
         camera = new CameraRays(scene.camera(), scene.picture());
+        rays = new RayColumns(camera);
         texels = new TexelColumns(geometry);
     }
 
@@ -87,53 +80,28 @@ public final class Retexturing {
 
     private void run(HitRows rows, int run, HitRows from, SamplePlaces places) {
         int start = rows.runStart(run);
-        int count = rows.runEnd[run] - start;
-        rowsTouched += count;
+        rays.from = from;
+        rays.count = rows.runEnd[run] - start;
+        rays.hits = rays.count;
+        rowsTouched += rays.count;
         beam.clear();
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < rays.count; i++) {
             int parent = rows.parent[start + i];
+            rays.slot[i] = (short) parent;
+            rays.order[i] = (short) i;
             if (from == null) {
-                eye(camera.at(places.x(parent), places.y(parent)).direction(), i);
-                beam.origin(0, 0, 0);
+                camera.at(places.x(parent), places.y(parent), rays.dx, rays.dy, rays.dz, i);
             } else {
-                MirrorRays.direction(from, parent, dx, dy, dz, i);
-                beam.origin(from.px[parent], from.py[parent], from.pz[parent]);
+                MirrorRays.direction(from, parent, rays.dx, rays.dy, rays.dz, i);
             }
+            beam.origin(rays.originX(i), rays.originY(i), rays.originZ(i));
         }
-        beam.directions(dx, dy, dz, count);
+        beam.directions(rays, tracer);
         candidates.collect(geometry, beam);
         // What a row hit is the nearest of all shapes, and so of those of its material.
-        candidates.keepMaterial(geometry.shapes(), rows.runMaterial[run]);
-        for (int i = 0; i < count; i += RayPacket.WIDTH) {
-            int live = Math.min(RayPacket.WIDTH, count - i);
-            load(rows, from, start, i, live);
-            tracer.nearest(packet, live, candidates);
-            tracer.surfaces(packet, live, surface);
-            texels.write(rows, start + i, live, packet, surface);
-        }
-    }
-
-    private void eye(Vec3 direction, int ray) {
-        dx[ray] = direction.x();
-        dy[ray] = direction.y();
-        dz[ray] = direction.z();
-    }
-
-    private void load(HitRows rows, HitRows from, int start, int ray, int live) {
-        if (from == null) {
-            Arrays.fill(packet.ox, 0);
-            Arrays.fill(packet.oy, 0);
-            Arrays.fill(packet.oz, 0);
-        } else {
-            for (int i = 0; i < live; i++) {
-                int parent = rows.parent[start + ray + i];
-                packet.ox[i] = from.px[parent];
-                packet.oy[i] = from.py[parent];
-                packet.oz[i] = from.pz[parent];
-            }
-        }
-        System.arraycopy(dx, ray, packet.dx, 0, live);
-        System.arraycopy(dy, ray, packet.dy, 0, live);
-        System.arraycopy(dz, ray, packet.dz, 0, live);
+        candidates.keepMaterial(geometry.primitives(), rows.runMaterial[run]);
+        tracer.nearest(rays, candidates);
+        tracer.ownPoints(rays);
+        texels.write(rows, start, rays);
     }
 }

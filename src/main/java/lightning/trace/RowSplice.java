@@ -1,6 +1,8 @@
 package lightning.trace;
 
 import java.util.Arrays;
+import lightning.column.ColumnKind;
+import lightning.column.ColumnSet;
 
 /**
  * How the rows of a tile's level come from rows that are there already, some of which may go, and from rows that were
@@ -129,33 +131,11 @@ public final class RowSplice {
     }
 
     private void copy(short[] oldParents) {
+        HitRows from = old.seenFrom(oldParents, reflective);
         if (keepsRows()) {
-            rows = old.seenFrom(oldParents, reflective);
-            return;
-        }
-        for (int i = 0; i < source.length; i++) {
-            boolean fresh = source[i] < 0;
-            rows.parent[i] = fresh ? added.parent[~source[i]] : oldParents[source[i]];
-            if (rows.code != null) {
-                rows.code[i] = fresh ? added.code[~source[i]] : old.code[source[i]];
-            }
-        }
-        copy(old.px, added == null ? null : added.px, rows.px);
-        copy(old.py, added == null ? null : added.py, rows.py);
-        copy(old.pz, added == null ? null : added.pz, rows.pz);
-        copy(old.nx, added == null ? null : added.nx, rows.nx);
-        copy(old.ny, added == null ? null : added.ny, rows.ny);
-        copy(old.nz, added == null ? null : added.nz, rows.nz);
-        copy(old.vx, added == null ? null : added.vx, rows.vx);
-        copy(old.vy, added == null ? null : added.vy, rows.vy);
-        copy(old.vz, added == null ? null : added.vz, rows.vz);
-        for (int i = 0; rows.code != null && i < source.length; i++) {
-            rows.code[i] = source[i] < 0 ? added.code[~source[i]] : old.code[source[i]];
-        }
-        if (rows.texelRed != null) {
-            copy(old.texelRed, added == null ? null : added.texelRed, rows.texelRed);
-            copy(old.texelGreen, added == null ? null : added.texelGreen, rows.texelGreen);
-            copy(old.texelBlue, added == null ? null : added.texelBlue, rows.texelBlue);
+            rows = from;
+        } else {
+            fill(rows.columns(), from.columns(), added == null ? null : added.columns());
         }
     }
 
@@ -193,22 +173,20 @@ public final class RowSplice {
         return Arrays.copyOf(found, count);
     }
 
-    /** Fills a column from those of the old rows and the added ones; 0 where the one that is asked is null. */
-    public void copy(float[] ofOld, float[] ofAdded, float[] to) {
+    /**
+     * Fills columns over the rows as they are now.
+     *
+     * @param columns where a column is missing below, its rows stay what they are
+     * @param ofOld   columns over the old rows
+     * @param ofAdded columns over the added ones; unread where there are none
+     */
+    public <C extends Enum<C> & ColumnKind> void fill(ColumnSet<C> columns, ColumnSet<C> ofOld, ColumnSet<C> ofAdded) {
         for (int i = 0; i < source.length; i = end[i]) {
-            float[] from = source[i] < 0 ? ofAdded : ofOld;
-            if (from == null) {
-                Arrays.fill(to, i, end[i], 0);
+            if (source[i] < 0) {
+                columns.copy(ofAdded, ~source[i], i, end[i] - i);
             } else {
-                System.arraycopy(from, source[i] < 0 ? ~source[i] : source[i], to, i, end[i] - i);
+                columns.copy(ofOld, source[i], i, end[i] - i);
             }
-        }
-    }
-
-    /** The same for a column of bytes, none of them null but that of rows that there are none of. */
-    public void copy(byte[] ofOld, byte[] ofAdded, byte[] to) {
-        for (int i = 0; i < source.length; i = end[i]) {
-            System.arraycopy(source[i] < 0 ? ofAdded : ofOld, source[i] < 0 ? ~source[i] : source[i], to, i, end[i] - i);
         }
     }
 }

@@ -6,103 +6,90 @@ import static jdk.incubator.vector.VectorOperators.D2I;
 import static jdk.incubator.vector.VectorOperators.EQ;
 import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LT;
-import static lightning.trace.Lanes.SPECIES;
+import static lightning.trace.solid.Lanes.SPECIES;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
+import lightning.trace.solid.Form;
+import lightning.trace.solid.KindLanes;
+import lightning.trace.solid.Lanes;
+import lightning.trace.solid.Touch;
 
 /**
- * One shape against a packet: {@link ShapeTable#distance} in lanes, and what is done with the answer.
+ * One primitive against a packet: {@link PrimitiveTable#distance} in lanes, and what is done with the answer.
  *
- * <p>All methods work on the lanes {@code from … to − 1}, whole vectors. Lanes that the shape's box has
+ * <p>All methods work on the lanes {@code from … to − 1}, whole vectors. Lanes that the primitive's box has
  * rejected get the same answer as from the box: a miss, or a hit behind a nearer one.
  */
 final class SolidLanes {
     private static final VectorSpecies<Integer> INTS =
             VectorSpecies.of(int.class, VectorShape.forBitSize(SPECIES.vectorBitSize() / 2));
 
-    private final ShapeTable shapes;
-    /** The distances to the shape in question. */
+    private final PrimitiveTable primitives;
+    /** The distances to the primitive in question. */
     private final double[] own = new double[RayPacket.WIDTH];
-    private final SlabLanes slab = new SlabLanes();
-    /** The nearest shape so far, as doubles to be compared and blended like the distances. */
+    private final KindLanes lanes = new KindLanes();
+    /** The nearest primitive so far, as doubles to be compared and blended like the distances. */
     private final double[] found = new double[RayPacket.WIDTH];
 
-    SolidLanes(ShapeTable shapes) {
-        this.shapes = shapes;
+    SolidLanes(PrimitiveTable primitives) {
+        this.primitives = primitives;
     }
 
     private void distances(RayPacket p, int s, int from, int to) {
-        cross(p, s, from, to);
-        if (shapes.isUnderEye(s)) {
+        lanes.distances(primitives.kind(s), primitives.data, primitives.at[s], p, own, from, to);
+        if (primitives.isUnderEye(s)) {
             for (int i = from; i < to; i++) {
-                own[i] = shapes.distance(s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]);
+                own[i] = primitives.distance(s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]);
             }
         }
     }
 
-    /** The distances of the ways to a light that lies on the shape. */
+    /** The distances of the ways to a light that lies on the primitive. */
     private void distancesToLight(RayPacket p, int s, int index, int from, int to) {
         for (int i = from; i < to; i++) {
             if (p.end.touches(index, p.ox[i], p.oy[i], p.oz[i])) {
-                own[i] = shapes.distance(s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i], Touch.END);
+                own[i] = primitives.distance(s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i], Touch.END);
             }
-        }
-    }
-
-    private void cross(RayPacket p, int s, int from, int to) {
-        double[] m = shapes.inverse;
-        int i = 12 * s;
-        switch (shapes.kind[s]) {
-            case ShapeTable.SPHERE -> SphereLanes.distances(m, i, p, own, from, to);
-            case ShapeTable.CONE -> {
-                ConeLanes.side(m, i, p, slab, from, to);
-                slab.distances(own, from, to);
-            }
-            case ShapeTable.CYLINDER -> {
-                CylinderLanes.side(m, i, p, slab, from, to);
-                slab.distances(own, from, to);
-            }
-            default -> PlaneLanes.distances(m, i, p, own, from, to);
         }
     }
 
     /** Puts misses into all lanes. */
     void begin(RayPacket p) {
         for (int h = 0; h < RayPacket.WIDTH; h += Lanes.COUNT) {
-            broadcast(SPECIES, Solids.MISS).intoArray(p.t, h);
+            broadcast(SPECIES, Form.MISS).intoArray(p.t, h);
             broadcast(SPECIES, -1).intoArray(found, h);
         }
     }
 
-    /** Puts shape {@code s} into the lanes where it is nearer than what they have; whether there is one. */
+    /** Puts primitive {@code s} into the lanes where it is nearer than what they have; whether there is one. */
     boolean nearer(RayPacket p, int s, int from, int to) {
         distances(p, s, from, to);
         boolean any = false;
         for (int h = from; h < to; h += Lanes.COUNT) {
             DoubleVector t = fromArray(SPECIES, own, h);
             DoubleVector best = fromArray(SPECIES, p.t, h);
-            DoubleVector shape = fromArray(SPECIES, found, h);
-            VectorMask<Double> nearer = t.compare(LT, best).or(t.compare(EQ, best).and(shape.compare(GT, s)));
+            DoubleVector primitive = fromArray(SPECIES, found, h);
+            VectorMask<Double> nearer = t.compare(LT, best).or(t.compare(EQ, best).and(primitive.compare(GT, s)));
             best.blend(t, nearer).intoArray(p.t, h);
-            shape.blend(s, nearer).intoArray(found, h);
+            primitive.blend(s, nearer).intoArray(found, h);
             any |= nearer.anyTrue();
         }
         return any;
     }
 
-    /** Writes what has been found to the packet's {@code shape}. */
-    void shapes(RayPacket p) {
+    /** Writes what has been found to the packet's {@code primitive}. */
+    void write(RayPacket p) {
         for (int h = 0; h < RayPacket.WIDTH; h += Lanes.COUNT) {
             DoubleVector v = fromArray(SPECIES, found, h);
-            ((IntVector) v.convertShape(D2I, INTS, 0)).intoArray(p.shape, h);
+            ((IntVector) v.convertShape(D2I, INTS, 0)).intoArray(p.primitive, h);
         }
     }
 
-    /** One bit for each lane that meets shape {@code s} at a distance below its {@code limit}. */
+    /** One bit for each lane that meets primitive {@code s} at a distance below its {@code limit}. */
     int below(RayPacket p, int s, int from, int to) {
         distances(p, s, from, to);
         int index = p.end.indexOf(s);
@@ -118,12 +105,12 @@ final class SolidLanes {
         return mask;
     }
 
-    /** Writes {@code t} of those lanes of {@code mask} whose shape is {@code s}; returns which they are. */
+    /** Writes {@code t} of those lanes of {@code mask} whose primitive is {@code s}; returns which they are. */
     int distances(RayPacket p, int s, int mask, int from, int to) {
         distances(p, s, from, to);
         int done = 0;
         for (int i = from; i < to; i++) {
-            if ((mask >>> i & 1) != 0 && p.shape[i] == s) {
+            if ((mask >>> i & 1) != 0 && p.primitive[i] == s) {
                 p.t[i] = own[i];
                 done |= 1 << i;
             }

@@ -15,6 +15,7 @@ final class Surface {
     /** The error of a hit in double, as a share of the coordinates of the ray's origin and of the shape. */
     static final double ERROR = 0x1p-46;
 
+    private final double[] outward = new double[3];
     double ownX;
     double ownY;
     double ownZ;
@@ -25,43 +26,20 @@ final class Surface {
     float ny;
     float nz;
 
-    /** Computes the surface of shape {@code s} at distance {@code t} along the ray. */
-    void at(ShapeTable shapes, int s, double ox, double oy, double oz, double dx, double dy, double dz, double t) {
+    /** Computes the surface of primitive {@code s} at distance {@code t} along the ray. */
+    void at(PrimitiveTable primitives, int s, double ox, double oy, double oz, double dx, double dy, double dz, double t) {
         double x = ox + t * dx;
         double y = oy + t * dy;
         double z = oz + t * dz;
-        double[] m = shapes.inverse;
-        int i = 12 * s;
+        double[] m = primitives.data;
+        int i = primitives.at[s];
         ownX = m[i] * x + m[i + 1] * y + m[i + 2] * z + m[i + 3];
         ownY = m[i + 4] * x + m[i + 5] * y + m[i + 6] * z + m[i + 7];
         ownZ = m[i + 8] * x + m[i + 9] * y + m[i + 10] * z + m[i + 11];
-        double ax;
-        double ay;
-        double az;
-        switch (shapes.kind[s]) {
-            case ShapeTable.SPHERE -> {
-                ax = ownX;
-                ay = ownY;
-                az = ownZ;
-            }
-            case ShapeTable.CONE -> {
-                boolean side = onConeSide(ownX, ownY, ownZ);
-                ax = side ? ownX : 0;
-                ay = side ? 1 - ownY : -1;
-                az = side ? ownZ : 0;
-            }
-            case ShapeTable.CYLINDER -> {
-                boolean side = onCylinderSide(ownX, ownY, ownZ);
-                ax = side ? ownX : 0;
-                ay = side ? 0 : ownY > 0.5 ? 1 : -1;
-                az = side ? ownZ : 0;
-            }
-            default -> {
-                ax = 0;
-                ay = 1;
-                az = 0;
-            }
-        }
+        primitives.kind(s).form().outward(m, i, ownX, ownY, ownZ, outward);
+        double ax = outward[0];
+        double ay = outward[1];
+        double az = outward[2];
         // Normals go by the transpose of the inverse map.
         double bx = m[i] * ax + m[i + 4] * ay + m[i + 8] * az;
         double by = m[i + 1] * ax + m[i + 5] * ay + m[i + 9] * az;
@@ -81,23 +59,12 @@ final class Surface {
         by = by * unit;
         bz = bz * unit;
         double off = (Math.abs(x * bx) + Math.abs(y * by) + Math.abs(z * bz)) * OFFSET
-                + ((Math.abs(ox) + Math.abs(oy) + Math.abs(oz)) * ERROR + shapes.error[s]);
+                + ((Math.abs(ox) + Math.abs(oy) + Math.abs(oz)) * ERROR + primitives.error[s]);
         px = (float) (x + bx * off);
         py = (float) (y + by * off);
         pz = (float) (z + bz * off);
         nx = (float) bx;
         ny = (float) by;
         nz = (float) bz;
-    }
-
-    /** Whether a point of the cone belongs to its side rather than its base: the nearer of the two. */
-    static boolean onConeSide(double x, double y, double z) {
-        return Math.abs(Math.sqrt(x * x + z * z) - (1 - y)) <= Math.abs(y);
-    }
-
-    /** Whether a point of the cylinder belongs to its side rather than a cap: the nearest of the three. */
-    static boolean onCylinderSide(double x, double y, double z) {
-        double cap = Math.abs(y) < Math.abs(1 - y) ? Math.abs(y) : Math.abs(1 - y);
-        return Math.abs(Math.sqrt(x * x + z * z) - 1) <= cap;
     }
 }

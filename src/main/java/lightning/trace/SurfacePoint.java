@@ -5,7 +5,7 @@ import lightning.math.Vec3;
 /**
  * One hit row on its own: what a ray met, as shading sees it.
  *
- * @param shape    index of the shape
+ * @param primitive index of the primitive
  * @param material index of its material
  * @param px       the point, off the surface, render space; likewise {@code py}, {@code pz}
  * @param nx       the unit normal that faces the ray; likewise {@code ny}, {@code nz}
@@ -13,7 +13,7 @@ import lightning.math.Vec3;
  * @param diffuse  k<sub>diffuse</sub> with the texture in it, linear RGB, {@code float[3]}
  * @param texel    the texture's colour alone, linear RGB, {@code float[3]}; white where there is none
  */
-public record SurfacePoint(int shape, int material, float px, float py, float pz, float nx, float ny, float nz,
+public record SurfacePoint(int primitive, int material, float px, float py, float pz, float nx, float ny, float nz,
         float vx, float vy, float vz, float[] diffuse, float[] texel) {
 
     /** The mirrored ray, V + 2|N·V|N at length 1: away from the surface whatever the rounding. */

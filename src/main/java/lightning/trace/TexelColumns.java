@@ -2,22 +2,22 @@ package lightning.trace;
 
 /** Writes the texels of rows whose surfaces were just computed. Holds scratch memory: one for each thread. */
 final class TexelColumns {
-    private final ShapeTable shapes;
+    private final PrimitiveTable primitives;
     private final MaterialTable materials;
     private final float[] texel = new float[3];
 
     TexelColumns(Geometry geometry) {
-        shapes = geometry.shapes();
+        primitives = geometry.primitives();
         materials = geometry.materials();
     }
 
-    /** Writes rows {@code row … row + live − 1}, which the lanes of the packet hit. */
-    void write(HitRows rows, int row, int live, RayPacket packet, SurfacePacket surface) {
-        for (int i = 0; i < live; i++) {
-            int material = shapes.material[packet.shape[i]];
+    /** Writes the rows from {@code row} on, which are the hits of the rays in their order. */
+    void write(HitRows rows, int row, RayColumns rays) {
+        for (int i = 0; i < rays.hits; i++) {
+            int primitive = rays.primitive[rays.order[i]];
+            int material = primitives.material[primitive];
             if (materials.isTextured(material)) {
-                TextureLookup.sample(materials.texture(material), shapes.kind[packet.shape[i]],
-                        surface.ownX[i], surface.ownY[i], surface.ownZ[i], texel);
+                primitives.texel(primitive, materials.texture(material), rays.ownX[i], rays.ownY[i], rays.ownZ[i], texel);
                 rows.texelRed[row + i] = texel[0];
                 rows.texelGreen[row + i] = texel[1];
                 rows.texelBlue[row + i] = texel[2];

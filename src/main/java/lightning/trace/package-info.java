@@ -3,7 +3,7 @@
  *
  * <p>Everything here happens in <em>render space</em>: the scene moved, in double precision, so that
  * the camera stands at the origin. A hit is decided by one function of ray and shape
- * ({@link lightning.trace.Solids}), whoever asks; boxes and packets may only reject. Among equal
+ * ({@link lightning.trace.solid.Form}), whoever asks; boxes and packets may only reject. Among equal
  * distances the lowest shape index wins. A miss is a distance of positive infinity; no function
  * returns NaN.
  *

@@ -9,6 +9,13 @@ public interface Progress {
     boolean isCancelled();
 
     /**
+     * A tile of a picture that is made from nothing is there, though the picture is not.
+     *
+     * @param film its red, green and blue, each {@code float[1024]}; nobody writes them any more, but finer samples may follow
+     */
+    default void made(int tile, float[][] film) {}
+
+    /**
      * Hears a part of a longer work: {@code before} tiles are finished already, {@code total} are to be done in all.
      */
     default Progress part(int before, int total) {

@@ -35,7 +35,7 @@ class LadderMeterTest {
     @Test
     void ladder_hasEveryLevelWithItsSamples() {
         Ladder ladder = meter.measure(before, moved, Progress.NONE);
-        assertThat(ladder.rungs()).extracting(Rung::level).containsExactly(Level.values());
+        assertThat(ladder.rungs()).extracting(Rung::grade).containsExactly(Grade.values());
         assertThat(ladder.rungs()).allSatisfy(rung -> {
             assertThat(rung.time().milliseconds()).hasSize(2);
             assertThat(rung.film().width()).isEqualTo(41);
@@ -43,16 +43,16 @@ class LadderMeterTest {
             assertThat(rung.error().of()).isEqualTo(3 * 41 * 41);
         });
         assertThat(ladder.fullRays().eye()).isEqualTo(41 * 41);
-        assertThat(ladder.saving(Level.FULL_TRACE)).isZero();
+        assertThat(ladder.saving(Grade.FULL_TRACE)).isZero();
     }
 
     @Test
     void accurateLevels_showTheReference() {
         Ladder ladder = meter.measure(before, moved, Progress.NONE);
         Film reference = new ReferenceTracer(moved).trace();
-        for (Level level : new Level[] {Level.EXACT_UPDATED, Level.EXACT_CURRENT, Level.FULL_TRACE}) {
-            assertThat(ladder.rung(level).film().sameBits(reference)).as(level.label()).isTrue();
-            assertThat(ladder.rung(level).error().values()).as(level.label()).isZero();
+        for (Grade grade : new Grade[] {Grade.EXACT_UPDATED, Grade.EXACT_CURRENT, Grade.FULL_TRACE}) {
+            assertThat(ladder.rung(grade).film().sameBits(reference)).as(grade.label()).isTrue();
+            assertThat(ladder.rung(grade).error().values()).as(grade.label()).isZero();
         }
         assertThat(ladder.original().sameBits(new ReferenceTracer(before).trace())).isTrue();
     }
@@ -60,20 +60,20 @@ class LadderMeterTest {
     @Test
     void roughLevels_areOff() {
         Ladder ladder = meter.measure(before, moved, Progress.NONE);
-        for (Level level : new Level[] {Level.HALF_RESOLUTION, Level.FAST_SHADING, Level.RATIO, Level.EXACT}) {
-            assertThat(ladder.rung(level).error().values()).as(level.label()).isPositive();
+        for (Grade grade : new Grade[] {Grade.HALF_RESOLUTION, Grade.FAST_SHADING, Grade.RATIO, Grade.EXACT}) {
+            assertThat(ladder.rung(grade).error().values()).as(grade.label()).isPositive();
         }
-        assertThat(ladder.rung(Level.FAST_SHADING).error().maxAbsolute()).isGreaterThan(0.01);
-        assertThat(ladder.rung(Level.EXACT).error().maxAbsolute()).isLessThan(ladder.rung(Level.FAST_SHADING).error().maxAbsolute());
+        assertThat(ladder.rung(Grade.FAST_SHADING).error().maxAbsolute()).isGreaterThan(0.01);
+        assertThat(ladder.rung(Grade.EXACT).error().maxAbsolute()).isLessThan(ladder.rung(Grade.FAST_SHADING).error().maxAbsolute());
     }
 
     @Test
     void withoutMirrors_exactIsTheReferenceAndRatioIsNot() {
         Scene flat = before.withPicture(before.picture().withDepth(0));
         Ladder ladder = meter.measure(flat, faded.withPicture(flat.picture()), Progress.NONE);
-        assertThat(ladder.rung(Level.EXACT).error().values()).isZero();
-        assertThat(ladder.rung(Level.RATIO).error().values()).isPositive();
-        assertThat(ladder.rung(Level.RATIO).error().maxAbsolute()).isBetween(0.0, ladder.rung(Level.RATIO).update().errorBound());
+        assertThat(ladder.rung(Grade.EXACT).error().values()).isZero();
+        assertThat(ladder.rung(Grade.RATIO).error().values()).isPositive();
+        assertThat(ladder.rung(Grade.RATIO).error().maxAbsolute()).isBetween(0.0, ladder.rung(Grade.RATIO).update().errorBound());
     }
 
     @ParameterizedTest
@@ -82,9 +82,9 @@ class LadderMeterTest {
         Picture smooth = before.picture().withSampling(new Sampling(antialias, 2));
         Ladder ladder = meter.measure(before.withPicture(smooth), moved.withPicture(smooth), Progress.NONE);
         Film reference = new ReferenceTracer(moved.withPicture(smooth)).trace();
-        assertThat(ladder.rung(Level.FULL_TRACE).film().sameBits(reference)).isTrue();
-        assertThat(ladder.rung(Level.EXACT_CURRENT).film().sameBits(reference)).isTrue();
-        assertThat(ladder.rung(Level.EXACT_UPDATED).film().sameBits(reference)).isTrue();
+        assertThat(ladder.rung(Grade.FULL_TRACE).film().sameBits(reference)).isTrue();
+        assertThat(ladder.rung(Grade.EXACT_CURRENT).film().sameBits(reference)).isTrue();
+        assertThat(ladder.rung(Grade.EXACT_UPDATED).film().sameBits(reference)).isTrue();
     }
 
     @Test
@@ -92,25 +92,25 @@ class LadderMeterTest {
         for (PaperCase edit : PaperCases.of(before).stream().filter(c -> c.name().matches("mirror-.*|texture-.*|material.*")).toList()) {
             List<Scene> scenes = edit.scenes();
             Ladder ladder = meter.measure(scenes.get(scenes.size() - 2), edit.after(), Progress.NONE);
-            assertThat(ladder.rung(Level.EXACT_CURRENT).error().values()).as(edit.name()).isZero();
-            assertThat(ladder.rung(Level.EXACT_UPDATED).error().values()).as(edit.name()).isZero();
+            assertThat(ladder.rung(Grade.EXACT_CURRENT).error().values()).as(edit.name()).isZero();
+            assertThat(ladder.rung(Grade.EXACT_UPDATED).error().values()).as(edit.name()).isZero();
         }
     }
 
     @Test
     void updates_areThoseOfTheLevels() {
         Ladder ladder = meter.measure(before, faded, Progress.NONE);
-        assertThat(ladder.rung(Level.EXACT).update().plan().text()).isEqualTo("lamp: weight");
-        assertThat(ladder.rung(Level.EXACT_UPDATED).update().plan().text()).isEqualTo("reflections");
-        assertThat(ladder.rung(Level.EXACT_CURRENT).update().plan().text()).isEqualTo("lamp: weight, reflections");
-        assertThat(ladder.rung(Level.FULL_TRACE).update()).isNull();
+        assertThat(ladder.rung(Grade.EXACT).update().plan().text()).isEqualTo("lamp: weight");
+        assertThat(ladder.rung(Grade.EXACT_UPDATED).update().plan().text()).isEqualTo("reflections");
+        assertThat(ladder.rung(Grade.EXACT_CURRENT).update().plan().text()).isEqualTo("lamp: weight, reflections");
+        assertThat(ladder.rung(Grade.FULL_TRACE).update()).isNull();
     }
 
     @Test
     void nextEdit_startsFromTheSceneAgain() {
         meter.measure(before, moved, Progress.NONE);
         Ladder second = meter.measure(before, faded, Progress.NONE);
-        assertThat(second.rung(Level.EXACT).update().plan().text()).isEqualTo("lamp: weight");
+        assertThat(second.rung(Grade.EXACT).update().plan().text()).isEqualTo("lamp: weight");
         assertThat(meter.kept().scene()).isEqualTo(before);
     }
 
@@ -127,12 +127,12 @@ class LadderMeterTest {
             }
         };
         assertThatThrownBy(() -> meter.measure(before, moved, stop)).isInstanceOf(CancellationException.class);
-        assertThat(meter.measure(before, moved, Progress.NONE).rung(Level.EXACT_CURRENT).error().values()).isZero();
+        assertThat(meter.measure(before, moved, Progress.NONE).rung(Grade.EXACT_CURRENT).error().values()).isZero();
     }
 
     @Test
     void everyLevel_saysWhatItIs() {
-        assertThat(Arrays.stream(Level.values()).map(Level::label)).doesNotHaveDuplicates();
-        assertThat(Level.values()).allSatisfy(level -> assertThat(level.note()).isNotBlank());
+        assertThat(Arrays.stream(Grade.values()).map(Grade::label)).doesNotHaveDuplicates();
+        assertThat(Grade.values()).allSatisfy(grade -> assertThat(grade.note()).isNotBlank());
     }
 }

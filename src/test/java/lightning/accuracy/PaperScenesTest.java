@@ -12,6 +12,7 @@ import lightning.scene.LightType;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -24,14 +25,14 @@ class PaperScenesTest {
     void scene_hasTheShapesThatThePaperCounts(String name, int spheres, int cones, int cylinders, int planes) {
         List<Shape> shapes = SceneFiles.read(name).placedShapes().stream().map(PlacedShape::shape).toList();
 
-        assertThat(count(shapes, Shape.Sphere.class)).as("spheres").isEqualTo(spheres);
-        assertThat(count(shapes, Shape.Cone.class)).as("cones").isEqualTo(cones);
-        assertThat(count(shapes, Shape.Cylinder.class)).as("cylinders").isEqualTo(cylinders);
-        assertThat(count(shapes, Shape.Plane.class)).as("planes").isEqualTo(planes);
+        assertThat(count(shapes, Solid.Sphere.class)).as("spheres").isEqualTo(spheres);
+        assertThat(count(shapes, Solid.Cone.class)).as("cones").isEqualTo(cones);
+        assertThat(count(shapes, Solid.Cylinder.class)).as("cylinders").isEqualTo(cylinders);
+        assertThat(count(shapes, Solid.Plane.class)).as("planes").isEqualTo(planes);
     }
 
-    private static long count(List<Shape> shapes, Class<? extends Shape> kind) {
-        return shapes.stream().filter(kind::isInstance).count();
+    private static long count(List<Shape> shapes, Class<? extends Solid> kind) {
+        return shapes.stream().map(Shape::solid).filter(kind::isInstance).count();
     }
 
     @ParameterizedTest
@@ -84,7 +85,7 @@ class PaperScenesTest {
     @Test
     void birdsFloor_mirrors() {
         PlacedShape floor = SceneFiles.read("bird").placedShapes().stream()
-                .filter(p -> p.shape() instanceof Shape.Plane).findFirst().orElseThrow();
+                .filter(p -> p.shape().solid() instanceof Solid.Plane).findFirst().orElseThrow();
 
         assertThat(floor.material().reflective().min()).isGreaterThan(0.1);
     }

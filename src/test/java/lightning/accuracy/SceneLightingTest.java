@@ -4,11 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
 import lightning.scene.Light;
 import lightning.scene.Scene;
-import lightning.shading.TraditionalTracer;
 import lightning.trace.Geometry;
 import lightning.work.Progress;
 import lightning.work.Workers;

@@ -7,6 +7,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.Arrays;
 import java.util.List;
 import lightning.effects.ViewEffects;
+import lightning.engine.choice.Engines;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Difference;
 import lightning.image.Film;
 import lightning.relight.Renderer;
@@ -15,13 +17,13 @@ import lightning.relight.plan.Accuracy;
 import lightning.relight.plan.Reflections;
 import lightning.relight.tile.MirrorStorage;
 import lightning.relight.tile.Options;
+import lightning.sample.EngineMix;
 import lightning.sample.StudioScene;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 import lightning.shading.ReferenceTracer;
-import lightning.shading.Sight;
-import lightning.shading.TraditionalTracer;
+import lightning.shading.SeenScenes;
 import lightning.trace.Geometry;
 import lightning.work.Progress;
 import lightning.work.Workers;
@@ -40,7 +42,7 @@ class VerificationTest {
     }
 
     private static Promise promise(Scene scene, Scene mirrored, double bound) {
-        return new Promise(new Sight(scene, mirrored), ViewEffects.ALL, bound);
+        return new Promise(new SeenScenes(scene, mirrored), ViewEffects.ALL, bound);
     }
 
     private static Verification verify(Promise promise, Film picture) {
@@ -96,6 +98,19 @@ class VerificationTest {
     }
 
     @Test
+    void timeOfTheFullTrace_isToldByAWarmProcessAlone() {
+        Film film = new ReferenceTracer(STUDIO).trace();
+        try {
+            Engines.use(_ -> Engines.SCALAR);
+            assertThat(verify(promise(STUDIO, STUDIO, 0), film).fullTraceMs()).isEmpty();
+            Engines.use(Engines.FASTEST);
+            assertThat(verify(promise(STUDIO, STUDIO, 0), film).fullTraceMs().getAsDouble()).isPositive();
+        } finally {
+            Engines.use(new EngineMix(2));
+        }
+    }
+
+    @Test
     void keptPromise_isSaid() {
         Film film = new ReferenceTracer(STUDIO).trace();
         assertThat(verify(promise(STUDIO, STUDIO, 0), film).text()).isEqualTo("Verified: equal to a full trace in every bit");
@@ -110,10 +125,10 @@ class VerificationTest {
         assertThat(broken.isKept()).isFalse();
         assertThat(broken.text())
                 .isEqualTo("NOT KEPT: 1 value in 1 pixel differs from a full trace, by at most 2.5e-01 where no bit may differ");
-        assertThatThrownBy(() -> BrokenPromise.require(broken, Level.EXACT)).isInstanceOf(BrokenPromise.class)
-                .hasMessage("level exact: " + broken.text() + "; not measured");
+        assertThatThrownBy(() -> BrokenPromise.require(broken, Grade.EXACT)).isInstanceOf(BrokenPromise.class)
+                .hasMessage("grade exact: " + broken.text() + "; not measured");
         assertThat(verify(promise(STUDIO, STUDIO, 0.2), film).text()).startsWith("NOT KEPT: ").endsWith("where 2.0e-01 is promised");
-        assertThatCode(() -> BrokenPromise.require(verify(promise(STUDIO, STUDIO, 0.3), film), Level.RATIO)).doesNotThrowAnyException();
+        assertThatCode(() -> BrokenPromise.require(verify(promise(STUDIO, STUDIO, 0.3), film), Grade.RATIO)).doesNotThrowAnyException();
     }
 
     /** The boxes of the renderer's tree hold nothing any more: a trace over the same tree sees as little as the picture. */
@@ -133,7 +148,7 @@ class VerificationTest {
     private static void empty(Geometry geometry) throws ReflectiveOperationException {
         var tree = Geometry.class.getDeclaredField("bvh");
         tree.setAccessible(true);
-        for (String name : List.of("boxes", "shapeBoxes")) {
+        for (String name : List.of("boxes", "primitiveBoxes")) {
             var boxes = tree.getType().getDeclaredField(name);
             boxes.setAccessible(true);
             Arrays.fill((float[]) boxes.get(tree.get(geometry)), Float.NaN);

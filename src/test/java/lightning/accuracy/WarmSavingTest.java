@@ -76,7 +76,7 @@ class WarmSavingTest {
         assertThat(edit(before)).isEmpty();
         Scene larger = before.withPicture(before.picture().withSize(70, 70));
         assertThat(edit(larger)).as("another picture").isEmpty();
-        assertThat(renderer.plan(larger)).isInstanceOf(UpdatePlan.Nothing.class);
+        assertThat(renderer.plan(larger).update()).isInstanceOf(UpdatePlan.Nothing.class);
     }
 
     @Test

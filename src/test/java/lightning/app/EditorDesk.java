@@ -14,14 +14,16 @@ import javafx.geometry.Point2D;
 import javafx.scene.Node;
 import javafx.scene.control.Labeled;
 import javafx.stage.Stage;
-import lightning.app.command.CommandButton;
 import lightning.app.command.FilePrompt;
 import lightning.app.model.EditorModel;
+import lightning.app.model.Preferences;
 import lightning.app.preview.PreviewCanvas;
 import lightning.app.widget.Looks;
 import lightning.app.widget.PictureView;
 import lightning.edit.Command;
+import lightning.edit.FileThread;
 import lightning.edit.OpenDocument;
+import lightning.edit.Recovery;
 import lightning.edit.Viewport;
 import lightning.jen.JenException;
 import lightning.math.Vec3;
@@ -69,7 +71,11 @@ public abstract class EditorDesk {
             Looks.DARK.wear();
             stage = new Stage();
             try {
-                editor = new Editor(stage, OpenDocument.open(file), Platform::runLater, new Answers(), 1000, 700);
+                var thread = new FileThread(Platform::runLater);
+                var preferences = new Preferences(folder.resolve("own"), thread);
+                var recovery = new Recovery(Folders.data().resolve("recovery"));
+                editor = new Editor(stage, new FirstSight(new EditorFrame(file), OpenDocument.open(file), preferences, recovery, thread),
+                        preferences, thread, new Answers(), 1000, 700);
             } catch (IOException | JenException e) {
                 throw new AssertionError(e);
             }
@@ -134,7 +140,7 @@ public abstract class EditorDesk {
     }
 
     public boolean isEnabled(Command command) {
-        return !robot.lookup("#" + CommandButton.id(command)).<Node>query().isDisabled();
+        return !robot.lookup("#" + command.id()).<Node>query().isDisabled();
     }
 
     public String text(String id) {

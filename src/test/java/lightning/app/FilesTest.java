@@ -5,13 +5,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import javafx.application.Platform;
 import javafx.scene.control.ListView;
 import javafx.stage.WindowEvent;
+import lightning.app.model.Precision;
+import lightning.app.model.Preferences;
 import lightning.edit.Command;
-import lightning.edit.Dial;
+import lightning.edit.Desk;
 import lightning.edit.OpenDocument;
 import lightning.image.PictureFile;
 import lightning.jen.JenException;
@@ -22,7 +25,7 @@ import org.junit.jupiter.api.Test;
 class FilesTest extends EditorDesk {
 
     private void dim() {
-        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
     }
 
     /** Does not wait for the command, which may wait for an answer. */
@@ -39,6 +42,7 @@ class FilesTest extends EditorDesk {
         dim();
         assertThat(stage.getTitle()).startsWith("•");
         click("save-scene");
+        waitFor("it is saved", () -> text("message").equals("Saved desk.jen"));
         assertThat(isEnabled(Command.SAVE_SCENE)).isFalse();
         assertThat(stage.getTitle()).startsWith("desk.jen");
         assertThat(JenReader.read(folder.resolve("desk.jen")).scene()).isEqualTo(model().scene());
@@ -125,11 +129,15 @@ class FilesTest extends EditorDesk {
     @Test
     void titleOfAnotherScene_standsOverNothingOfTheLast() throws Exception {
         // Small enough for no coarse picture, large enough to take its time.
-        String text = Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 500 500  antialias every  samples 3");
+        String text = Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 170 170  antialias every  samples 8");
         answer = Files.writeString(folder.resolve("other.jen"), text);
         var opened = OpenDocument.open(answer);
-        robot.interact(() -> model().open(opened));
-        waitFor("the old picture is gone", () -> model().raster().pixels() == null);
+        AtomicBoolean gone = new AtomicBoolean();
+        robot.interact(() -> {
+            model().repaintsProperty().addListener((_, _, _) -> gone.set(gone.get() || model().raster().pixels() == null));
+            model().open(opened);
+        });
+        waitFor("the old picture is gone", gone::get);
         robot.interact(() -> model().run(Command.CANCEL));
         waitFor("it is stopped", () -> model().renderingProperty().get().cancelled());
         assertThat(stage.getTitle()).startsWith("other.jen");
@@ -140,7 +148,7 @@ class FilesTest extends EditorDesk {
     void droppedScene_isOpenedAndAnythingElseIsNot() throws IOException {
         Path small = Files.writeString(folder.resolve("small.jen"),
                 Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 40 30"));
-        EditorWindow window = robot.lookup("#editor").query();
+        EditorWindow window = editor.window();
         AtomicBoolean taken = new AtomicBoolean(true);
         robot.interact(() -> taken.set(window.drop(List.of(folder.resolve("a.png").toFile()))));
         assertThat(taken).isFalse();
@@ -175,7 +183,7 @@ class FilesTest extends EditorDesk {
     void reload_startsOverAndCanBeUndone() {
         dim();
         click("reload");
-        assertThat(light("lamp").intensity()).isEqualTo(1);
+        waitFor("it is reloaded", () -> light("lamp").intensity() == 1);
         click("undo");
         assertThat(light("lamp").intensity()).isEqualTo(0.25);
     }
@@ -188,6 +196,52 @@ class FilesTest extends EditorDesk {
         robot.clickOn("Cancel");
         assertThat(stage.isShowing()).isTrue();
         assertThat(model().document().isDirty()).isTrue();
+    }
+
+    @Test
+    void closingDuringASave_waitsUntilItIsWritten() throws IOException, JenException {
+        dim();
+        robot.interact(() -> {
+            model().run(Command.SAVE_SCENE);
+            stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST));
+        });
+        waitFor("it is closed", () -> !stage.isShowing());
+        assertThat(JenReader.read(folder.resolve("desk.jen")).scene().light("lamp").orElseThrow().intensity()).isEqualTo(0.25);
+    }
+
+    @Test
+    void editMadeWhileAnotherSceneIsRead_isAskedAbout() throws IOException {
+        Path other = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
+        robot.interact(() -> {
+            editor.files().load(other);
+            model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25));
+        });
+        waitFor("it asks", () -> says("Save the changes of desk.jen?"));
+        robot.clickOn("Cancel");
+        assertThat(model().document().name()).isEqualTo("desk.jen");
+        assertThat(light("lamp").intensity()).isEqualTo(0.25);
+    }
+
+    @Test
+    void sceneThatIsRead_isNoLongerWantedAfterCancel() throws IOException {
+        Path other = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
+        robot.interact(() -> {
+            editor.files().load(other);
+            model().run(Command.CANCEL);
+        });
+        Path third = Files.writeString(folder.resolve("third.jen"), Files.readString(folder.resolve("desk.jen")));
+        List<String> opened = new ArrayList<>();
+        robot.interact(() -> model().documentProperty().addListener((_, _, now) -> opened.add(now.name())));
+        robot.interact(() -> editor.files().load(third));
+        waitFor("the third is open", () -> model().document().name().equals("third.jen"));
+        assertThat(opened).containsExactly("third.jen");
+    }
+
+    @Test
+    void choiceOfAccuracy_isKeptAtOnce() {
+        robot.interact(() -> model().precisionProperty().set(Precision.RATIO));
+        waitFor("it is kept",
+                () -> new Preferences(folder.resolve("own"), Runnable::run).choice("precision", Precision.EXACT) == Precision.RATIO);
     }
 
     @Test

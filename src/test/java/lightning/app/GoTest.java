@@ -16,6 +16,7 @@ import lightning.accuracy.WarmSaving;
 import lightning.app.model.Precision;
 import lightning.edit.Change;
 import lightning.edit.Command;
+import lightning.edit.Desk;
 import lightning.edit.Dial;
 import lightning.edit.LightEdits;
 import lightning.scene.Antialias;
@@ -34,7 +35,7 @@ class GoTest extends EditorDesk {
     }
 
     private void dim() {
-        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
     }
 
     /** So many that a large picture takes its time. */

@@ -8,7 +8,6 @@ import javafx.scene.control.TextField;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Window;
-import lightning.app.command.CommandButton;
 import lightning.app.widget.Typing;
 import lightning.edit.Command;
 import lightning.jen.JenReader;
@@ -46,13 +45,13 @@ class LightingStoryTest extends EditorDesk {
 
     private void go() {
         leaveToolBar();
-        click(CommandButton.id(Command.GO));
+        click(Command.GO.id());
         waitForPicture();
     }
 
     private void mirrorsAndCompare() {
         if (isEnabled(Command.UPDATE_REFLECTIONS)) {
-            click(CommandButton.id(Command.UPDATE_REFLECTIONS));
+            click(Command.UPDATE_REFLECTIONS.id());
             waitForPicture();
         }
         assertFilmIs(new ReferenceTracer(model().scene()).trace());
@@ -67,7 +66,7 @@ class LightingStoryTest extends EditorDesk {
         go();
         type("color", "0.7");
         go();
-        click(CommandButton.id(Command.UNDO));
+        click(Command.UNDO.id());
         assertThat(isEnabled(Command.GO)).as("undoing after Go leaves Go enabled").isTrue();
         go();
         assertThat(light("key").color().r()).isEqualTo(1);
@@ -95,11 +94,11 @@ class LightingStoryTest extends EditorDesk {
 
         // Saved, spoilt, and loaded again as it was.
         Scene saved = model().scene();
-        click(CommandButton.id(Command.SAVE_SCENE));
+        click(Command.SAVE_SCENE.id());
         waitFor("the file holds the scene", () -> JenReader.read(folder.resolve("desk.jen")).scene().equals(saved));
         type("intensity", "0");
         go();
-        click(CommandButton.id(Command.RELOAD));
+        click(Command.RELOAD.id());
         waitFor("the scene is as saved", () -> model().scene().equals(saved));
         go();
         mirrorsAndCompare();

@@ -21,6 +21,7 @@ class LightningAppTest {
     @Start
     private void start(Stage primary) throws Exception {
         stage = primary;
+        app.init();
         app.start(primary);
         first = primary.getScene().getRoot().getId();
     }
@@ -41,7 +42,7 @@ class LightningAppTest {
     @Test
     void panesOfASceneThatIsRead_saySo(FxRobot robot) throws Exception {
         OpenEditor.await(() -> robot.lookup("#editor").tryQuery().isPresent());
-        robot.interact(() -> stage.getScene().setRoot(new OpeningPane(Path.of("scenes/large.jen"))));
+        robot.interact(() -> stage.getScene().setRoot(new EditorFrame(Path.of("scenes/large.jen"))));
         QuickRobot.settle();
         assertThat(robot.lookup(n -> n instanceof Label l && l.getText().equals("Reading large.jen …")).queryAll()).hasSize(3);
     }

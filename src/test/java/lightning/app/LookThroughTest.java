@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Set;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
-import lightning.edit.Dial;
+import lightning.edit.Desk;
 import lightning.edit.LightEdits;
 import lightning.edit.PreviewCamera;
 import lightning.math.Vec3;
@@ -58,7 +58,7 @@ class LookThroughTest extends EditorDesk {
         robot.push(KeyCode.Z);
         assertThat(isDown()).isFalse();
         PreviewCamera chosen = camera();
-        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 5)));
+        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 5)));
         assertThat(camera()).isEqualTo(chosen);
     }
 }

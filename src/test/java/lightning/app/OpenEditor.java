@@ -12,6 +12,7 @@ import javafx.scene.Scene;
 import javafx.stage.Stage;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.Looks;
+import lightning.edit.FileThread;
 import lightning.edit.OpenDocument;
 import lightning.edit.Recovery;
 import lightning.jen.JenException;
@@ -41,7 +42,7 @@ public final class OpenEditor {
     /** On the window's thread; the first light is selected. */
     public static EditorModel model(Path folder) throws IOException, JenException {
         Path file = Files.writeString(folder.resolve("desk.jen"), TEXT);
-        return new EditorModel(OpenDocument.open(file), new Recovery(folder.resolve("recovery")), Platform::runLater);
+        return new EditorModel(OpenDocument.open(file), new Recovery(folder.resolve("recovery")), new FileThread(Platform::runLater));
     }
 
     /** Shows one pane alone. */

@@ -11,7 +11,7 @@ import javafx.application.Platform;
 import javafx.scene.control.Button;
 import javafx.scene.control.ListView;
 import lightning.edit.Command;
-import lightning.edit.Dial;
+import lightning.edit.Desk;
 import lightning.edit.Presence;
 import lightning.edit.TextDifference;
 import lightning.jen.JenException;
@@ -33,7 +33,7 @@ class OutsideChangesTest extends EditorDesk {
     }
 
     private void dim() {
-        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
     }
 
     /** Begins to save over what another wrote just before, and waits for the question. */
@@ -111,6 +111,7 @@ class OutsideChangesTest extends EditorDesk {
         awaitTold();
         assertThat(text("disk-news")).isEqualTo("desk.jen was changed by another program.");
         click("disk-reload");
+        waitFor("it is reloaded", () -> !isTold());
         assertThat(model().scene().world().ambience()).isEqualTo(0.7);
         assertThat(isTold()).isFalse();
     }
@@ -141,6 +142,7 @@ class OutsideChangesTest extends EditorDesk {
         awaitTold();
         assertThat(text("disk-news")).contains("is no longer where it was");
         click("save-scene");
+        waitFor("it is saved", () -> !isTold());
         assertThat(file).exists();
         assertThat(isTold()).isFalse();
     }

@@ -8,7 +8,7 @@ import javafx.scene.control.TabPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import lightning.app.widget.Typing;
-import lightning.edit.Dial;
+import lightning.edit.Desk;
 import org.junit.jupiter.api.Test;
 
 /** Undo is where the hands are: in a number field too. */
@@ -64,7 +64,7 @@ class UndoKeysTest extends EditorDesk {
         assertThat(all).hasSizeGreaterThan(20);
         for (TextField text : all) {
             robot.interact(() -> {
-                model().edit(scene -> Dial.INTENSITY.set(scene, "sun", 3));
+                model().edit(scene -> Desk.dial("intensity").set(scene, "sun", 3));
                 text.requestFocus();
             });
             robot.push(KeyCode.CONTROL, KeyCode.Z);

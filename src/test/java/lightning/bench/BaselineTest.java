@@ -22,7 +22,7 @@ class BaselineTest {
     @Test
     void quartilesApartAndMuchMore_isSlower() {
         assertThat(compare(Sample.scene(0, 4, 5, 6), Sample.scene(0, 6, 7, 8)).worse())
-                .containsExactly("slower: bird at 300x200, color, sun.color = 1, 0, 0, exact: 7.00 ms, was 5.00 (+40 %)");
+                .containsExactly("slower: bird at 300x200, color, sun: color 1 1 1 → 1 0 0, on yes → no, exact: 7.00 ms, was 5.00 (+40 %)");
     }
 
     @Test
@@ -40,7 +40,7 @@ class BaselineTest {
     void machineThatIsSlowerAsAWhole_isToldOnce() {
         SceneResult old = Sample.scene(0, 5, 5, 5);
         assertThat(compare(old, Sample.scene(Sample.samples(40, 40, 40), 0, 10, 10, 10)).worse()).containsExactly(
-                "slower: bird at 300x200, color, sun.color = 1, 0, 0, full trace: 40.0 ms, was 20.0 (+100 %)");
+                "slower: bird at 300x200, color, sun: color 1 1 1 → 1 0 0, on yes → no, full trace: 40.0 ms, was 20.0 (+100 %)");
         assertThat(compare(old, Sample.scene(Sample.samples(40, 40, 40), 0, 20, 20, 20)).worse()).hasSize(2);
         assertThat(compare(old, Sample.scene(Sample.samples(10, 10, 10), 0, 5, 5, 5)).worse()).isEmpty();
     }
@@ -54,7 +54,8 @@ class BaselineTest {
     void anyLargerError_isLessAccurate() {
         List<String> worse = compare(Sample.scene(0, 5, 5, 5), Sample.scene(1e-9, 5, 5, 5)).worse();
         assertThat(worse).hasSize(1);
-        assertThat(worse.getFirst()).startsWith("less accurate: bird at 300x200, color, sun.color = 1, 0, 0, exact: values that differ 1")
+        assertThat(worse.getFirst())
+                .startsWith("less accurate: bird at 300x200, color, sun: color 1 1 1 → 1 0 0, on yes → no, exact: values that differ 1")
                 .contains("largest difference 1.00000e-09, was 0.00000");
         assertThat(compare(Sample.scene(1e-9, 5, 5, 5), Sample.scene(0, 5, 5, 5)).worse()).isEmpty();
     }
@@ -63,9 +64,9 @@ class BaselineTest {
     void otherScenes_areNotCompared() {
         SceneResult bird = Sample.scene(5);
         SceneResult other = new SceneResult("house", bird.width(), bird.height(), bird.depth(), bird.shapes(), bird.lights(), null, null,
-                bird.edits(), List.of(), null);
+                bird.edits(), List.of(), null, null);
         SceneResult larger = new SceneResult("bird", 301, bird.height(), bird.depth(), bird.shapes(), bird.lights(), null, null,
-                bird.edits(), List.of(), null);
+                bird.edits(), List.of(), null, null);
         assertThat(Baseline.compare(results(other, larger), results(bird)).compared()).isZero();
         assertThat(Baseline.compare(results(other, bird), results(bird)).compared()).isEqualTo(2);
     }

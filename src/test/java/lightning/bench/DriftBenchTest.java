@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 class DriftBenchTest {
     private static Drift drift(long seed, int most) {
-        NamedScene scene = new NamedScene("generated", GeneratedScenes.of(1, new PictureSize(300, 200), 10, 3, 2));
+        NamedScene scene = new NamedScene("generated", GeneratedScenes.of(1, new PictureSize(300, 200), 10, 3, 2), null);
         return new DriftBench(scene, new PictureSize(24, 20), 1, seed).measure(most, Progress.NONE);
     }
 

@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.accuracy.FirstPassCost;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
 import lightning.accuracy.Timing;
 import lightning.image.Film;
 import lightning.image.PictureFile;
@@ -27,10 +27,10 @@ class HarnessTest {
     @TempDir
     Path folder;
 
-    private final NamedScene scene = new NamedScene("generated", GeneratedScenes.of(1, SMALL, 8, 3, 1));
+    private final NamedScene scene = new NamedScene("generated", GeneratedScenes.of(1, SMALL, 8, 3, 1), null);
 
     private static Settings settings(int values, int figure, PictureSize... sizes) {
-        return new Settings(List.of(sizes), figure, values, true, 1, 0, 2, 5, false, false, false, true);
+        return new Settings(List.of(sizes), figure, values, true, 1, 0, 2, 5, false, false, false, 0, true);
     }
 
     private Harness harness(Settings settings) {
@@ -45,7 +45,7 @@ class HarnessTest {
 
     private static NamedScene finest() {
         Scene scene = GeneratedScenes.of(1, SMALL, 8, 3, 1);
-        return new NamedScene("finest", scene.withPicture(scene.picture().withSampling(new Sampling(Antialias.EVERY, 8))));
+        return new NamedScene("finest", scene.withPicture(scene.picture().withSampling(new Sampling(Antialias.EVERY, 8))), null);
     }
 
     @Test
@@ -129,8 +129,8 @@ class HarnessTest {
         EditResult edit = run(settings(1, 15, LARGE)).scenes().getFirst().edits().getFirst();
         List<RungResult> rungs = edit.values().getFirst().rungs();
         assertThat(edit.edit()).isEqualTo("position");
-        assertThat(rungs).extracting(RungResult::level).containsExactly(Level.values());
-        RungResult exact = rungs.get(Level.EXACT.ordinal());
+        assertThat(rungs).extracting(RungResult::grade).containsExactly(Grade.values());
+        RungResult exact = rungs.get(Grade.EXACT.ordinal());
         assertThat(exact.work().plan()).isEqualTo("light0: full recompute");
         assertThat(exact.work().shadowRays()).isPositive();
         assertThat(exact.work().shadowRaysAvoided()).isPositive();
@@ -138,7 +138,7 @@ class HarnessTest {
         assertThat(exact.work().timesFloor()).isEqualTo(exact.time().median() / exact.work().floorMs());
         assertThat(edit.saving()).isEqualTo(exact.saving());
         assertThat(edit.cap()).isEqualTo(exact.work().cap());
-        assertThat(rungs.get(Level.EXACT_CURRENT.ordinal()).error().values()).isZero();
+        assertThat(rungs.get(Grade.EXACT_CURRENT.ordinal()).error().values()).isZero();
         assertThat(rungs.getLast().work()).isNull();
         assertThat(rungs.getLast().saving()).isZero();
     }
@@ -150,8 +150,8 @@ class HarnessTest {
         assertThat(first.before()).isEqualTo("pictures/generated-before.png");
         List<RungResult> rungs = first.edits().getFirst().values().getFirst().rungs();
         RungResult full = rungs.getLast();
-        RungResult fast = rungs.get(Level.FAST_SHADING.ordinal());
-        RungResult current = rungs.get(Level.EXACT_CURRENT.ordinal());
+        RungResult fast = rungs.get(Grade.FAST_SHADING.ordinal());
+        RungResult current = rungs.get(Grade.EXACT_CURRENT.ordinal());
         assertThat(full.picture()).isEqualTo("pictures/generated-ambience-full.png");
         assertThat(full.difference()).isNull();
         assertThat(current.picture()).isEqualTo(full.picture());

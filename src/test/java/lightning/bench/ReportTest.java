@@ -9,7 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import javax.xml.parsers.DocumentBuilderFactory;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
 import lightning.accuracy.PictureError;
 import lightning.bench.report.Report;
 import lightning.image.Film;
@@ -71,7 +71,8 @@ class ReportTest {
         String name = "<script>alert('\"&')</script>";
         SceneResult scene = Sample.scene(10);
         Document page = write(
-                new Results(Sample.RUN, List.of(new SceneResult(name, 300, 200, 3, 10, 3, null, null, scene.edits(), List.of(), null)),
+                new Results(Sample.RUN,
+                        List.of(new SceneResult(name, 300, 200, 3, 10, 3, null, null, scene.edits(), List.of(), null, null)),
                         List.of(), List.of(), List.of()),
                 folder);
 
@@ -87,10 +88,10 @@ class ReportTest {
         }
         var error = new PictureError(1, 3, 1, 0.1, 0.1, 0.1, 20, 20, 0.9, 0.1);
         var none = new PictureError(0, 3, 0, 0, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 1, 0);
-        var rungs = List.of(new RungResult(Level.EXACT, Sample.samples(2, 3), 70, error, null, "after.png", "difference.png"),
-                new RungResult(Level.FULL_TRACE, Sample.samples(9, 10), 0, none, null, "full.png", null));
-        var edit = new EditResult("color", "Fig. 6", 98, 70, 90, List.of(new ValueResult("sun.color = 1, 0, 0", rungs)));
-        var scene = new SceneResult("bird", 1, 1, 3, 10, 3, "before.png", null, List.of(edit), List.of(), null);
+        var rungs = List.of(new RungResult(Grade.EXACT, Sample.samples(2, 3), 70, error, null, "after.png", "difference.png"),
+                new RungResult(Grade.FULL_TRACE, Sample.samples(9, 10), 0, none, null, "full.png", null));
+        var edit = new EditResult("color", "Fig. 6", 98, 70, 90, List.of(new ValueResult("sun: color 1 1 1 → 1 0 0, on yes → no", rungs)));
+        var scene = new SceneResult("bird", 1, 1, 3, 10, 3, "before.png", null, List.of(edit), List.of(), null, null);
         Document page = write(new Results(Sample.RUN, List.of(scene), List.of(), List.of(), List.of()), folder);
 
         assertIsWhole(page);
@@ -105,11 +106,11 @@ class ReportTest {
         SceneResult scene = Sample.scene(10);
         Document page = write(
                 new Results(Sample.RUN, List.of(new SceneResult("bird", 300, 200, 3, 10, 3, "gone.png", null, scene.edits(), List.of(),
-                        null)), List.of(), List.of(), List.of()),
+                        null, null)), List.of(), List.of(), List.of()),
                 folder);
 
         assertThat(byClass(page, "wipe")).isEmpty();
-        assertThat(page.getDocumentElement().getTextContent()).contains("sun.color = 1, 0, 0");
+        assertThat(page.getDocumentElement().getTextContent()).contains("sun: color 1 1 1 → 1 0 0, on yes → no");
     }
 
     @Test
@@ -125,7 +126,7 @@ class ReportTest {
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
 
         assertThat(process.waitFor()).as(said).isZero();
-        assertThat(Files.readString(folder.resolve(Report.FILE))).contains("Java finds no font", "sun.color = 1, 0, 0")
+        assertThat(Files.readString(folder.resolve(Report.FILE))).contains("Java finds no font", "sun: color 1 1 1 → 1 0 0, on yes → no")
                 .doesNotContain("<svg class");
     }
 

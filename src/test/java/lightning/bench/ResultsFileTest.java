@@ -7,7 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.lifecycle.AfterContainer;
@@ -42,11 +42,21 @@ class ResultsFileTest {
         assertThat(ResultsFile.readJson(file)).isEqualTo(results);
     }
 
+    private static int processes(Cold cold) {
+        if (cold == null) {
+            return 0;
+        }
+        int ours = cold.processor() == null ? 1 : 2;
+        return cold.rival() == null ? ours : ours + (cold.rival().processor() == null ? 1 : 2);
+    }
+
     @Property(tries = 30)
     void csv_hasARowForEachMeasurementWithEveryColumn(@ForAll long seed) {
         Results results = ResultsArbitraries.of(seed);
-        int rows = results.scenes().stream().mapToInt(s -> (s.firstPass() == null ? 0 : 2) + (s.peer() == null ? 0 : 1) + s.effects().size()
-                + s.edits().stream().flatMap(e -> e.values().stream()).mapToInt(v -> v.rungs().size()).sum()).sum()
+        int rows = results.scenes().stream()
+                .mapToInt(s -> (s.firstPass() == null ? 0 : 2) + (s.peer() == null ? 0 : 1) + processes(s.cold()) + s.effects().size()
+                        + s.edits().stream().flatMap(e -> e.values().stream()).mapToInt(v -> v.rungs().size()).sum())
+                .sum()
                 + results.growth().stream().flatMap(g -> g.points().stream()).mapToInt(p -> 1 + p.edits().size()).sum()
                 + results.drift().stream().mapToInt(d -> d.points().size()).sum();
         assertThat(CsvRow.of(results)).hasSize(rows);
@@ -63,7 +73,7 @@ class ResultsFileTest {
     @Test
     void csvOfASceneNamedLikeAFormula_holdsItAsText() throws IOException {
         SceneResult formula =
-                new SceneResult("=cmd|'/c calc'!A1", 300, 200, 3, 10, 3, null, null, Sample.scene(5).edits(), List.of(), null);
+                new SceneResult("=cmd|'/c calc'!A1", 300, 200, 3, 10, 3, null, null, Sample.scene(5).edits(), List.of(), null, null);
         Results results = new Results(Sample.RUN, List.of(formula), List.of(), List.of(), List.of());
         Path csv = folder.resolve("results.csv");
         ResultsFile.writeCsv(csv, results);
@@ -80,15 +90,16 @@ class ResultsFileTest {
         List<String> lines = Files.readAllLines(file);
         assertThat(lines.getFirst()).startsWith("kind,scene,width,height,edit,value,level,n,medianMs,lowerQuartileMs,upperQuartileMs,");
         assertThat(lines).hasSize(3);
-        assertThat(lines.get(1)).startsWith("edit,bird,300,200,color,\"sun.color = 1, 0, 0\",exact,3,5.0,4.0,6.0,75.0,90.0,98.0,"
-                + "\"sun: weight\",");
+        assertThat(lines.get(1))
+                .startsWith("edit,bird,300,200,color,\"sun: color 1 1 1 → 1 0 0, on yes → no\",exact,3,5.0,4.0,6.0,75.0,90.0,98.0,"
+                        + "\"sun: weight\",");
     }
 
     @Test
     void json_holdsWhatAReaderLooksFor() throws IOException {
         Path file = folder.resolve("results.json");
         ResultsFile.writeJson(file, new Results(Sample.RUN, List.of(Sample.scene(5)), List.of(), List.of(), List.of()));
-        assertThat(Files.readString(file)).contains("\"scene\" : \"bird\"", "\"level\" : \"" + Level.EXACT + "\"", "\"median\" : 5.0",
+        assertThat(Files.readString(file)).contains("\"scene\" : \"bird\"", "\"level\" : \"" + Grade.EXACT + "\"", "\"median\" : 5.0",
                 "\"samples\" : [ 5.0, 3.0, 7.0 ]").doesNotContain("\"empty\"");
     }
 

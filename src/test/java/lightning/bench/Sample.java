@@ -2,7 +2,7 @@ package lightning.bench;
 
 import java.util.Arrays;
 import java.util.List;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
 import lightning.accuracy.PictureError;
 import lightning.accuracy.Timing;
 
@@ -18,24 +18,25 @@ final class Sample {
         return Samples.of(new Timing(Arrays.stream(ms).boxed().toList()));
     }
 
-    /** A scene with one edit at level exact, which took about {@code ms} milliseconds. */
+    /** A scene with one edit at grade exact, which took about {@code ms} milliseconds. */
     static SceneResult scene(double ms) {
         return scene(0, ms, ms - 2, ms + 2);
     }
 
-    /** A scene with one edit at level exact, its samples, and its largest error, beside a full trace of 20 ms. */
+    /** A scene with one edit at grade exact, its samples, and its largest error, beside a full trace of 20 ms. */
     static SceneResult scene(double error, double... ms) {
         return scene(samples(20, 20, 20), error, ms);
     }
 
-    /** A scene with one edit at level exact, beside a full trace. */
+    /** A scene with one edit at grade exact, beside a full trace. */
     static SceneResult scene(Samples full, double error, double... ms) {
         var none = new PictureError(error > 0 ? 1 : 0, 180_000, 0, error, error / 180_000, error / 424, 60, 70, 1, 0);
         var work = new Work("sun: weight", 0, 0, 100, 0, 1000, 0.5, 10, 90, 0);
-        var rung = new RungResult(Level.EXACT, samples(ms), 75, none, work, null, null);
+        var rung = new RungResult(Grade.EXACT, samples(ms), 75, none, work, null, null);
         var same = new PictureError(0, 180_000, 0, 0, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 1, 0);
-        var traced = new RungResult(Level.FULL_TRACE, full, 0, same, null, null, null);
-        var edit = new EditResult("color", "Fig. 6", 98, 75, 90, List.of(new ValueResult("sun.color = 1, 0, 0", List.of(rung, traced))));
-        return new SceneResult("bird", 300, 200, 3, 10, 3, null, null, List.of(edit), List.of(), null);
+        var traced = new RungResult(Grade.FULL_TRACE, full, 0, same, null, null, null);
+        var edit = new EditResult("color", "Fig. 6", 98, 75, 90,
+                List.of(new ValueResult("sun: color 1 1 1 → 1 0 0, on yes → no", List.of(rung, traced))));
+        return new SceneResult("bird", 300, 200, 3, 10, 3, null, null, List.of(edit), List.of(), null, null);
     }
 }

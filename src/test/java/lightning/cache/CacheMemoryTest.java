@@ -21,6 +21,7 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 import lightning.scene.World;
@@ -35,8 +36,8 @@ class CacheMemoryTest {
     /** A mirroring, shining, textured floor that fills the picture, lit everywhere by {@code lights} spots. */
     private static Scene everything(int lights) {
         Texture texture = new Texture(1, 1, new float[] {1, 0.5f, 0.25f});
-        Material material = new Material("floor", Rgb.grey(0.1), Rgb.WHITE, Rgb.grey(0.5), 8, Rgb.grey(0.5),
-                Optional.of(new TextureMap("t.png", 1, 1, texture)));
+        Material material = Material.of("floor").withAmbient(Rgb.grey(0.1)).withDiffuse(Rgb.WHITE).withSpecular(Rgb.grey(0.5))
+                .withShininess(8).withReflective(Rgb.grey(0.5)).withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture)));
         return scene(material, lights, LightType.SPOT);
     }
 
@@ -48,7 +49,7 @@ class CacheMemoryTest {
         }
         return new Scene(new Picture(SIZE, SIZE, 3), new Camera(new Vec3(0, 4, 0), Vec3.ZERO, new Vec3(0, 0, 1), 40),
                 World.DEFAULT, List.of(material),
-                List.of(new Shape.Plane("floor", "floor", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(50, 1, 50)))), all);
+                List.of(new Shape(Solid.PLANE, "floor", "floor", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(50, 1, 50)))), all);
     }
 
     private static PixelCache cache(Scene scene, Accuracy accuracy) {
@@ -67,7 +68,7 @@ class CacheMemoryTest {
 
     @Test
     void columnsThatNoRowNeeds_takeNothing() {
-        Material matt = new Material("floor", Rgb.BLACK, Rgb.WHITE, Rgb.BLACK, 1, Rgb.BLACK, Optional.empty());
+        Material matt = Material.of("floor").withDiffuse(Rgb.WHITE).withShininess(1);
         PixelCache cache = cache(scene(matt, 4, LightType.DIRECTIONAL), Accuracy.EXACT);
         // No texture, no mirror; of each layer the state and the cosine.
         assertThat(cache.bytes()).isEqualTo((38 + 4 * 5L) * PIXELS);

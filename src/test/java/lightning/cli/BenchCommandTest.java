@@ -100,7 +100,7 @@ class BenchCommandTest {
         Path kept = Files.copy(old, folder.resolve("old.json"));
         Cli run = bench(scene, "--figure", 21, "--baseline", kept);
         assertThat(run.exit()).isEqualTo(1);
-        assertThat(run.out()).contains("less accurate: a at 24x16, ambience, world.ambience = 0.05, half resolution: values that differ",
+        assertThat(run.out()).contains("less accurate: a at 24x16, ambience, ambience 0.5 → 0.05, half resolution: values that differ",
                 "baseline: 7 measurements compared");
     }
 

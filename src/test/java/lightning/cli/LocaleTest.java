@@ -60,7 +60,7 @@ class LocaleTest {
     private static void run(List<String> said, Path folder, Object... arguments) {
         Cli done = Cli.run(arguments);
         said.add(done.exit() + "\n"
-                + (done.out() + done.err()).replace(folder.toString(), "FOLDER").replaceAll("\\d+\\.\\d+|-?\\d\\.\\d %", "TIME"));
+                + (done.out() + done.err()).replace(folder.toString(), "FOLDER").replaceAll("-?\\d+\\.\\d+|-?\\d+(?= (ms|%))", "TIME"));
     }
 
     @ParameterizedTest

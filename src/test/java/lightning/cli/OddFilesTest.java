@@ -63,7 +63,7 @@ class OddFilesTest {
         try (var large = new RandomAccessFile(file.toFile(), "rw")) {
             large.setLength(10L << 30);
         }
-        Cli.run("check", file).isRefusedSaying("large.jen:1:1: a scene file may have at most 67108864 bytes, found more");
+        Cli.run("check", file).isRefusedSaying("large.jen:1:1: a scene file may have at most 268435456 bytes, found more");
     }
 
     @Test

@@ -46,6 +46,11 @@ public final class Desk {
         };
     }
 
+    /** The dial of that title. */
+    public static Dial dial(String title) {
+        return Dial.ALL.stream().filter(d -> d.title().equals(title)).findFirst().orElseThrow();
+    }
+
     static Light spot(Vec3 position, Vec3 direction) {
         return Light.of("spot", LightType.SPOT).withPosition(position).withDirection(direction);
     }

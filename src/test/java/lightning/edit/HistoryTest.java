@@ -7,6 +7,7 @@ import java.util.List;
 import lightning.sample.Session;
 import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.SceneChange;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -37,7 +38,7 @@ class HistoryTest {
 
     @Test
     void step_isLabelledWithWhatChanged() {
-        dial(Dial.INTENSITY, "key", 1.2);
+        dial(Desk.dial("intensity"), "key", 1.2);
         assertThat(history.undoLabel()).contains("key: intensity 1 → 1.2");
         history.undo();
         assertThat(history.redoLabel()).contains("key: intensity 1 → 1.2");
@@ -56,7 +57,7 @@ class HistoryTest {
     }
 
     private String label(Change change) {
-        return EditText.of(scene, Desk.done(change));
+        return SceneChange.summary(scene, Desk.done(change));
     }
 
     @Test
@@ -67,9 +68,9 @@ class HistoryTest {
 
     @Test
     void newEdit_endsRedo() {
-        dial(Dial.INTENSITY, "key", 2);
+        dial(Desk.dial("intensity"), "key", 2);
         history.undo();
-        dial(Dial.INTENSITY, "key", 3);
+        dial(Desk.dial("intensity"), "key", 3);
         assertThat(history.redoLabel()).isEmpty();
     }
 
@@ -77,7 +78,7 @@ class HistoryTest {
     void drag_isOneStep() {
         Object drag = new Object();
         for (double v : new double[] {1.1, 1.5, 2}) {
-            history.edit(Desk.done(Dial.INTENSITY.set(history.scene(), "key", v)), drag);
+            history.edit(Desk.done(Desk.dial("intensity").set(history.scene(), "key", v)), drag);
         }
         assertThat(history.undoLabel()).contains("key: intensity 1 → 2");
         history.undo();
@@ -88,7 +89,7 @@ class HistoryTest {
     @Test
     void dragBackToItsBegin_leavesNoStep() {
         Object drag = new Object();
-        history.edit(Desk.done(Dial.INTENSITY.set(scene, "key", 4)), drag);
+        history.edit(Desk.done(Desk.dial("intensity").set(scene, "key", 4)), drag);
         history.edit(scene, drag);
         assertThat(history.undoLabel()).isEmpty();
         assertThat(history.undoLabel(history.id("key"))).isEmpty();
@@ -96,8 +97,8 @@ class HistoryTest {
 
     @Test
     void twoDrags_areTwoSteps() {
-        history.edit(Desk.done(Dial.INTENSITY.set(scene, "key", 4)), new Object());
-        history.edit(Desk.done(Dial.INTENSITY.set(scene, "key", 5)), new Object());
+        history.edit(Desk.done(Desk.dial("intensity").set(scene, "key", 4)), new Object());
+        history.edit(Desk.done(Desk.dial("intensity").set(scene, "key", 5)), new Object());
         history.undo();
         assertThat(Desk.light(history.scene(), "key").intensity()).isEqualTo(4);
     }
@@ -105,18 +106,18 @@ class HistoryTest {
     @Test
     void dragGoingOnAfterAnUndo_isANewStep() {
         Object drag = new Object();
-        dial(Dial.INTENSITY, "fill", 3);
-        history.edit(Desk.done(Dial.INTENSITY.set(history.scene(), "key", 4)), drag);
+        dial(Desk.dial("intensity"), "fill", 3);
+        history.edit(Desk.done(Desk.dial("intensity").set(history.scene(), "key", 4)), drag);
         history.undo();
-        history.edit(Desk.done(Dial.INTENSITY.set(history.scene(), "key", 5)), drag);
+        history.edit(Desk.done(Desk.dial("intensity").set(history.scene(), "key", 5)), drag);
         history.undo();
         assertThat(Desk.light(history.scene(), "fill").intensity()).isEqualTo(3);
     }
 
     @Test
     void undoOfALight_leavesLaterEditsOfOthers() {
-        dial(Dial.INTENSITY, "key", 2);
-        dial(Dial.INTENSITY, "fill", 3);
+        dial(Desk.dial("intensity"), "key", 2);
+        dial(Desk.dial("intensity"), "fill", 3);
         assertThat(history.undoLabel(history.id("key"))).contains("key: intensity 1 → 2");
         history.undoLight(history.id("key"));
         assertThat(Desk.light(history.scene(), "key").intensity()).isEqualTo(1);
@@ -125,8 +126,8 @@ class HistoryTest {
 
     @Test
     void redoOfALight_bringsItsEditBack() {
-        dial(Dial.INTENSITY, "key", 2);
-        dial(Dial.INTENSITY, "fill", 3);
+        dial(Desk.dial("intensity"), "key", 2);
+        dial(Desk.dial("intensity"), "fill", 3);
         Scene before = history.scene();
         history.undoLight(history.id("key"));
         assertThat(history.redoLabel(history.id("key"))).contains("key: intensity 1 → 2");
@@ -136,8 +137,8 @@ class HistoryTest {
 
     @Test
     void undoOfALight_isItselfAStepOfTheDocument() {
-        dial(Dial.INTENSITY, "key", 2);
-        dial(Dial.INTENSITY, "fill", 3);
+        dial(Desk.dial("intensity"), "key", 2);
+        dial(Desk.dial("intensity"), "fill", 3);
         Scene before = history.scene();
         history.undoLight(history.id("key"));
         assertThat(history.undoLabel()).contains("undo key: intensity 1 → 2");
@@ -148,7 +149,7 @@ class HistoryTest {
 
     @Test
     void lightWithoutEdits_hasNothingToUndo() {
-        dial(Dial.INTENSITY, "key", 2);
+        dial(Desk.dial("intensity"), "key", 2);
         assertThat(history.undoLabel(history.id("fill"))).isEmpty();
         assertThat(history.undoLight(history.id("fill")).refusal()).contains("there is nothing to undo of this light");
         assertThat(history.redoLight(history.id("key")).refusal()).contains("there is nothing to redo of this light");
@@ -156,7 +157,7 @@ class HistoryTest {
 
     @Test
     void lightsHistory_followsRenames() {
-        dial(Dial.INTENSITY, "key", 2);
+        dial(Desk.dial("intensity"), "key", 2);
         history.edit(Desk.done(LightEdits.rename(history.scene(), "key", "rim")));
         history.undoLight(history.id("rim"));
         history.undoLight(history.id("key"));
@@ -174,7 +175,7 @@ class HistoryTest {
 
     @Test
     void deletedLight_comesBackWithItsHistory() {
-        dial(Dial.INTENSITY, "key", 2);
+        dial(Desk.dial("intensity"), "key", 2);
         long id = history.id("key");
         history.edit(Desk.done(LightEdits.delete(history.scene(), "key")));
         assertThat(history.light(id)).isEmpty();

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import lightning.math.Rgb;
 import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -20,11 +21,16 @@ class MaterialEditsTest {
     @Test
     void eachEdit_changesItsProperty() {
         Material mirror = scene.material("mirror").orElseThrow();
-        assertThat(after(MaterialEdits.ambient(scene, "mirror", Rgb.WHITE), "mirror")).isEqualTo(mirror.withAmbient(Rgb.WHITE));
-        assertThat(after(MaterialEdits.diffuse(scene, "mirror", Rgb.WHITE), "mirror")).isEqualTo(mirror.withDiffuse(Rgb.WHITE));
-        assertThat(after(MaterialEdits.specular(scene, "mirror", Rgb.WHITE), "mirror")).isEqualTo(mirror.withSpecular(Rgb.WHITE));
-        assertThat(after(MaterialEdits.shininess(scene, "mirror", 3), "mirror")).isEqualTo(mirror.withShininess(3));
-        assertThat(after(MaterialEdits.reflective(scene, "mirror", Rgb.BLACK), "mirror")).isEqualTo(mirror.withReflective(Rgb.BLACK));
+        assertThat(after(MaterialEdits.set(scene, "mirror", MaterialAttribute.AMBIENT, Rgb.WHITE), "mirror"))
+                .isEqualTo(mirror.withAmbient(Rgb.WHITE));
+        assertThat(after(MaterialEdits.set(scene, "mirror", MaterialAttribute.DIFFUSE, Rgb.WHITE), "mirror"))
+                .isEqualTo(mirror.withDiffuse(Rgb.WHITE));
+        assertThat(after(MaterialEdits.set(scene, "mirror", MaterialAttribute.SPECULAR, Rgb.WHITE), "mirror"))
+                .isEqualTo(mirror.withSpecular(Rgb.WHITE));
+        assertThat(after(MaterialEdits.set(scene, "mirror", MaterialAttribute.SHININESS, 3.0), "mirror"))
+                .isEqualTo(mirror.withShininess(3));
+        assertThat(after(MaterialEdits.set(scene, "mirror", MaterialAttribute.REFLECTIVE, Rgb.BLACK), "mirror"))
+                .isEqualTo(mirror.withReflective(Rgb.BLACK));
     }
 
     @Test
@@ -37,9 +43,11 @@ class MaterialEditsTest {
 
     @Test
     void impossibleEdits_areRefused() {
-        assertThat(MaterialEdits.shininess(scene, "miror", 3).refusal()).contains("there is no material 'miror'");
-        assertThat(MaterialEdits.shininess(scene, "mirror", -3).refusal()).contains("shininess must be ≥ 0, was -3");
-        assertThat(MaterialEdits.diffuse(scene, "mirror", new Rgb(0, 2, 0)).refusal()).contains("diffuse green must be from 0 to 1, was 2");
+        assertThat(MaterialEdits.set(scene, "miror", MaterialAttribute.SHININESS, 3.0).refusal()).contains("there is no material 'miror'");
+        assertThat(MaterialEdits.set(scene, "mirror", MaterialAttribute.SHININESS, -3.0).refusal())
+                .contains("shininess must be ≥ 0, was -3");
+        assertThat(MaterialEdits.set(scene, "mirror", MaterialAttribute.DIFFUSE, new Rgb(0, 2, 0)).refusal())
+                .contains("diffuse green must be from 0 to 1, was 2");
         assertThat(MaterialEdits.repeat(scene, "mirror", 2, 2).refusal()).contains("material 'mirror': repeat needs a texture, found none");
         assertThat(MaterialEdits.texture(scene, "mirror", "none.png", Path.of("scenes")).refusal().orElseThrow())
                 .contains("there is no texture 'none.png'");
@@ -52,7 +60,7 @@ class MaterialEditsTest {
         assertThat(MaterialEdits.ofShape(scene, "ball")).contains(Material.DEFAULT);
         assertThat(MaterialEdits.ofShape(scene, "ground")).isEqualTo(scene.material("mirror"));
         assertThat(MaterialEdits.ofShape(scene, "key")).isEmpty();
-        Scene edited = Desk.done(MaterialEdits.shininess(scene, "default", 5));
+        Scene edited = Desk.done(MaterialEdits.set(scene, "default", MaterialAttribute.SHININESS, 5.0));
         assertThat(MaterialEdits.ofShape(edited, "ball")).contains(Material.DEFAULT.withShininess(5));
     }
 
@@ -60,12 +68,12 @@ class MaterialEditsTest {
     void edits_areUndoneNamedAndSavedInTheirBlock(@TempDir Path folder) throws Exception {
         Path file = Files.writeString(folder.resolve("desk.jen"), Desk.TEXT);
         OpenDocument document = OpenDocument.open(file);
-        document.apply(MaterialEdits.shininess(document.scene(), "mirror", 5));
+        document.apply(MaterialEdits.set(document.scene(), "mirror", MaterialAttribute.SHININESS, 5.0));
         assertThat(document.history().undoLabel()).contains("mirror: shininess 16 → 5");
-        document.apply(MaterialEdits.diffuse(document.scene(), "default", new Rgb(1, 0, 0)));
+        document.apply(MaterialEdits.set(document.scene(), "default", MaterialAttribute.DIFFUSE, new Rgb(1, 0, 0)));
         assertThat(document.history().undoLabel()).contains("default: diffuse 0.8 0.8 0.8 → 1 0 0");
         document.history().undo();
-        document.save();
+        Saves.save(document);
         assertThat(Files.readString(file)).isEqualTo(Desk.TEXT.replace("0.4 0.4 0.4 }", "0.4 0.4 0.4  shininess 5 }"));
         document.history().undo();
         assertThat(document.scene()).isEqualTo(scene);

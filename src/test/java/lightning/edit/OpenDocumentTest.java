@@ -10,7 +10,6 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
-import java.util.Set;
 import lightning.file.ChangedFileException;
 import lightning.file.FileState;
 import lightning.file.ReadOnlyFileException;
@@ -38,7 +37,7 @@ class OpenDocumentTest {
     }
 
     private void dial(String light, double intensity) {
-        assertThat(document.apply(Dial.INTENSITY.set(document.scene(), light, intensity))).isEmpty();
+        assertThat(document.apply(Desk.dial("intensity").set(document.scene(), light, intensity))).isEmpty();
     }
 
     private Scene onDisk(Path place) throws IOException, JenException {
@@ -62,7 +61,7 @@ class OpenDocumentTest {
 
     @Test
     void refusedEdit_givesTheReasonAndChangesNothing() {
-        assertThat(document.apply(Dial.ANGLE.set(document.scene(), "key", 200))).isPresent();
+        assertThat(document.apply(Desk.dial("angle").set(document.scene(), "key", 200))).isPresent();
         assertThat(document.isDirty()).isFalse();
         assertThat(document.history().undoLabel()).isEmpty();
     }
@@ -70,8 +69,8 @@ class OpenDocumentTest {
     @Test
     void gesture_isOneStep() {
         Object drag = new Object();
-        document.apply(Dial.INTENSITY.set(document.scene(), "key", 2), drag);
-        document.apply(Dial.INTENSITY.set(document.scene(), "key", 3), drag);
+        document.apply(Desk.dial("intensity").set(document.scene(), "key", 2), drag);
+        document.apply(Desk.dial("intensity").set(document.scene(), "key", 3), drag);
         document.history().undo();
         assertThat(document.isDirty()).isFalse();
     }
@@ -79,7 +78,7 @@ class OpenDocumentTest {
     @Test
     void save_keepsCommentsAndChangesOnlyWhatWasEdited() throws Exception {
         dial("key", 2);
-        document.save();
+        Saves.save(document);
         assertThat(document.isDirty()).isFalse();
         assertThat(Files.readString(file)).isEqualTo(Desk.TEXT.replace("spot { intensity 1 ", "spot { intensity 2 "));
     }
@@ -87,10 +86,10 @@ class OpenDocumentTest {
     @Test
     void undoAfterSaving_isDirtyAndSavesTheOldTextAgain() throws Exception {
         dial("key", 2);
-        document.save();
+        Saves.save(document);
         document.history().undo();
         assertThat(document.isDirty()).isTrue();
-        document.save();
+        Saves.save(document);
         assertThat(Files.readString(file)).isEqualTo(Desk.TEXT);
     }
 
@@ -98,7 +97,7 @@ class OpenDocumentTest {
     void saveAs_movesTheDocumentAndLeavesTheOldFile() throws Exception {
         dial("key", 2);
         Path other = folder.resolve("other.jen");
-        document.saveAs(other);
+        Saves.saveAs(document, other);
         assertThat(document.file()).isEqualTo(other);
         assertThat(document.isDirty()).isFalse();
         assertThat(onDisk(other)).isEqualTo(document.scene());
@@ -114,7 +113,7 @@ class OpenDocumentTest {
                 Desk.TEXT.replace("material mirror {", "material mirror { texture \"wood.png\" "));
         OpenDocument open = OpenDocument.open(textured);
         Path away = folder.resolve("away.jen");
-        assertThatIOException().isThrownBy(() -> open.saveAs(away))
+        assertThatIOException().isThrownBy(() -> Saves.saveAs(open, away))
                 .withMessageStartingWith("the scene cannot be read from there: ").withMessageContaining("wood.png");
         assertThat(open.file()).isEqualTo(textured);
         assertThat(away).doesNotExist();
@@ -123,7 +122,7 @@ class OpenDocumentTest {
     @Test
     void failedSave_leavesItDirty() {
         dial("key", 2);
-        assertThatIOException().isThrownBy(() -> document.saveAs(folder.resolve("nowhere/desk.jen")));
+        assertThatIOException().isThrownBy(() -> Saves.saveAs(document, folder.resolve("nowhere/desk.jen")));
         assertThat(document.isDirty()).isTrue();
         assertThat(document.file()).isEqualTo(file);
     }
@@ -132,7 +131,7 @@ class OpenDocumentTest {
     void reload_startsOverAndCanBeUndone() throws Exception {
         dial("key", 2);
         Scene edited = document.scene();
-        document.reload();
+        Saves.reload(document);
         assertThat(document.scene()).isEqualTo(Desk.scene());
         assertThat(document.isDirty()).isFalse();
         document.history().undo();
@@ -144,7 +143,7 @@ class OpenDocumentTest {
         dial("key", 2);
         Scene edited = document.scene();
         Files.writeString(file, "jen 1\nligth");
-        assertThatExceptionOfType(JenException.class).isThrownBy(document::reload);
+        assertThatExceptionOfType(JenException.class).isThrownBy(() -> Saves.reload(document));
         assertThat(document.scene()).isEqualTo(edited);
         assertThat(document.isDirty()).isTrue();
     }
@@ -161,10 +160,10 @@ class OpenDocumentTest {
         Files.writeString(file, Desk.TEXT + "# his\n");
         look();
         assertThat(document.isChangedOnDisk()).isTrue();
-        document.reload();
+        Saves.reload(document);
         assertThat(document.isChangedOnDisk()).isFalse();
         dial("key", 2);
-        document.save();
+        Saves.save(document);
         look();
         assertThat(document.isChangedOnDisk()).isFalse();
     }
@@ -186,7 +185,7 @@ class OpenDocumentTest {
     void newsOfBeforeTheLastSave_isNotTaken() throws Exception {
         DiskNews old = new DiskNews(file, document.known(), FileState.NONE, false);
         dial("key", 2);
-        document.save();
+        Saves.save(document);
         document.hear(old);
         assertThat(document.isChangedOnDisk()).isFalse();
     }
@@ -195,13 +194,13 @@ class OpenDocumentTest {
     void save_doesNotOverwriteWhatOthersWroteUnlessItMay() throws Exception {
         dial("key", 2);
         Files.writeString(file, Desk.TEXT + "# his\n");
-        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(document::save);
+        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> Saves.save(document));
         assertThat(file).hasContent(Desk.TEXT + "# his\n");
         assertThat(document.isDirty()).isTrue();
-        document.save(Set.of(Consent.OVERWRITE_CHANGED));
+        Saves.save(document, Consent.OVERWRITE_CHANGED);
         assertThat(onDisk(file)).isEqualTo(document.scene());
         dial("key", 3);
-        document.save();
+        Saves.save(document);
         assertThat(onDisk(file)).isEqualTo(document.scene());
     }
 
@@ -209,7 +208,7 @@ class OpenDocumentTest {
     void saveAsToItsOwnFile_isASave() throws Exception {
         dial("key", 2);
         Files.writeString(file, Desk.TEXT + "# his\n");
-        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> document.saveAs(file));
+        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> Saves.saveAs(document, file));
     }
 
     @Test
@@ -217,9 +216,9 @@ class OpenDocumentTest {
     void readOnlyFile_isReplacedOnlyIfItMay() throws Exception {
         dial("key", 2);
         Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("r--r--r--"));
-        assertThatExceptionOfType(ReadOnlyFileException.class).isThrownBy(document::save);
+        assertThatExceptionOfType(ReadOnlyFileException.class).isThrownBy(() -> Saves.save(document));
         assertThat(file).hasContent(Desk.TEXT);
-        document.save(Set.of(Consent.REPLACE_READ_ONLY));
+        Saves.save(document, Consent.REPLACE_READ_ONLY);
         assertThat(onDisk(file)).isEqualTo(document.scene());
     }
 
@@ -228,7 +227,7 @@ class OpenDocumentTest {
         Files.delete(file);
         look();
         assertThat(document.isDirty()).isTrue();
-        document.save();
+        Saves.save(document);
         assertThat(document.isDirty()).isFalse();
         assertThat(file).hasContent(Desk.TEXT);
     }
@@ -240,8 +239,8 @@ class OpenDocumentTest {
         assertThat(document.isDirty()).isFalse();
         document.keepAgainstNews();
         assertThat(document.isDirty()).isTrue();
-        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(document::save);
-        document.save(Set.of(Consent.OVERWRITE_CHANGED));
+        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> Saves.save(document));
+        Saves.save(document, Consent.OVERWRITE_CHANGED);
         assertThat(document.isDirty()).isFalse();
     }
 
@@ -249,7 +248,7 @@ class OpenDocumentTest {
     void recoveredInPlaceOfAWrongFile_doesNotOverwriteItUnasked() throws Exception {
         Files.writeString(file, "jen 1\nligth");
         OpenDocument back = OpenDocument.recover(new Recovery.Found(folder.resolve("x"), file, Desk.TEXT));
-        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(back::save);
+        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> Saves.save(back));
         assertThat(file).hasContent("jen 1\nligth");
     }
 
@@ -267,7 +266,7 @@ class OpenDocumentTest {
     @Test
     void recovered_theEditsAreOneStepOverTheFile() throws Exception {
         dial("key", 2);
-        String kept = document.document().text();
+        String kept = document.text(document.scene());
         OpenDocument back = OpenDocument.recover(new Recovery.Found(folder.resolve("x"), file, kept));
         assertThat(back.scene()).isEqualTo(document.scene());
         assertThat(back.isDirty()).isTrue();
@@ -281,7 +280,7 @@ class OpenDocumentTest {
         OpenDocument back = OpenDocument.recover(new Recovery.Found(folder.resolve("x"), file, Desk.TEXT));
         assertThat(back.scene()).isEqualTo(Desk.scene());
         assertThat(back.isDirty()).isTrue();
-        back.save();
+        Saves.save(back);
         assertThat(back.isDirty()).isFalse();
         assertThat(onDisk(file)).isEqualTo(Desk.scene());
     }

@@ -36,7 +36,7 @@ class RecoveryTest {
 
     private OpenDocument edited() throws Exception {
         OpenDocument document = OpenDocument.open(Files.writeString(folder.resolve("desk.jen"), Desk.TEXT));
-        document.apply(Dial.INTENSITY.set(document.scene(), "key", 2));
+        document.apply(Desk.dial("intensity").set(document.scene(), "key", 2));
         return document;
     }
 
@@ -141,9 +141,9 @@ class RecoveryTest {
         var recovery = new Recovery(kept(), CRASHED);
         try (var autosave = new Autosave(recovery, Duration.ofMillis(20), e -> {})) {
             autosave.changed(document);
-            document.apply(Dial.INTENSITY.set(document.scene(), "key", 3));
+            document.apply(Desk.dial("intensity").set(document.scene(), "key", 3));
             autosave.changed(document);
-            String latest = document.document().text();
+            String latest = document.text(document.scene());
             Wait.until(() -> recovery.found().stream().anyMatch(f -> f.text().equals(latest)));
         }
     }
@@ -160,7 +160,7 @@ class RecoveryTest {
         try (var autosave = new Autosave(recovery, Duration.ZERO, e -> {})) {
             autosave.changed(document);
             Wait.until(() -> !recovery.found().isEmpty());
-            document.saveAs(folder.resolve("other.jen"));
+            Saves.saveAs(document, folder.resolve("other.jen"));
             autosave.changed(document);
             Wait.until(() -> recovery.found().isEmpty());
         }

@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -31,20 +34,23 @@ class WorkbenchTest {
     private Path folder;
 
     private final LinkedBlockingQueue<Runnable> window = new LinkedBlockingQueue<>();
+    private final FileThread files = new FileThread(window::add);
     private final LoopEar ear = new LoopEar();
+    private final List<Optional<Throwable>> failures = new ArrayList<>();
     private Workbench bench;
     private int changes;
 
     @BeforeEach
     void open() throws Exception {
         Path file = Files.writeString(folder.resolve("desk.jen"), Desk.TEXT);
-        bench = new Workbench(OpenDocument.open(file), OPTIONS, new Recovery(folder.resolve("kept")), window::add,
-                () -> changes++, ear, e -> {});
+        bench = new Workbench(OpenDocument.open(file), OPTIONS, new Recovery(folder.resolve("kept")), files,
+                () -> changes++, () -> {}, ear, e -> {});
     }
 
     @AfterEach
     void close() {
         bench.close();
+        files.close();
     }
 
     private void runUntil(BooleanSupplier condition) throws InterruptedException {
@@ -79,7 +85,7 @@ class WorkbenchTest {
     }
 
     private void dial(double intensity) {
-        assertThat(bench.edit(Dial.INTENSITY.set(bench.scene(), "key", intensity))).isEmpty();
+        assertThat(bench.edit(Desk.dial("intensity").set(bench.scene(), "key", intensity))).isEmpty();
     }
 
     private Scene shown() {
@@ -93,6 +99,23 @@ class WorkbenchTest {
         settle();
         assertThat(shown()).isEqualTo(bench.scene());
         assertThat(Command.GO.isEnabled(bench.situation())).isFalse();
+    }
+
+    @Test
+    void workThatEnded_isTakenWithItsPicture() throws Exception {
+        bench.go();
+        ear.nextIs(LoopEar.Event.IDLE);
+        dial(2);
+        bench.go();
+        ear.nextIs(LoopEar.Event.IDLE);
+        // The window had no time to listen yet.
+        for (Runnable task = window.poll(1, TimeUnit.SECONDS); task != null; task = window.poll(1, TimeUnit.SECONDS)) {
+            task.run();
+            if (bench.situation().inWork().isEmpty()) {
+                assertThat(shown()).isEqualTo(bench.scene());
+            }
+        }
+        assertThat(bench.situation().inWork()).isEmpty();
     }
 
     @Test
@@ -228,6 +251,7 @@ class WorkbenchTest {
         Path other = Files.writeString(folder.resolve("other.jen"), Desk.TEXT.replace("light sun", "light moon"));
         bench.open(OpenDocument.open(other));
         assertThat(bench.document().name()).isEqualTo("other.jen");
+        assertThat(bench.frame()).as("a picture of the other document").isEmpty();
         settle();
         assertThat(shown().light("moon")).isPresent();
         assertThat(bench.frame().orElseThrow().mirrorsAreCurrent()).as("its mirrors show nothing of the other document").isTrue();
@@ -240,12 +264,20 @@ class WorkbenchTest {
         Path file = Files.writeString(folder.resolve("lost.jen"), Desk.TEXT);
         crashed.keep(file, Desk.TEXT.replace("intensity 0.3", "intensity 0.9"));
         Recovery own = new Recovery(folder.resolve("kept"));
-        bench.recover(own.found().getFirst());
+        Recovery.Found found = own.found().getFirst();
+        bench.recover(found, OpenDocument.recover(found));
         assertThat(Desk.light(bench.scene(), "sun").intensity()).isEqualTo(0.9);
-        assertThat(own.found()).isEmpty();
+        Wait.until(() -> own.found().isEmpty());
         assertThat(filesKept()).isEqualTo(1);
-        bench.save(Set.of());
+        save(bench.document().file());
         Wait.until(() -> filesKept() == 0);
+    }
+
+    private void save(Path file) throws InterruptedException {
+        failures.clear();
+        bench.saveAs(file, Set.of(), failures::add);
+        runUntil(() -> !failures.isEmpty());
+        assertThat(failures).containsExactly(Optional.empty());
     }
 
     private long filesKept() throws IOException {
@@ -257,7 +289,8 @@ class WorkbenchTest {
     @Test
     void reload_startsOverAndRenders() throws Exception {
         dial(2);
-        bench.reload();
+        bench.reload(failures::add);
+        runUntil(() -> failures.contains(Optional.empty()));
         settle();
         assertThat(shown()).isEqualTo(Desk.scene());
         assertThat(Command.RELOAD.isEnabled(bench.situation())).isFalse();
@@ -266,11 +299,46 @@ class WorkbenchTest {
     @Test
     void savedDocument_isCleanUnderItsNewName() throws Exception {
         dial(2);
-        bench.saveAs(folder.resolve("other.jen"), Set.of());
+        save(folder.resolve("other.jen"));
         dial(3);
-        bench.save(Set.of());
+        save(bench.document().file());
         assertThat(Command.SAVE_SCENE.isEnabled(bench.situation())).isFalse();
         assertThat(OpenDocument.open(folder.resolve("other.jen")).scene()).isEqualTo(bench.scene());
+    }
+
+    @Test
+    void editMadeWhileItIsSaved_isNotSavedButNotLost() throws Exception {
+        dial(2);
+        bench.saveAs(bench.document().file(), Set.of(), failures::add);
+        dial(3);
+        runUntil(() -> !failures.isEmpty());
+        assertThat(bench.situation().dirty()).isTrue();
+        assertThat(Desk.light(bench.scene(), "key").intensity()).isEqualTo(3);
+        assertThat(Desk.light(OpenDocument.open(bench.document().file()).scene(), "key").intensity()).isEqualTo(2);
+    }
+
+    @Test
+    void saveAskedForDuringASave_writesWhatIsThereThen() throws Exception {
+        dial(2);
+        bench.saveAs(bench.document().file(), Set.of(), failures::add);
+        dial(3);
+        bench.saveAs(bench.document().file(), Set.of(), failures::add);
+        assertThat(bench.isSaving()).isTrue();
+        runUntil(() -> failures.size() == 2);
+        assertThat(failures).as("the first is no change by somebody else").containsOnly(Optional.empty());
+        assertThat(bench.isSaving()).isFalse();
+        assertThat(bench.situation().dirty()).isFalse();
+        assertThat(Desk.light(OpenDocument.open(bench.document().file()).scene(), "key").intensity()).isEqualTo(3);
+    }
+
+    @Test
+    void saveThatFails_isToldAndTheEditsStay() throws Exception {
+        dial(2);
+        bench.saveAs(folder.resolve("nowhere/desk.jen"), Set.of(), failures::add);
+        runUntil(() -> !failures.isEmpty());
+        assertThat(failures.getFirst()).isPresent();
+        assertThat(bench.situation().dirty()).isTrue();
+        assertThat(bench.document().name()).isEqualTo("desk.jen");
     }
 
     @Test
@@ -289,7 +357,7 @@ class WorkbenchTest {
     @Test
     void refusedEdit_isNoChange() {
         int before = changes;
-        assertThat(bench.edit(Dial.ANGLE.set(bench.scene(), "key", 999))).isPresent();
+        assertThat(bench.edit(Desk.dial("angle").set(bench.scene(), "key", 999))).isPresent();
         assertThat(changes).isEqualTo(before);
     }
 

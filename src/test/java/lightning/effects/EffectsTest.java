@@ -87,7 +87,8 @@ class EffectsTest {
     }
 
     @Test
-    void bird_callsForAllButSeveralSamples() throws Exception {
-        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.ANTIALIASING);
+    void bird_callsForAllButSeveralSamplesAndFrustums() throws Exception {
+        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.ANTIALIASING,
+                Effect.FRUSTUMS);
     }
 }

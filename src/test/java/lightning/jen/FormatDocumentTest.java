@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import lightning.scene.LightAttribute;
+import lightning.scene.LightType;
 import lightning.scene.Limits;
 import lightning.text.Decimal;
 import org.junit.jupiter.api.Test;
@@ -52,6 +54,16 @@ class FormatDocumentTest {
     @MethodSource("blocks")
     void everyProperty_isInATableWithDefaultRangeAndUnit(BlockType<?> type) throws IOException {
         assertThat(page().lines()).containsAll(type.properties().stream().map(FormatDocumentTest::row).toList());
+    }
+
+    @Test
+    void everyLightType_isInATableWithWhatItActsBy() throws IOException {
+        for (LightType type : LightType.values()) {
+            List<String> acting = LightAttribute.ALL.stream().filter(a -> a.term(type).isPresent()).map(a -> "`" + a.name() + "`").toList();
+            boolean all = LightAttribute.ALL.stream().allMatch(a -> a.acts(type));
+            assertThat(page()).contains(
+                    "| `" + LightAttribute.TYPE.kind().text(type) + "` | " + (all ? "all of them" : String.join(", ", acting)) + " |");
+        }
     }
 
     @Test

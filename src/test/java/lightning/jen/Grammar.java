@@ -62,7 +62,7 @@ final class Grammar {
         }
         if (type == Blocks.GROUP && nesting < 5) {
             for (int i = random.nextInt(3); i > 0; i--) {
-                block(Blocks.of(Blocks.NODES.get(random.nextInt(5))).orElseThrow(), nesting + 1);
+                block(Blocks.of(Blocks.NODES.get(random.nextInt(Blocks.NODES.size()))).orElseThrow(), nesting + 1);
             }
         }
         word("}");

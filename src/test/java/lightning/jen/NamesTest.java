@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
 import java.util.List;
-import lightning.math.Rgb;
 import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -14,6 +13,7 @@ import lightning.scene.Material;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
@@ -59,7 +59,7 @@ class NamesTest {
         assertThat(scene.materials().getFirst().name()).isEqualTo("old oak");
         Group table = (Group) scene.nodes().getFirst();
         assertThat(table.name()).isEqualTo("dining table");
-        assertThat(table.children().getFirst()).isEqualTo(new Shape.Sphere("apple \"red\"", "old oak", Placement.IDENTITY));
+        assertThat(table.children().getFirst()).isEqualTo(new Shape(Solid.SPHERE, "apple \"red\"", "old oak", Placement.IDENTITY));
     }
 
     @Test
@@ -157,8 +157,8 @@ class NamesTest {
         Scene empty = EMPTY;
         String other = name.equals("g") ? "h" : "g";
         return new Scene(empty.picture(), empty.camera(), empty.world(),
-                List.of(new Material(name, Rgb.BLACK, Rgb.grey(0.8), Rgb.BLACK, 3, Rgb.BLACK, java.util.Optional.empty())),
-                List.of(new Group(other, Placement.IDENTITY, List.of(new Shape.Cone(other + "s", name, Placement.IDENTITY)))),
+                List.of(Material.of(name).withShininess(3)),
+                List.of(new Group(other, Placement.IDENTITY, List.of(new Shape(Solid.CONE, other + "s", name, Placement.IDENTITY)))),
                 List.of(Light.of(name.equals(other + "s") ? "l" : name, LightType.POINT).withIntensity(2)));
     }
 

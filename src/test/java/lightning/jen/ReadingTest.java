@@ -20,6 +20,7 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -52,15 +53,16 @@ class ReadingTest {
         assertThat(scene.picture()).isEqualTo(new Picture(300, 200, 5));
         assertThat(scene.camera()).isEqualTo(new Camera(new Vec3(0, 2, 9), new Vec3(0, 1, 0), Vec3.Y, 35));
         assertThat(scene.world()).isEqualTo(new World(0.5, new Rgb(0, 0, 0.1)));
-        assertThat(scene.materials()).containsExactly(new Material("floor", Rgb.grey(0.1), Rgb.WHITE, Rgb.grey(0.2), 20,
-                Rgb.grey(0.3), java.util.Optional.empty()));
+        assertThat(scene.materials()).containsExactly(Material.of("floor").withAmbient(Rgb.grey(0.1)).withDiffuse(Rgb.WHITE)
+                .withSpecular(Rgb.grey(0.2)).withShininess(20).withReflective(Rgb.grey(0.3)));
         assertThat(scene.nodes()).containsExactly(
-                new Shape.Plane("ground", "floor", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(20, 1, 20))),
+                new Shape(Solid.PLANE, "ground", "floor", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(20, 1, 20))),
                 new Group("bird", new Placement(new Vec3(0, 1, 0), new Vec3(0, 30, 0), Vec3.ONE), List.of(
-                        new Shape.Cone("beak", "floor",
+                        new Shape(Solid.CONE, "beak", "floor",
                                 new Placement(new Vec3(0, 1, 0.8), new Vec3(90, 0, 0), new Vec3(0.2, 0.5, 0.2))))));
-        assertThat(scene.lights()).containsExactly(new Light("key", LightType.SPOT, new Rgb(1, 0.9, 0.8), 1.2,
-                new Vec3(3, 5, 2), new Vec3(-3, -4, -2), new Attenuation(0.1, 1, 0.1), 25, 4, false, true));
+        assertThat(scene.lights()).containsExactly(Light.of("key", LightType.SPOT).withColor(new Rgb(1, 0.9, 0.8)).withIntensity(1.2)
+                .withPosition(new Vec3(3, 5, 2)).withDirection(new Vec3(-3, -4, -2)).withAttenuation(new Attenuation(0.1, 1, 0.1))
+                .withAngle(25).withDropoff(4).withOn(false).withSolo(true));
     }
 
     @Test
@@ -83,7 +85,7 @@ class ReadingTest {
     void keywords_mayBeNames() throws Exception {
         Scene scene = read("jen 1 material material {} sphere at { material material scale 1 2 3 } light light point {}");
         assertThat(scene.nodes()).containsExactly(
-                new Shape.Sphere("at", "material", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(1, 2, 3))));
+                new Shape(Solid.SPHERE, "at", "material", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(1, 2, 3))));
         assertThat(scene.lights()).containsExactly(Light.of("light", LightType.POINT));
     }
 
@@ -113,7 +115,7 @@ class ReadingTest {
                 light key point { at 1 2 3 4  color 1e999 1 1 }
                 blob
                 """)).containsExactly(
-                "s.jen:2:1: expected a block (camera, cone, cylinder, group, light, material, picture, plane, sphere, world), found 'camra', did you mean 'camera'?",
+                "s.jen:2:1: expected a block (camera, cone, cylinder, frustum, group, light, material, picture, plane, sphere, world), found 'camra', did you mean 'camera'?",
                 "s.jen:2:13: camera: fov must be from 0.01 to 170, was 500",
                 "s.jen:3:18: world: ambience must be a number, found 'nan'",
                 "s.jen:3:23: world: ambience must be written once, found it again",
@@ -131,7 +133,7 @@ class ReadingTest {
                 "s.jen:8:7: light 'key': names must be unique, found a light with this name before",
                 "s.jen:8:19: light 'key': at must have 3 numbers, found 4",
                 "s.jen:8:37: light 'key': color must be a number within ±1.8e308, found '1e999'",
-                "s.jen:9:1: expected a block (camera, cone, cylinder, group, light, material, picture, plane, sphere, world), found 'blob'");
+                "s.jen:9:1: expected a block (camera, cone, cylinder, frustum, group, light, material, picture, plane, sphere, world), found 'blob'");
     }
 
     @ParameterizedTest
@@ -157,7 +159,7 @@ class ReadingTest {
         "jen 1 material m { repeat 2 2 } | 1:20: material 'm': repeat needs a texture, found none",
         "jen 1 world { ambience 1 $ } | 1:26: expected a word, a number or a brace, found '$'",
         "jen 1 world { ambience 1\u00a0} | 1:25: expected a space, found U+00A0",
-        "jen 1 group g { light l point {} } | 1:17: group 'g': a light cannot stand in a group, expected '}' or one of sphere, cone, cylinder, plane, group",
+        "jen 1 group g { light l point {} } | 1:17: group 'g': a light cannot stand in a group, expected '}' or one of sphere, cone, cylinder, frustum, plane, group",
     })
     void wrongText_saysWhatWasExpectedAndFound(String text, String problem) {
         assertThat(problems(text)).containsExactly("s.jen:" + problem);
@@ -254,7 +256,7 @@ class ReadingTest {
         try (var f = new java.io.RandomAccessFile(file.toFile(), "rw")) {
             f.setLength(JenLimits.FILE_BYTES + 1L);
         }
-        assertThat(ReadingTest.<JenException>catching(() -> JenReader.read(file))).hasMessageContaining("may have at most 67108864 bytes");
+        assertThat(ReadingTest.<JenException>catching(() -> JenReader.read(file))).hasMessageContaining("may have at most 268435456 bytes");
     }
 
     private Scene read(String text) throws JenException {

@@ -104,9 +104,9 @@ class SavingTest {
     @Test
     void removedTexture_takesItsRepeatAlong() throws Exception {
         var image = new Texture(1, 1, new float[3]);
-        var plain = new Material("m", Rgb.BLACK, Rgb.WHITE, Rgb.BLACK, 1, Rgb.BLACK, Optional.empty());
-        var textured = new Material("m", Rgb.BLACK, Rgb.WHITE, Rgb.BLACK, 1, Rgb.BLACK,
-                Optional.of(new TextureMap("a.png", 2, 3, image)));
+        var plain = Material.of("m").withDiffuse(Rgb.WHITE).withShininess(1);
+        var textured =
+                Material.of("m").withDiffuse(Rgb.WHITE).withShininess(1).withTexture(Optional.of(new TextureMap("a.png", 2, 3, image)));
         Scene scene = read("jen 1").scene();
         JenDocument with = read("jen 1\nmaterial m { diffuse 1 1 1  shininess 1 }\n").with(material(scene, textured));
         assertThat(with.text()).isEqualTo("jen 1\nmaterial m { diffuse 1 1 1  shininess 1  texture \"a.png\"  repeat 2 3 }\n");
@@ -115,8 +115,8 @@ class SavingTest {
 
     @Test
     void unspeakableTextureName_isRefusedBeforeItIsWritten() throws Exception {
-        var material = new Material("m", Rgb.BLACK, Rgb.WHITE, Rgb.BLACK, 1, Rgb.BLACK,
-                Optional.of(new TextureMap("../a.png", 1, 1, new Texture(1, 1, new float[3]))));
+        var material = Material.of("m").withDiffuse(Rgb.WHITE).withShininess(1)
+                .withTexture(Optional.of(new TextureMap("../a.png", 1, 1, new Texture(1, 1, new float[3]))));
         Scene scene = material(read("jen 1").scene(), material);
         assertThatThrownBy(() -> JenWriter.write(scene)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> read("jen 1").with(scene)).isInstanceOf(IllegalArgumentException.class);

@@ -20,6 +20,7 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 import lightning.scene.World;
@@ -97,9 +98,11 @@ final class Scenes {
         return changed(nodes, () -> node(materials, depth), n -> switch (n) {
             case Group g -> new Group(chance() ? g.name() : name(), chance() ? g.placement() : placement(),
                     nodes(g.children(), materials, depth + 1));
-            case Shape.Sphere s -> chance() ? new Shape.Sphere(s.name(), material(materials), s.placement())
-                    : new Shape.Cone(s.name(), s.material(), s.placement());
-            case Shape s -> new Shape.Plane(s.name(), s.material(), placement());
+            case Shape s -> switch (random.nextInt(3)) {
+                case 0 -> s.withMaterial(material(materials));
+                case 1 -> new Shape(solid(), s.name(), s.material(), s.placement());
+                default -> s.withPlacement(placement());
+            };
         });
     }
 
@@ -108,8 +111,10 @@ final class Scenes {
         java.util.Collections.shuffle(materials, random);
         materials.replaceAll(m -> switch (random.nextInt(3)) {
             case 0 -> m;
-            case 1 -> new Material(m.name(), m.ambient(), m.diffuse(), m.specular(), m.shininess(), m.reflective(), texture());
-            default -> new Material(m.name(), color(1e6), m.diffuse(), m.specular(), m.shininess(), color(1), m.texture());
+            case 1 -> Material.of(m.name()).withAmbient(m.ambient()).withDiffuse(m.diffuse()).withSpecular(m.specular())
+                    .withShininess(m.shininess()).withReflective(m.reflective()).withTexture(texture());
+            default -> Material.of(m.name()).withAmbient(color(1e6)).withDiffuse(m.diffuse()).withSpecular(m.specular())
+                    .withShininess(m.shininess()).withReflective(color(1)).withTexture(m.texture());
         });
         Set<String> taken = new HashSet<>();
         materials.forEach(m -> taken.add(m.name()));
@@ -138,8 +143,10 @@ final class Scenes {
 
     private Light light() {
         Light l = Light.of(name(), LightType.values()[random.nextInt(3)]);
-        return chance() ? l : new Light(l.name(), l.type(), color(1000), positive(1e30), vector(1e12), direction(), attenuation(),
-                positive(180), positive(1e6), chance(), chance());
+        return chance() ? l
+                : Light.of(l.name(), l.type()).withColor(color(1000)).withIntensity(positive(1e30)).withPosition(vector(1e12))
+                        .withDirection(direction()).withAttenuation(attenuation()).withAngle(positive(180)).withDropoff(positive(1e6))
+                        .withOn(chance()).withSolo(chance());
     }
 
     private Attenuation attenuation() {
@@ -158,8 +165,10 @@ final class Scenes {
     }
 
     private Material material(String name) {
-        return chance() ? new Material(name, color(1e6), color(1), color(1), positive(1e6), color(1), texture())
-                : new Material(name, Rgb.BLACK, Rgb.grey(0.8), Rgb.BLACK, 16, Rgb.BLACK, texture());
+        return chance()
+                ? Material.of(name).withAmbient(color(1e6)).withDiffuse(color(1)).withSpecular(color(1)).withShininess(positive(1e6))
+                        .withReflective(color(1)).withTexture(texture())
+                : Material.of(name).withTexture(texture());
     }
 
     private Optional<TextureMap> texture() {
@@ -170,12 +179,17 @@ final class Scenes {
 
     private Node node(List<Material> materials, int depth) {
         String name = name();
-        return switch (random.nextInt(depth < 3 ? 6 : 4)) {
-            case 0 -> new Shape.Sphere(name, material(materials), placement());
-            case 1 -> new Shape.Cone(name, material(materials), placement());
-            case 2 -> new Shape.Cylinder(name, material(materials), placement());
-            case 3 -> new Shape.Plane(name, material(materials), placement());
-            default -> new Group(name, placement(), list(4, () -> node(materials, depth + 1)));
+        return depth < 3 && random.nextInt(3) == 0 ? new Group(name, placement(), list(4, () -> node(materials, depth + 1)))
+                : new Shape(solid(), name, material(materials), placement());
+    }
+
+    private Solid solid() {
+        return switch (random.nextInt(5)) {
+            case 0 -> Solid.SPHERE;
+            case 1 -> new Solid.Cone(chance());
+            case 2 -> new Solid.Cylinder(chance());
+            case 3 -> new Solid.Frustum(positive(1e6), chance());
+            default -> Solid.PLANE;
         };
     }
 

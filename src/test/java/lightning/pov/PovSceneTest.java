@@ -68,6 +68,14 @@ class PovSceneTest {
     }
 
     @Test
+    void frustumsAndMissingCaps_areConesAndCylindersThatAreOpen() throws Exception {
+        String text = PovScene.of(JenReader.read("jen 1 frustum f { top 0.25 } frustum g { caps no } cylinder c { caps no }", "f.jen",
+                Path.of(".")).scene(), "f").text();
+        assertThat(text).contains("cone { <0, 0, 0>, 1, <0, 1, 0>, 0.25\n", "cone { <0, 0, 0>, 1, <0, 1, 0>, 0.5 open\n",
+                "cylinder { <0, 0, 0>, <0, 1, 0>, 1 open\n");
+    }
+
+    @Test
     void matrix_mapsPointsAsTheTransformDoes() {
         Transform transform = Transform.translation(new Vec3(1, 2, 3)).times(Transform.rotation(new Vec3(10, 20, 30)))
                 .times(Transform.scaling(new Vec3(2, 3, 4)));

@@ -25,7 +25,7 @@ import net.jqwik.api.statistics.StatisticsReport;
 
 /** A cancelled update leaves everything as if it had never begun. */
 class CancellationTest {
-    /** So many stops that even an underflow would show: at level ratio every scaling is followed by a refresh. */
+    /** So many stops that even an underflow would show: at accuracy ratio every scaling is followed by a refresh. */
     private static final double REFRESHING = 160;
 
     @Provide
@@ -64,12 +64,12 @@ class CancellationTest {
     private static Update interrupted(Renderer renderer, Scene wanted, int questions, Session session, int step) {
         Film film = renderer.film().copy();
         Scene scene = renderer.scene();
-        UpdatePlan plan = renderer.plan(wanted);
+        UpdatePlan plan = renderer.plan(wanted).update();
         try {
             return renderer.render(wanted, new CancelAfter(questions));
         } catch (CancellationException e) {
             assertThat(renderer.scene()).isSameAs(scene);
-            assertThat(renderer.plan(wanted)).isEqualTo(plan);
+            assertThat(renderer.plan(wanted).update()).isEqualTo(plan);
             SessionAssert.assertSameBits(renderer.film(), film, "cancelled-update", session, step, plan.text());
             return null;
         }

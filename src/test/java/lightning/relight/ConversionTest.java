@@ -104,7 +104,7 @@ class ConversionTest {
         try (Renderer renderer = new Renderer(shapes)) {
             renderer.render(mirroring, Progress.NONE);
             renderer.change(shapes.withAccuracy(Accuracy.RATIO));
-            assertThat(renderer.plan(mirroring)).isInstanceOf(UpdatePlan.FirstPass.class);
+            assertThat(renderer.plan(mirroring).update()).isInstanceOf(UpdatePlan.FirstPass.class);
         }
     }
 

@@ -12,6 +12,7 @@ import lightning.relight.plan.Reflections;
 import lightning.relight.plan.UpdatePlan;
 import lightning.relight.tile.MirrorStorage;
 import lightning.relight.tile.Options;
+import lightning.sample.EngineMix;
 import lightning.sample.Session;
 import lightning.scene.Scene;
 import lightning.shading.ReferenceTracer;
@@ -27,8 +28,8 @@ import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.statistics.StatisticsReport;
 
 /**
- * At level exact every picture has the bits of a reference trace, whatever edits led to it, and whether the work that the
- * scene does not call for is left out or done.
+ * At accuracy exact every picture has the bits of a reference trace, whatever edits led to it, and whether the work that the
+ * scene does not call for is left out or done, whichever engines its tiles come from.
  */
 class ExactnessTest {
 
@@ -40,9 +41,11 @@ class ExactnessTest {
     @Property(edgeCases = EdgeCasesMode.NONE)
     @StatisticsReport(onFailureOnly = true)
     void currentReflections_equalTheReferenceAfterEveryEdit(@ForAll("sessions") Session session,
-            @ForAll MirrorStorage storage, @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll Set<Effect> forced) {
+            @ForAll MirrorStorage storage, @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll Set<Effect> forced,
+            @ForAll long engines) {
         SceneCoverage.collect(session.scenes().getFirst());
-        Options options = new Options(Accuracy.EXACT, Reflections.CURRENT, storage, threads, ViewEffects.ALL.forcing(forced));
+        Options options = new Options(Accuracy.EXACT, Reflections.CURRENT, storage, threads, ViewEffects.ALL.forcing(forced))
+                .withEngines(new EngineMix(engines));
         try (Renderer renderer = new Renderer(options)) {
             for (int step = 0; step < session.scenes().size(); step++) {
                 Scene scene = session.scenes().get(step);
@@ -56,8 +59,10 @@ class ExactnessTest {
     @Property(edgeCases = EdgeCasesMode.NONE)
     void staleReflections_showTheSceneOfTheirLastUpdate(@ForAll("sessions") Session session,
             @ForAll @IntRange(min = 1, max = 7) int refreshEach, @ForAll MirrorStorage storage,
-            @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll Set<Effect> forced) {
-        Options options = new Options(Accuracy.EXACT, Reflections.STALE, storage, threads, ViewEffects.ALL.forcing(forced));
+            @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll Set<Effect> forced,
+            @ForAll long engines) {
+        Options options = new Options(Accuracy.EXACT, Reflections.STALE, storage, threads, ViewEffects.ALL.forcing(forced))
+                .withEngines(new EngineMix(engines));
         try (Renderer renderer = new Renderer(options)) {
             Scene before = session.scenes().getFirst();
             Scene mirrored = before;

@@ -43,7 +43,7 @@ class LightShareTest {
                 for (Light light : scene.lights()) {
                     Film expected = new ReferenceTracer(LightShare.scene(scene, light.name()),
                             LightShare.scene(renderer.cache().mirroredScene(), light.name()))
-                            .trace(Oracle.reference(renderer.cache().sight()));
+                            .trace(Oracle.reference(renderer.cache().scenes()));
                     SessionAssert.assertSameBits(renderer.share(light.name(), Progress.NONE), expected, "share", session, step,
                             light.name());
                 }

@@ -25,6 +25,7 @@ import lightning.scene.Placement;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 import lightning.shading.ReferenceTracer;
@@ -236,7 +237,7 @@ class MaterialWorkTest {
         }
     }
 
-    /** At level ratio samples stay until contributions are refreshed; by then mirrors are others than when they were chosen. */
+    /** At accuracy ratio samples stay until contributions are refreshed; by then mirrors are others than when they were chosen. */
     @ParameterizedTest
     @EnumSource(MirrorStorage.class)
     void mirrorsThatCameAndWentWhileSamplesStayed_areSampledAtTheRefresh(MirrorStorage storage) {
@@ -257,7 +258,7 @@ class MaterialWorkTest {
     @Test
     void tilesWithoutTheMaterial_areNotTouched() {
         Scene scene = StudioScene.of(LightType.SPOT);
-        Shape ball = new Shape.Sphere("left", MATT, new Placement(new Vec3(-3, 0, 0), Vec3.ZERO, Vec3.ONE));
+        Shape ball = new Shape(Solid.SPHERE, "left", MATT, new Placement(new Vec3(-3, 0, 0), Vec3.ZERO, Vec3.ONE));
         Scene wide = new Scene(new Picture(64, 24, 0), scene.camera(), scene.world(), scene.materials(),
                 List.of(scene.nodes().getFirst(), ball), scene.lights());
         try (Studio studio = new Studio(Reflections.STALE, MirrorStorage.FULL_ROWS, wide)) {
@@ -270,8 +271,9 @@ class MaterialWorkTest {
     @Test
     void materialsThatNoShapeHas_areNoEdit() {
         try (Studio studio = studio(Reflections.CURRENT, MirrorStorage.FULL_ROWS)) {
-            List<Material> more = List.of(studio.scene().materials().getLast(), new Material("spare", Rgb.WHITE, Rgb.WHITE, Rgb.WHITE, 1,
-                    Rgb.WHITE, Optional.empty()), studio.scene().materials().getFirst());
+            List<Material> more =
+                    List.of(studio.scene().materials().getLast(), Material.of("spare").withAmbient(Rgb.WHITE).withDiffuse(Rgb.WHITE)
+                            .withSpecular(Rgb.WHITE).withShininess(1).withReflective(Rgb.WHITE), studio.scene().materials().getFirst());
             assertWork(studio.render(studio.scene().withMaterials(more)), 0, 0, 0, 0);
             assertWork(studio.render(studio.scene().withMaterials(more.reversed())), 0, 0, 0, 0);
         }
@@ -281,9 +283,9 @@ class MaterialWorkTest {
     void anotherMaterialOfAShape_isAnotherGeometry() {
         try (Studio studio = studio(Reflections.CURRENT, MirrorStorage.FULL_ROWS)) {
             Scene s = studio.scene();
-            Shape.Sphere ball = (Shape.Sphere) s.nodes().get(1);
+            Shape ball = (Shape) s.nodes().get(1);
             Update update = studio.render(new Scene(s.picture(), s.camera(), s.world(), s.materials(),
-                    List.of(s.nodes().get(0), new Shape.Sphere(ball.name(), GLASS, ball.placement()), s.nodes().get(2)), s.lights()));
+                    List.of(s.nodes().get(0), ball.withMaterial(GLASS), s.nodes().get(2)), s.lights()));
             assertThat(update.plan()).isEqualTo(new UpdatePlan.FirstPass("other shapes"));
         }
     }

@@ -7,7 +7,7 @@ import lightning.cache.PixelCache;
 import lightning.image.Difference;
 import lightning.image.Film;
 import lightning.shading.ReferenceTracer;
-import lightning.shading.Sight;
+import lightning.shading.SeenScenes;
 
 /** What a picture should be, by the reference. */
 final class Oracle {
@@ -15,13 +15,13 @@ final class Oracle {
 
     /** The picture that a cache claims to show. */
     static Film of(PixelCache cache) {
-        return reference(cache.sight()).trace();
+        return reference(cache.scenes()).trace();
     }
 
     /** Requires that a picture is what it is said to be; returns how far it is from the reference. */
     static Difference assertKept(Renderer renderer, Update update, String when) {
         Promise promise = Promise.of(renderer, update);
-        Difference difference = Difference.of(renderer.film(), reference(promise.sight()).trace());
+        Difference difference = Difference.of(renderer.film(), reference(promise.scenes()).trace());
         assertThat(promise.isKeptBy(difference))
                 .as("%s: %s; %s was promised, %s is off by %s", when, update.plan().text(), promise.text(update),
                         difference.values(), difference.maxAbsolute())
@@ -29,7 +29,7 @@ final class Oracle {
         return difference;
     }
 
-    static ReferenceTracer reference(Sight sight) {
-        return new ReferenceTracer(sight.scene(), sight.mirrored());
+    static ReferenceTracer reference(SeenScenes scenes) {
+        return new ReferenceTracer(scenes.scene(), scenes.mirrored());
     }
 }

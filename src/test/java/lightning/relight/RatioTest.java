@@ -19,6 +19,7 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.World;
 import lightning.shading.ReferenceTracer;
 import lightning.shading.SceneCoverage;
@@ -36,7 +37,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** At level ratio no value is further from the reference trace than the update says. */
+/** At accuracy ratio no value is further from the reference trace than the update says. */
 class RatioTest {
 
     @Provide
@@ -92,7 +93,7 @@ class RatioTest {
         Light dim = Light.of("l", LightType.POINT).withPosition(new Vec3(3, 4, 5)).withIntensity(intensity)
                 .withAttenuation(new Attenuation(constant, 0, 0));
         Scene scene = new Scene(new Picture(16, 16, 0), Camera.DEFAULT, World.DEFAULT, List.of(),
-                List.of(new Shape.Sphere("s", "default", Placement.IDENTITY)), List.of(dim));
+                List.of(new Shape(Solid.SPHERE, "s", "default", Placement.IDENTITY)), List.of(dim));
         try (Renderer renderer = new Renderer(Options.DEFAULT.withAccuracy(Accuracy.RATIO))) {
             renderer.render(scene, Progress.NONE);
             for (double bright : new double[] {1e4, 1e10}) {
@@ -108,7 +109,7 @@ class RatioTest {
     void rowsThatEnterTheConeOfAMattTile_haveDiffuseContributionsOnly() {
         Light spot = StudioScene.key(LightType.SPOT);
         Scene scene = new Scene(new Picture(16, 16, 0), Camera.DEFAULT, World.DEFAULT, List.of(),
-                List.of(new Shape.Sphere("ball", "default", Placement.IDENTITY)), List.of(spot));
+                List.of(new Shape(Solid.SPHERE, "ball", "default", Placement.IDENTITY)), List.of(spot));
         Scene wider = scene.withLight(spot.withAngle(25));
         try (Renderer renderer = new Renderer(Options.DEFAULT.withAccuracy(Accuracy.RATIO))) {
             renderer.render(scene, Progress.NONE);

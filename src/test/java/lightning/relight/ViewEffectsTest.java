@@ -22,6 +22,7 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 import lightning.scene.World;
@@ -40,11 +41,11 @@ class ViewEffectsTest {
 
     /** A floor seen from above, lit from above through a ball. */
     private static Scene floor(Rgb reflective, Optional<TextureMap> texture) {
-        Material material = new Material("m", Rgb.BLACK, Rgb.WHITE, Rgb.BLACK, 1, reflective, texture);
+        Material material = Material.of("m").withDiffuse(Rgb.WHITE).withShininess(1).withReflective(reflective).withTexture(texture);
         return new Scene(new Picture(9, 9, 3), new Camera(new Vec3(0, 4, 0), Vec3.ZERO, new Vec3(0, 0, 1), 20),
                 new World(1, RED), List.of(material),
-                List.of(new Shape.Plane("floor", "m", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(9, 1, 9))),
-                        new Shape.Sphere("ball", "m", new Placement(new Vec3(0, 8, 0), Vec3.ZERO, Vec3.ONE))),
+                List.of(new Shape(Solid.PLANE, "floor", "m", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(9, 1, 9))),
+                        new Shape(Solid.SPHERE, "ball", "m", new Placement(new Vec3(0, 8, 0), Vec3.ZERO, Vec3.ONE))),
                 List.of(Light.of("sun", LightType.DIRECTIONAL).withColor(new Rgb(0, 0.5, 0))));
     }
 

@@ -2,7 +2,6 @@ package lightning.sample;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
@@ -17,6 +16,7 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.World;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -91,37 +91,30 @@ public final class CornerScenes {
     private static Arbitrary<Node> nodes() {
         Arbitrary<Vec3> scales =
                 Arbitraries.oneOf(Arbitraries.just(Vec3.ONE), vectors(1.0, -1.0, 1e-3, 1e6, 1e-6, Limits.MIN_SCALE, Limits.MAX_SCALE));
-        Arbitrary<Node> shapes = Combinators.combine(Arbitraries.integers().between(0, 3), places(), rotations(), scales)
-                .as((kind, at, turn, scale) -> shape(kind, new Placement(at, turn, scale)));
+        Arbitrary<Node> shapes = Combinators.combine(solids(), places(), rotations(), scales)
+                .as((solid, at, turn, scale) -> new Shape(solid, "s", "m", new Placement(at, turn, scale)));
         return Arbitraries.oneOf(shapes, skewed());
+    }
+
+    private static Arbitrary<Solid> solids() {
+        return Arbitraries.oneOf(SolidArbitraries.solids(),
+                Arbitraries.of(0.0, 1.0, Limits.MAX_TOP).map(top -> new Solid.Frustum(top, true)));
     }
 
     /** A shape in groups that stretch it along axes turned against each other, as far as nesting may. */
     private static Arbitrary<Node> skewed() {
         Arbitrary<Vec3> half = vectors(1.0, 3e4, 1 / 3e4, 1e3, 1e-3);
         Arbitrary<Vec3> whole = vectors(1.0, Limits.MIN_SCALE, Limits.MAX_SCALE);
-        return Combinators.combine(Arbitraries.integers().between(0, 3), places(), rotations(), Arbitraries.oneOf(
+        return Combinators.combine(solids(), places(), rotations(), Arbitraries.oneOf(
                 Combinators.combine(half, half).as(List::of), whole.map(w -> List.of(w, Vec3.ONE))), rotations())
-                .as((kind, at, turn, scales, outerTurn) -> new Group("outer", new Placement(at, outerTurn, scales.getFirst()),
-                        List.of(shape(kind, new Placement(Vec3.ZERO, turn, scales.getLast())))));
-    }
-
-    private static Node shape(int kind, Placement placement) {
-        return switch (kind) {
-            case 0 -> new Shape.Sphere("s", "m", placement);
-            case 1 -> new Shape.Cone("s", "m", placement);
-            case 2 -> new Shape.Cylinder("s", "m", placement);
-            default -> new Shape.Plane("s", "m", placement);
-        };
+                .as((solid, at, turn, scales, outerTurn) -> new Group("outer", new Placement(at, outerTurn, scales.getFirst()),
+                        List.of(new Shape(solid, "s", "m", new Placement(Vec3.ZERO, turn, scales.getLast())))));
     }
 
     private static Node named(Node node, String name) {
         return switch (node) {
             case Group g -> new Group(name, g.placement(), List.of(named(g.children().getFirst(), name + "_0")));
-            case Shape.Sphere s -> new Shape.Sphere(name, "m", s.placement());
-            case Shape.Cone s -> new Shape.Cone(name, "m", s.placement());
-            case Shape.Cylinder s -> new Shape.Cylinder(name, "m", s.placement());
-            case Shape.Plane s -> new Shape.Plane(name, "m", s.placement());
+            case Shape s -> s.withName(name);
         };
     }
 
@@ -129,8 +122,8 @@ public final class CornerScenes {
         Arbitrary<Rgb> factors = Arbitraries.of(Rgb.BLACK, Rgb.WHITE, new Rgb(0, 1, 0.5));
         return Combinators.combine(Arbitraries.of(0.0, Limits.MAX_EMISSION), factors, factors,
                 Arbitraries.of(0.0, 1e-300, 0.5, 16.0, Limits.MAX_SHININESS), factors)
-                .as((ambient, diffuse, specular, shininess, reflective) -> new Material("m", Rgb.grey(ambient), diffuse, specular,
-                        shininess, reflective, Optional.empty()));
+                .as((ambient, diffuse, specular, shininess, reflective) -> Material.of("m").withAmbient(Rgb.grey(ambient))
+                        .withDiffuse(diffuse).withSpecular(specular).withShininess(shininess).withReflective(reflective));
     }
 
     private static Arbitrary<Light> lights() {

@@ -2,7 +2,6 @@ package lightning.sample;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.IntStream;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
@@ -192,7 +191,8 @@ public sealed interface Edit {
             Scene scene = history.getLast();
             List<Material> materials = new ArrayList<>(scene.materials());
             if (!materials.removeIf(m -> m.name().equals(NAME))) {
-                materials.add(new Material(NAME, Rgb.WHITE, Rgb.WHITE, Rgb.WHITE, 3, Rgb.WHITE, Optional.empty()));
+                materials.add(Material.of(NAME).withAmbient(Rgb.WHITE).withDiffuse(Rgb.WHITE).withSpecular(Rgb.WHITE).withShininess(3)
+                        .withReflective(Rgb.WHITE));
             }
             return scene.withMaterials(materials.reversed());
         }
@@ -221,10 +221,7 @@ public sealed interface Edit {
             }
             List<Node> nodes = new ArrayList<>(s.nodes());
             nodes.set(index % nodes.size(), switch (nodes.get(index % nodes.size())) {
-                case Shape.Sphere n -> new Shape.Sphere(n.name(), material, n.placement());
-                case Shape.Cone n -> new Shape.Cone(n.name(), material, n.placement());
-                case Shape.Cylinder n -> new Shape.Cylinder(n.name(), material, n.placement());
-                case Shape.Plane n -> new Shape.Plane(n.name(), material, n.placement());
+                case Shape n -> n.withMaterial(material);
                 case Group n -> n;
             });
             return new Scene(s.picture(), s.camera(), s.world(), s.materials(), nodes, s.lights());

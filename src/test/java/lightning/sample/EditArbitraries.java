@@ -48,7 +48,8 @@ public final class EditArbitraries {
                 Arbitraries.of(new LightChange.SwitchSolo()),
                 LightArbitraries.places().map(LightChange.Move::new),
                 LightArbitraries.aims().map(LightChange.Turn::new),
-                Arbitraries.of(0.5, 2.0, 1e3).map(LightChange.Lengthen::new)));
+                Arbitraries.of(0.5, 2.0, 1e3).map(LightChange.Lengthen::new),
+                AttributeArbitraries.lightChanges()));
     }
 
     private static Arbitrary<Edit> ofMaterials() {

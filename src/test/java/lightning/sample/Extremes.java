@@ -1,7 +1,6 @@
 package lightning.sample;
 
 import java.util.List;
-import java.util.Optional;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Antialias;
@@ -15,6 +14,7 @@ import lightning.scene.Placement;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.World;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -53,8 +53,8 @@ final class Extremes {
     }
 
     private static List<Node> nodes() {
-        return List.of(new Shape.Plane("floor", "m0", new Placement(new Vec3(0, -1, 0), Vec3.ZERO, new Vec3(9, 1, 9))),
-                new Shape.Sphere("ball", "m1", Placement.IDENTITY));
+        return List.of(new Shape(Solid.PLANE, "floor", "m0", new Placement(new Vec3(0, -1, 0), Vec3.ZERO, new Vec3(9, 1, 9))),
+                new Shape(Solid.SPHERE, "ball", "m1", Placement.IDENTITY));
     }
 
     /** Mostly dark, where nothing hides an error. */
@@ -108,7 +108,8 @@ final class Extremes {
 
     private static Arbitrary<Material> material(String name) {
         return Combinators.combine(Numbers.colors(), Numbers.colors(), exponents(), Numbers.colors()).as((diffuse, specular, shininess,
-                reflective) -> new Material(name, Rgb.grey(0.1), diffuse, specular, shininess, reflective, Optional.empty()));
+                reflective) -> Material.of(name).withAmbient(Rgb.grey(0.1)).withDiffuse(diffuse).withSpecular(specular)
+                        .withShininess(shininess).withReflective(reflective));
     }
 
     private static Arbitrary<Edit> edit() {

@@ -3,6 +3,7 @@ package lightning.sample;
 import lightning.math.Rgb;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 
@@ -87,6 +88,14 @@ sealed interface LightChange {
         @Override
         public Light on(Light light, Scene scene) {
             return light.withDirection(light.direction().normalized().times(factor));
+        }
+    }
+
+    /** Any attribute that the table has. */
+    record Anew<V>(LightAttribute<V> attribute, V to) implements LightChange {
+        @Override
+        public Light on(Light light, Scene scene) {
+            return attribute.with(light, to);
         }
     }
 }

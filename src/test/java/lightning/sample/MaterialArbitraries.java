@@ -17,8 +17,9 @@ final class MaterialArbitraries {
 
     static Arbitrary<Material> materials(String name) {
         return Combinators.combine(ambient(), Numbers.colors(), sometimesBlack(), shininess(), sometimesBlack(), textures())
-                .as((ambient, diffuse, specular, shininess, reflective, texture) -> new Material(name, ambient, diffuse, specular,
-                        shininess, reflective, texture));
+                .as((ambient, diffuse, specular, shininess, reflective, texture) -> Material.of(name).withAmbient(ambient)
+                        .withDiffuse(diffuse).withSpecular(specular).withShininess(shininess).withReflective(reflective)
+                        .withTexture(texture));
     }
 
     /** Colours, shininess and textures that come, go and change. */

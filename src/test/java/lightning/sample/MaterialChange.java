@@ -56,7 +56,8 @@ sealed interface MaterialChange {
     record Everything(Material to) implements MaterialChange {
         @Override
         public Material on(Material material) {
-            return new Material(material.name(), to.ambient(), to.diffuse(), to.specular(), to.shininess(), to.reflective(), to.texture());
+            return Material.of(material.name()).withAmbient(to.ambient()).withDiffuse(to.diffuse()).withSpecular(to.specular())
+                    .withShininess(to.shininess()).withReflective(to.reflective()).withTexture(to.texture());
         }
     }
 }

@@ -7,6 +7,7 @@ import lightning.scene.Group;
 import lightning.scene.Node;
 import lightning.scene.Placement;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -33,10 +34,10 @@ final class NodeArbitraries {
     private static List<Node> assemble(List<Node> free, boolean shell, boolean floor, String floorMaterial, String shellMaterial) {
         List<Node> nodes = new ArrayList<>();
         if (floor) {
-            nodes.add(new Shape.Plane("floor", floorMaterial, placement(new Vec3(0, -1, 0), new Vec3(14, 1, 14))));
+            nodes.add(new Shape(Solid.PLANE, "floor", floorMaterial, placement(new Vec3(0, -1, 0), new Vec3(14, 1, 14))));
         }
         if (shell) {
-            nodes.add(new Shape.Sphere("shell", shellMaterial, placement(Vec3.ZERO, new Vec3(12, 11, 13))));
+            nodes.add(new Shape(Solid.SPHERE, "shell", shellMaterial, placement(Vec3.ZERO, new Vec3(12, 11, 13))));
         }
         for (Node node : free) {
             nodes.add(named(node, "n" + nodes.size()));
@@ -51,10 +52,7 @@ final class NodeArbitraries {
     /** A node with another name; the children of a group get names made from it. */
     private static Node named(Node node, String name) {
         return switch (node) {
-            case Shape.Sphere s -> new Shape.Sphere(name, s.material(), s.placement());
-            case Shape.Cone s -> new Shape.Cone(name, s.material(), s.placement());
-            case Shape.Cylinder s -> new Shape.Cylinder(name, s.material(), s.placement());
-            case Shape.Plane s -> new Shape.Plane(name, s.material(), s.placement());
+            case Shape s -> s.withName(name);
             case Group g -> {
                 List<Node> children = new ArrayList<>();
                 for (Node child : g.children()) {
@@ -66,13 +64,8 @@ final class NodeArbitraries {
     }
 
     private static Arbitrary<Node> shapes() {
-        return Combinators.combine(Arbitraries.integers().between(0, 3), Arbitraries.of(MATERIALS), placements())
-                .as((kind, material, placement) -> switch (kind) {
-                    case 0 -> new Shape.Sphere("n", material, placement);
-                    case 1 -> new Shape.Cone("n", material, placement);
-                    case 2 -> new Shape.Cylinder("n", material, placement);
-                    default -> new Shape.Plane("n", material, placement);
-                });
+        return Combinators.combine(SolidArbitraries.solids(), Arbitraries.of(MATERIALS), placements())
+                .as((solid, material, placement) -> new Shape(solid, "n", material, placement));
     }
 
     private static Arbitrary<Node> groups() {

@@ -47,10 +47,7 @@ public final class SceneArbitraries {
             Placement p = node.placement();
             Placement placed = new Placement(point(p.at()), p.rotate(), p.scale().times(unit));
             return switch (node) {
-                case Shape.Sphere s -> new Shape.Sphere(s.name(), s.material(), placed);
-                case Shape.Cone s -> new Shape.Cone(s.name(), s.material(), placed);
-                case Shape.Cylinder s -> new Shape.Cylinder(s.name(), s.material(), placed);
-                case Shape.Plane s -> new Shape.Plane(s.name(), s.material(), placed);
+                case Shape s -> s.withPlacement(placed);
                 case Group g -> new Group(g.name(), placed, g.children());
             };
         }

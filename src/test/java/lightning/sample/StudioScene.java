@@ -2,7 +2,6 @@ package lightning.sample;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
@@ -15,6 +14,7 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.World;
 
 /** One plain scene that shows everything: a matt ball and a mirroring one over a mirroring floor, and one light. */
@@ -47,13 +47,14 @@ public final class StudioScene {
     }
 
     private static Material material(String name, Rgb reflective) {
-        return new Material(name, Rgb.grey(0.1), Rgb.grey(0.7), Rgb.grey(0.2), 8, reflective, Optional.empty());
+        return Material.of(name).withAmbient(Rgb.grey(0.1)).withDiffuse(Rgb.grey(0.7)).withSpecular(Rgb.grey(0.2)).withShininess(8)
+                .withReflective(reflective);
     }
 
     private static List<Node> nodes() {
-        return List.of(new Shape.Plane("floor", "glass", placement(new Vec3(0, -1, 0), new Vec3(9, 1, 9))),
-                new Shape.Sphere("ball", "matt", placement(Vec3.ZERO, Vec3.ONE)),
-                new Shape.Sphere("mirror", "glass", placement(new Vec3(-2, 0, -1), Vec3.ONE)));
+        return List.of(new Shape(Solid.PLANE, "floor", "glass", placement(new Vec3(0, -1, 0), new Vec3(9, 1, 9))),
+                new Shape(Solid.SPHERE, "ball", "matt", placement(Vec3.ZERO, Vec3.ONE)),
+                new Shape(Solid.SPHERE, "mirror", "glass", placement(new Vec3(-2, 0, -1), Vec3.ONE)));
     }
 
     private static Placement placement(Vec3 at, Vec3 scale) {

@@ -12,7 +12,7 @@ class StageTest {
     private static final Stage STAGE = new Stage(List.of(), List.of(group("g", sphere("a"), sphere("b")), sphere("c")));
 
     private static Shape sphere(String name) {
-        return new Shape.Sphere(name, Material.DEFAULT.name(), Placement.IDENTITY);
+        return new Shape(Solid.SPHERE, name, Material.DEFAULT.name(), Placement.IDENTITY);
     }
 
     private static Group group(String name, Node... children) {
@@ -59,8 +59,9 @@ class StageTest {
 
     @Test
     void materialThatAShapeHas_cannotGo() {
-        Material wood = new Material("wood", GOLD.ambient(), GOLD.diffuse(), GOLD.specular(), 1, GOLD.reflective(), GOLD.texture());
-        Stage wooden = new Stage(List.of(wood), List.of(new Shape.Cone("hat", "wood", Placement.IDENTITY)));
+        Material wood = Material.of("wood").withAmbient(GOLD.ambient()).withDiffuse(GOLD.diffuse()).withSpecular(GOLD.specular())
+                .withShininess(1).withReflective(GOLD.reflective()).withTexture(GOLD.texture());
+        Stage wooden = new Stage(List.of(wood), List.of(new Shape(Solid.CONE, "hat", "wood", Placement.IDENTITY)));
         assertThatIllegalArgumentException().isThrownBy(() -> wooden.withMaterials(List.of()))
                 .withMessage("shape 'hat': there is no material 'wood'");
     }

@@ -6,10 +6,10 @@ import lightning.edit.Change;
 import lightning.edit.Desk;
 import lightning.edit.Dial;
 import lightning.edit.LightEdits;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
 import lightning.math.Vec3;
 import lightning.sample.Session;
-import lightning.shading.TraditionalTracer;
 import lightning.work.Progress;
 import lightning.work.Workers;
 import net.jqwik.api.Arbitrary;
@@ -33,15 +33,15 @@ class VisiblePartTest {
     @Test
     void attributesThatDoNotAct_areNotSeen() {
         assertThat(unseen(LightEdits.position(scene, "sun", new Vec3(9, 9, 9)))).isTrue();
-        assertThat(unseen(Dial.LINEAR.set(scene, "sun", 3))).isTrue();
+        assertThat(unseen(Desk.dial("attenuation linear").set(scene, "sun", 3))).isTrue();
         assertThat(unseen(LightEdits.direction(scene, "fill", new Vec3(9, 9, 9)))).isTrue();
-        assertThat(unseen(Dial.ANGLE.set(scene, "fill", 3))).isTrue();
+        assertThat(unseen(Desk.dial("angle").set(scene, "fill", 3))).isTrue();
         assertThat(unseen(LightEdits.rename(scene, "key", "rim"))).isTrue();
     }
 
     @Test
     void attributesThatAct_areSeen() {
-        for (Dial dial : Dial.values()) {
+        for (Dial dial : Dial.ALL) {
             assertThat(unseen(dial.set(scene, "key", 7))).as(dial.title()).isFalse();
         }
         assertThat(unseen(LightEdits.position(scene, "key", Vec3.ZERO))).isFalse();

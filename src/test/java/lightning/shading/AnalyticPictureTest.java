@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
-import java.util.Optional;
 import lightning.image.Film;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
@@ -17,6 +16,7 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
@@ -31,13 +31,14 @@ class AnalyticPictureTest {
     private static final double OUTLINE = 1e-3;
 
     private static Material material(String name, Rgb ambient, double diffuse, double specular, double shininess, double reflective) {
-        return new Material(name, ambient, Rgb.grey(diffuse), Rgb.grey(specular), shininess, Rgb.grey(reflective), Optional.empty());
+        return Material.of(name).withAmbient(ambient).withDiffuse(Rgb.grey(diffuse)).withSpecular(Rgb.grey(specular))
+                .withShininess(shininess).withReflective(Rgb.grey(reflective));
     }
 
     private static Scene scene(Camera camera, int depth, Vec3 ball, List<Material> materials, List<Light> lights) {
         List<Node> nodes = List.of(
-                new Shape.Sphere("sphere", "ball", new Placement(ball, Vec3.ZERO, Vec3.ONE)),
-                new Shape.Plane("plane", "floor", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(1000, 1, 1000))));
+                new Shape(Solid.SPHERE, "sphere", "ball", new Placement(ball, Vec3.ZERO, Vec3.ONE)),
+                new Shape(Solid.PLANE, "plane", "floor", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(1000, 1, 1000))));
         return new Scene(new Picture(SIZE, SIZE, depth), camera, new World(1, SKY), materials, nodes, lights);
     }
 

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Random;
 import lightning.effects.Effect;
 import lightning.effects.ViewEffects;
+import lightning.engine.choice.Engines;
 import lightning.math.Vec3;
 import lightning.scene.Camera;
 import lightning.scene.Light;
@@ -16,7 +17,7 @@ import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
-import lightning.trace.PacketTracer;
+import lightning.trace.Tracer;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
@@ -27,6 +28,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class ConeReachTest {
     private static final Camera AT_ORIGIN = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);
+
+    private static final Tracer TRACER = Engines.LANES.tracer(new Geometry(scene(Light.of("l", LightType.POINT))));
 
     private static Scene scene(Light light) {
         return new Scene(Picture.DEFAULT, AT_ORIGIN, World.DEFAULT, List.of(), List.of(), List.of(light));
@@ -48,7 +51,7 @@ class ConeReachTest {
     /** A lamp one above the ground that shines straight down: half its opening is the angle off the axis of what it just reaches. */
     private static boolean reaches(double angle, Vec3... points) {
         Light down = Light.of("l", LightType.SPOT).withPosition(Vec3.Y).withDirection(Vec3.Y.negated()).withAngle(angle);
-        return ConeReach.mayReach(Lamp.of(down, scene(down)), rows(points).box());
+        return ConeReach.mayReach(Lamp.of(down, scene(down)), rows(points).box(TRACER));
     }
 
     @ParameterizedTest
@@ -88,7 +91,7 @@ class ConeReachTest {
             double spread = size * Math.pow(10, -random.nextInt(9));
             Arrays.setAll(points, _ -> at.plus(vector(random, spread)));
             HitRows rows = rows(points);
-            if (!ConeReach.mayReach(lamp, rows.box())) {
+            if (!ConeReach.mayReach(lamp, rows.box(TRACER))) {
                 var equation = new LightingEquation(lamp);
                 for (int p = 0; p < points.length; p++) {
                     equation.at(rows.px[p], rows.py[p], rows.pz[p], rows.nx[p], rows.ny[p], rows.nz[p]);
@@ -107,18 +110,19 @@ class ConeReachTest {
     void tileThatTheConeDoesNotReach_takesNoMemoryAndNoRay(double angle, int rays, int stateBytes) {
         Light light = Light.of("l", LightType.SPOT).withPosition(Vec3.Y).withDirection(Vec3.Y.negated()).withAngle(angle);
         Geometry empty = new Geometry(scene(light));
-        var kernel = new LightKernel(empty, new PacketTracer(empty), ViewEffects.ALL);
+        var kernel = new LightKernel(empty, Engines.LANES.tracer(empty), Engines.LANES.terms(), ViewEffects.ALL);
         LightRows layer = kernel.full(rows(new Vec3(1, 0, 0)), Lamp.of(light, scene(light)), Columns.FRESH);
         assertThat(kernel.shadowRays()).isEqualTo(rays);
         assertThat(kernel.rowsTouched()).isEqualTo(rays);
-        assertThat(layer.stateBytes()).isEqualTo(stateBytes);
+        assertThat(layer.bytes(LightRows.Column.STATE)).isEqualTo(stateBytes);
     }
 
     @Test
     void forcedCones_askEveryTile() {
         Light light = Light.of("l", LightType.SPOT).withPosition(Vec3.Y).withDirection(Vec3.Y.negated()).withAngle(10);
         Geometry empty = new Geometry(scene(light));
-        var kernel = new LightKernel(empty, new PacketTracer(empty), ViewEffects.ALL.forcing(List.of(Effect.SPOT_CONE)));
+        var kernel = new LightKernel(empty, Engines.LANES.tracer(empty), Engines.LANES.terms(),
+                ViewEffects.ALL.forcing(List.of(Effect.SPOT_CONE)));
         LightRows layer = kernel.full(rows(new Vec3(1, 0, 0)), Lamp.of(light, scene(light)), Columns.FRESH);
         assertThat(kernel.rowsTouched()).isEqualTo(1);
         assertThat(layer.state(0)).isEqualTo(LightRows.OUTSIDE);
@@ -129,7 +133,7 @@ class ConeReachTest {
     void unreachedRowThatAWiderConeTakesIn_isLitUnlessItFacesAway(float up, int state) {
         Light narrow = Light.of("l", LightType.SPOT).withPosition(Vec3.Y).withDirection(Vec3.Y.negated()).withAngle(10);
         Geometry empty = new Geometry(scene(narrow));
-        var kernel = new LightKernel(empty, new PacketTracer(empty), ViewEffects.ALL);
+        var kernel = new LightKernel(empty, Engines.LANES.tracer(empty), Engines.LANES.terms(), ViewEffects.ALL);
         HitRows rows = rows(new Vec3(1, 0, 0));
         rows.ny[0] = up;
         LightRows before = kernel.full(rows, Lamp.of(narrow, scene(narrow)), Columns.FRESH);

@@ -7,8 +7,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
 import lightning.image.FilmAssert;
 import lightning.jen.JenException;
@@ -28,6 +28,7 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.World;
 import lightning.work.Progress;
 import lightning.work.Workers;
@@ -87,7 +88,8 @@ class FiniteFilmTest {
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.5, 1})
     void brightestSceneThatIsAccepted_addsUpWithoutOverflow(double reflective) {
-        Material mirror = new Material("m", Rgb.grey(Limits.MAX_EMISSION), Rgb.WHITE, Rgb.WHITE, 0, Rgb.grey(reflective), Optional.empty());
+        Material mirror = Material.of("m").withAmbient(Rgb.grey(Limits.MAX_EMISSION)).withDiffuse(Rgb.WHITE).withSpecular(Rgb.WHITE)
+                .withShininess(0).withReflective(Rgb.grey(reflective));
         List<Node> walls = List.of(wall("front", -1), wall("back", 1));
         List<Light> lights = new ArrayList<>();
         for (int l = 0; l < Limits.MAX_LIGHTS; l++) {
@@ -105,7 +107,7 @@ class FiniteFilmTest {
     }
 
     private static Node wall(String name, double z) {
-        return new Shape.Plane(name, "m", new Placement(new Vec3(0, 0, z), new Vec3(90, 0, 0), new Vec3(1e3, 1, 1e3)));
+        return new Shape(Solid.PLANE, name, "m", new Placement(new Vec3(0, 0, z), new Vec3(90, 0, 0), new Vec3(1e3, 1, 1e3)));
     }
 
     private static Scene read(String name) throws IOException, JenException {

@@ -3,7 +3,6 @@ package lightning.shading;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import java.util.Optional;
 import lightning.image.Film;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
@@ -16,6 +15,7 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.World;
 import lightning.trace.Eye;
 import lightning.trace.Geometry;
@@ -26,7 +26,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Light that grazes a surface makes neither bands nor sparkle, and a light at no distance is no brighter than one. */
 class GrazingLightTest {
-    private static final Material WHITE = new Material("white", Rgb.BLACK, Rgb.WHITE, Rgb.BLACK, 1, Rgb.BLACK, Optional.empty());
+    private static final Material WHITE = Material.of("white").withDiffuse(Rgb.WHITE).withShininess(1);
 
     private static Scene scene(Node node, Camera camera, Light light) {
         return scene(WHITE, node, camera, light);
@@ -37,7 +37,7 @@ class GrazingLightTest {
     }
 
     private static Node floor(Vec3 at, Vec3 rotate) {
-        return new Shape.Plane("floor", "white", new Placement(at, rotate, new Vec3(1e4, 1, 1e4)));
+        return new Shape(Solid.PLANE, "floor", "white", new Placement(at, rotate, new Vec3(1e4, 1, 1e4)));
     }
 
     private static Light sun(double cosine) {
@@ -58,7 +58,7 @@ class GrazingLightTest {
     /** N·L is 0 exactly: the mirror direction looks along the floor, and still nothing shines. */
     @Test
     void lightAtTheHorizon_leavesNoHighlight() {
-        Material shiny = new Material("white", Rgb.BLACK, Rgb.WHITE, Rgb.WHITE, 1, Rgb.BLACK, Optional.empty());
+        Material shiny = Material.of("white").withDiffuse(Rgb.WHITE).withSpecular(Rgb.WHITE).withShininess(1);
         Light sun = Light.of("sun", LightType.DIRECTIONAL).withDirection(new Vec3(0, 0, 1));
         Camera camera = new Camera(new Vec3(0, 1, 0), new Vec3(0, 0.9, -1), Vec3.Y, 5);
         Scene scene = scene(shiny, floor(Vec3.ZERO, Vec3.ZERO), camera, sun);
@@ -88,7 +88,7 @@ class GrazingLightTest {
     @ValueSource(doubles = {1, 1e-3, 1e4})
     void ballUnderTheSun_isShadedByItsNormalAlone(double scale) {
         Vec3 at = new Vec3(3, 1, -5).times(scale);
-        Scene scene = scene(new Shape.Sphere("ball", "white", new Placement(at, Vec3.ZERO, Vec3.ONE.times(scale))),
+        Scene scene = scene(new Shape(Solid.SPHERE, "ball", "white", new Placement(at, Vec3.ZERO, Vec3.ONE.times(scale))),
                 new Camera(Vec3.ZERO, at, Vec3.Y, 20), sun(0.3));
         Film film = new ReferenceTracer(scene).trace();
         Vec3 toSun = scene.lights().getFirst().direction().normalized().negated();

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
 import lightning.image.FilmAssert;
 import lightning.math.Rgb;
@@ -19,6 +20,7 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.World;
 import lightning.trace.Eye;
 import lightning.trace.Geometry;
@@ -31,21 +33,22 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** A lamp on a lampshade lights a floor in front of it, without a speck, and nothing behind it. */
 class LampOnSurfaceTest {
-    private static final Material WHITE = new Material("white", Rgb.BLACK, Rgb.WHITE, Rgb.BLACK, 1, Rgb.BLACK, Optional.empty());
+    private static final Material WHITE = Material.of("white").withDiffuse(Rgb.WHITE).withShininess(1);
     private static final Placement GROUP = new Placement(new Vec3(0.3, 2.7, -0.4), new Vec3(37, 74, -21), new Vec3(1.3, 1.3, 1.3));
     private static final Placement IN_GROUP = new Placement(new Vec3(0.1, 0, 0.2), new Vec3(11, -35, 60), new Vec3(0.7, 0.7, 0.7));
 
     /** A shape, a point of its surface and the outward normal there, own coordinates; a square has none. */
     static Stream<Arguments> shades() {
         return Stream.of(
-                Arguments.of(new Shape.Plane("shade", "white", IN_GROUP), new Vec3(0.1, 0, -0.2), Optional.empty()),
-                Arguments.of(new Shape.Plane("shade", "white", IN_GROUP), new Vec3(0.5, 0, 0.5), Optional.empty()),
-                Arguments.of(new Shape.Sphere("shade", "white", IN_GROUP), new Vec3(0.48, -0.6, 0.64),
+                Arguments.of(new Shape(Solid.PLANE, "shade", "white", IN_GROUP), new Vec3(0.1, 0, -0.2), Optional.empty()),
+                Arguments.of(new Shape(Solid.PLANE, "shade", "white", IN_GROUP), new Vec3(0.5, 0, 0.5), Optional.empty()),
+                Arguments.of(new Shape(Solid.SPHERE, "shade", "white", IN_GROUP), new Vec3(0.48, -0.6, 0.64),
                         Optional.of(new Vec3(0.48, -0.6, 0.64))),
-                Arguments.of(new Shape.Cone("shade", "white", IN_GROUP), Vec3.ZERO, Optional.of(Vec3.Y.negated())),
-                Arguments.of(new Shape.Cone("shade", "white", IN_GROUP), new Vec3(0.3, 0.5, 0.4), Optional.of(new Vec3(0.6, 1, 0.8))),
-                Arguments.of(new Shape.Cylinder("shade", "white", IN_GROUP), Vec3.Y, Optional.of(Vec3.Y)),
-                Arguments.of(new Shape.Cylinder("shade", "white", IN_GROUP), new Vec3(0.6, 0.3, -0.8),
+                Arguments.of(new Shape(Solid.CONE, "shade", "white", IN_GROUP), Vec3.ZERO, Optional.of(Vec3.Y.negated())),
+                Arguments.of(new Shape(Solid.CONE, "shade", "white", IN_GROUP), new Vec3(0.3, 0.5, 0.4),
+                        Optional.of(new Vec3(0.6, 1, 0.8))),
+                Arguments.of(new Shape(Solid.CYLINDER, "shade", "white", IN_GROUP), Vec3.Y, Optional.of(Vec3.Y)),
+                Arguments.of(new Shape(Solid.CYLINDER, "shade", "white", IN_GROUP), new Vec3(0.6, 0.3, -0.8),
                         Optional.of(new Vec3(0.6, 0, -0.8))));
     }
 
@@ -55,7 +58,7 @@ class LampOnSurfaceTest {
         Node group = new Group("lamp", GROUP, List.of(shade));
         Vec3 at = GROUP.transform().point(IN_GROUP.transform().point(on));
         Optional<Vec3> front = normal.map(n -> GROUP.transform().vector(IN_GROUP.transform().vector(n)));
-        Node floor = new Shape.Plane("floor", "white", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(40, 1, 40)));
+        Node floor = new Shape(Solid.PLANE, "floor", "white", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(40, 1, 40)));
         Scene scene = new Scene(new Picture(64, 48, 0), new Camera(new Vec3(1, 7, 12), new Vec3(0, 0.5, 0), Vec3.Y, 50), World.DEFAULT,
                 List.of(WHITE), List.of(floor, group), List.of(Light.of("l", LightType.POINT).withPosition(at)));
         Film film = new ReferenceTracer(scene).trace();
@@ -90,7 +93,7 @@ class LampOnSurfaceTest {
         Vec3 at = GROUP.transform().point(IN_GROUP.transform().point(on));
         Vec3 down = new Vec3(0.2, -1, 0.1);
         Vec3 look = normal.map(n -> GROUP.transform().vector(IN_GROUP.transform().vector(n))).orElse(down);
-        Node floor = new Shape.Plane("floor", "white", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(4000, 1, 4000)));
+        Node floor = new Shape(Solid.PLANE, "floor", "white", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(4000, 1, 4000)));
         Scene scene = new Scene(new Picture(48, 48, 0), new Camera(at, at.plus(look), new Vec3(0.3, 0.5, 0.9), 60), World.DEFAULT,
                 List.of(WHITE), List.of(floor, group), List.of());
         Geometry geometry = new Geometry(scene);

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Random;
+import lightning.engine.choice.Engines;
+import lightning.engine.lanes.PowerLanes;
 import lightning.math.Power;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
@@ -44,22 +46,29 @@ class LanesTest {
     }
 
     @Property(tries = 300)
-    void termsInLanes_haveTheBitsOfTheEquation(@ForAll Random random, @ForAll LightType type,
+    void termsInLanes_haveTheBitsOfTheEquation(@ForAll Random random, @ForAll LightType type, @ForAll boolean scalar,
             @ForAll @IntRange(min = 1, max = 200) int count) {
         HitRows rows = rows(random, count);
         Lamp lamp = lamp(random, type, rows);
         double shininess = EXPONENTS[random.nextInt(EXPONENTS.length)];
-        LightLanes lanes = new LightLanes();
+        Terms lanes = (scalar ? Engines.SCALAR : Engines.LANES).terms();
         float[] cosine = new float[1024];
         float[] specular = new float[1024];
         float[] falloff = new float[1024];
         lanes.aim(rows, lamp);
         lanes.cosines(rows, cosine);
         if (type.hasCone()) {
-            lanes.axisCosines(rows, lamp);
+            lanes.aimCone(rows, lamp);
         }
-        int from = random.nextInt(count) / LightLanes.LANES * LightLanes.LANES;
-        lanes.speculars(rows, from, count, shininess, specular);
+        int from = random.nextInt(count);
+        int[] asked = RowBits.room();
+        for (int i = 0; i < count; i++) {
+            specular[i] = -1;
+            if (random.nextBoolean()) {
+                RowBits.add(asked, i);
+            }
+        }
+        lanes.speculars(rows, from, count, asked, shininess, specular);
         if (type.hasPosition()) {
             lanes.falloffs(rows, lamp, falloff);
         }
@@ -68,12 +77,14 @@ class LanesTest {
             equation.at(rows.px[i], rows.py[i], rows.pz[i], rows.nx[i], rows.ny[i], rows.nz[i]);
             assertSameBits(cosine[i], equation.cosine(rows.nx[i], rows.ny[i], rows.nz[i]), "cosine");
             if (type.hasCone()) {
-                assertThat(lanes.axisCosine[i] >= lamp.cosAngle()).isEqualTo(equation.insideCone());
+                assertThat(lanes.isInside(i, lamp.cosAngle())).isEqualTo(equation.insideCone());
             }
             if (type.hasPosition()) {
                 assertSameBits(falloff[i], equation.falloff(), "falloff");
             }
-            if (i >= from) {
+            if (i < from || !RowBits.contains(asked, i)) {
+                assertSameBits(specular[i], -1, "specular of a row not asked for");
+            } else {
                 assertSameBits(specular[i], equation.specular(rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i],
                         rows.vz[i], shininess), "specular");
             }

@@ -68,7 +68,8 @@ class LightingEquationTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"1,0,0,1", "2,0,0,0.5", "0,1,0,0.5", "0,0,1,0.25", "1,1,1,0.14285714", "0.5,0,0,1", "0,0,0,1", "0,0.25,0,1"})
+    @CsvSource({"1,0,0,1", "2,0,0,0.5", "0,1,0,0.5", "0,0,1,0.25", "1,1,1,0.14285714", "0.5,0,0,1", "0,0,0,1", "-0.0,-0.0,-0.0,1",
+        "0,0.25,0,1"})
     void attenuation_isTheReciprocalUpToOne(double constant, double linear, double quadratic, double factor) {
         Light light = point(0, 2, 0).withAttenuation(new Attenuation(constant, linear, quadratic));
         assertThat((double) at(light).falloff()).isCloseTo(factor, within(FLOAT));
@@ -161,10 +162,10 @@ class LightingEquationTest {
         Light light = point(0, 2, 0).withColor(new Rgb(1, 0.5, 0.25)).withIntensity(2);
         Light other = point(0, 3, 0).withName("solo").withSolo(true);
         Scene scene = new Scene(Picture.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(), List.of(), List.of(light));
-        Lamp lamp = Lamp.of(light, scene);
-        assertThat(List.of(lamp.red(), lamp.green(), lamp.blue())).containsExactly(2f, 1f, 0.5f);
-        assertThat(Lamp.of(light.withOn(false), scene.withLight(light.withOn(false))).isDark()).isTrue();
-        assertThat(Lamp.of(light, scene.withLights(List.of(light, other))).isDark()).isTrue();
-        assertThat(Lamp.of(light, scene.withLights(List.of(light, other.withOn(false)))).isDark()).isFalse();
+        Luminaire shining = Luminaire.of(light, scene);
+        assertThat(List.of(shining.red(), shining.green(), shining.blue())).containsExactly(2f, 1f, 0.5f);
+        assertThat(Luminaire.of(light.withOn(false), scene.withLight(light.withOn(false))).isDark()).isTrue();
+        assertThat(Luminaire.of(light, scene.withLights(List.of(light, other))).isDark()).isTrue();
+        assertThat(Luminaire.of(light, scene.withLights(List.of(light, other.withOn(false)))).isDark()).isFalse();
     }
 }

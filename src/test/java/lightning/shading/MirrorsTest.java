@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
-import java.util.Optional;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.image.FilmAssert;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
@@ -17,6 +17,7 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.World;
 import lightning.work.Progress;
 import lightning.work.Workers;
@@ -29,7 +30,7 @@ class MirrorsTest {
     private static final Rgb EMITTED = new Rgb(0.5, 0.25, 1);
 
     private static Material mirror(Rgb reflective) {
-        return new Material("mirror", EMITTED, Rgb.BLACK, Rgb.BLACK, 1, reflective, Optional.empty());
+        return Material.of("mirror").withAmbient(EMITTED).withDiffuse(Rgb.BLACK).withShininess(1).withReflective(reflective);
     }
 
     private static Scene scene(int depth, Material material, Camera camera, Node... nodes) {
@@ -39,7 +40,7 @@ class MirrorsTest {
     }
 
     private static Node wall(String name, double z) {
-        return new Shape.Plane(name, "mirror", new Placement(new Vec3(0, 0, z), new Vec3(90, 0, 0), new Vec3(1e6, 1, 1e6)));
+        return new Shape(Solid.PLANE, name, "mirror", new Placement(new Vec3(0, 0, z), new Vec3(90, 0, 0), new Vec3(1e6, 1, 1e6)));
     }
 
     private static void assertAll(Scene scene, double[] expected) {
@@ -89,7 +90,7 @@ class MirrorsTest {
             Vec3 from = new Vec3(beside, 0, 0).times(scale);
             Camera camera = new Camera(from, from.plus(new Vec3(0, 0.1, -1).times(scale)), Vec3.Y, 170);
             Rgb reflective = new Rgb(0.9, 0.5, 1);
-            Node ball = new Shape.Sphere("ball", "mirror", new Placement(Vec3.ZERO, Vec3.ZERO, Vec3.ONE.times(scale)));
+            Node ball = new Shape(Solid.SPHERE, "ball", "mirror", new Placement(Vec3.ZERO, Vec3.ZERO, Vec3.ONE.times(scale)));
             assertAll(scene(10, mirror(reflective), camera, ball), series(reflective, 10));
         }
     }
@@ -98,7 +99,7 @@ class MirrorsTest {
     @ParameterizedTest
     @ValueSource(doubles = {1, 1e-3, 1e-6})
     void floorMirroredAtGrazingAngles_showsTheSkyAndNeverItself(double height) {
-        Node floor = new Shape.Plane("floor", "mirror", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(1e3, 1, 1e3)));
+        Node floor = new Shape(Solid.PLANE, "floor", "mirror", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(1e3, 1, 1e3)));
         Camera camera = new Camera(new Vec3(0, height, 0), new Vec3(0.1, -0.2, -1), Vec3.Y, 10);
         Scene scene = scene(3, mirror(new Rgb(0.5, 0.5, 0.5)), camera, floor);
         assertAll(scene, new double[] {0.25 + 3.5, 0.125 + 3.5, 0.5 + 3.5});

@@ -19,6 +19,7 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.World;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
@@ -45,6 +46,25 @@ class PixelExplainerTest {
         }
     }
 
+    /** Lights change their places in the scene, and every second one where it stands. */
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    void colorAfterAnEdit_isTheReferencesInEveryBit(@ForAll("scenes") Scene scene, @ForAll Random pixels) {
+        List<Light> lights = scene.lights().reversed().stream()
+                .map(l -> pixels.nextBoolean() ? l : l.withPosition(l.position().plus(new Vec3(0.25, 0.5, 0.125)))).toList();
+        Scene edited = scene.withLights(lights);
+        var reference = new ReferenceTracer(edited);
+        var before = new PixelExplainer(scene);
+        PixelExplainer explainer = null;
+        for (int i = 0; i < 30; i++) {
+            int x = pixels.nextInt(scene.picture().width());
+            int y = pixels.nextInt(scene.picture().height());
+            before.pixel(x, y);
+            explainer = explainer == null ? before.forScene(edited, before.geometry()) : explainer;
+            assertThat(explainer.pixel(x, y).color()).as("pixel %d,%d of\n%s", x, y, JenWriter.write(edited))
+                    .containsExactly(reference.pixel(x, y));
+        }
+    }
+
     @Test
     void everyStateAndMirrors_areSeenOnTheBird() throws Exception {
         Scene bird = JenReader.read(Path.of("scenes/bird.jen")).scene();
@@ -66,17 +86,17 @@ class PixelExplainerTest {
     void shadow_namesTheNearestShapeInBetween() {
         Scene scene = new Scene(new Picture(1, 1, 0), new Camera(new Vec3(0, 1, 9), Vec3.ZERO, Vec3.Y, 20),
                 new World(0, Rgb.BLACK), List.of(), List.of(
-                        new Shape.Plane("floor", "default", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(9, 1, 9))),
-                        new Shape.Sphere("high", "default", new Placement(new Vec3(0, 8, 0), Vec3.ZERO, Vec3.ONE)),
-                        new Shape.Sphere("low", "default", new Placement(new Vec3(0, 5, 0), Vec3.ZERO, Vec3.ONE))),
+                        new Shape(Solid.PLANE, "floor", "default", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(9, 1, 9))),
+                        new Shape(Solid.SPHERE, "high", "default", new Placement(new Vec3(0, 8, 0), Vec3.ZERO, Vec3.ONE)),
+                        new Shape(Solid.SPHERE, "low", "default", new Placement(new Vec3(0, 5, 0), Vec3.ZERO, Vec3.ONE))),
                 List.of(Light.of("top", LightType.POINT).withPosition(new Vec3(0, 20, 0)),
                         Light.of("between", LightType.POINT).withPosition(new Vec3(0, 3, 0))));
         var explainer = new PixelExplainer(scene);
         PointReport report = explainer.pixel(0, 0);
-        assertThat(explainer.geometry().shape(report.at().shape()).shape().name()).isEqualTo("floor");
+        assertThat(explainer.geometry().shape(report.at().primitive()).name()).isEqualTo("floor");
         LightReport top = report.lights().getFirst();
         assertThat(top.state()).isEqualTo(LightReport.State.SHADOWED);
-        assertThat(explainer.geometry().shape(top.blocker()).shape().name()).isEqualTo("low");
+        assertThat(explainer.geometry().shape(top.blocker()).name()).isEqualTo("low");
         assertThat(report.lights().getLast().state()).isEqualTo(LightReport.State.LIT);
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import lightning.engine.choice.Engines;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
@@ -24,13 +25,17 @@ class RatiosTest {
     private static final byte LIT = LightRows.LIT | LightRows.CLEAR;
     private static final byte SHADOWED = LightRows.SHADOWED | LightRows.BLOCKED;
 
-    private static Lamp lamp(Light light) {
+    private static Luminaire luminaire(Light light) {
         Camera atOrigin = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);
-        return Lamp.of(light, new Scene(Picture.DEFAULT, atOrigin, World.DEFAULT, List.of(), List.of(), List.of(light)));
+        return Luminaire.of(light, new Scene(Picture.DEFAULT, atOrigin, World.DEFAULT, List.of(), List.of(), List.of(light)));
     }
 
-    private static Lamp weighing(double r, double g, double b) {
-        return lamp(Light.of("l", LightType.POINT).withColor(new Rgb(r, g, b)));
+    private static Lamp lamp(Light light) {
+        return luminaire(light).lamp();
+    }
+
+    private static Luminaire weighing(double r, double g, double b) {
+        return luminaire(Light.of("l", LightType.POINT).withColor(new Rgb(r, g, b)));
     }
 
     @Test
@@ -66,8 +71,8 @@ class RatiosTest {
     @Test
     void ratioBeyondAFloat_isNone() {
         Light dim = Light.of("l", LightType.POINT).withIntensity(1e-35);
-        assertThat(IntensityRatio.between(lamp(dim), lamp(dim.withIntensity(1e3))).isUsable()).isTrue();
-        assertThat(IntensityRatio.between(lamp(dim), lamp(dim.withIntensity(1e4))).isUsable()).isFalse();
+        assertThat(IntensityRatio.between(luminaire(dim), luminaire(dim.withIntensity(1e3))).isUsable()).isTrue();
+        assertThat(IntensityRatio.between(luminaire(dim), luminaire(dim.withIntensity(1e4))).isUsable()).isFalse();
     }
 
     /** Rows at the distances given, under a light in the origin that shines down. */
@@ -90,7 +95,7 @@ class RatiosTest {
     void attenuationRatio_isNewFalloffOverOldOfLitRows(LightType type) {
         Light plain = light(type);
         Light square = plain.withAttenuation(new Attenuation(0, 0, 1));
-        AttenuationRatio ratio = new AttenuationRatio();
+        AttenuationRatio ratio = new AttenuationRatio(Engines.LANES.terms());
         byte[] states = {LIT, LIT, SHADOWED};
         assertThat(ratio.compute(rows(2, 4, 8), lamp(plain), lamp(square), states)).isTrue();
         assertThat(ratio.ratio).startsWith(0.25f, 0.0625f, 1);
@@ -103,7 +108,7 @@ class RatiosTest {
     @Test
     void attenuationRatio_ofADirectionalLightIsOne() {
         Light sun = light(LightType.DIRECTIONAL);
-        AttenuationRatio ratio = new AttenuationRatio();
+        AttenuationRatio ratio = new AttenuationRatio(Engines.LANES.terms());
         assertThat(ratio.compute(rows(2), lamp(sun), lamp(sun.withAttenuation(new Attenuation(9, 9, 9))), new byte[] {LIT})).isTrue();
         assertThat(ratio.ratio[0]).isEqualTo(1);
         assertThat(ratio.least()).isEqualTo(1);
@@ -113,7 +118,7 @@ class RatiosTest {
     @Test
     void attenuationRatio_holdsTheSpotCoefficient() {
         Light slanted = light(LightType.SPOT).withDirection(new Vec3(Math.sqrt(3), -1, 0));
-        AttenuationRatio ratio = new AttenuationRatio();
+        AttenuationRatio ratio = new AttenuationRatio(Engines.LANES.terms());
         assertThat(ratio.compute(rows(2), lamp(slanted.withDropoff(1)), lamp(slanted.withDropoff(3)), new byte[] {LIT})).isTrue();
         assertThat((double) ratio.ratio[0]).isCloseTo(0.25, within(1e-7));
         assertThat(ratio.least()).isCloseTo(0.125, within(1e-7));
@@ -126,7 +131,7 @@ class RatiosTest {
         Light below = light(LightType.POINT).withAttenuation(new Attenuation(0, 0, Math.nextUp(0x1p66)));
         Light plain = light(LightType.POINT);
         HitRows rows = rows(0x1p30);
-        AttenuationRatio ratio = new AttenuationRatio();
+        AttenuationRatio ratio = new AttenuationRatio(Engines.LANES.terms());
         assertThat(ratio.compute(rows, lamp(edge), lamp(plain), new byte[] {LIT})).isTrue();
         assertThat(ratio.ratio[0]).isEqualTo(0x1p126f);
         assertThat(ratio.compute(rows, lamp(below), lamp(plain), new byte[] {LIT})).isFalse();
@@ -149,10 +154,10 @@ class RatiosTest {
     }
 
     @Test
-    void lampTakenAsShining_weighsWhatItWouldIfItWereOn() {
+    void lightTakenAsShining_weighsWhatItWouldIfItWereOn() {
         Light off = light(LightType.POINT).withOn(false).withIntensity(3);
         Scene scene = new Scene(Picture.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(), List.of(), List.of(off));
-        assertThat(Lamp.of(off, scene).isDark()).isTrue();
-        assertThat(Lamp.shining(off, scene).red()).isEqualTo(3);
+        assertThat(Luminaire.of(off, scene).isDark()).isTrue();
+        assertThat(Luminaire.shining(off, scene).red()).isEqualTo(3);
     }
 }

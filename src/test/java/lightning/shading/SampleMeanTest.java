@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
-import java.util.Optional;
 import lightning.image.Film;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
@@ -16,6 +15,7 @@ import lightning.scene.Placement;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.World;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -28,10 +28,10 @@ class SampleMeanTest {
 
     /** A white disc, a glowing ball seen from far, on black: the sum of all pixels is its area. */
     private static Scene disc(Antialias antialias, int grid) {
-        Material glow = new Material("glow", Rgb.WHITE, Rgb.BLACK, Rgb.BLACK, 1, Rgb.BLACK, Optional.empty());
+        Material glow = Material.of("glow").withAmbient(Rgb.WHITE).withDiffuse(Rgb.BLACK).withShininess(1);
         return new Scene(new Picture(40, 40, 0, new Sampling(antialias, grid)),
                 new Camera(new Vec3(0, 0, 1000), Vec3.ZERO, Vec3.Y, 0.2), new World(1, Rgb.BLACK), List.of(glow),
-                List.of(new Shape.Sphere("ball", "glow", Placement.IDENTITY)), List.of());
+                List.of(new Shape(Solid.SPHERE, "ball", "glow", Placement.IDENTITY)), List.of());
     }
 
     private static double area(Film film) {

@@ -3,7 +3,6 @@ package lightning.shading;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import java.util.Optional;
 import lightning.image.Film;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
@@ -16,6 +15,7 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.World;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -29,15 +29,15 @@ class TelephotoTest {
     private static final int HEIGHT = 100;
     private static final Vec3 BALL = new Vec3(0, 1, 0);
     private static final Vec3 LIGHT = new Vec3(3, 6, 2);
-    private static final Material WHITE = new Material("white", Rgb.BLACK, Rgb.WHITE, Rgb.BLACK, 1, Rgb.BLACK, Optional.empty());
+    private static final Material WHITE = Material.of("white").withDiffuse(Rgb.WHITE).withShininess(1);
 
     @ParameterizedTest
     @ValueSource(doubles = {10, 100, 1000, 10_000, 30_000})
     void pixelsFromFarAway_areRightButForEdgesOfShadowsWithinTheBound(double far) {
         double half = 4 / far;
         Camera camera = new Camera(new Vec3(0.3, 0.6, 1).normalized().times(far), Vec3.ZERO, Vec3.Y, 2 * Math.toDegrees(Math.atan(half)));
-        List<Node> nodes = List.of(new Shape.Sphere("ball", "white", new Placement(BALL, Vec3.ZERO, Vec3.ONE)),
-                new Shape.Plane("floor", "white", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(100, 1, 100))));
+        List<Node> nodes = List.of(new Shape(Solid.SPHERE, "ball", "white", new Placement(BALL, Vec3.ZERO, Vec3.ONE)),
+                new Shape(Solid.PLANE, "floor", "white", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(100, 1, 100))));
         Film film = new ReferenceTracer(new Scene(new Picture(WIDTH, HEIGHT, 0), camera, World.DEFAULT, List.of(WHITE), nodes,
                 List.of(Light.of("l", LightType.POINT).withPosition(LIGHT)))).trace();
         int near = 0;

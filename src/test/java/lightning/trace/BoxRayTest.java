@@ -3,6 +3,7 @@ package lightning.trace;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.math.Vec3;
+import lightning.trace.solid.Form;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -12,7 +13,9 @@ class BoxRayTest {
     private static final float[] BOX = {-1, -1, -1, 1, 1, 1};
 
     private static boolean hits(Vec3 origin, Vec3 direction, double limit) {
-        return new BoxRay(new Ray(origin, direction)).hits(BOX, 0, limit);
+        BoxRay ray = new BoxRay();
+        ray.enter(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
+        return ray.hits(BOX, 0, limit);
     }
 
     @ParameterizedTest
@@ -20,11 +23,11 @@ class BoxRayTest {
     void rayAlongAFace_isLetPassInsideOfIt(double zero) {
         double side = Math.nextDown(1.0);
         for (double at : new double[] {-side, side}) {
-            assertThat(hits(new Vec3(at, 0, 5), new Vec3(zero, zero, -1), Solids.MISS)).isTrue();
-            assertThat(hits(new Vec3(0, at, 5), new Vec3(zero, zero, -1), Solids.MISS)).isTrue();
-            assertThat(hits(new Vec3(5, 0, at), new Vec3(-1, zero, zero), Solids.MISS)).isTrue();
+            assertThat(hits(new Vec3(at, 0, 5), new Vec3(zero, zero, -1), Form.MISS)).isTrue();
+            assertThat(hits(new Vec3(0, at, 5), new Vec3(zero, zero, -1), Form.MISS)).isTrue();
+            assertThat(hits(new Vec3(5, 0, at), new Vec3(-1, zero, zero), Form.MISS)).isTrue();
         }
-        assertThat(hits(new Vec3(1.001, 0, 5), new Vec3(zero, zero, -1), Solids.MISS)).isFalse();
+        assertThat(hits(new Vec3(1.001, 0, 5), new Vec3(zero, zero, -1), Form.MISS)).isFalse();
     }
 
     /** A shape in it may be met at that very distance, and have the lower index. */
@@ -37,8 +40,8 @@ class BoxRayTest {
 
     @Test
     void boxBehindOrBeside_isMissed() {
-        assertThat(hits(new Vec3(0, 0, 5), new Vec3(0, 0, 1), Solids.MISS)).isFalse();
-        assertThat(hits(new Vec3(0, 0, 5), new Vec3(0, 1, -1), Solids.MISS)).isFalse();
-        assertThat(hits(new Vec3(0, 0, 0), new Vec3(0, 1, -1), Solids.MISS)).as("from inside").isTrue();
+        assertThat(hits(new Vec3(0, 0, 5), new Vec3(0, 0, 1), Form.MISS)).isFalse();
+        assertThat(hits(new Vec3(0, 0, 5), new Vec3(0, 1, -1), Form.MISS)).isFalse();
+        assertThat(hits(new Vec3(0, 0, 0), new Vec3(0, 1, -1), Form.MISS)).as("from inside").isTrue();
     }
 }

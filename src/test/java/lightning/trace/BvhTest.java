@@ -38,7 +38,8 @@ class BvhTest {
         Camera camera = scene.camera();
         Vec3 from = camera.from().plus(new Vec3(by, -by / 3, 1));
         Geometry there =
-                here.forScene(scene.withCamera(new Camera(from, from.plus(new Vec3(0.3, 1, 2)), camera.up(), camera.fov())), false);
+                here.forScene(scene.withCamera(new Camera(from, from.plus(new Vec3(0.3, 1, 2)), camera.up(), camera.fov())),
+                        MaterialTable.MIRRORS);
         assertThat(there.bvh().child).isSameAs(here.bvh().child);
         assertCovered(there.bvh());
         TraceRays rays = new TraceRays(there, seed);
@@ -56,13 +57,13 @@ class BvhTest {
         Camera camera = scene.camera();
         Geometry here = new Geometry(scene);
         Vec3 to = camera.from().plus(new Vec3(1, 2, 3));
-        assertThat(here.forScene(scene.withCamera(new Camera(camera.from(), to, camera.up(), 10)), false)).isSameAs(here);
+        assertThat(here.forScene(scene.withCamera(new Camera(camera.from(), to, camera.up(), 10)), MaterialTable.MIRRORS)).isSameAs(here);
     }
 
     @Test
     void otherShapes_haveATreeOfTheirOwn() {
         Geometry few = new Geometry(TraceScenes.cloud(10, 1));
-        assertThat(few.forScene(TraceScenes.cloud(11, 1), false).shapeCount()).isEqualTo(11);
+        assertThat(few.forScene(TraceScenes.cloud(11, 1), MaterialTable.MIRRORS).primitiveCount()).isEqualTo(11);
     }
 
     @Test
@@ -95,7 +96,7 @@ class BvhTest {
         for (int i = 0; i < bvh.child.length; i++) {
             int c = bvh.child[i];
             for (int inner = 0; inner < (c < 0 ? 1 : 2); inner++) {
-                float[] box = c < 0 ? bvh.shapeBoxes : bvh.boxes;
+                float[] box = c < 0 ? bvh.primitiveBoxes : bvh.boxes;
                 int at = c < 0 ? 6 * ~c : 12 * c + 6 * inner;
                 for (int a = 0; a < 3; a++) {
                     assertThat(bvh.boxes[6 * i + a]).isLessThanOrEqualTo(box[at + a]);
@@ -114,7 +115,7 @@ class BvhTest {
         PacketTracer tracer = new PacketTracer(geometry);
         java.util.Arrays.fill(p.dz, -1);
         tracer.nearest(p, RayPacket.WIDTH);
-        assertThat(p.shape).containsOnly(0);
+        assertThat(p.primitive).containsOnly(0);
     }
 
     /** Distances that grow by a factor would make a split by surface area peel off one shape at a time. */
@@ -159,7 +160,7 @@ class BvhTest {
             tracer.nearest(p, RayPacket.WIDTH);
             for (int i = 0; i < RayPacket.WIDTH; i++) {
                 Ray ray = TraceRays.ray(p, i);
-                assertThat(p.shape[i]).isEqualTo(geometry.nearestOfAll(ray));
+                assertThat(p.primitive[i]).isEqualTo(geometry.nearestOfAll(ray));
                 assertThat(geometry.nearest(ray)).isEqualTo(geometry.nearestOfAll(ray));
             }
         }

@@ -6,6 +6,7 @@ import java.util.Random;
 import lightning.math.Vec3;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
+import lightning.trace.solid.Form;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
@@ -30,14 +31,14 @@ class CandidatesTest {
             beam.eye(camera, left, top, 32, 32);
             candidates.collect(geometry, beam);
             for (int y = top; y < top + 32; y += 1 + random.nextInt(8)) {
-                PacketTracer.eyeRays(camera, left + 16 * random.nextInt(2) / RayPacket.WIDTH * RayPacket.WIDTH, y, RayPacket.WIDTH, p);
+                TraceRays.eye(camera, left + 16 * random.nextInt(2) / RayPacket.WIDTH * RayPacket.WIDTH, y, p);
                 tracer.nearest(p, RayPacket.WIDTH, candidates);
                 for (int i = 0; i < RayPacket.WIDTH; i++) {
                     Ray ray = TraceRays.ray(p, i);
                     int expected = geometry.nearestOfAll(ray);
-                    assertThat(p.shape[i]).isEqualTo(expected);
+                    assertThat(p.primitive[i]).isEqualTo(expected);
                     assertThat(PacketTracerTest.bits(p.t[i]))
-                            .isEqualTo(PacketTracerTest.bits(expected < 0 ? Solids.MISS : geometry.distance(expected, ray)));
+                            .isEqualTo(PacketTracerTest.bits(expected < 0 ? Form.MISS : geometry.distance(expected, ray)));
                 }
             }
         }
@@ -51,7 +52,7 @@ class CandidatesTest {
             Vec3 light = rays.origin();
             float[][] points = points(rays, seed + bundle, 5 * RayPacket.WIDTH);
             beam.clear();
-            beam.origins(points[0], points[1], points[2], points[0].length);
+            beam.origins(new LaneTracer(geometry).box(points[0], points[1], points[2], points[0].length));
             beam.towards(light);
             candidates.collect(geometry, beam);
             PacketTracer tracer = new PacketTracer(geometry);
@@ -77,7 +78,7 @@ class CandidatesTest {
             Vec3 d = rays.direction(Vec3.ZERO);
             float[][] points = points(rays, seed + bundle, RayPacket.WIDTH);
             beam.clear();
-            beam.origins(points[0], points[1], points[2], RayPacket.WIDTH);
+            beam.origins(new LaneTracer(geometry).box(points[0], points[1], points[2], RayPacket.WIDTH));
             boolean parallel = bundle % 2 == 0;
             if (parallel) {
                 beam.along(d);
@@ -161,6 +162,6 @@ class CandidatesTest {
         beam.eye(new CameraRays(scene.camera(), new Picture(256, 256, 1)), 0, 224, 32, 32);
         candidates.collect(geometry, beam);
         assertThat(candidates.count).isEqualTo(1);
-        assertThat(candidates.shape[0]).isEqualTo(0);
+        assertThat(candidates.primitive[0]).isEqualTo(0);
     }
 }

@@ -6,12 +6,13 @@ import java.util.List;
 import java.util.Random;
 import lightning.math.Vec3;
 import lightning.scene.Placement;
+import lightning.scene.Solid;
 
 /** A shape in groups, of scales from 10⁻⁶ to 10⁶, and a camera, with numbers of many digits. */
-record ExactPlace(int kind, List<Placement> placements, Vec3 camera, ExactPlacement exact, Geometry geometry) {
+record ExactPlace(Solid solid, List<Placement> placements, Vec3 camera, ExactPlacement exact, Geometry geometry) {
     private static final double[] SCALES = {1e-6, 1e-3, 0.37, 1, 1, 7, 1e3, 1e6};
 
-    static ExactPlace random(int kind, Random random) {
+    static ExactPlace random(Solid solid, Random random) {
         while (true) {
             List<Placement> placements = new ArrayList<>();
             for (int g = random.nextInt(3); g >= 0; g--) {
@@ -30,15 +31,15 @@ record ExactPlace(int kind, List<Placement> placements, Vec3 camera, ExactPlacem
                 Vec3 camera = random.nextInt(3) == 0 ? Vec3.ZERO
                         : doubles(exact.toScene(exact(HardRay.direction(random).times(Math.pow(10, 4 * random.nextDouble() - 1)))));
                 if (camera.maxAbs() < 1e11) {
-                    return at(kind, placements, camera);
+                    return at(solid, placements, camera);
                 }
             }
         }
     }
 
-    static ExactPlace at(int kind, List<Placement> placements, Vec3 camera) {
-        return new ExactPlace(kind, placements, camera, new ExactPlacement(placements),
-                new Geometry(TraceScenes.one(kind, placements, camera)));
+    static ExactPlace at(Solid solid, List<Placement> placements, Vec3 camera) {
+        return new ExactPlace(solid, placements, camera, new ExactPlacement(placements),
+                new Geometry(TraceScenes.one(solid, placements, camera)));
     }
 
     private static Placement placement(Random random) {

@@ -2,22 +2,23 @@ package lightning.trace;
 
 import java.util.Random;
 import lightning.math.Vec3;
+import lightning.scene.Solid;
 
 /** The configurations in which rays are known to go wrong, in the own space of a canonical solid. */
 enum HardRay {
     /** From anywhere, up to 10⁸ away, to any point about the solid. */
     FROM_AFAR {
         @Override
-        Ray make(int kind, Random random) {
-            return towards(inBox(random), direction(random), distance(random));
+        Ray make(Solid solid, Random random) {
+            return towards(inBox(solid, random), direction(random), distance(random));
         }
     },
     /** Across the silhouette, nearer and nearer to it. */
     TANGENT {
         @Override
-        Ray make(int kind, Random random) {
-            Vec3 p = onSurface(kind, random);
-            Vec3 n = normal(kind, p);
+        Ray make(Solid solid, Random random) {
+            Vec3 p = onSurface(solid, random);
+            Vec3 n = normal(solid, p);
             Vec3 along = n.cross(direction(random)).normalized();
             double beside = random.nextInt(4) == 0 ? 0 : sign(random) * Math.scalb(random.nextDouble(), -random.nextInt(56));
             return towards(p.plus(n.times(beside)), along, random.nextInt(4) == 0 ? 0 : distance(random));
@@ -26,17 +27,17 @@ enum HardRay {
     /** Along the axes, with zeros of both signs. */
     ALONG_AN_AXIS {
         @Override
-        Ray make(int kind, Random random) {
+        Ray make(Solid solid, Random random) {
             double[] d = {random.nextBoolean() ? 0.0 : -0.0, random.nextBoolean() ? 0.0 : -0.0, random.nextBoolean() ? 0.0 : -0.0};
             d[random.nextInt(3)] = sign(random);
-            Vec3 to = random.nextBoolean() ? inBox(random) : onSurface(kind, random);
+            Vec3 to = random.nextBoolean() ? inBox(solid, random) : onSurface(solid, random);
             return towards(to, new Vec3(d[0], d[1], d[2]), distance(random));
         }
     },
     /** Almost along the axis, inside and outside. */
     ALMOST_PARALLEL {
         @Override
-        Ray make(int kind, Random random) {
+        Ray make(Solid solid, Random random) {
             double tilt = Math.scalb(1.0, -random.nextInt(120));
             Vec3 d = new Vec3(tilt * (random.nextDouble() - 0.5), sign(random), tilt * (random.nextDouble() - 0.5));
             double r = random.nextInt(3) == 0 ? 1 + sign(random) * Math.scalb(random.nextDouble(), -random.nextInt(56))
@@ -47,17 +48,17 @@ enum HardRay {
     /** Through the apex or past it. */
     THROUGH_THE_APEX {
         @Override
-        Ray make(int kind, Random random) {
+        Ray make(Solid solid, Random random) {
             double past = random.nextInt(3) == 0 ? 0 : Math.scalb(1.0, -random.nextInt(60));
             return towards(Vec3.Y.plus(direction(random).times(past)), direction(random), distance(random));
         }
     },
-    /** Along a generator of the cone's side, on it, beside it, and tilted against it. */
+    /** Along a generator of the side, on it, beside it, and tilted against it. */
     ALONG_A_GENERATOR {
         @Override
-        Ray make(int kind, Random random) {
+        Ray make(Solid solid, Random random) {
             Vec3 foot = random.nextBoolean() ? new Vec3(0, 0, sign(random)) : ring(random);
-            Vec3 d = Vec3.Y.minus(foot);
+            Vec3 d = onTop(solid, foot).minus(foot);
             double tilt = random.nextInt(3) == 0 ? 0 : Math.scalb(1.0, -random.nextInt(60));
             double beside = random.nextInt(3) == 0 ? 0 : Math.scalb(1.0, -random.nextInt(60));
             Vec3 p = foot.plus(d.times(random.nextDouble())).plus(direction(random).times(beside));
@@ -67,16 +68,17 @@ enum HardRay {
     /** Where cap and side meet. */
     NEAR_A_RIM {
         @Override
-        Ray make(int kind, Random random) {
+        Ray make(Solid solid, Random random) {
             double past = random.nextInt(4) == 0 ? 0 : Math.scalb(1.0, -random.nextInt(60));
-            Vec3 p = ring(random).plus(new Vec3(0, random.nextInt(2), 0)).plus(direction(random).times(past));
+            Vec3 foot = ring(random);
+            Vec3 p = (random.nextBoolean() ? foot : onRim(solid, foot)).plus(direction(random).times(past));
             return towards(p, direction(random), distance(random));
         }
     },
     /** In the plane of a cap, or of the patch, and almost. */
     IN_THE_PLANE {
         @Override
-        Ray make(int kind, Random random) {
+        Ray make(Solid solid, Random random) {
             double tilt = random.nextBoolean() ? 0 : Math.scalb(1.0, -random.nextInt(120));
             double above = random.nextBoolean() ? 0 : sign(random) * Math.scalb(1.0, -random.nextInt(60));
             Vec3 d = ring(random).plus(new Vec3(0, tilt * sign(random), 0));
@@ -86,46 +88,70 @@ enum HardRay {
     /** From the surface itself, in all directions. */
     FROM_THE_SURFACE {
         @Override
-        Ray make(int kind, Random random) {
-            return new Ray(onSurface(kind, random), direction(random));
+        Ray make(Solid solid, Random random) {
+            return new Ray(onSurface(solid, random), direction(random));
         }
     },
     /** From inside. */
     FROM_WITHIN {
         @Override
-        Ray make(int kind, Random random) {
-            return new Ray(onSurface(kind, random).times(0.999 * random.nextDouble()), direction(random));
+        Ray make(Solid solid, Random random) {
+            return new Ray(onSurface(solid, random).times(0.999 * random.nextDouble()), direction(random));
         }
     };
 
     /** A ray with a direction of length 1. */
-    abstract Ray make(int kind, Random random);
+    abstract Ray make(Solid solid, Random random);
 
     /** The same with a direction of any length that tracers promise to take. */
-    Ray unnormalised(int kind, Random random) {
-        Ray ray = make(kind, random);
+    Ray unnormalised(Solid solid, Random random) {
+        Ray ray = make(solid, random);
         return new Ray(ray.origin(), ray.direction().times(Math.pow(10, 60 * random.nextDouble() - 30)));
     }
 
-    static Vec3 onSurface(int kind, Random random) {
-        Vec3 ring = ring(random);
-        double h = random.nextDouble();
-        double r = Math.sqrt(random.nextDouble());
-        return switch (kind) {
-            case ShapeTable.SPHERE -> direction(random).normalized();
-            case ShapeTable.CONE -> random.nextInt(3) == 0 ? ring.times(r) : new Vec3(ring.x() * (1 - h), h, ring.z() * (1 - h));
-            case ShapeTable.CYLINDER ->
-                    random.nextInt(3) == 0 ? ring.times(r).plus(new Vec3(0, random.nextInt(2), 0)) : new Vec3(ring.x(), h, ring.z());
-            default -> new Vec3(random.nextDouble() - 0.5, 0, random.nextDouble() - 0.5);
+    /** Where the side's generator from a point of the base's rim ends. */
+    private static Vec3 onTop(Solid solid, Vec3 foot) {
+        return switch (solid) {
+            case Solid.Sphere _,Solid.Plane _,Solid.Cone _,Solid.Cylinder _ -> Vec3.Y;
+            case Solid.Frustum f -> foot.times(f.top()).plus(Vec3.Y);
         };
     }
 
-    private static Vec3 normal(int kind, Vec3 p) {
+    /** The point of the upper rim over one of the base's. */
+    private static Vec3 onRim(Solid solid, Vec3 foot) {
+        return switch (solid) {
+            case Solid.Sphere _,Solid.Plane _,Solid.Cone _,Solid.Cylinder _ -> foot.plus(Vec3.Y);
+            case Solid.Frustum f -> foot.times(f.top()).plus(Vec3.Y);
+        };
+    }
+
+    static Vec3 onSurface(Solid solid, Random random) {
+        Vec3 ring = ring(random);
+        double h = random.nextDouble();
+        double r = Math.sqrt(random.nextDouble());
+        return switch (solid) {
+            case Solid.Sphere _ -> direction(random).normalized();
+            case Solid.Cone c -> c.caps() && random.nextInt(3) == 0 ? ring.times(r) : new Vec3(ring.x() * (1 - h), h, ring.z() * (1 - h));
+            case Solid.Cylinder c -> c.caps() && random.nextInt(3) == 0 ? ring.times(r).plus(new Vec3(0, random.nextInt(2), 0))
+                    : new Vec3(ring.x(), h, ring.z());
+            case Solid.Frustum f -> {
+                if (f.caps() && random.nextInt(3) == 0) {
+                    yield random.nextBoolean() ? ring.times(r) : ring.times(r * f.top()).plus(Vec3.Y);
+                }
+                yield ring.times(1 - (1 - f.top()) * h).plus(new Vec3(0, h, 0));
+            }
+            case Solid.Plane _ -> new Vec3(random.nextDouble() - 0.5, 0, random.nextDouble() - 0.5);
+        };
+    }
+
+    private static Vec3 normal(Solid solid, Vec3 p) {
         Vec3 out = new Vec3(p.x(), 0, p.z());
-        return switch (kind) {
-            case ShapeTable.SPHERE -> p;
-            case ShapeTable.CONE -> out.maxAbs() == 0 || p.y() == 0 ? Vec3.Y : out.normalized().plus(Vec3.Y).normalized();
-            default -> out.maxAbs() == 0 || p.y() == 0 || p.y() == 1 ? Vec3.Y : out.normalized();
+        return switch (solid) {
+            case Solid.Sphere _ -> p;
+            case Solid.Cone _ -> out.maxAbs() == 0 || p.y() == 0 ? Vec3.Y : out.normalized().plus(Vec3.Y).normalized();
+            case Solid.Cylinder _,Solid.Plane _ -> out.maxAbs() == 0 || p.y() == 0 || p.y() == 1 ? Vec3.Y : out.normalized();
+            case Solid.Frustum f -> out.maxAbs() == 0 || p.y() == 0 || p.y() == 1 ? Vec3.Y
+                    : out.normalized().plus(new Vec3(0, 1 - f.top(), 0)).normalized();
         };
     }
 
@@ -134,8 +160,10 @@ enum HardRay {
         return new Ray(to.minus(d.times(distance)), d);
     }
 
-    private static Vec3 inBox(Random random) {
-        return new Vec3(2.4 * random.nextDouble() - 1.2, 2.4 * random.nextDouble() - 1.2, 2.4 * random.nextDouble() - 1.2);
+    private static Vec3 inBox(Solid solid, Random random) {
+        double wide = Math.max(1, CanonicalSolids.top(solid));
+        return new Vec3(wide * (2.4 * random.nextDouble() - 1.2), 2.4 * random.nextDouble() - 1.2,
+                wide * (2.4 * random.nextDouble() - 1.2));
     }
 
     static Vec3 direction(Random random) {

@@ -6,8 +6,11 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.Stream;
 import lightning.math.Vec3;
 import lightning.scene.Placement;
+import lightning.scene.Solid;
+import lightning.trace.solid.Form;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
@@ -15,7 +18,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.FieldSource;
 
 /** Hit or miss, and how far, against numbers of 130 digits, wherever ray tracers usually break. */
 class HardRaysTest {
@@ -24,10 +27,11 @@ class HardRaysTest {
     /** How many of them, of the distance from the ray's origin to the shape's, an answer may be off. */
     private static final double ULPS = 8;
     private static final int RAYS = 10;
+    static final List<Solid> TEXTBOOK = List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER);
 
     @Provide
-    Arbitrary<Integer> solids() {
-        return Arbitraries.of(ShapeTable.SPHERE, ShapeTable.CONE, ShapeTable.CYLINDER);
+    Arbitrary<Solid> solids() {
+        return Arbitraries.of(Stream.concat(CanonicalSolids.CLOSED.stream(), CanonicalSolids.OPEN.stream()).toList());
     }
 
     /** Scales 10^±6, and both in one shape. */
@@ -38,49 +42,46 @@ class HardRaysTest {
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
-    void canonicalSolid_isMetWhereItIs(@ForAll HardRay hard, @ForAll("solids") int kind, @ForAll Random random) {
+    void canonicalSolid_isMetWhereItIs(@ForAll HardRay hard, @ForAll("solids") Solid solid, @ForAll Random random) {
         for (int n = 0; n < RAYS; n++) {
-            Ray ray = hard.unnormalised(kind, random);
+            Ray ray = hard.unnormalised(solid, random);
             Vec3 o = ray.origin();
             Vec3 d = ray.direction();
-            double t = switch (kind) {
-                case ShapeTable.SPHERE -> Solids.sphere(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
-                case ShapeTable.CONE -> Solids.cone(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
-                default -> Solids.cylinder(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
-            };
-            assertThat(complaint(kind, ray, t)).as("%s %s", hard, ray).isNull();
+            double t = CanonicalSolids.distance(solid, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+            assertThat(complaint(solid, ray, t)).as("%s %s", hard, ray).isNull();
         }
     }
 
-    private static String complaint(int kind, Ray ray, double t) {
+    private static String complaint(Solid solid, Ray ray, double t) {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
         double margin = ULPS * ULP * Math.max(1, o.length());
-        return ExactSolids.complaint(kind, ExactSolids.exact(o.x(), o.y(), o.z()), ExactSolids.exact(d.x(), d.y(), d.z()), t, margin);
+        return ExactSolids.complaint(solid, ExactSolids.exact(o.x(), o.y(), o.z()), ExactSolids.exact(d.x(), d.y(), d.z()), t, margin);
     }
 
     /** The contrast, and the proof that these rays tell good formulas from bad ones. */
     @ParameterizedTest
-    @CsvSource({"SPHERE,0", "CONE,1", "CYLINDER,2"})
-    void textbookFormulas_failOnEveryKindOfSolid(String name, int kind) {
+    @FieldSource("TEXTBOOK")
+    void textbookFormulas_failOnEveryKindOfSolid(Solid solid) {
         Random random = new Random(1);
         int wrong = 0;
         for (int n = 0; n < 1000; n++) {
-            Ray ray = HardRay.values()[n % HardRay.values().length].make(kind, random);
+            Ray ray = HardRay.values()[n % HardRay.values().length].make(solid, random);
             Vec3 o = ray.origin();
             Vec3 d = ray.direction();
-            wrong += complaint(kind, ray, NaiveSolids.distance(kind, o.x(), o.y(), o.z(), d.x(), d.y(), d.z())) != null ? 1 : 0;
+            wrong += complaint(solid, ray, NaiveSolids.distance(solid, o.x(), o.y(), o.z(), d.x(), d.y(), d.z())) != null ? 1 : 0;
         }
-        assertThat(wrong).as("wrong answers for the " + name + " among 1000 hard rays").isGreaterThan(50);
+        assertThat(wrong).as("wrong answers for the " + solid.noun() + " among 1000 hard rays").isGreaterThan(50);
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
-    void placedSolid_isMetWhereItIs(@ForAll HardRay hard, @ForAll("solids") int kind, @ForAll("scales") Vec3 scale, @ForAll Random random) {
+    void placedSolid_isMetWhereItIs(@ForAll HardRay hard, @ForAll("solids") Solid solid, @ForAll("scales") Vec3 scale,
+            @ForAll Random random) {
         Vec3 at = HardRay.direction(random).times(random.nextInt(3) == 0 ? 0 : Math.pow(10, 8 * random.nextDouble()));
         Vec3 camera = random.nextBoolean() ? Vec3.ZERO : at.plus(HardRay.direction(random).times(scale.maxAbs()));
-        ShapeTable table = TraceScenes.one(kind, new Placement(at, Vec3.ZERO, scale), camera);
+        PrimitiveTable table = TraceScenes.one(solid, new Placement(at, Vec3.ZERO, scale), camera);
         for (int n = 0; n < RAYS; n++) {
-            Ray own = hard.make(kind, random);
+            Ray own = hard.make(solid, random);
             Vec3 o = new Vec3(own.origin().x() * scale.x(), own.origin().y() * scale.y(), own.origin().z() * scale.z())
                     .plus(at.minus(camera));
             Vec3 d = new Vec3(own.direction().x() * scale.x(), own.direction().y() * scale.y(), own.direction().z() * scale.z());
@@ -93,7 +94,7 @@ class HardRaysTest {
                 // Where the shape stands, doubles are as far apart as it is large.
                 return;
             }
-            assertThat(ExactSolids.complaint(kind, own(o, camera, at, scale), own(d, Vec3.ZERO, Vec3.ZERO, scale), t, margin))
+            assertThat(ExactSolids.complaint(solid, own(o, camera, at, scale), own(d, Vec3.ZERO, Vec3.ZERO, scale), t, margin))
                     .as("%s %s, scale %s at %s from %s", hard, own, scale, at, camera).isNull();
         }
     }
@@ -114,14 +115,14 @@ class HardRaysTest {
     @Property(edgeCases = EdgeCasesMode.NONE)
     void patch_isMetWhereItIs(@ForAll HardRay hard, @ForAll Random random) {
         for (int n = 0; n < RAYS; n++) {
-            Ray ray = hard.unnormalised(ShapeTable.PLANE, random);
+            Ray ray = hard.unnormalised(Solid.PLANE, random);
             Vec3 o = ray.origin();
             Vec3 d = ray.direction();
-            double t = Solids.plane(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+            double t = CanonicalSolids.plane(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
             double margin = ULPS * ULP * Math.max(1, o.length());
             boolean ahead = o.y() != 0 && d.y() != 0 && o.y() > 0 != d.y() > 0;
             if (!ahead) {
-                assertThat(t).as("%s %s", hard, ray).isEqualTo(Solids.MISS);
+                assertThat(t).as("%s %s", hard, ray).isEqualTo(Form.MISS);
                 continue;
             }
             BigDecimal exact = new BigDecimal(o.y()).negate().divide(new BigDecimal(d.y()), new MathContext(130));
@@ -130,9 +131,9 @@ class HardRaysTest {
                 off = Math.max(off, new BigDecimal(axis[0]).add(exact.multiply(new BigDecimal(axis[1]))).abs().doubleValue() - 0.5);
             }
             if (Math.abs(off) > margin) {
-                assertThat(t < Solids.MISS).as("%s %s: %s from the edge", hard, ray, off).isEqualTo(off < 0);
+                assertThat(t < Form.MISS).as("%s %s: %s from the edge", hard, ray, off).isEqualTo(off < 0);
             }
-            if (t < Solids.MISS) {
+            if (t < Form.MISS) {
                 assertThat(new BigDecimal(t).subtract(exact).abs().doubleValue()).isLessThanOrEqualTo(ULP * t);
             }
         }

@@ -2,11 +2,14 @@ package lightning.trace;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
 import lightning.math.Transform;
 import lightning.math.Vec3;
 import lightning.scene.Placement;
+import lightning.scene.Solid;
+import lightning.trace.solid.Form;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -18,13 +21,10 @@ import org.junit.jupiter.params.provider.ValueSource;
  * each shape and place.
  */
 class LeavingRaysTest {
+    private static final List<Solid> SOLIDS = List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER, Solid.PLANE, Solid.FRUSTUM,
+            new Solid.Frustum(2, true));
+
     private static final int POINTS = Integer.getInteger("lightning.points", 10_000);
-
-    private static final int[] KINDS = {ShapeTable.SPHERE, ShapeTable.CONE, ShapeTable.CYLINDER, ShapeTable.PLANE};
-
-    /** Own points well inside, to be aimed at and looked from; the patch's is on it. */
-    private static final Vec3[] MIDDLES =
-            {new Vec3(0.1, 0.2, -0.1), new Vec3(0.1, 0.3, 0.1), new Vec3(-0.1, 0.4, 0.2), new Vec3(0.1, 0, -0.1)};
 
     /** Scales and where the camera sees the shape, in units of the scale: a float holds the points of all of these. */
     static Stream<Arguments> places() {
@@ -79,13 +79,13 @@ class LeavingRaysTest {
     @ParameterizedTest
     @MethodSource("rooms")
     void raysFromPointsSeenFromWithin_stayWithin(Vec3 scale) {
-        for (int kind : new int[] {ShapeTable.SPHERE, ShapeTable.CONE, ShapeTable.CYLINDER}) {
+        for (Solid solid : List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER, Solid.FRUSTUM)) {
             for (double turn : new double[] {0, 37}) {
                 Vec3 rotate = new Vec3(turn, 2 * turn, -turn);
-                Vec3 camera = new Placement(Vec3.ZERO, rotate, scale).transform().point(MIDDLES[kind]);
+                Vec3 camera = new Placement(Vec3.ZERO, rotate, scale).transform().point(CanonicalSolids.middle(solid));
                 Placement placement = new Placement(camera.negated(), rotate, scale);
-                look(kind, placement, Vec3.ZERO, (geometry, from, normal) -> {
-                    leaks += geometry.distance(0, new Ray(from, away(normal))) < Solids.MISS ? 0 : 1;
+                look(solid, placement, Vec3.ZERO, (geometry, from, normal) -> {
+                    leaks += geometry.distance(0, new Ray(from, away(normal))) < Form.MISS ? 0 : 1;
                     acne += geometry.distance(0, new Ray(from, from.negated())) < 1 ? 1 : 0;
                 });
             }
@@ -101,10 +101,10 @@ class LeavingRaysTest {
     @ParameterizedTest
     @ValueSource(doubles = {1e3, 1e7, 1e10})
     void raysFromPointsSeenInAFarMirror_leave(double far) {
-        for (int kind : KINDS) {
+        for (Solid solid : SOLIDS) {
             Placement placement = new Placement(new Vec3(0.5, -1, -2), new Vec3(37, 74, -37), Vec3.ONE);
-            look(kind, placement, new Vec3(far, 0.6 * far, -0.8 * far),
-                    (geometry, from, normal) -> acne += geometry.distance(0, new Ray(from, away(normal))) < Solids.MISS ? 1 : 0);
+            look(solid, placement, new Vec3(far, 0.6 * far, -0.8 * far),
+                    (geometry, from, normal) -> acne += geometry.distance(0, new Ray(from, away(normal))) < Form.MISS ? 1 : 0);
         }
         assertThat(acne).as("acne among %s rays", rays).isLessThanOrEqualTo(far <= 1e7 ? 0 : 1 + (int) (rays / 1_000_000));
     }
@@ -115,15 +115,15 @@ class LeavingRaysTest {
     void raysFromAHugeBallSeenFromNear_leave(double height) {
         Vec3 up = new Vec3(0.48, 0.6, 0.64);
         double radius = 1e8;
-        Geometry geometry = new Geometry(TraceScenes.one(ShapeTable.SPHERE,
+        Geometry geometry = new Geometry(TraceScenes.one(Solid.SPHERE,
                 new Placement(up.times(-radius - height), new Vec3(11, 23, 7), Vec3.ONE.times(radius)), Vec3.ZERO, new Vec3(0, 0, -1)));
         for (int n = 0; n < POINTS; n++) {
             Vec3 d = HardRay.direction(random).normalized();
             Ray ray = new Ray(Vec3.ZERO, d.dot(up) > 0 ? d.negated() : d);
-            if (geometry.distance(0, ray) < Solids.MISS) {
+            if (geometry.distance(0, ray) < Form.MISS) {
                 SurfacePoint p = geometry.surface(0, ray);
                 Ray leaving = new Ray(new Vec3(p.px(), p.py(), p.pz()), away(new Vec3(p.nx(), p.ny(), p.nz())));
-                acne += geometry.distance(0, leaving) < Solids.MISS ? 1 : 0;
+                acne += geometry.distance(0, leaving) < Form.MISS ? 1 : 0;
                 rays++;
             }
         }
@@ -132,14 +132,14 @@ class LeavingRaysTest {
     }
 
     private void lookFromOutside(Vec3 scale, Vec3 at) {
-        for (int kind : KINDS) {
+        for (Solid solid : SOLIDS) {
             for (double turn : new double[] {0, 37}) {
                 Placement placement = new Placement(new Vec3(at.x() * scale.x(), at.y() * scale.y(), at.z() * scale.z()),
                         new Vec3(turn, 2 * turn, -turn), scale);
-                Vec3 middle = placement.transform().point(MIDDLES[kind]);
-                look(kind, placement, Vec3.ZERO, (geometry, from, normal) -> {
-                    acne += geometry.distance(0, new Ray(from, away(normal))) < Solids.MISS ? 1 : 0;
-                    leaks += geometry.distance(0, new Ray(from, middle.minus(from))) < Solids.MISS ? 0 : 1;
+                Vec3 middle = placement.transform().point(CanonicalSolids.middle(solid));
+                look(solid, placement, Vec3.ZERO, (geometry, from, normal) -> {
+                    acne += geometry.distance(0, new Ray(from, away(normal))) < Form.MISS ? 1 : 0;
+                    leaks += geometry.distance(0, new Ray(from, middle.minus(from))) < Form.MISS ? 0 : 1;
                 });
             }
         }
@@ -150,12 +150,12 @@ class LeavingRaysTest {
     }
 
     /** Looks from a point at points of the shape. */
-    private void look(int kind, Placement placement, Vec3 eye, Leaver leaver) {
-        Geometry geometry = new Geometry(TraceScenes.one(kind, placement, Vec3.ZERO, new Vec3(0, 0, -1)));
+    private void look(Solid solid, Placement placement, Vec3 eye, Leaver leaver) {
+        Geometry geometry = new Geometry(TraceScenes.one(solid, placement, Vec3.ZERO, new Vec3(0, 0, -1)));
         Transform map = placement.transform();
         for (int n = 0; n < POINTS; n++) {
-            Ray ray = new Ray(eye, map.point(HardRay.onSurface(kind, random)).minus(eye).normalized());
-            if (geometry.distance(0, ray) < Solids.MISS) {
+            Ray ray = new Ray(eye, map.point(HardRay.onSurface(solid, random)).minus(eye).normalized());
+            if (geometry.distance(0, ray) < Form.MISS) {
                 SurfacePoint p = geometry.surface(0, ray);
                 leaver.leave(geometry, new Vec3(p.px(), p.py(), p.pz()), new Vec3(p.nx(), p.ny(), p.nz()));
                 rays++;

@@ -5,13 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.math.BigDecimal;
 import java.util.Random;
 import lightning.math.Vec3;
+import lightning.scene.Solid;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * A surface on which a light lies does not come between at that end; what lies before it does. Each answer is compared with one
  * of many digits, made from the numbers of the scene: it must be right for a solid that is larger or smaller by no more than the
- * bound of {@link ShapeTable#off}. {@code -Dlightning.places=100000} takes as many lights for each kind of shape.
+ * bound of {@link PrimitiveTable#off}. {@code -Dlightning.places=100000} takes as many lights for each solid of shape.
  */
 class LightOnSurfaceTest {
     private static final int PLACES = Integer.getInteger("lightning.places", 100);
@@ -22,23 +23,30 @@ class LightOnSurfaceTest {
     private int clear;
     private int open;
 
-    static Vec3 lightOn(int kind, Random random) {
+    static Vec3 lightOn(Solid solid, Random random) {
+        if (CanonicalSolids.isOpen(solid)) {
+            return random.nextInt(4) == 0 ? new Vec3(1, 0, 0) : HardRay.onSurface(solid, random);
+        }
+        if (solid instanceof Solid.Frustum f && random.nextInt(4) == 0) {
+            return new Vec3(0.6, 0, 0.8).times(0.5 + 0.5 * f.top()).plus(new Vec3(0, 0.5, 0));
+        }
         return switch (random.nextInt(6)) {
-            case 0 -> kind == ShapeTable.SPHERE || kind == ShapeTable.CONE ? Vec3.Y : Vec3.ZERO;
+            case 0 -> solid.equals(Solid.SPHERE) || solid.equals(Solid.CONE) ? Vec3.Y : Vec3.ZERO;
             case 1 ->
-                    kind == ShapeTable.SPHERE ? new Vec3(0, 0, -1) : kind == ShapeTable.PLANE ? new Vec3(0.5, 0, 0.25) : new Vec3(1, 0, 0);
-            case 2 -> kind == ShapeTable.SPHERE ? new Vec3(0.6, 0, 0.8) : kind == ShapeTable.CONE ? new Vec3(0, 0.75, 0.25) : Vec3.ZERO;
-            default -> HardRay.onSurface(kind, random);
+                    solid.equals(Solid.SPHERE) ? new Vec3(0, 0, -1) : solid.equals(Solid.PLANE) ? new Vec3(0.5, 0, 0.25)
+                            : new Vec3(1, 0, 0);
+            case 2 -> solid.equals(Solid.SPHERE) ? new Vec3(0.6, 0, 0.8) : solid.equals(Solid.CONE) ? new Vec3(0, 0.75, 0.25) : Vec3.ZERO;
+            default -> HardRay.onSurface(solid, random);
         };
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {ShapeTable.SPHERE, ShapeTable.CONE, ShapeTable.CYLINDER, ShapeTable.PLANE})
-    void surfaceUnderTheLight_doesNotComeBetween(int kind) {
-        Random random = new Random(kind);
+    @MethodSource("lightning.trace.CanonicalSolids#blunt")
+    void surfaceUnderTheLight_doesNotComeBetween(Solid solid) {
+        Random random = new Random(CanonicalSolids.ALL.indexOf(solid));
         for (int n = 0; n < PLACES; n++) {
-            ExactPlace place = ExactPlace.random(kind, random);
-            Vec3 own = lightOn(kind, random);
+            ExactPlace place = ExactPlace.random(solid, random);
+            Vec3 own = lightOn(solid, random);
             Vec3 light = ExactPlace.doubles(place.exact().toScene(ExactPlace.exact(own))).minus(place.camera());
             WayEnd end = place.geometry().end(light);
             for (int r = 0; r < ROWS; r++) {
@@ -46,32 +54,33 @@ class LightOnSurfaceTest {
                 double far = ExactPlace.sum(light) + ExactPlace.sum(row);
                 double error = error(place, far);
                 if (error < 1e-3) {
-                    check(place, end, row, onSurface(kind, place.toOwn(row), ExactPlace.exact(own), error));
+                    check(place, end, row, onSurface(solid, place.toOwn(row), ExactPlace.exact(own), error));
                 }
             }
         }
         assertThat(clear).as("ways that must be clear").isGreaterThan(PLACES * ROWS / 4);
-        assertThat(blocked).as("ways that must be blocked").isGreaterThan(kind == ShapeTable.PLANE ? -1 : PLACES * ROWS / 4);
+        assertThat(blocked).as("ways that must be blocked")
+                .isGreaterThan(solid.equals(Solid.PLANE) ? -1 : PLACES * ROWS / (CanonicalSolids.isOpen(solid) ? 40 : 4));
         assertThat(open).as("ways of which the bound lets nobody tell").isLessThan(PLACES * ROWS / 20);
     }
 
     /** Well off the surface, the surface is one like any other. */
     @ParameterizedTest
-    @ValueSource(ints = {ShapeTable.SPHERE, ShapeTable.CONE, ShapeTable.CYLINDER, ShapeTable.PLANE})
-    void surfaceBesideTheLight_doesComeBetween(int kind) {
-        Random random = new Random(kind);
+    @MethodSource("lightning.trace.CanonicalSolids#blunt")
+    void surfaceBesideTheLight_doesComeBetween(Solid solid) {
+        Random random = new Random(CanonicalSolids.ALL.indexOf(solid));
         for (int n = 0; n < PLACES; n++) {
-            ExactPlace place = ExactPlace.random(kind, random);
-            Vec3 on = HardRay.onSurface(kind, random);
+            ExactPlace place = ExactPlace.random(solid, random);
+            Vec3 on = HardRay.onSurface(solid, random);
             double error = error(place, 2 * ExactPlace.sum(place.toRender(on)));
-            Vec3 away = kind == ShapeTable.PLANE ? Vec3.Y : on.minus(new Vec3(0.01, kind == ShapeTable.SPHERE ? 0.01 : 0.3, 0));
+            Vec3 away = solid.equals(Solid.PLANE) ? Vec3.Y : on.minus(new Vec3(0.01, solid.equals(Solid.SPHERE) ? 0.01 : 0.3, 0));
             Vec3 light = place.toRender(on.plus(away.times((random.nextBoolean() ? 1 : -1) * error * 100)));
             WayEnd end = place.geometry().end(light);
             for (int r = 0; r < ROWS; r++) {
                 Vec3 row = row(place, on, random);
                 double most = error(place, ExactPlace.sum(light) + ExactPlace.sum(row));
                 if (most < 5 * error && most < 1e-6) {
-                    check(place, end, row, offSurface(kind, place.toOwn(row), place.toOwn(light), most));
+                    check(place, end, row, offSurface(solid, place.toOwn(row), place.toOwn(light), most));
                 }
             }
         }
@@ -82,7 +91,7 @@ class LightOnSurfaceTest {
 
     /** The bound in the shape's own units. */
     private static double error(ExactPlace place, double far) {
-        ShapeTable shapes = place.geometry().shapes();
+        PrimitiveTable shapes = place.geometry().primitives();
         return shapes.offLight(0, far) * shapes.rate(0);
     }
 
@@ -104,7 +113,7 @@ class LightOnSurfaceTest {
         if (expected == 0) {
             open++;
         } else {
-            assertThat(answer).as("%s kind %s, light %s, row %s", place.placements(), place.kind(), end.point(), row)
+            assertThat(answer).as("%s solid %s, light %s, row %s", place.placements(), place.solid(), end.point(), row)
                     .isEqualTo(expected > 0);
             blocked += expected > 0 ? 1 : 0;
             clear += expected < 0 ? 1 : 0;
@@ -122,14 +131,18 @@ class LightOnSurfaceTest {
         assertThat(new PacketTracer(place.geometry()).blocked(p, RayPacket.WIDTH)).isEqualTo(answer ? -1 >>> -RayPacket.WIDTH : 0);
     }
 
-    private static int onSurface(int kind, BigDecimal[] row, BigDecimal[] light, double error) {
-        if (kind == ShapeTable.PLANE) {
+    private static int onSurface(Solid solid, BigDecimal[] row, BigDecimal[] light, double error) {
+        if (solid.equals(Solid.PLANE)) {
             return -1;
         }
         BigDecimal[] d = minus(light, row);
-        ExactSolids.Interval grown = ExactSolids.inside(kind, row, d, new BigDecimal(error));
-        ExactSolids.Interval shrunk = ExactSolids.inside(kind, row, d, new BigDecimal(-error));
-        ExactSolids.Interval core = ExactSolids.inside(kind, row, d, new BigDecimal(-16 * error));
+        ExactSolids.Interval grown = ExactSolids.convex(solid, row, d, new BigDecimal(error));
+        ExactSolids.Interval shrunk = ExactSolids.convex(solid, row, d, new BigDecimal(-error));
+        ExactSolids.Interval core = ExactSolids.convex(solid, row, d, new BigDecimal(-16 * error));
+        boolean open = CanonicalSolids.isOpen(solid);
+        if (open && ExactSolids.isBeyondRims(row, d, grown.in(), shrunk.isEmpty() ? grown.out() : shrunk.in(), error)) {
+            return -1;
+        }
         boolean within = !shrunk.isEmpty() && shrunk.in().signum() <= 0 && shrunk.out().signum() >= 0;
         boolean without = grown.isEmpty() || grown.in().signum() > 0;
         boolean tip = (shrunk.isEmpty() || shrunk.in().compareTo(BigDecimal.ONE) >= 0)
@@ -138,16 +151,20 @@ class LightOnSurfaceTest {
                 && grown.in().add(shrunk.out()).compareTo(BigDecimal.TWO) >= 0) {
             return -1;
         }
-        return without && !core.isEmpty() && core.in().signum() > 0 && core.in().compareTo(BigDecimal.ONE) < 0 ? 1 : 0;
+        return without && !core.isEmpty() && core.in().signum() > 0 && core.in().compareTo(BigDecimal.ONE) < 0
+                && (!open || ExactSolids.isBetweenRims(row, d, grown.in(), core.in(), error)) ? 1 : 0;
     }
 
-    private static int offSurface(int kind, BigDecimal[] row, BigDecimal[] light, double error) {
+    private static int offSurface(Solid solid, BigDecimal[] row, BigDecimal[] light, double error) {
         BigDecimal[] d = minus(light, row);
-        if (kind == ShapeTable.PLANE) {
+        if (solid.equals(Solid.PLANE)) {
             return throughThePatch(ExactPlace.doubles(row), ExactPlace.doubles(light), error);
         }
-        ExactSolids.Interval grown = ExactSolids.inside(kind, row, d, new BigDecimal(error));
-        ExactSolids.Interval shrunk = ExactSolids.inside(kind, row, d, new BigDecimal(-error));
+        if (CanonicalSolids.isOpen(solid)) {
+            return throughTheSide(solid, row, d, error);
+        }
+        ExactSolids.Interval grown = ExactSolids.inside(solid, row, d, new BigDecimal(error));
+        ExactSolids.Interval shrunk = ExactSolids.inside(solid, row, d, new BigDecimal(-error));
         boolean within = !shrunk.isEmpty() && shrunk.in().signum() <= 0 && shrunk.out().signum() >= 0;
         if (grown.isEmpty() || grown.in().compareTo(BigDecimal.ONE) >= 0 || grown.out().signum() <= 0
                 || within && shrunk.out().compareTo(BigDecimal.ONE) >= 0) {
@@ -155,6 +172,28 @@ class LightOnSurfaceTest {
         }
         boolean enters = !shrunk.isEmpty() && grown.in().signum() > 0 && shrunk.in().compareTo(BigDecimal.ONE) < 0;
         return enters || within && grown.out().compareTo(BigDecimal.ONE) < 0 ? 1 : 0;
+    }
+
+    private static int throughTheSide(Solid solid, BigDecimal[] row, BigDecimal[] d, double error) {
+        ExactSolids.Interval grown = ExactSolids.side(solid, row, d, new BigDecimal(error));
+        ExactSolids.Interval shrunk = ExactSolids.side(solid, row, d, new BigDecimal(-error));
+        if (grown.isEmpty()) {
+            return -1;
+        }
+        BigDecimal in = shrunk.isEmpty() ? grown.out() : shrunk.in();
+        BigDecimal out = shrunk.isEmpty() ? grown.in() : shrunk.out();
+        boolean enters = grown.in().signum() > 0 && in.compareTo(BigDecimal.ONE) < 0
+                && ExactSolids.isBetweenRims(row, d, grown.in(), in, error);
+        boolean leaves = out.signum() > 0 && grown.out().compareTo(BigDecimal.ONE) < 0
+                && ExactSolids.isBetweenRims(row, d, out, grown.out(), error);
+        if (!shrunk.isEmpty() && (enters || leaves)) {
+            return 1;
+        }
+        boolean entersNowhere = in.signum() <= 0 || grown.in().compareTo(BigDecimal.ONE) >= 0
+                || ExactSolids.isBeyondRims(row, d, grown.in(), in, error);
+        boolean leavesNowhere = grown.out().signum() <= 0 || out.compareTo(BigDecimal.ONE) >= 0
+                || ExactSolids.isBeyondRims(row, d, out, grown.out(), error);
+        return entersNowhere && leavesNowhere ? -1 : 0;
     }
 
     private static int throughThePatch(Vec3 row, Vec3 light, double error) {

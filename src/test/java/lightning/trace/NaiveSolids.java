@@ -1,18 +1,22 @@
 package lightning.trace;
 
+import lightning.scene.Solid;
+import lightning.trace.solid.Form;
+
 /**
- * The formulas of the textbook, kept as a contrast to {@link Solids}: the quadratic formula as one learns it,
+ * The formulas of the textbook, kept as a contrast to {@link lightning.trace.solid.Form}: the quadratic formula as one learns it,
  * the least positive root, side and caps each on its own.
  */
 final class NaiveSolids {
     private NaiveSolids() {}
 
-    static double distance(int kind, double ox, double oy, double oz, double dx, double dy, double dz) {
-        return switch (kind) {
-            case ShapeTable.SPHERE -> sphere(ox, oy, oz, dx, dy, dz);
-            case ShapeTable.CONE -> cone(ox, oy, oz, dx, dy, dz);
-            case ShapeTable.CYLINDER -> cylinder(ox, oy, oz, dx, dy, dz);
-            default -> Solids.plane(ox, oy, oz, dx, dy, dz);
+    static double distance(Solid solid, double ox, double oy, double oz, double dx, double dy, double dz) {
+        return switch (solid) {
+            case Solid.Sphere _ -> sphere(ox, oy, oz, dx, dy, dz);
+            case Solid.Cone _ -> cone(ox, oy, oz, dx, dy, dz);
+            case Solid.Cylinder _ -> cylinder(ox, oy, oz, dx, dy, dz);
+            case Solid.Frustum _ -> throw new IllegalArgumentException("no textbook has it");
+            case Solid.Plane _ -> CanonicalSolids.plane(ox, oy, oz, dx, dy, dz);
         };
     }
 
@@ -45,20 +49,20 @@ final class NaiveSolids {
 
     private static double within(double t, double oy, double dy) {
         double y = oy + t * dy;
-        return y >= 0 && y <= 1 ? t : Solids.MISS;
+        return y >= 0 && y <= 1 ? t : Form.MISS;
     }
 
     private static double cap(double height, double ox, double oy, double oz, double dx, double dy, double dz) {
         double t = (height - oy) / dy;
         double x = ox + t * dx;
         double z = oz + t * dz;
-        return x * x + z * z <= 1 ? t : Solids.MISS;
+        return x * x + z * z <= 1 ? t : Form.MISS;
     }
 
     /** The lesser of those above 0; NaN is a miss. */
     private static double first(double s, double t) {
-        double a = s > 0 ? s : Solids.MISS;
-        double b = t > 0 ? t : Solids.MISS;
+        double a = s > 0 ? s : Form.MISS;
+        double b = t > 0 ? t : Form.MISS;
         return a < b ? a : b;
     }
 }

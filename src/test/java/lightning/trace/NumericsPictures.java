@@ -9,6 +9,8 @@ import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
 import lightning.math.Vec3;
 import lightning.scene.Placement;
+import lightning.scene.Solid;
+import lightning.trace.solid.Form;
 
 /** Draws the pictures of docs/numerics.md, the textbook's formula on the left and Lightning's on the right. */
 final class NumericsPictures {
@@ -21,11 +23,11 @@ final class NumericsPictures {
     /** {@code mvn -q test-compile exec:exec@test-main -Dlightning.main=lightning.trace.NumericsPictures}. */
     public static void main(String[] args) throws IOException {
         Files.createDirectories(FOLDER);
-        write("far-sphere", panel(x -> fromAfar(ShapeTable.SPHERE, x, 3e7, new Vec3(0, 0, -1), true)),
-                panel(x -> fromAfar(ShapeTable.SPHERE, x, 3e7, new Vec3(0, 0, -1), false)));
+        write("far-sphere", panel(x -> fromAfar(Solid.SPHERE, x, 3e7, new Vec3(0, 0, -1), true)),
+                panel(x -> fromAfar(Solid.SPHERE, x, 3e7, new Vec3(0, 0, -1), false)));
         Vec3 generator = new Vec3(0, -1, -1).normalized();
-        write("far-cone", panel(x -> fromAfar(ShapeTable.CONE, x, 3e6, generator, true)),
-                panel(x -> fromAfar(ShapeTable.CONE, x, 3e6, generator, false)));
+        write("far-cone", panel(x -> fromAfar(Solid.CONE, x, 3e6, generator, true)),
+                panel(x -> fromAfar(Solid.CONE, x, 3e6, generator, false)));
         Vec3 at = new Vec3(148376, 1234, -223423);
         write("acne", panel(x -> shadowed(x, at, 2, Leaving.FROM_THE_HIT)), panel(x -> shadowed(x, at, 2, Leaving.LIGHTNING)));
         write("epsilon", panel(x -> shadowed(x, new Vec3(0, 0, -4e-4), 1e-4, Leaving.BY_EPSILON)),
@@ -56,18 +58,18 @@ final class NumericsPictures {
     }
 
     /** Parallel rays against one canonical solid, shaded by its normal. */
-    private static double fromAfar(int kind, double[] x, double distance, Vec3 d, boolean naive) {
+    private static double fromAfar(Solid solid, double[] x, double distance, Vec3 d, boolean naive) {
         Vec3 right = new Vec3(1, 0, 0);
         Vec3 up = right.cross(d);
-        Vec3 middle = kind == ShapeTable.SPHERE ? Vec3.ZERO : new Vec3(0, 0.4, 0);
+        Vec3 middle = solid.equals(Solid.SPHERE) ? Vec3.ZERO : new Vec3(0, 0.4, 0);
         Vec3 o = middle.plus(right.times(x[0])).plus(up.times(x[1])).minus(d.times(distance));
-        Geometry geometry = new Geometry(TraceScenes.one(kind, Placement.IDENTITY, Vec3.ZERO, new Vec3(0, 0, -1)));
-        double t = naive ? NaiveSolids.distance(kind, o.x(), o.y(), o.z(), d.x(), d.y(), d.z()) : geometry.distance(0, new Ray(o, d));
-        if (t == Solids.MISS) {
+        Geometry geometry = new Geometry(TraceScenes.one(solid, Placement.IDENTITY, Vec3.ZERO, new Vec3(0, 0, -1)));
+        double t = naive ? NaiveSolids.distance(solid, o.x(), o.y(), o.z(), d.x(), d.y(), d.z()) : geometry.distance(0, new Ray(o, d));
+        if (t == Form.MISS) {
             return 0.02;
         }
         Surface surface = new Surface();
-        surface.at(geometry.shapes(), 0, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
+        surface.at(geometry.primitives(), 0, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
         return 0.1 + Math.max(0, TO_LIGHT.dot(new Vec3(surface.nx, surface.ny, surface.nz)));
     }
 
@@ -92,9 +94,9 @@ final class NumericsPictures {
                 : new Vec3((float) hit.x(), (float) hit.y(), (float) hit.z());
         double least = leaving == Leaving.BY_EPSILON ? 1e-4 : 0;
         boolean dark = false;
-        for (int s = 0; s < geometry.shapeCount(); s++) {
+        for (int s = 0; s < geometry.primitiveCount(); s++) {
             double t = geometry.distance(s, new Ray(from, TO_LIGHT));
-            dark |= t > least && t < Solids.MISS;
+            dark |= t > least && t < Form.MISS;
         }
         return 0.1 + (dark ? 0 : Math.max(0, TO_LIGHT.dot(normal)));
     }
@@ -103,7 +105,7 @@ final class NumericsPictures {
     private static double lamp(double[] x, boolean lies) {
         Placement square = new Placement(new Vec3(0, 2, -0.5), new Vec3(37, 20, 10), new Vec3(1.5, 1, 1.5));
         Vec3 eye = new Vec3(0, 7, 5);
-        Geometry geometry = new Geometry(TraceScenes.overFloor(ShapeTable.PLANE, square, eye));
+        Geometry geometry = new Geometry(TraceScenes.overFloor(Solid.PLANE, square, eye));
         Vec3 light = geometry.toRenderSpace(square.transform().point(new Vec3(0.1, 0, 0.2)));
         Ray ray = new Ray(Vec3.ZERO, new Vec3(3 * x[0], 0.5 + 2.5 * x[1], -2 * x[1]).minus(eye).normalized());
         int shape = geometry.nearestOfAll(ray);

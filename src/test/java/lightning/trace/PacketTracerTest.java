@@ -7,6 +7,7 @@ import lightning.math.Vec3;
 import lightning.scene.Camera;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
+import lightning.trace.solid.Form;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
@@ -43,8 +44,8 @@ class PacketTracerTest {
             for (int i = 0; i < live; i++) {
                 Ray ray = TraceRays.ray(p, i);
                 int expected = geometry.nearestOfAll(ray);
-                assertThat(p.shape[i]).as("%s", ray).isEqualTo(expected);
-                assertThat(bits(p.t[i])).isEqualTo(bits(expected < 0 ? Solids.MISS : geometry.distance(expected, ray)));
+                assertThat(p.primitive[i]).as("%s", ray).isEqualTo(expected);
+                assertThat(bits(p.t[i])).isEqualTo(bits(expected < 0 ? Form.MISS : geometry.distance(expected, ray)));
             }
         }
     }
@@ -87,11 +88,11 @@ class PacketTracerTest {
             tracer.surfaces(p, live, out);
             for (int i = 0; i < live; i++) {
                 assertThat(bits(p.t[i])).isEqualTo(bits(t[i]));
-                if (p.shape[i] >= 0) {
-                    surface.at(geometry.shapes(), p.shape[i], p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i], t[i]);
+                if (p.primitive[i] >= 0) {
+                    surface.at(geometry.primitives(), p.primitive[i], p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i], t[i]);
                     assertThat(new long[] {bits(out.ownX[i]), bits(out.ownY[i]), bits(out.ownZ[i]), bits(out.px[i]), bits(out.py[i]),
                         bits(out.pz[i]), bits(out.nx[i]), bits(out.ny[i]), bits(out.nz[i])})
-                            .as("%s shape %s", TraceRays.ray(p, i), geometry.shape(p.shape[i]))
+                            .as("%s shape %s", TraceRays.ray(p, i), geometry.shape(p.primitive[i]))
                             .containsExactly(bits(surface.ownX), bits(surface.ownY), bits(surface.ownZ), bits(surface.px),
                                     bits(surface.py), bits(surface.pz), bits(surface.nx), bits(surface.ny), bits(surface.nz));
                 }
@@ -106,7 +107,7 @@ class PacketTracerTest {
         Camera camera = new Camera(new Vec3(random.nextGaussian(), 1, 2), new Vec3(random.nextGaussian(), random.nextGaussian(), -3),
                 Vec3.Y, 1 + random.nextInt(170));
         CameraRays rays = new CameraRays(camera, new Picture(1 + random.nextInt(1000), 1 + random.nextInt(1000), 1));
-        PacketTracer.eyeRays(rays, column, row, RayPacket.WIDTH, p);
+        TraceRays.eye(rays, column, row, p);
         for (int i = 0; i < RayPacket.WIDTH; i++) {
             assertThat(TraceRays.ray(p, i)).isEqualTo(rays.through(column + i, row));
         }
@@ -121,13 +122,13 @@ class PacketTracerTest {
             CameraRays camera = new CameraRays(scene.camera(), new Picture(320, 320, 1));
             for (int y = 0; y < 320; y++) {
                 for (int x = 0; x < 320; x += RayPacket.WIDTH) {
-                    PacketTracer.eyeRays(camera, x, y, RayPacket.WIDTH, p);
+                    TraceRays.eye(camera, x, y, p);
                     tracer.nearest(p, RayPacket.WIDTH);
                     for (int i = y % 13; i < RayPacket.WIDTH; i += 13) {
                         Ray ray = camera.through(x + i, y);
                         int expected = geometry.nearestOfAll(ray);
-                        assertThat(p.shape[i]).isEqualTo(expected);
-                        assertThat(bits(p.t[i])).isEqualTo(bits(expected < 0 ? Solids.MISS : geometry.distance(expected, ray)));
+                        assertThat(p.primitive[i]).isEqualTo(expected);
+                        assertThat(bits(p.t[i])).isEqualTo(bits(expected < 0 ? Form.MISS : geometry.distance(expected, ray)));
                     }
                 }
             }
@@ -139,10 +140,10 @@ class PacketTracerTest {
         Scene empty = new Scene(Picture.DEFAULT, Camera.DEFAULT, TraceScenes.bird().world(), java.util.List.of(), java.util.List.of(),
                 java.util.List.of());
         PacketTracer tracer = new PacketTracer(new Geometry(empty));
-        PacketTracer.eyeRays(new CameraRays(Camera.DEFAULT, Picture.DEFAULT), 0, 0, RayPacket.WIDTH, p);
+        TraceRays.eye(new CameraRays(Camera.DEFAULT, Picture.DEFAULT), 0, 0, p);
         tracer.nearest(p, RayPacket.WIDTH);
-        assertThat(p.shape).containsOnly(-1);
-        assertThat(p.t).containsOnly(Solids.MISS);
+        assertThat(p.primitive).containsOnly(-1);
+        assertThat(p.t).containsOnly(Form.MISS);
         assertThat(tracer.blocked(p, RayPacket.WIDTH)).isZero();
     }
 

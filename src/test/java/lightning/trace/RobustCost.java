@@ -10,6 +10,7 @@ import lightning.math.Power;
 import lightning.math.Transform;
 import lightning.math.Vec3;
 import lightning.scene.Placement;
+import lightning.scene.Solid;
 
 /**
  * What the robust formulas of docs/numerics.md cost beside those of the textbook: nanoseconds each, scalar, over the
@@ -38,14 +39,14 @@ final class RobustCost {
             return;
         }
         only = args[0];
-        compare("ray and sphere", rays(ShapeTable.SPHERE), r -> NaiveSolids.sphere(r[0], r[1], r[2], r[3], r[4], r[5]),
-                r -> Solids.sphere(r[0], r[1], r[2], r[3], r[4], r[5]));
-        compare("ray and cylinder", rays(ShapeTable.CYLINDER), r -> NaiveSolids.cylinder(r[0], r[1], r[2], r[3], r[4], r[5]),
-                r -> Solids.cylinder(r[0], r[1], r[2], r[3], r[4], r[5]));
-        compare("ray and cone", rays(ShapeTable.CONE), r -> NaiveSolids.cone(r[0], r[1], r[2], r[3], r[4], r[5]),
-                r -> Solids.cone(r[0], r[1], r[2], r[3], r[4], r[5]));
-        compare("stored point: rounded, or moved by its bound", rays(ShapeTable.SPHERE), RobustCost::rounded, RobustCost::moved);
-        compare("V·R: as it is, or over the lengths", rays(ShapeTable.SPHERE), RobustCost::dot, RobustCost::unitDot);
+        compare("ray and sphere", rays(Solid.SPHERE), r -> NaiveSolids.sphere(r[0], r[1], r[2], r[3], r[4], r[5]),
+                r -> CanonicalSolids.sphere(r[0], r[1], r[2], r[3], r[4], r[5]));
+        compare("ray and cylinder", rays(Solid.CYLINDER), r -> NaiveSolids.cylinder(r[0], r[1], r[2], r[3], r[4], r[5]),
+                r -> CanonicalSolids.cylinder(r[0], r[1], r[2], r[3], r[4], r[5]));
+        compare("ray and cone", rays(Solid.CONE), r -> NaiveSolids.cone(r[0], r[1], r[2], r[3], r[4], r[5]),
+                r -> CanonicalSolids.cone(r[0], r[1], r[2], r[3], r[4], r[5]));
+        compare("stored point: rounded, or moved by its bound", rays(Solid.SPHERE), RobustCost::rounded, RobustCost::moved);
+        compare("V·R: as it is, or over the lengths", rays(Solid.SPHERE), RobustCost::dot, RobustCost::unitDot);
         compare("power: of the library, or Lightning's own", powers(), r -> Math.pow(r[0], r[1]), r -> Power.of(r[0], r[1]));
         Placement[] placements = placements();
         compare("inverse of a placement: by cofactors, or turned back", indices(),
@@ -82,11 +83,11 @@ final class RobustCost {
         return sorted[sorted.length / 2];
     }
 
-    private static double[][] rays(int kind) {
-        Random random = new Random(kind);
+    private static double[][] rays(Solid solid) {
+        Random random = new Random(CanonicalSolids.PLAIN.indexOf(solid));
         double[][] rays = new double[CASES][];
         for (int i = 0; i < CASES; i++) {
-            Ray ray = HardRay.FROM_AFAR.make(kind, random);
+            Ray ray = HardRay.FROM_AFAR.make(solid, random);
             Vec3 o = ray.origin();
             Vec3 d = ray.direction();
             rays[i] = new double[] {o.x(), o.y(), o.z(), d.x(), d.y(), d.z()};

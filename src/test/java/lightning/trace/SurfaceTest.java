@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Random;
 import lightning.math.Vec3;
 import lightning.scene.Placement;
+import lightning.scene.Solid;
+import lightning.trace.solid.Form;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -15,8 +17,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 class SurfaceTest {
     private static final double H = Math.sqrt(0.5);
 
-    private static SurfacePoint hit(int kind, Placement placement, Ray ray) {
-        return new Geometry(TraceScenes.one(kind, placement, Vec3.ZERO, new Vec3(0, 0, -1))).surface(0, ray);
+    private static SurfacePoint hit(Solid solid, Placement placement, Ray ray) {
+        return new Geometry(TraceScenes.one(solid, placement, Vec3.ZERO, new Vec3(0, 0, -1))).surface(0, ray);
     }
 
     private static Vec3 normal(SurfacePoint p) {
@@ -30,13 +32,15 @@ class SurfaceTest {
     /** From a point of the surface straight out, and from straight within: the normal faces the ray. */
     @ParameterizedTest
     @CsvSource({"0, 0.6,0,0.8, 0.6,0,0.8", "0, 0,-1,0, 0,-1,0", "1, 0.5,0.5,0, 1,1,0", "1, 0,0.25,-0.75, 0,1,-1", "1, 0.3,0,0.2, 0,-1,0",
-        "2, 0.6,0.3,0.8, 0.6,0,0.8", "2, 0.2,1,0.3, 0,1,0", "2, 0.2,0,0.3, 0,-1,0", "3, 0.1,0,0.2, 0,1,0"})
+        "2, 0.6,0.3,0.8, 0.6,0,0.8", "2, 0.2,1,0.3, 0,1,0", "2, 0.2,0,0.3, 0,-1,0", "3, 0.1,0,0.2, 0,1,0",
+        "4, 0.75,0.5,0, 1,0.5,0", "4, 0.3,1,0.2, 0,1,0", "4, 0.3,0,0.2, 0,-1,0"})
     void normal_standsOnTheSurfaceTowardsTheRay(int kind, double x, double y, double z, double nx, double ny, double nz) {
         Vec3 out = new Vec3(nx, ny, nz).normalized();
         for (double side : new double[] {1, -1}) {
             Vec3 towards = out.times(side);
             Vec3 slanted = towards.plus(new Vec3(0.02, -0.03, 0.01)).normalized();
-            SurfacePoint p = hit(kind, Placement.IDENTITY, new Ray(new Vec3(x, y, z).plus(slanted.times(0.125)), slanted.negated()));
+            SurfacePoint p = hit(CanonicalSolids.PLAIN.get(kind), Placement.IDENTITY,
+                    new Ray(new Vec3(x, y, z).plus(slanted.times(0.125)), slanted.negated()));
             assertNormal(p, towards);
             Vec3 at = new Vec3(p.px(), p.py(), p.pz());
             assertThat(at.minus(new Vec3(x, y, z)).maxAbs()).isLessThan(1e-6);
@@ -53,18 +57,18 @@ class SurfaceTest {
         Vec3 gradient =
                 lightning.math.Transform.rotation(placement.rotate()).vector(new Vec3(own.x() / 2, own.y() / 3, own.z() / 5)).normalized();
         Vec3 at = placement.transform().point(own);
-        assertNormal(hit(ShapeTable.SPHERE, placement, new Ray(at.plus(gradient), gradient.negated())), gradient);
+        assertNormal(hit(Solid.SPHERE, placement, new Ray(at.plus(gradient), gradient.negated())), gradient);
     }
 
     /** Every kind of surface, seen at random: the normal has length 1 and faces the ray, also where it barely does. */
     @Test
     void normal_alwaysFacesTheRay() {
         Random random = new Random(1);
-        for (int n = 0; n < 20_000; n++) {
-            int kind = n % 4;
-            Ray ray = HardRay.values()[random.nextInt(HardRay.values().length)].make(kind, random);
-            Geometry geometry = new Geometry(TraceScenes.one(kind, Placement.IDENTITY, Vec3.ZERO, new Vec3(0, 0, -1)));
-            if (geometry.distance(0, ray) < Solids.MISS) {
+        for (int n = 0; n < 50_000; n++) {
+            Solid solid = CanonicalSolids.ALL.get(n % CanonicalSolids.ALL.size());
+            Ray ray = HardRay.values()[random.nextInt(HardRay.values().length)].make(solid, random);
+            Geometry geometry = new Geometry(TraceScenes.one(solid, Placement.IDENTITY, Vec3.ZERO, new Vec3(0, 0, -1)));
+            if (geometry.distance(0, ray) < Form.MISS) {
                 Vec3 normal = normal(geometry.surface(0, ray));
                 assertThat(normal.length()).isCloseTo(1, within(1e-6));
                 assertThat(normal.dot(ray.direction())).as("%s", ray).isLessThanOrEqualTo(1e-7);
@@ -72,25 +76,33 @@ class SurfaceTest {
         }
     }
 
+    @Test
+    void insideOfAnOpenSolid_facesWhoLooksIn() {
+        assertNormal(hit(new Solid.Cylinder(false), Placement.IDENTITY, new Ray(new Vec3(0, 3, 0), new Vec3(0.4, -1, 0))),
+                new Vec3(-1, 0, 0));
+        assertNormal(hit(new Solid.Cone(false), Placement.IDENTITY, new Ray(new Vec3(0.5, -1, 0), new Vec3(0, 1, 0))),
+                new Vec3(-1, -1, 0).normalized());
+    }
+
     /** The side has no normal there. */
     @Test
     void apexOfACone_facesTheRay() {
-        assertNormal(hit(ShapeTable.CONE, Placement.IDENTITY, new Ray(new Vec3(0, 3, 0), new Vec3(0, -1, 0))), Vec3.Y);
-        assertNormal(hit(ShapeTable.CONE, Placement.IDENTITY, new Ray(new Vec3(1, 3, 0), new Vec3(-0.5, -1, 0))),
+        assertNormal(hit(Solid.CONE, Placement.IDENTITY, new Ray(new Vec3(0, 3, 0), new Vec3(0, -1, 0))), Vec3.Y);
+        assertNormal(hit(Solid.CONE, Placement.IDENTITY, new Ray(new Vec3(1, 3, 0), new Vec3(-0.5, -1, 0))),
                 new Vec3(0.5, 1, 0).normalized());
     }
 
     /** Where side and cap are equally near, the side counts: the rim of a cylinder, the edge of a cone. */
     @Test
     void rim_belongsToTheSide() {
-        assertThat(Surface.onCylinderSide(1, 1, 0)).isTrue();
-        assertThat(Surface.onCylinderSide(0, 0, 1)).isTrue();
-        assertThat(Surface.onCylinderSide(0.75, 0.25, 0)).as("equally near to side and cap").isTrue();
-        assertThat(Surface.onCylinderSide(0.5, 0.25, 0)).isFalse();
-        assertThat(Surface.onCylinderSide(0.5, 0.75, 0)).isFalse();
-        assertThat(Surface.onConeSide(1, 0, 0)).isTrue();
-        assertThat(Surface.onConeSide(0.5, 0.25, 0)).as("equally near to side and base").isTrue();
-        assertThat(Surface.onConeSide(0.25, 0.25, 0)).isFalse();
+        assertThat(CanonicalSolids.isSide(Solid.CYLINDER, 1, 1, 0)).isTrue();
+        assertThat(CanonicalSolids.isSide(Solid.CYLINDER, 0, 0, 1)).isTrue();
+        assertThat(CanonicalSolids.isSide(Solid.CYLINDER, 0.75, 0.25, 0)).as("equally near to side and cap").isTrue();
+        assertThat(CanonicalSolids.isSide(Solid.CYLINDER, 0.5, 0.25, 0)).isFalse();
+        assertThat(CanonicalSolids.isSide(Solid.CYLINDER, 0.5, 0.75, 0)).isFalse();
+        assertThat(CanonicalSolids.isSide(Solid.CONE, 1, 0, 0)).isTrue();
+        assertThat(CanonicalSolids.isSide(Solid.CONE, 0.5, 0.25, 0)).as("equally near to side and base").isTrue();
+        assertThat(CanonicalSolids.isSide(Solid.CONE, 0.25, 0.25, 0)).isFalse();
     }
 
     /** Seen from where it stands, the shape is nothing but one double: its inverse map has no digits left. */
@@ -99,7 +111,7 @@ class SurfaceTest {
         double far = 0x1p39;
         double size = 0x1p-29;
         Placement placement = new Placement(new Vec3(0, 0, -far), Vec3.ZERO, new Vec3(size, size, size));
-        ShapeTable table = new Geometry(TraceScenes.one(ShapeTable.SPHERE, placement, Vec3.ZERO, new Vec3(0, 0, -1))).shapes();
+        PrimitiveTable table = new Geometry(TraceScenes.one(Solid.SPHERE, placement, Vec3.ZERO, new Vec3(0, 0, -1))).primitives();
         Surface surface = new Surface();
         surface.at(table, 0, 0, far, 0, 0, -1, -1, far);
         assertThat(new Vec3(surface.nx, surface.ny, surface.nz).minus(new Vec3(0, H, H)).maxAbs()).isLessThan(1e-7);
@@ -109,10 +121,10 @@ class SurfaceTest {
     @Test
     void storedPoint_isAsFarOffTheSurfaceAsItsBoundSays() {
         Placement wall = new Placement(new Vec3(0, 0, -1000), new Vec3(90, 0, 0), new Vec3(1e9, 1, 1e9));
-        SurfacePoint near = hit(ShapeTable.PLANE, wall, new Ray(Vec3.ZERO, new Vec3(0, 0, -1)));
+        SurfacePoint near = hit(Solid.PLANE, wall, new Ray(Vec3.ZERO, new Vec3(0, 0, -1)));
         assertThat(near.pz()).isEqualTo((float) (-1000 + 1000 * 0x1p-23 + 5e8 * 0x1p-46));
         double far = 0x1p40;
-        SurfacePoint mirrored = hit(ShapeTable.PLANE, wall, new Ray(new Vec3(0, 0, far), new Vec3(0, 0, -1)));
+        SurfacePoint mirrored = hit(Solid.PLANE, wall, new Ray(new Vec3(0, 0, far), new Vec3(0, 0, -1)));
         assertThat((double) mirrored.pz()).isCloseTo(-1000 + 1000 * 0x1p-23 + (5e8 + far) * 0x1p-46, within(1e-4));
     }
 

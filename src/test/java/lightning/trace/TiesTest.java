@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Random;
 import java.util.stream.Stream;
 import lightning.scene.Scene;
+import lightning.trace.solid.Form;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -47,7 +48,7 @@ class TiesTest {
             }
             for (PacketTracer tracer : new PacketTracer[] {byTree, inTurn}) {
                 tracer.nearest(p, RayPacket.WIDTH);
-                assertThat(p.shape).isEqualTo(first);
+                assertThat(p.primitive).isEqualTo(first);
                 assertThat(p.t).isEqualTo(least);
             }
         }
@@ -57,11 +58,11 @@ class TiesTest {
     /** From the last shape to the first, unlike any tracer; returns how many shapes are met at the least distance. */
     private static int lowest(Geometry geometry, Ray ray, int lane, int[] first, double[] least) {
         first[lane] = -1;
-        least[lane] = Solids.MISS;
+        least[lane] = Form.MISS;
         int equals = 0;
-        for (int s = geometry.shapeCount() - 1; s >= 0; s--) {
+        for (int s = geometry.primitiveCount() - 1; s >= 0; s--) {
             double t = geometry.distance(s, ray);
-            if (t < Solids.MISS && t <= least[lane]) {
+            if (t < Form.MISS && t <= least[lane]) {
                 equals = t < least[lane] ? 1 : equals + 1;
                 least[lane] = t;
                 first[lane] = s;
@@ -85,8 +86,8 @@ class TiesTest {
             for (int i = 0; i < RayPacket.WIDTH; i++) {
                 Ray ray = TraceRays.ray(p, i);
                 int first = geometry.nearestOfAll(ray);
-                double t = first < 0 ? Solids.MISS : geometry.distance(first, ray);
-                boolean behind = t < Solids.MISS && random.nextBoolean();
+                double t = first < 0 ? Form.MISS : geometry.distance(first, ray);
+                boolean behind = t < Form.MISS && random.nextBoolean();
                 p.limit[i] = behind ? Math.nextUp(t) : t;
                 assertThat(geometry.blockedByAny(ray, p.limit[i])).as("%s", ray).isEqualTo(behind);
                 assertThat(geometry.blocked(ray, p.limit[i])).as("%s", ray).isEqualTo(behind);

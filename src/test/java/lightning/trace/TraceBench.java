@@ -42,12 +42,12 @@ final class TraceBench {
         for (int tile = 0; tile < SIZE * SIZE / (TILE * TILE); tile++) {
             tileStart[tiles++] = shadowRays;
             for (int n = 0; n < TILE * TILE; n += W) {
-                PacketTracer.eyeRays(camera, tile % (SIZE / TILE) * TILE + n % TILE, tile / (SIZE / TILE) * TILE + n / TILE, W, p);
+                TraceRays.eye(camera, tile % (SIZE / TILE) * TILE + n % TILE, tile / (SIZE / TILE) * TILE + n / TILE, p);
                 tracer.nearest(p, W);
                 tracer.surfaces(p, W, out);
                 for (int i = 0; i < W; i++) {
                     Vec3 to = new Vec3(l.x() - out.px[i], l.y() - out.py[i], l.z() - out.pz[i]);
-                    if (p.shape[i] >= 0 && to.dot(new Vec3(out.nx[i], out.ny[i], out.nz[i])) > 0) {
+                    if (p.primitive[i] >= 0 && to.dot(new Vec3(out.nx[i], out.ny[i], out.nz[i])) > 0) {
                         Vec3 d = to.normalized();
                         double[] ray = {out.px[i], out.py[i], out.pz[i], d.x(), d.y(), d.z(), to.length()};
                         System.arraycopy(ray, 0, rays, 7 * shadowRays++, 7);
@@ -67,7 +67,7 @@ final class TraceBench {
     private void eyes() {
         for (int y = 0; y < SIZE; y++) {
             for (int x = 0; x < SIZE; x += W) {
-                PacketTracer.eyeRays(camera, x, y, W, p);
+                TraceRays.eye(camera, x, y, p);
                 sink += (long) p.dx[3];
             }
         }
@@ -76,9 +76,9 @@ final class TraceBench {
     private void eyesAndNearest() {
         for (int y = 0; y < SIZE; y++) {
             for (int x = 0; x < SIZE; x += W) {
-                PacketTracer.eyeRays(camera, x, y, W, p);
+                TraceRays.eye(camera, x, y, p);
                 tracer.nearest(p, W);
-                sink += p.shape[3];
+                sink += p.primitive[3];
             }
         }
     }
@@ -90,9 +90,9 @@ final class TraceBench {
                 candidates.collect(geometry, beam);
                 for (int y = tile; y < tile + TILE; y++) {
                     for (int x = left; x < left + TILE; x += W) {
-                        PacketTracer.eyeRays(camera, x, y, W, p);
+                        TraceRays.eye(camera, x, y, p);
                         tracer.nearest(p, W, candidates);
-                        sink += p.shape[3];
+                        sink += p.primitive[3];
                     }
                 }
             }
@@ -117,7 +117,7 @@ final class TraceBench {
     private void eyesToSurfaces() {
         for (int y = 0; y < SIZE; y++) {
             for (int x = 0; x < SIZE; x += W) {
-                PacketTracer.eyeRays(camera, x, y, W, p);
+                TraceRays.eye(camera, x, y, p);
                 tracer.nearest(p, W);
                 tracer.surfaces(p, W, out);
                 sink += (long) out.nx[3];

@@ -1,5 +1,6 @@
 package lightning.trace;
 
+import java.util.Arrays;
 import java.util.Random;
 import lightning.math.Transform;
 import lightning.math.Vec3;
@@ -13,11 +14,7 @@ final class TraceRays {
     TraceRays(Geometry geometry, long seed) {
         this.geometry = geometry;
         random = new Random(seed);
-        double most = 0;
-        for (double b : geometry.shapes().bounds) {
-            most = Math.max(most, Math.abs(b));
-        }
-        reach = most;
+        reach = geometry.primitives().reach / 4;
     }
 
     /** Fills all lanes; neighbours often resemble each other. */
@@ -44,7 +41,7 @@ final class TraceRays {
 
     /** Exactly at a hit or just behind it. */
     private double limitAtHit(Vec3 o, Vec3 d) {
-        double t = geometry.distance(random.nextInt(geometry.shapeCount()), new Ray(o, d));
+        double t = geometry.distance(random.nextInt(geometry.primitiveCount()), new Ray(o, d));
         return random.nextBoolean() ? t : Math.nextUp(t);
     }
 
@@ -80,8 +77,8 @@ final class TraceRays {
 
     /** A point in, on, or at the edge of a shape. */
     private Vec3 somewhere() {
-        int s = random.nextInt(geometry.shapeCount());
-        Transform toWorld = geometry.shape(s).toWorld();
+        int s = random.nextInt(geometry.primitiveCount());
+        Transform toWorld = geometry.primitives().places.toRender(s, Vec3.ZERO);
         double angle = random.nextInt(4) == 0 ? Math.PI / 2 * random.nextInt(5) : random.nextDouble() * 2 * Math.PI;
         double c = Math.cos(angle);
         double z = Math.sin(angle);
@@ -108,5 +105,13 @@ final class TraceRays {
 
     static Ray ray(RayPacket p, int i) {
         return new Ray(new Vec3(p.ox[i], p.oy[i], p.oz[i]), new Vec3(p.dx[i], p.dy[i], p.dz[i]));
+    }
+
+    /** Puts the eye's rays through a pixel and those to the right of it into a packet. */
+    static void eye(CameraRays camera, int x, int y, RayPacket p) {
+        Arrays.fill(p.ox, 0);
+        Arrays.fill(p.oy, 0);
+        Arrays.fill(p.oz, 0);
+        EyeLanes.through(camera, x, y, p.dx, p.dy, p.dz, 0);
     }
 }

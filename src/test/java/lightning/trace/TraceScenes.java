@@ -12,27 +12,23 @@ import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.World;
 
 /** Scenes to trace: like those of the paper, and arbitrary ones. */
 final class TraceScenes {
     private final List<Node> nodes = new ArrayList<>();
 
-    private TraceScenes add(int kind, Vec3 at, Vec3 rotate, Vec3 scale) {
+    private TraceScenes add(Solid solid, Vec3 at, Vec3 rotate, Vec3 scale) {
         String name = "s" + nodes.size();
         String material = Material.DEFAULT.name();
         Placement placement = new Placement(at, rotate, scale);
-        nodes.add(switch (kind) {
-            case ShapeTable.SPHERE -> new Shape.Sphere(name, material, placement);
-            case ShapeTable.CONE -> new Shape.Cone(name, material, placement);
-            case ShapeTable.CYLINDER -> new Shape.Cylinder(name, material, placement);
-            default -> new Shape.Plane(name, material, placement);
-        });
+        nodes.add(new Shape(solid, name, material, placement));
         return this;
     }
 
-    private TraceScenes add(int kind, double x, double y, double z, double sx, double sy, double sz) {
-        return add(kind, new Vec3(x, y, z), Vec3.ZERO, new Vec3(sx, sy, sz));
+    private TraceScenes add(Solid solid, double x, double y, double z, double sx, double sy, double sz) {
+        return add(solid, new Vec3(x, y, z), Vec3.ZERO, new Vec3(sx, sy, sz));
     }
 
     private Scene seenFrom(double x, double y, double z) {
@@ -41,33 +37,33 @@ final class TraceScenes {
     }
 
     /** One shape alone, seen from a camera. */
-    static ShapeTable one(int kind, Placement placement, Vec3 camera) {
-        return new Geometry(one(kind, placement, camera, camera.plus(new Vec3(0, 0, -1 - camera.maxAbs())))).shapes();
+    static PrimitiveTable one(Solid solid, Placement placement, Vec3 camera) {
+        return new Geometry(one(solid, placement, camera, camera.plus(new Vec3(0, 0, -1 - camera.maxAbs())))).primitives();
     }
 
     /** A ball of a radius, and a floor under it, seen from the origin. */
     static Scene ballOnFloor(Vec3 at, double radius) {
-        List<Node> nodes = new TraceScenes().add(ShapeTable.SPHERE, at, Vec3.ZERO, Vec3.ONE.times(radius))
-                .add(ShapeTable.PLANE, at.minus(new Vec3(0, radius, 0)), Vec3.ZERO, new Vec3(8 * radius, 1, 8 * radius)).nodes;
+        List<Node> nodes = new TraceScenes().add(Solid.SPHERE, at, Vec3.ZERO, Vec3.ONE.times(radius))
+                .add(Solid.PLANE, at.minus(new Vec3(0, radius, 0)), Vec3.ZERO, new Vec3(8 * radius, 1, 8 * radius)).nodes;
         return new Scene(Picture.DEFAULT, new Camera(Vec3.ZERO, at, Vec3.Y, 40), World.DEFAULT, List.of(), nodes, List.of());
     }
 
     /** One shape alone, seen from a camera that looks at a point. */
-    static Scene one(int kind, Placement placement, Vec3 from, Vec3 to) {
+    static Scene one(Solid solid, Placement placement, Vec3 from, Vec3 to) {
         return new Scene(Picture.DEFAULT, new Camera(from, to, Vec3.Y, 40), World.DEFAULT, List.of(),
-                new TraceScenes().add(kind, placement.at(), placement.rotate(), placement.scale()).nodes, List.of());
+                new TraceScenes().add(solid, placement.at(), placement.rotate(), placement.scale()).nodes, List.of());
     }
 
     /** One shape over a floor of 12 × 12, seen from a camera. */
-    static Scene overFloor(int kind, Placement placement, Vec3 camera) {
-        return new TraceScenes().add(kind, placement.at(), placement.rotate(), placement.scale()).add(ShapeTable.PLANE, 0, 0, 0, 12, 1, 12)
+    static Scene overFloor(Solid solid, Placement placement, Vec3 camera) {
+        return new TraceScenes().add(solid, placement.at(), placement.rotate(), placement.scale()).add(Solid.PLANE, 0, 0, 0, 12, 1, 12)
                 .seenFrom(camera.x(), camera.y(), camera.z());
     }
 
     /** One shape within groups, the outermost first, seen from a camera. */
-    static Scene one(int kind, List<Placement> placements, Vec3 camera) {
+    static Scene one(Solid solid, List<Placement> placements, Vec3 camera) {
         Placement own = placements.getLast();
-        Node node = new TraceScenes().add(kind, own.at(), own.rotate(), own.scale()).nodes.getFirst();
+        Node node = new TraceScenes().add(solid, own.at(), own.rotate(), own.scale()).nodes.getFirst();
         for (int g = placements.size() - 2; g >= 0; g--) {
             node = new Group("g" + g, placements.get(g), List.of(node));
         }
@@ -78,28 +74,28 @@ final class TraceScenes {
     /** Four spheres over a floor. */
     static Scene balls() {
         return new TraceScenes()
-                .add(ShapeTable.PLANE, 0, 0, 0, 12, 1, 12)
-                .add(ShapeTable.SPHERE, 0, 1, 0, 1, 1, 1)
-                .add(ShapeTable.SPHERE, -2.2, 0.8, 0.5, 0.8, 0.8, 0.8)
-                .add(ShapeTable.SPHERE, 2.1, 0.7, 0.8, 0.7, 0.7, 0.7)
-                .add(ShapeTable.SPHERE, 0.6, 0.4, 2, 0.4, 0.4, 0.4)
+                .add(Solid.PLANE, 0, 0, 0, 12, 1, 12)
+                .add(Solid.SPHERE, 0, 1, 0, 1, 1, 1)
+                .add(Solid.SPHERE, -2.2, 0.8, 0.5, 0.8, 0.8, 0.8)
+                .add(Solid.SPHERE, 2.1, 0.7, 0.8, 0.7, 0.7, 0.7)
+                .add(Solid.SPHERE, 0.6, 0.4, 2, 0.4, 0.4, 0.4)
                 .seenFrom(0, 3, 9);
     }
 
     /** Four spheres, two cones and four cylinders over a floor: a bird. */
     static Scene bird() {
         return new TraceScenes()
-                .add(ShapeTable.SPHERE, 0, 1.6, 0, 0.8, 0.7, 1.1)
-                .add(ShapeTable.SPHERE, 0, 2.5, 0.9, 0.5, 0.5, 0.5)
-                .add(ShapeTable.SPHERE, -0.2, 2.6, 1.3, 0.1, 0.1, 0.1)
-                .add(ShapeTable.SPHERE, 0.2, 2.6, 1.3, 0.1, 0.1, 0.1)
-                .add(ShapeTable.CONE, new Vec3(0, 2.45, 1.3), new Vec3(90, 0, 0), new Vec3(0.15, 0.5, 0.15))
-                .add(ShapeTable.CONE, new Vec3(0, 1.6, -2), new Vec3(80, 0, 0), new Vec3(0.5, 1.4, 0.2))
-                .add(ShapeTable.CYLINDER, new Vec3(-0.3, 0.05, 0.2), Vec3.ZERO, new Vec3(0.08, 1.1, 0.08))
-                .add(ShapeTable.CYLINDER, new Vec3(0.3, 0.05, 0.2), Vec3.ZERO, new Vec3(0.08, 1.1, 0.08))
-                .add(ShapeTable.CYLINDER, new Vec3(-0.3, 0.05, 0.1), new Vec3(90, 0, 0), new Vec3(0.07, 0.5, 0.05))
-                .add(ShapeTable.CYLINDER, new Vec3(0.3, 0.05, 0.1), new Vec3(90, 0, 0), new Vec3(0.07, 0.5, 0.05))
-                .add(ShapeTable.PLANE, 0, 0, 0, 10, 1, 10)
+                .add(Solid.SPHERE, 0, 1.6, 0, 0.8, 0.7, 1.1)
+                .add(Solid.SPHERE, 0, 2.5, 0.9, 0.5, 0.5, 0.5)
+                .add(Solid.SPHERE, -0.2, 2.6, 1.3, 0.1, 0.1, 0.1)
+                .add(Solid.SPHERE, 0.2, 2.6, 1.3, 0.1, 0.1, 0.1)
+                .add(Solid.CONE, new Vec3(0, 2.45, 1.3), new Vec3(90, 0, 0), new Vec3(0.15, 0.5, 0.15))
+                .add(Solid.CONE, new Vec3(0, 1.6, -2), new Vec3(80, 0, 0), new Vec3(0.5, 1.4, 0.2))
+                .add(Solid.CYLINDER, new Vec3(-0.3, 0.05, 0.2), Vec3.ZERO, new Vec3(0.08, 1.1, 0.08))
+                .add(Solid.CYLINDER, new Vec3(0.3, 0.05, 0.2), Vec3.ZERO, new Vec3(0.08, 1.1, 0.08))
+                .add(Solid.CYLINDER, new Vec3(-0.3, 0.05, 0.1), new Vec3(90, 0, 0), new Vec3(0.07, 0.5, 0.05))
+                .add(Solid.CYLINDER, new Vec3(0.3, 0.05, 0.1), new Vec3(90, 0, 0), new Vec3(0.07, 0.5, 0.05))
+                .add(Solid.PLANE, 0, 0, 0, 10, 1, 10)
                 .seenFrom(4, 3, 7);
     }
 
@@ -112,13 +108,13 @@ final class TraceScenes {
                     double along = -3 + 2 * part;
                     double across = wall % 2 == 0 ? -3 : 3;
                     double y = 0.12 + row * 0.22;
-                    s.add(ShapeTable.CYLINDER, wall < 2 ? new Vec3(along, y, across) : new Vec3(across, y + 0.11, along),
+                    s.add(Solid.CYLINDER, wall < 2 ? new Vec3(along, y, across) : new Vec3(across, y + 0.11, along),
                             wall < 2 ? new Vec3(0, 0, -90) : new Vec3(90, 0, 0), new Vec3(0.12, 1.9, 0.12));
                 }
             }
         }
         for (int post = 0; post < 6; post++) {
-            s.add(ShapeTable.CYLINDER, -3 + 1.2 * post, 0, 4, 0.1, 4, 0.1);
+            s.add(Solid.CYLINDER, -3 + 1.2 * post, 0, 4, 0.1, 4, 0.1);
         }
         return s.seenFrom(9, 5, 12);
     }
@@ -129,7 +125,7 @@ final class TraceScenes {
         TraceScenes s = new TraceScenes();
         double size = 3 / Math.cbrt(count);
         for (int i = 0; i < count; i++) {
-            s.add(random.nextInt(4), vector(random, 4), vector(random, 180),
+            s.add(CanonicalSolids.any(random), vector(random, 4), vector(random, 180),
                     new Vec3(size * (0.2 + random.nextDouble()), size * (0.2 + random.nextDouble()), size * (0.2 + random.nextDouble())));
         }
         return s.seenFrom(0, 2, 12);
@@ -144,9 +140,9 @@ final class TraceScenes {
             Vec3 at = vector(random, Math.pow(10, random.nextInt(6) - 1)).plus(new Vec3(moved, 0, -moved));
             Vec3 turn = random.nextInt(3) == 0 ? new Vec3(90 * random.nextInt(4), 90 * random.nextInt(4), 0) : vector(random, 180);
             Vec3 scale = new Vec3(scale(random), scale(random), scale(random));
-            int kind = random.nextInt(4);
+            Solid solid = CanonicalSolids.any(random);
             for (int copy = random.nextInt(8) == 0 ? 2 : 1; copy > 0; copy--) {
-                s.add(kind, at, turn, scale);
+                s.add(solid, at, turn, scale);
             }
         }
         Vec3 from = vector(random, 10).plus(new Vec3(moved, 0, -moved));
@@ -158,7 +154,7 @@ final class TraceScenes {
     static Scene heap(int count) {
         TraceScenes s = new TraceScenes();
         for (int i = 0; i < count; i++) {
-            s.add(ShapeTable.SPHERE, 0, 1, 0, 1, 1, 1);
+            s.add(Solid.SPHERE, 0, 1, 0, 1, 1, 1);
         }
         return s.seenFrom(0, 1, 8);
     }
@@ -167,7 +163,7 @@ final class TraceScenes {
     static Scene mixedHeap(int count) {
         TraceScenes s = new TraceScenes();
         for (int i = 0; i < count; i++) {
-            s.add(i / 2 % 4, 0, 1, 0, i % 3 == 0 ? -1 : 1, 1, i % 5 == 0 ? -1 : 1);
+            s.add(CanonicalSolids.ALL.get(i / 2 % CanonicalSolids.ALL.size()), 0, 1, 0, i % 3 == 0 ? -1 : 1, 1, i % 5 == 0 ? -1 : 1);
         }
         return s.seenFrom(0, 1, 8);
     }
@@ -176,10 +172,10 @@ final class TraceScenes {
     static Scene nested() {
         TraceScenes s = new TraceScenes();
         for (double scale : new double[] {0.5, 1, 0.25, 1, 0.5}) {
-            s.add(ShapeTable.CONE, 0, 0, 0, scale, scale, scale)
-                    .add(ShapeTable.CYLINDER, 0, 0, 0, scale, scale, scale)
-                    .add(ShapeTable.SPHERE, 0, 0, 0, scale, scale, scale)
-                    .add(ShapeTable.PLANE, 0, 0, 0, 2 * scale, scale, 2 * scale);
+            s.add(Solid.CONE, 0, 0, 0, scale, scale, scale)
+                    .add(Solid.CYLINDER, 0, 0, 0, scale, scale, scale)
+                    .add(Solid.SPHERE, 0, 0, 0, scale, scale, scale)
+                    .add(Solid.PLANE, 0, 0, 0, 2 * scale, scale, 2 * scale);
         }
         return s.seenFrom(0, 1, 8);
     }
@@ -188,12 +184,12 @@ final class TraceScenes {
     static Scene flat() {
         TraceScenes s = new TraceScenes();
         for (int i = 0; i < 4; i++) {
-            s.add(ShapeTable.PLANE, 0.25 * i, 1, 0, 1, 1, 1)
-                    .add(ShapeTable.PLANE, new Vec3(0, 1, 0.25 * i), new Vec3(90, 0, 0), Vec3.ONE)
-                    .add(ShapeTable.PLANE, new Vec3(0, 1, 0), new Vec3(0, 0, 90 * i), Vec3.ONE)
-                    .add(ShapeTable.CYLINDER, 0.25 * i, 1, 0, 0.5, 1e-9, 0.5)
-                    .add(ShapeTable.SPHERE, 0, 1, 0.25 * i, 0.5, 1e-9, 1)
-                    .add(ShapeTable.CONE, 0.25 * i, 1, 0, 1e-9, 1, 1e-9);
+            s.add(Solid.PLANE, 0.25 * i, 1, 0, 1, 1, 1)
+                    .add(Solid.PLANE, new Vec3(0, 1, 0.25 * i), new Vec3(90, 0, 0), Vec3.ONE)
+                    .add(Solid.PLANE, new Vec3(0, 1, 0), new Vec3(0, 0, 90 * i), Vec3.ONE)
+                    .add(Solid.CYLINDER, 0.25 * i, 1, 0, 0.5, 1e-9, 0.5)
+                    .add(Solid.SPHERE, 0, 1, 0.25 * i, 0.5, 1e-9, 1)
+                    .add(Solid.CONE, 0.25 * i, 1, 0, 1e-9, 1, 1e-9);
         }
         return s.seenFrom(0, 1, 8);
     }
@@ -204,7 +200,7 @@ final class TraceScenes {
         TraceScenes s = new TraceScenes();
         for (int i = 0; i < count; i++) {
             TraceScenes one = new TraceScenes();
-            one.add(random.nextInt(4), vector(random, 1), vector(random, 180), new Vec3(1, 1, 1));
+            one.add(CanonicalSolids.any(random), vector(random, 1), vector(random, 180), new Vec3(1, 1, 1));
             Node node = one.nodes.getFirst();
             int levels = random.nextInt(4);
             // Nested scales multiply; together they stay within what a scene may have, 10⁻⁹ to 10⁹.
@@ -221,10 +217,7 @@ final class TraceScenes {
     private static Node rename(Node node, int i) {
         return switch (node) {
             case Group g -> new Group(g.name(), g.placement(), List.of(rename(g.children().getFirst(), i)));
-            case Shape.Sphere x -> new Shape.Sphere("s" + i, x.material(), x.placement());
-            case Shape.Cone x -> new Shape.Cone("s" + i, x.material(), x.placement());
-            case Shape.Cylinder x -> new Shape.Cylinder("s" + i, x.material(), x.placement());
-            case Shape.Plane x -> new Shape.Plane("s" + i, x.material(), x.placement());
+            case Shape x -> x.withName("s" + i);
         };
     }
 

@@ -1,6 +1,5 @@
 package lightning.app.animation;
 
-import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -17,6 +16,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.app.command.PathAsk;
+import lightning.app.model.Sentence;
 import lightning.app.widget.Obstacle;
 import lightning.edit.motion.MotionExport;
 import lightning.edit.motion.MotionPath;
@@ -182,22 +182,15 @@ final class AnimationPane extends VBox {
 
     private void save() {
         ask.fileToSave("Save Animation", sceneName + "." + EXTENSION, EXTENSION).ifPresent(file -> {
-            try {
-                motion.save(file);
-                status.setText("Saved to " + Quote.path(file));
-            } catch (IOException e) {
-                status.setText("Not saved: " + e.getMessage());
-            }
+            status.setText("Saving …");
+            motion.save(file, () -> status.setText("Saved to " + Quote.path(file)),
+                    why -> status.setText("Not saved: " + Sentence.of(why)));
         });
     }
 
     private void load() {
         ask.fileToOpen("Load Animation", EXTENSION).ifPresent(file -> {
-            try {
-                motion.load(file);
-            } catch (IOException e) {
-                status.setText("Not loaded: " + e.getMessage());
-            }
+            motion.load(file, why -> status.setText("Not loaded: " + Sentence.of(why)));
         });
     }
 

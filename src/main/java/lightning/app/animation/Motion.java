@@ -1,8 +1,8 @@
 package lightning.app.animation;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javafx.beans.property.IntegerProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
@@ -31,6 +31,7 @@ final class Motion {
     private final ChangeListener<Number> drawn = (_, _, _) -> recordFrame();
     private MotionRecorder recorder;
     private Scene awaited;
+    private boolean closed;
 
     /** Begins an animation of the selected light, which must be there. */
     Motion(EditorModel model) {
@@ -135,17 +136,32 @@ final class Motion {
         return path.get() == null ? 0 : path.get().frames() - 1;
     }
 
-    /** @throws IOException if the file cannot be written */
-    void save(Path file) throws IOException {
-        MotionPathFile.save(path.get(), file);
+    /**
+     * Writes the path.
+     *
+     * @param failed hears why the file could not be written
+     */
+    void save(Path file, Runnable saved, Consumer<Throwable> failed) {
+        MotionPath written = path.get();
+        model.files().inTurn(() -> {
+            MotionPathFile.save(written, file);
+            return file;
+        }, _ -> saved.run(), failed);
     }
 
-    /** @throws IOException if the file cannot be read or is no motion path; nothing changes then */
-    void load(Path file) throws IOException {
-        MotionPath loaded = MotionPathFile.load(file);
-        stop();
-        path.set(loaded);
-        show(0);
+    /**
+     * Takes a path from a file.
+     *
+     * @param failed hears why it cannot be read or is no motion path; nothing changes then
+     */
+    void load(Path file, Consumer<Throwable> failed) {
+        model.files().beside(() -> MotionPathFile.load(file), loaded -> {
+            if (!closed) {
+                stop();
+                path.set(loaded);
+                show(0);
+            }
+        }, failed);
     }
 
     /** The pictures of the path. */
@@ -155,6 +171,7 @@ final class Motion {
 
     /** Restores the scene as it was. */
     void close() {
+        closed = true;
         state.set(State.RESTING);
         model.previewFramesProperty().removeListener(drawn);
         model.endAnimation();

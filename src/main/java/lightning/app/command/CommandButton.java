@@ -1,10 +1,11 @@
 package lightning.app.command;
 
-import java.util.Locale;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
+import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.StackPane;
 import javafx.util.Duration;
 import lightning.app.model.EditorModel;
@@ -12,57 +13,87 @@ import lightning.edit.Command;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /**
- * A button of a command, enabled exactly when there is something to do, with a tooltip that says why not. The tooltip
- * hangs on the frame around the button, for JavaFX shows none of a disabled control.
+ * A button of a command, enabled exactly when there is something to do, with a tooltip that says why not; it stays down
+ * where the command switches something on. The tooltip hangs on the frame around the button, for JavaFX shows none of a
+ * disabled control.
  */
 public final class CommandButton extends StackPane {
     private static final Duration DELAY = Duration.millis(400);
 
-    /** @param titled whether the title stands beside the icon */
-    public CommandButton(EditorModel model, Command command, boolean titled) {
-        this(model, command, titled, new Button());
-    }
+    private final ButtonBase button;
 
-    private CommandButton(EditorModel model, Command command, boolean titled, ButtonBase button) {
-        CommandFace face = CommandFace.of(command);
-        button.setText(titled ? face.title() : "");
-        button.setGraphic(new FontIcon(face.icon()));
-        button.setId(id(command));
-        button.setAccessibleText(face.title());
-        button.setOnAction(_ -> model.run(command));
-        button.getStyleClass().add(titled ? "titled-command" : "button-icon");
+    private CommandButton(EditorModel model, Command command) {
+        button = model.switched(command).<ButtonBase>map(on -> toggle(on)).orElseGet(Button::new);
+        button.setId(command.id());
+        button.setAccessibleText(command.plainTitle());
+        button.setOnAction(_ -> {
+            model.run(command);
+            if (button instanceof ToggleButton toggle) {
+                toggle.setSelected(model.switched(command).orElseThrow().getValue());
+            }
+        });
         getChildren().add(button);
         var tooltip = new Tooltip();
         tooltip.setShowDelay(DELAY);
         tooltip.setShowDuration(Duration.INDEFINITE);
         Tooltip.install(this, tooltip);
-        model.situationProperty().subscribe(_ -> {
-            String obstacle = model.reason(command).orElse("");
-            button.setDisable(!obstacle.isEmpty());
-            tooltip.setText(face.tooltip(obstacle));
+        model.situationProperty().map(command::obstacle).subscribe(obstacle -> {
+            button.setDisable(obstacle.isPresent());
+            tooltip.setText(help(command, obstacle.orElse("")));
             button.setAccessibleHelp(tooltip.getText());
         });
     }
 
-    /** The eye of the selected light, which stays down while the preview looks through it. */
-    public static CommandButton lookThrough(EditorModel model) {
-        var eye = new ToggleButton();
-        var button = new CommandButton(model, Command.LOOK_THROUGH_LIGHT, false, eye);
-        var on = model.lookThrough().onProperty();
-        on.subscribe(eye::setSelected);
-        eye.setOnAction(_ -> {
-            model.run(Command.LOOK_THROUGH_LIGHT);
-            eye.setSelected(on.get());
-        });
+    private static ToggleButton toggle(ObservableValue<Boolean> on) {
+        var button = new ToggleButton();
+        on.subscribe(button::setSelected);
         return button;
     }
 
-    public ButtonBase button() {
-        return (ButtonBase) getChildren().getFirst();
+    /** With the command's icon alone. */
+    public static CommandButton icon(EditorModel model, Command command) {
+        return new CommandButton(model, command).looking("", new FontIcon(command.icon()), "button-icon");
     }
 
-    /** {@code go} for {@code GO}, {@code save-scene} for {@code SAVE_SCENE}. */
-    public static String id(Command command) {
-        return command.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    /** With icon and title. */
+    public static CommandButton titled(EditorModel model, Command command) {
+        return new CommandButton(model, command).looking(command.title(), new FontIcon(command.icon()), "titled-command");
+    }
+
+    /** With a short text in place of the title, among the preview's views. */
+    public static CommandButton view(EditorModel model, Command command, String text) {
+        return new CommandButton(model, command).looking(text, null, "view-button");
+    }
+
+    /** With an icon, among the preview's views. */
+    public static CommandButton view(EditorModel model, Command command) {
+        return new CommandButton(model, command).looking("", new FontIcon(command.icon()), "view-button");
+    }
+
+    private CommandButton looking(String text, FontIcon icon, String styleClass) {
+        button.setText(text);
+        button.setGraphic(icon);
+        button.getStyleClass().add(styleClass);
+        return this;
+    }
+
+    public ButtonBase button() {
+        return button;
+    }
+
+    /**
+     * What the tooltip says.
+     *
+     * @param obstacle why the command is disabled; empty if it is enabled
+     */
+    static String help(Command command, String obstacle) {
+        String keys = command.shortcut().isEmpty() ? "" : "  (" + keys(command) + ")";
+        String does = command.plainTitle() + keys + "\n" + command.help() + ".";
+        return obstacle.isEmpty() ? does : does + "\nNot now: " + obstacle + ".";
+    }
+
+    /** The command's key as the system writes it. */
+    public static String keys(Command command) {
+        return KeyCombination.valueOf(command.shortcut()).getDisplayText();
     }
 }

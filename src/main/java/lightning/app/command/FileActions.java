@@ -1,37 +1,29 @@
 package lightning.app.command;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.MenuItem;
 import lightning.app.model.EditorModel;
 import lightning.app.model.Preferences;
 import lightning.edit.Command;
 import lightning.edit.OpenDocument;
+import lightning.edit.Recovery;
 import lightning.edit.loop.Frame;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
-import lightning.jen.JenException;
+import lightning.scene.Scene;
 import lightning.text.Quote;
 
-/** The commands about files. Files are read and pictures written on a thread of their own. */
-public final class FileActions implements AutoCloseable {
+/** The commands about files. Files are read and written beside the window's thread. */
+public final class FileActions {
     private final EditorModel model;
     private final FilePrompt prompt;
     private final Notices notices;
     private final Preferences preferences;
-    private final Runnable quit;
     private final SceneSaver saver;
-    private final ExecutorService thread = Executors.newSingleThreadExecutor(task -> {
-        Thread t = new Thread(task, "lightning-files");
-        t.setDaemon(true);
-        return t;
-    });
+    private List<Path> recent = List.of();
 
     /** @param quit closes the window, which then asks about unsaved edits */
     public FileActions(EditorModel model, FilePrompt prompt, Notices notices, Preferences preferences, Runnable quit) {
@@ -39,54 +31,76 @@ public final class FileActions implements AutoCloseable {
         this.prompt = prompt;
         this.notices = notices;
         this.preferences = preferences;
-        this.quit = quit;
         saver = new SceneSaver(model, prompt, notices, this::saved);
         model.setAction(Command.LOAD_FILE, () -> prompt.scene(model.document().file().toAbsolutePath().getParent()).ifPresent(this::load));
         model.setAction(Command.RELOAD, this::reload);
-        model.setAction(Command.SAVE_SCENE, saver::save);
-        model.setAction(Command.SAVE_SCENE_AS, saver::saveAs);
+        model.setAction(Command.SAVE_SCENE, () -> saver.save(() -> {}));
+        model.setAction(Command.SAVE_SCENE_AS, () -> saver.saveAs(() -> {}));
         model.setAction(Command.SAVE_IMAGE, this::saveImage);
+        model.setAction(Command.QUIT, quit);
+        listRecent();
     }
 
-    /** Opens a scene; the open one stays where it cannot be read. Asks about unsaved edits first. */
+    /** Opens a scene; the open one stays where it cannot be read, and until it is read. Asks about unsaved edits first. */
     public void load(Path file) {
-        if (!mayLeave()) {
-            return;
-        }
-        model.say("Reading " + file.getFileName() + " …");
-        thread.execute(() -> {
-            try {
-                OpenDocument opened = OpenDocument.open(file);
-                model.window().execute(() -> {
-                    model.say("");
-                    model.open(opened);
-                    preferences.opened(file);
-                });
-            } catch (IOException | JenException | RuntimeException e) {
-                model.window().execute(() -> {
-                    model.say("");
-                    notices.failed(Quote.path(file.getFileName()) + " could not be opened", e);
-                });
-            }
-        });
+        leave(() -> read(file));
     }
 
-    /** Whether the open document may be left: it is saved, or the artist does not want it. */
-    public boolean mayLeave() {
-        if (!model.document().isDirty()) {
-            return true;
+    private void read(Path file) {
+        Scene left = model.document().scene();
+        model.setReading(file);
+        model.files().beside(() -> OpenDocument.open(file), opened -> whileWanted(file, () -> {
+            if (model.document().scene() == left) {
+                open(opened);
+            } else {
+                // It was edited while the other was read.
+                leave(() -> open(opened));
+            }
+        }), why -> whileWanted(file, () -> notices.failed(Quote.path(file.getFileName()) + " could not be opened", why)));
+    }
+
+    private void whileWanted(Path file, Runnable then) {
+        if (model.reading() == file) {
+            model.setReading(null);
+            then.run();
         }
-        ButtonType answer = notices.unsaved(model.document().name()).orElse(ButtonType.CANCEL);
-        return answer == Notices.DISCARD || answer == Notices.SAVE && saver.save();
+    }
+
+    private void open(OpenDocument opened) {
+        model.open(opened);
+        preferences.opened(opened.file());
+        listRecent();
+    }
+
+    /** Opens what a crash left unsaved, which is deleted where the artist does not want it. */
+    public void recover(Recovery.Found found) {
+        model.files().beside(() -> OpenDocument.recover(found), recovered -> model.recover(found, recovered),
+                why -> notices.failed("The edits could not be recovered", why));
+    }
+
+    /**
+     * Goes on when the open document may be left: it is saved, or the artist does not want it. What is being saved is written
+     * first.
+     */
+    public void leave(Runnable then) {
+        if (model.workbench().isSaving()) {
+            model.files().inTurn(() -> null, _ -> leave(then), _ -> {});
+        } else if (!model.document().isDirty()) {
+            then.run();
+        } else {
+            ButtonType answer = notices.unsaved(model.document().name()).orElse(ButtonType.CANCEL);
+            if (answer == Notices.DISCARD) {
+                then.run();
+            } else if (answer == Notices.SAVE) {
+                saver.save(() -> leave(then));
+            }
+        }
     }
 
     private void reload() {
-        try {
-            model.workbench().reload();
-            model.say("Reloaded; Undo brings the edits back");
-        } catch (IOException | JenException e) {
-            notices.failed(model.document().name() + " could not be reloaded", e);
-        }
+        String name = model.document().name();
+        model.workbench().reload(failure -> failure.ifPresentOrElse(why -> notices.failed(name + " could not be reloaded", why),
+                () -> model.say("Reloaded; Undo brings the edits back")));
     }
 
     /** Shows the open scene beside its file, which somebody else changed, and asks which it shall be. */
@@ -96,6 +110,7 @@ public final class FileActions implements AutoCloseable {
 
     private void saved() {
         preferences.opened(model.document().file());
+        listRecent();
         model.say("Saved " + model.document().name());
     }
 
@@ -113,53 +128,39 @@ public final class FileActions implements AutoCloseable {
         Path scene = model.document().file();
         String name = model.document().name().replaceFirst("\\.jen$", "") + ".png";
         Frame frame = model.frame();
-        prompt.pictureToWrite(scene.resolveSibling(name)).flatMap(this::asPicture).ifPresent(file -> write(file, frame));
-    }
-
-    private void write(Path file, Frame frame) {
-        ViewTransform view = model.viewProperty().get();
-        thread.execute(() -> {
-            try {
-                PictureFile.write(file, frame.film(), view);
-                model.window().execute(() -> model.say("Saved " + Quote.path(file.getFileName())));
-            } catch (IOException | RuntimeException e) {
-                model.window().execute(() -> notices.failed("The picture could not be saved", e));
+        prompt.pictureToWrite(scene.resolveSibling(name)).ifPresent(chosen -> {
+            if (chosen.getFileName().toString().contains(".")) {
+                write(chosen, frame);
+            } else {
+                // A name without an ending becomes a PNG's, about which the system did not ask.
+                Path file = chosen.resolveSibling(chosen.getFileName() + ".png");
+                notices.unlessThere(model.files(), file, () -> write(file, frame));
             }
         });
     }
 
-    /** A name without an ending becomes a PNG's, about which the system did not ask. */
-    private Optional<Path> asPicture(Path chosen) {
-        String name = chosen.getFileName().toString();
-        if (name.contains(".")) {
-            return Optional.of(chosen);
-        }
-        Path file = chosen.resolveSibling(name + ".png");
-        return Files.exists(file) && !notices.mayReplace(file) ? Optional.empty() : Optional.of(file);
+    private void write(Path file, Frame frame) {
+        ViewTransform view = model.viewProperty().get();
+        model.say("Saving " + Quote.path(file.getFileName()) + " …");
+        model.files().inTurn(() -> {
+            PictureFile.write(file, frame.film(), view);
+            return file;
+        }, _ -> model.say("Saved " + Quote.path(file.getFileName())), why -> {
+            model.say("");
+            notices.failed("The picture could not be saved", why);
+        });
     }
 
-    /** One for each scene opened before that is still there. */
+    /** Which of the scenes opened before are still there. */
+    private void listRecent() {
+        List<Path> all = preferences.recent();
+        model.files().beside(() -> all.stream().filter(Files::isRegularFile).toList(), there -> recent = there, _ -> {});
+    }
+
+    /** One for each scene opened before that is still there, as was seen last. */
     public List<MenuItem> recentItems() {
-        List<MenuItem> items = preferences.recent().stream().filter(Files::isRegularFile).map(file -> {
-            var item = new MenuItem(Quote.path(file));
-            item.setMnemonicParsing(false);
-            item.setOnAction(_ -> load(file));
-            return item;
-        }).toList();
-        if (items.isEmpty()) {
-            var none = new MenuItem("None yet");
-            none.setDisable(true);
-            return List.of(none);
-        }
-        return items;
-    }
-
-    public void quit() {
-        quit.run();
-    }
-
-    @Override
-    public void close() {
-        thread.shutdown();
+        List<MenuItem> items = recent.stream()
+                .map(file -> CommandItems.of(model).value(Command.LOAD_RECENT, Quote.path(file), () -> load(file))).toList();
+        return items.isEmpty() ? List.of(CommandItems.nothing(Command.LOAD_RECENT, "None yet")) : items;
     }
 }

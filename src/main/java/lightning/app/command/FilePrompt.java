@@ -1,9 +1,9 @@
 package lightning.app.command;
 
 import java.io.File;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.Function;
 import javafx.stage.FileChooser;
 import javafx.stage.Window;
 
@@ -24,14 +24,14 @@ public interface FilePrompt {
         return new FilePrompt() {
             @Override
             public Optional<Path> scene(Path folder) {
-                return path(chooser("Load File", folder, scenes).showOpenDialog(owner));
+                return path(chooser("Load File", folder, scenes), c -> c.showOpenDialog(owner));
             }
 
             @Override
             public Optional<Path> sceneToWrite(Path proposal) {
                 var chooser = chooser("Save Scene As", proposal.toAbsolutePath().getParent(), scenes);
                 chooser.setInitialFileName(proposal.getFileName().toString());
-                return path(chooser.showSaveDialog(owner));
+                return path(chooser, c -> c.showSaveDialog(owner));
             }
 
             @Override
@@ -41,7 +41,7 @@ public interface FilePrompt {
                         new FileChooser.ExtensionFilter("XPM, as in 1998 (*.xpm)", "*.xpm"),
                         new FileChooser.ExtensionFilter("PFM, linear floats (*.pfm)", "*.pfm"));
                 chooser.setInitialFileName(proposal.getFileName().toString());
-                return path(chooser.showSaveDialog(owner));
+                return path(chooser, c -> c.showSaveDialog(owner));
             }
         };
     }
@@ -50,13 +50,13 @@ public interface FilePrompt {
         var chooser = new FileChooser();
         chooser.setTitle(title);
         chooser.getExtensionFilters().setAll(filters);
-        if (folder != null && Files.isDirectory(folder)) {
+        if (folder != null) {
             chooser.setInitialDirectory(folder.toAbsolutePath().toFile());
         }
         return chooser;
     }
 
-    private static Optional<Path> path(File file) {
-        return Optional.ofNullable(file).map(File::toPath);
+    private static Optional<Path> path(FileChooser chooser, Function<FileChooser, File> show) {
+        return Optional.ofNullable(FolderGone.without(chooser::setInitialDirectory, () -> show.apply(chooser))).map(File::toPath);
     }
 }

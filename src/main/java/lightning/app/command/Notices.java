@@ -1,5 +1,6 @@
 package lightning.app.command;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -14,6 +15,7 @@ import javafx.scene.layout.Region;
 import javafx.stage.Window;
 import lightning.app.model.Sentence;
 import lightning.app.widget.OnScreen;
+import lightning.edit.FileThread;
 import lightning.edit.Recovery;
 import lightning.jen.JenException;
 import lightning.jen.Problem;
@@ -109,8 +111,16 @@ public final class Notices {
                 ButtonType.CANCEL).showAndWait();
     }
 
-    /** Whether the artist wants to lose a file that is there. */
-    boolean mayReplace(Path file) {
+    /** Goes on unless a file is there that the artist does not want to lose. */
+    void unlessThere(FileThread files, Path file, Runnable then) {
+        files.beside(() -> Files.exists(file), there -> {
+            if (!there || mayReplace(file)) {
+                then.run();
+            }
+        }, why -> failed(Quote.path(file) + " could not be looked at", why));
+    }
+
+    private boolean mayReplace(Path file) {
         return alert(Alert.AlertType.CONFIRMATION, "Replace " + Quote.path(file.getFileName()) + "?",
                 Quote.path(file) + " is there already.", REPLACE, ButtonType.CANCEL).showAndWait().filter(REPLACE::equals).isPresent();
     }

@@ -1,8 +1,9 @@
 package lightning.app.command;
 
-import java.nio.file.Files;
+import java.io.File;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.Function;
 import javafx.stage.DirectoryChooser;
 import javafx.stage.FileChooser;
 import javafx.stage.Window;
@@ -25,19 +26,26 @@ public interface PathAsk {
         return new PathAsk() {
             @Override
             public Optional<Path> fileToOpen(String title, String extension) {
-                return Optional.ofNullable(chooser(title, extension, from).showOpenDialog(owner)).map(f -> f.toPath());
+                return path(chooser(title, extension, from), c -> c.showOpenDialog(owner));
             }
 
             @Override
             public Optional<Path> fileToSave(String title, String name, String extension) {
                 FileChooser chooser = chooser(title, extension, from);
                 chooser.setInitialFileName(name);
-                return Optional.ofNullable(chooser.showSaveDialog(owner)).map(f -> f.toPath());
+                return path(chooser, c -> c.showSaveDialog(owner));
             }
 
             @Override
             public Optional<Path> folder(String title) {
-                return Optional.ofNullable(folders(title, from).showDialog(owner)).map(f -> f.toPath());
+                DirectoryChooser chooser = folders(title, from);
+                return Optional.ofNullable(FolderGone.without(chooser::setInitialDirectory, () -> chooser.showDialog(owner)))
+                        .map(File::toPath);
+            }
+
+            private static Optional<Path> path(FileChooser chooser, Function<FileChooser, File> show) {
+                return Optional.ofNullable(FolderGone.without(chooser::setInitialDirectory, () -> show.apply(chooser)))
+                        .map(File::toPath);
             }
         };
     }
@@ -46,9 +54,7 @@ public interface PathAsk {
     static DirectoryChooser folders(String title, Path from) {
         var chooser = new DirectoryChooser();
         chooser.setTitle(title);
-        if (Files.isDirectory(from)) {
-            chooser.setInitialDirectory(from.toFile());
-        }
+        chooser.setInitialDirectory(from.toFile());
         return chooser;
     }
 
@@ -56,9 +62,7 @@ public interface PathAsk {
     static FileChooser chooser(String title, String extension, Path from) {
         FileChooser chooser = new FileChooser();
         chooser.setTitle(title);
-        if (Files.isDirectory(from)) {
-            chooser.setInitialDirectory(from.toFile());
-        }
+        chooser.setInitialDirectory(from.toFile());
         chooser.getExtensionFilters().addAll(new FileChooser.ExtensionFilter("*." + extension, "*." + extension),
                 new FileChooser.ExtensionFilter("All files", "*"));
         return chooser;

@@ -6,15 +6,17 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;
-import java.util.Optional;
 import java.util.Set;
 import javafx.scene.control.ButtonType;
 import lightning.app.model.EditorModel;
 import lightning.edit.Command;
 import lightning.edit.Consent;
+import lightning.edit.OpenDocument;
 import lightning.edit.TextDifference;
 import lightning.file.ChangedFileException;
 import lightning.file.ReadOnlyFileException;
+import lightning.scene.Scene;
+import lightning.text.Quote;
 
 /** Saves the scene, and asks where something would be lost that the artist does not know of. */
 final class SceneSaver {
@@ -34,21 +36,22 @@ final class SceneSaver {
         this.saved = saved;
     }
 
-    /** Saves to the document's file; returns whether the scene was written, there or where the artist chose instead. */
-    boolean save() {
-        return write(model.document().file(), Set.of());
+    /** Saves to the document's file; {@code then} runs when the scene was written, there or where the artist chose instead. */
+    void save(Runnable then) {
+        write(model.document().file(), Set.of(), then);
     }
 
-    /** Asks where to; returns whether the scene was written. */
-    boolean saveAs() {
-        Optional<Path> chosen = prompt.sceneToWrite(model.document().file());
-        if (chosen.isEmpty()) {
-            return false;
-        }
-        Path file = withEnding(chosen.get());
-        // The system asked about the name that was typed, not about this one.
-        boolean replaces = !file.equals(chosen.get()) && Files.exists(file);
-        return (!replaces || notices.mayReplace(file)) && write(file, Set.of());
+    /** Asks where to; {@code then} runs when the scene was written. */
+    void saveAs(Runnable then) {
+        prompt.sceneToWrite(model.document().file()).ifPresent(chosen -> {
+            Path file = withEnding(chosen);
+            if (file.equals(chosen)) {
+                write(file, Set.of(), then);
+            } else {
+                // The system asked about the name that was typed, not about this one.
+                notices.unlessThere(model.files(), file, () -> write(file, Set.of(), then));
+            }
+        });
     }
 
     private static Path withEnding(Path file) {
@@ -56,45 +59,53 @@ final class SceneSaver {
         return name.endsWith(".jen") ? file : file.resolveSibling(name + ".jen");
     }
 
-    private boolean write(Path file, Set<Consent> allowed) {
-        try {
-            model.workbench().saveAs(file, allowed);
-            saved.run();
-            return true;
-        } catch (ChangedFileException e) {
-            return askAboutBoth(allowed);
-        } catch (ReadOnlyFileException e) {
-            ButtonType answer = notices.readOnly(file).orElse(ButtonType.CANCEL);
-            return answer == Notices.REPLACE ? write(file, with(allowed, Consent.REPLACE_READ_ONLY))
-                    : answer == Notices.SAVE_AS && saveAs();
-        } catch (IOException e) {
-            notices.failed("The scene could not be saved", e);
-            return false;
+    private void write(Path file, Set<Consent> allowed, Runnable then) {
+        model.say("Saving " + Quote.path(file.getFileName()) + " …");
+        model.workbench().saveAs(file, allowed, failure -> {
+            model.say("");
+            failure.ifPresentOrElse(why -> ask(file, allowed, why, then), () -> {
+                saved.run();
+                then.run();
+            });
+        });
+    }
+
+    private void ask(Path file, Set<Consent> allowed, Throwable why, Runnable then) {
+        switch (why) {
+            case ChangedFileException _ -> askAboutBoth(allowed, then);
+            case ReadOnlyFileException _ -> {
+                ButtonType answer = notices.readOnly(file).orElse(ButtonType.CANCEL);
+                if (answer == Notices.REPLACE) {
+                    write(file, with(allowed, Consent.REPLACE_READ_ONLY), then);
+                } else if (answer == Notices.SAVE_AS) {
+                    saveAs(then);
+                }
+            }
+            case Throwable other -> notices.failed("The scene could not be saved", other);
         }
     }
 
-    /** Shows the open scene beside what the file holds by now, and does what the artist then wants; returns whether it was saved. */
-    boolean askAboutBoth() {
-        return askAboutBoth(Set.of());
+    /** Shows the open scene beside what the file holds by now, and does what the artist then wants. */
+    void askAboutBoth() {
+        askAboutBoth(Set.of(), () -> {});
     }
 
-    private boolean askAboutBoth(Set<Consent> allowed) {
-        Path file = model.document().file();
-        DifferenceList both;
-        try {
-            both = new DifferenceList(TextDifference.rows(model.document().document().text(), text(file)));
-        } catch (IOException e) {
-            notices.failed(model.document().name() + " could not be read", e);
-            return false;
-        }
-        ButtonType answer = notices.changed(model.document().name(), both).orElse(ButtonType.CANCEL);
+    private void askAboutBoth(Set<Consent> allowed, Runnable then) {
+        OpenDocument document = model.document();
+        Scene mine = document.scene();
+        model.files().beside(() -> TextDifference.rows(document.text(mine), text(document.file())),
+                rows -> decide(notices.changed(document.name(), new DifferenceList(rows)).orElse(ButtonType.CANCEL), allowed, then),
+                why -> notices.failed(document.name() + " could not be read", why));
+    }
+
+    private void decide(ButtonType answer, Set<Consent> allowed, Runnable then) {
         if (answer == Notices.OVERWRITE) {
-            return write(file, with(allowed, Consent.OVERWRITE_CHANGED));
-        }
-        if (answer == Notices.RELOAD) {
+            write(model.document().file(), with(allowed, Consent.OVERWRITE_CHANGED), then);
+        } else if (answer == Notices.RELOAD) {
             model.run(Command.RELOAD);
+        } else if (answer == Notices.SAVE_AS) {
+            saveAs(then);
         }
-        return answer == Notices.SAVE_AS && saveAs();
     }
 
     private static Set<Consent> with(Set<Consent> allowed, Consent more) {

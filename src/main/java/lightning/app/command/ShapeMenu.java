@@ -2,11 +2,9 @@ package lightning.app.command;
 
 import javafx.scene.Node;
 import javafx.scene.control.ContextMenu;
-import javafx.scene.control.MenuItem;
 import lightning.app.model.EditorModel;
+import lightning.edit.Command;
 import lightning.edit.MaterialEdits;
-import org.kordamp.ikonli.javafx.FontIcon;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
 
 /** What a right click on a shape offers, in the preview and in the traced picture. */
 public final class ShapeMenu {
@@ -21,11 +19,8 @@ public final class ShapeMenu {
     public void show(Node owner, String shape, double x, double y) {
         hide();
         MaterialEdits.ofShape(model.scene(), shape).ifPresent(material -> {
-            var item = new MenuItem("Edit Material " + material.name() + " of " + shape, new FontIcon(MaterialDesignP.PALETTE_OUTLINE));
-            item.setId("edit-material");
-            item.setMnemonicParsing(false);
-            item.setOnAction(_ -> model.materials().chooseOf(shape));
-            menu.getItems().setAll(item);
+            menu.getItems().setAll(CommandItems.of(model).value(Command.EDIT_MATERIAL,
+                    "Edit Material " + material.name() + " of " + shape, () -> model.materials().chooseOf(shape)));
             menu.show(owner, x, y);
         });
     }

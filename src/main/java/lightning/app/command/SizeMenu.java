@@ -5,15 +5,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import javafx.beans.property.ObjectProperty;
 import javafx.scene.control.MenuItem;
-import javafx.scene.control.RadioMenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.control.TextInputDialog;
-import javafx.scene.control.ToggleGroup;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.CanvasSize;
 import lightning.edit.Change;
+import lightning.edit.Command;
 import lightning.scene.Limits;
 import lightning.scene.Picture;
 import lightning.text.Quote;
@@ -24,36 +24,37 @@ public final class SizeMenu {
 
     private SizeMenu() {}
 
-    /** Sizes of the traced picture; another size traces it anew. */
-    public static List<MenuItem> ofPicture(EditorModel model) {
-        List<MenuItem> items = new ArrayList<>();
-        items.add(own(model));
-        items.add(new SeparatorMenuItem());
-        var group = new ToggleGroup();
+    /**
+     * Sizes of the traced picture; another size traces it anew.
+     *
+     * @param items make the menu's items
+     */
+    public static List<MenuItem> ofPicture(EditorModel model, CommandItems items) {
+        List<MenuItem> all = new ArrayList<>();
+        all.add(own(model, items));
+        all.add(new SeparatorMenuItem());
         for (CanvasSize size : CanvasSize.FIXED) {
-            var item = new RadioMenuItem(size.title());
-            item.setId("size-" + size.width() + "x" + size.height());
-            item.setToggleGroup(group);
-            item.setOnAction(_ -> trace(model, size));
-            model.sceneProperty()
-                    .subscribe(s -> item.setSelected(s.picture().width() == size.width() && s.picture().height() == size.height()));
-            items.add(item);
+            all.add(items.choice(Command.PICTURE_SIZE, "size-" + size.width() + "x" + size.height(), size.title(),
+                    model.sceneProperty().map(s -> s.picture().width() == size.width() && s.picture().height() == size.height()),
+                    () -> trace(model, size)));
         }
-        var other = new MenuItem("Other…");
+        all.add(new SeparatorMenuItem());
+        MenuItem other = items.value(Command.PICTURE_SIZE, "Other…", () -> other(model));
         other.setId("size-other");
-        other.setOnAction(_ -> ask(model.scene().picture().width() + " × " + model.scene().picture().height())
+        all.add(other);
+        return all;
+    }
+
+    private static void other(EditorModel model) {
+        ask(model.scene().picture().width() + " × " + model.scene().picture().height())
                 .ifPresent(typed -> parse(typed).ifPresentOrElse(size -> trace(model, size),
-                        () -> model.say("A size is two numbers as in 640 × 480, was " + Quote.of(typed.strip())))));
-        items.add(new SeparatorMenuItem());
-        items.add(other);
-        return items;
+                        () -> model.say("A size is two numbers as in 640 × 480, was " + Quote.of(typed.strip()))));
     }
 
     /** The size that the scene's file says. */
-    private static MenuItem own(EditorModel model) {
-        var item = new MenuItem();
+    private static MenuItem own(EditorModel model, CommandItems items) {
+        MenuItem item = items.value(Command.PICTURE_SIZE, "", () -> trace(model, ofFile(model)));
         item.setId("size-own");
-        item.setOnAction(_ -> trace(model, ofFile(model)));
         model.situationProperty().subscribe(_ -> item.setText("The scene's own, " + ofFile(model).title()));
         return item;
     }
@@ -64,19 +65,12 @@ public final class SizeMenu {
     }
 
     /** Sizes of the preview. */
-    public static List<MenuItem> ofPreview(ObjectProperty<CanvasSize> chosen) {
-        List<MenuItem> items = new ArrayList<>();
-        var group = new ToggleGroup();
-        List<CanvasSize> all = new ArrayList<>(List.of(CanvasSize.LIKE_PICTURE, CanvasSize.FREE));
-        all.addAll(CanvasSize.FIXED);
-        for (CanvasSize size : all) {
-            var item = new RadioMenuItem(size.title());
-            item.setToggleGroup(group);
-            item.setOnAction(_ -> chosen.set(size));
-            chosen.subscribe(now -> item.setSelected(now == size));
-            items.add(item);
-        }
-        return items;
+    public static List<MenuItem> ofPreview(EditorModel model, ObjectProperty<CanvasSize> chosen) {
+        CommandItems items = CommandItems.of(model, "preview-");
+        return Stream.concat(Stream.of(CanvasSize.LIKE_PICTURE, CanvasSize.FREE), CanvasSize.FIXED.stream())
+                .map(size -> items.choice(Command.PREVIEW_SIZE, size.title(), size.title(), chosen.map(size::equals),
+                        () -> chosen.set(size)))
+                .toList();
     }
 
     private static void trace(EditorModel model, CanvasSize size) {

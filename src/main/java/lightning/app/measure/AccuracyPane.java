@@ -10,9 +10,9 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
+import lightning.accuracy.Grade;
 import lightning.accuracy.Ladder;
 import lightning.accuracy.LadderMeter;
-import lightning.accuracy.Level;
 import lightning.accuracy.Rung;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.PictureView;
@@ -23,7 +23,7 @@ import lightning.image.ViewTransform;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
-/** What accuracy costs: each level's time and error for the edit made last, measured when the artist asks for it. */
+/** What accuracy costs: each grade's time and error for the edit made last, measured when the artist asks for it. */
 public final class AccuracyPane extends BorderPane {
     private static final int REPETITIONS = 5;
     private static final double PATIENCE_MS = 10_000;
@@ -32,7 +32,7 @@ public final class AccuracyPane extends BorderPane {
     private final Label edit = new Label();
     private final Label note = new Label();
     private final MeasureBar bar = new MeasureBar("",
-            "Make the edit at each level in the background, again and again, and compare");
+            "Make the edit at each grade in the background, again and again, and compare");
     private final ToggleButton difference = new ToggleButton("Difference");
     private final LadderTable table = new LadderTable();
     private final LadderPlot chart = new LadderPlot();
@@ -56,7 +56,7 @@ public final class AccuracyPane extends BorderPane {
         below.visibleProperty().bind(table.getSelectionModel().selectedItemProperty().isNotNull());
         HBox.setHgrow(chart, Priority.ALWAYS);
         HBox.setHgrow(shown, Priority.ALWAYS);
-        note.setId("level-note");
+        note.setId("grade-note");
         note.getStyleClass().add("pane-note");
         note.setWrapText(true);
         table.setPrefHeight(260);
@@ -65,7 +65,7 @@ public final class AccuracyPane extends BorderPane {
         all.getStyleClass().add("accuracy-content");
         VBox.setVgrow(below, Priority.ALWAYS);
         setCenter(all);
-        difference.setId("level-difference");
+        difference.setId("grade-difference");
         difference.setSelected(true);
         difference.setAccessibleText("Show the difference from the full trace");
         difference.selectedProperty().subscribe(_ -> paint());
@@ -86,7 +86,7 @@ public final class AccuracyPane extends BorderPane {
     }
 
     private Node stage() {
-        picture.setId("level-picture");
+        picture.setId("grade-picture");
         var stage = new StackPane(picture);
         stage.getStyleClass().add("canvas");
         return stage;
@@ -112,7 +112,7 @@ public final class AccuracyPane extends BorderPane {
     }
 
     private static String text(Ladder measured) {
-        return measured.rung(Level.EXACT).update().plan().text() + " · " + measured.after().picture().width() + " × "
+        return measured.rung(Grade.EXACT).update().plan().text() + " · " + measured.after().picture().width() + " × "
                 + measured.after().picture().height() + " pixels";
     }
 
@@ -133,7 +133,7 @@ public final class AccuracyPane extends BorderPane {
         ladder = measured;
         table.show(measured);
         chart.show(measured);
-        table.getSelectionModel().select(measured.rung(Level.EXACT));
+        table.getSelectionModel().select(measured.rung(Grade.EXACT));
         ended(text(measured) + (measured.warm() ? "" : ". The times did not come to rest, so no savings are told"));
     }
 
@@ -147,8 +147,8 @@ public final class AccuracyPane extends BorderPane {
         if (rung == null || ladder == null) {
             return;
         }
-        note.setText(rung.level().label() + ": " + rung.level().note());
-        Film full = ladder.rung(Level.FULL_TRACE).film();
+        note.setText(rung.grade().label() + ": " + rung.grade().note());
+        Film full = ladder.rung(Grade.FULL_TRACE).film();
         Film film = difference.isSelected() ? DifferencePicture.of(rung.film(), full) : rung.film();
         ViewTransform view = difference.isSelected() ? ViewTransform.DEFAULT : model.viewProperty().get();
         picture.setPixels(film.width(), film.height(), view.toPixels(film));

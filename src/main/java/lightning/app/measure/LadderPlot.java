@@ -15,11 +15,11 @@ import lightning.accuracy.Ladder;
 import lightning.accuracy.Rung;
 
 /**
- * Error against time: each level is a number, the one that it has in the table, and stands on its place. The best are low
- * and at the left. Levels that would hide each other share one label.
+ * Error against time: each grade is a number, the one that it has in the table, and stands on its place. The best are low
+ * and at the left. Grades that would hide each other share one label.
  */
 final class LadderPlot extends ScatterChart<Number, Number> {
-    /** Levels nearer than this share of the chart hide each other. */
+    /** Grades nearer than this share of the chart hide each other. */
     private static final double NEAR = 0.1;
     /** The part of the chart, beyond the largest values, that is left free. */
     private static final double FREE = 1.12;
@@ -29,7 +29,7 @@ final class LadderPlot extends ScatterChart<Number, Number> {
     LadderPlot() {
         super(axis("milliseconds"), axis("root mean square error, linear"));
         setId("ladder-chart");
-        setAccessibleText("Error of each level against its time");
+        setAccessibleText("Error of each grade against its time");
         setLegendVisible(false);
         setAnimated(false);
         getStyleClass().add("ladder-chart");
@@ -51,7 +51,7 @@ final class LadderPlot extends ScatterChart<Number, Number> {
         double largest = ladder.rungs().stream().mapToDouble(LadderPlot::error).max().orElse(1);
         var points = new XYChart.Series<Number, Number>();
         for (List<Rung> group : groups(ladder.rungs(), NEAR * longest, NEAR * largest)) {
-            var label = new Label(group.stream().map(r -> String.valueOf(r.level().ordinal() + 1)).collect(Collectors.joining(" ")));
+            var label = new Label(group.stream().map(r -> String.valueOf(r.grade().ordinal() + 1)).collect(Collectors.joining(" ")));
             label.setMinWidth(Region.USE_PREF_SIZE);
             label.setTranslateY(RISE);
             // The chart cuts what is left of its axis off.
@@ -70,7 +70,7 @@ final class LadderPlot extends ScatterChart<Number, Number> {
         return point;
     }
 
-    /** Each level with those that are as near to the first of them. */
+    /** Each grade with those that are as near to the first of them. */
     static List<List<Rung>> groups(List<Rung> rungs, double nearTime, double nearError) {
         List<List<Rung>> groups = new ArrayList<>();
         for (Rung rung : rungs) {

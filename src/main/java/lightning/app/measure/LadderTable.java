@@ -8,22 +8,22 @@ import javafx.scene.control.TableView;
 import lightning.accuracy.Ladder;
 import lightning.accuracy.Rung;
 
-/** The levels of accuracy, a row each: time, saving and errors. */
+/** The grades of accuracy, a row each: time, saving and errors. */
 final class LadderTable extends TableView<Rung> {
     private static final double NUMBER = 96;
-    private static final double LEVEL = 170;
+    private static final double GRADE = 170;
     private static final double ROW = 30;
 
     private Ladder ladder;
 
     LadderTable() {
         setId("ladder");
-        setAccessibleText("Levels of accuracy");
+        setAccessibleText("Grades of accuracy");
         getStyleClass().add("dense");
-        setPlaceholder(new Label("Measure shows what each level costs for the last edit, and how far it is off."));
+        setPlaceholder(new Label("Measure shows what each grade costs for the last edit, and how far it is off."));
         setColumnResizePolicy(CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
         setFixedCellSize(ROW);
-        add("Level", LEVEL, r -> (r.level().ordinal() + 1) + "  " + r.level().label());
+        add("Grade", GRADE, r -> (r.grade().ordinal() + 1) + "  " + r.grade().label());
         add("Time", NUMBER, RungText::time);
         add("Of a full trace", NUMBER, r -> RungText.saving(ladder, r));
         add("Largest error", NUMBER, r -> RungText.largest(r.error()));

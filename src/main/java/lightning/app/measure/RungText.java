@@ -1,13 +1,13 @@
 package lightning.app.measure;
 
 import java.util.Locale;
+import lightning.accuracy.Grade;
 import lightning.accuracy.Ladder;
-import lightning.accuracy.Level;
 import lightning.accuracy.PictureError;
 import lightning.accuracy.Rung;
 import lightning.app.model.StatusText;
 
-/** What a level of the ladder costs and how far it is off, in the words of a table. */
+/** What a grade of the ladder costs and how far it is off, in the words of a table. */
 final class RungText {
     private RungText() {}
 
@@ -17,7 +17,7 @@ final class RungText {
 
     /** Of the full trace's time; empty where Java was not warm to both. */
     static String saving(Ladder ladder, Rung rung) {
-        return rung.level() == Level.FULL_TRACE || !ladder.warm() ? "" : StatusText.saving(ladder.saving(rung.level()) / 100);
+        return rung.grade() == Grade.FULL_TRACE || !ladder.warm() ? "" : StatusText.saving(ladder.saving(rung.grade()) / 100);
     }
 
     /** The largest error of a value, linear. */

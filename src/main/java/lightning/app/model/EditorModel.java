@@ -1,15 +1,14 @@
 package lightning.app.model;
 
-import java.io.IOException;
-import java.util.EnumMap;
+import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.LongProperty;
 import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.Property;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -17,8 +16,10 @@ import javafx.beans.property.SimpleLongProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.beans.property.SimpleStringProperty;
 import javafx.beans.property.StringProperty;
+import javafx.beans.value.ObservableValue;
 import lightning.edit.Change;
 import lightning.edit.Command;
+import lightning.edit.FileThread;
 import lightning.edit.OpenDocument;
 import lightning.edit.PreviewCamera;
 import lightning.edit.Recovery;
@@ -26,8 +27,8 @@ import lightning.edit.Selection;
 import lightning.edit.Situation;
 import lightning.edit.Workbench;
 import lightning.edit.loop.Frame;
+import lightning.edit.loop.RenderState;
 import lightning.image.ViewTransform;
-import lightning.jen.JenException;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
@@ -49,27 +50,27 @@ public final class EditorModel implements AutoCloseable {
     private final ObjectProperty<Precision> precision = new SimpleObjectProperty<>(Precision.EXACT);
     private final ObjectProperty<ViewTransform> view = new SimpleObjectProperty<>(ViewTransform.DEFAULT);
     private final StringProperty message = new SimpleStringProperty("");
-    private final Map<Command, Runnable> actions = new EnumMap<>(Command.class);
+    private final CommandActions actions = new CommandActions();
     private final TracedRaster raster = new TracedRaster();
-    private final Executor window;
+    private final FileThread files;
     private final Workbench workbench;
     private final PictureLook look;
     private final MaterialChoice materials;
     private final LookThrough lookThrough;
     /** What an open animation shows in place of the document; null where none is open. */
     private Scene staged;
+    private Path reading;
 
     /**
      * Takes a document and starts to trace it.
      *
      * @param recovery keeps unsaved edits for the case of a crash
-     * @param window   runs tasks in turn on the window's thread
+     * @param files    reads and writes beside the window's thread
      */
-    public EditorModel(OpenDocument first, Recovery recovery, Executor window) {
-        this.window = window;
-        var feed = new RenderFeed(window, raster, this::heard);
-        workbench = new Workbench(first, precision.get().options(), recovery, window, this::refresh, feed,
-                why -> window.execute(() -> say("The last edits could not be kept for the case of a crash: " + Sentence.of(why))));
+    public EditorModel(OpenDocument first, Recovery recovery, FileThread files) {
+        this.files = files;
+        workbench = new Workbench(first, precision.get().options(), recovery, files, this::refresh, this::hear, raster,
+                why -> window().execute(() -> say("The last edits could not be kept for the case of a crash: " + Sentence.of(why))));
         LightActions.addTo(this);
         look = new PictureLook(this);
         materials = new MaterialChoice(this);
@@ -84,6 +85,9 @@ public final class EditorModel implements AutoCloseable {
             workbench.setLive(on);
             stage(staged);
         });
+        setSwitch(Command.LIVE, live);
+        setSwitch(Command.HIDE_GIZMOS, previewLook.gizmosHiddenProperty());
+        setSwitch(Command.GLOWING_TEXTURES, previewLook.glowingProperty());
         opened();
         workbench.go();
     }
@@ -92,18 +96,15 @@ public final class EditorModel implements AutoCloseable {
     public void open(OpenDocument other) {
         staged = null;
         workbench.open(other);
+        repaint();
         opened();
     }
 
-    /**
-     * Takes what a crash left unsaved in place of the open document, and traces it.
-     *
-     * @throws IOException if it could not be kept any longer
-     * @throws JenException if it does not parse
-     */
-    public void recover(Recovery.Found found) throws IOException, JenException {
+    /** Takes what a crash left unsaved in place of the open document, and traces it. */
+    public void recover(Recovery.Found found, OpenDocument recovered) {
         staged = null;
-        workbench.recover(found);
+        workbench.recover(found, recovered);
+        repaint();
         opened();
     }
 
@@ -197,7 +198,12 @@ public final class EditorModel implements AutoCloseable {
 
     /** Runs tasks in turn on the window's thread. */
     public Executor window() {
-        return window;
+        return files.window();
+    }
+
+    /** Reads and writes files beside the window's thread. */
+    public FileThread files() {
+        return files;
     }
 
     public TracedRaster raster() {
@@ -314,14 +320,28 @@ public final class EditorModel implements AutoCloseable {
 
     /** Says what a command does; a pane that asks the artist something first says so for its commands. */
     public void setAction(Command command, Runnable action) {
-        actions.put(command, action);
+        actions.set(command, action);
+    }
+
+    /** Says that a command switches something, which is seen on its items and buttons. */
+    public void setSwitch(Command command, Property<Boolean> on) {
+        setSwitch(command, on, () -> on.setValue(!on.getValue()));
+    }
+
+    /** The same of something that is switched in another way. */
+    public void setSwitch(Command command, ObservableValue<Boolean> on, Runnable action) {
+        actions.set(command, on, action);
+    }
+
+    /** What a command switches; empty for one that does something else. */
+    public Optional<ObservableValue<Boolean>> switched(Command command) {
+        return actions.switched(command);
     }
 
     /** Does the command if it is enabled. */
     public void run(Command command) {
-        Runnable action = actions.get(command);
-        if (enabled(command) && action != null) {
-            action.run();
+        if (enabled(command)) {
+            actions.run(command);
         }
     }
 
@@ -334,20 +354,38 @@ public final class EditorModel implements AutoCloseable {
         return command.obstacle(situation.get());
     }
 
+    /** A scene file is being read, which may take its place here; null where none is, or it is not wanted any more. */
+    public void setReading(Path file) {
+        reading = file;
+        refresh();
+    }
+
+    /** What is being read; null where nothing is. */
+    public Path reading() {
+        return reading;
+    }
+
+    /** Stops what runs, and waits no longer for what is read. */
+    void cancel() {
+        reading = null;
+        workbench.cancel();
+    }
+
     /** Looks at everything anew. */
     public void refresh() {
+        if (rendering.get() != workbench.rendering()) {
+            hear();
+        }
         document.set(document());
         scene.set(scene());
         Light light = document().selectedLight().flatMap(l -> scene().light(l.name())).orElse(null);
         selectedLight.set(light);
-        Situation s = workbench.situation();
-        situation.set(staged == null ? s : new Situation(staged, s.rendered(), s.mirrored(), s.inWork(), s.verifying(),
-                Optional.ofNullable(light), s.undo(), s.redo(), s.undoLight(), s.redoLight(), s.dirty(), s.changedOnDisk(),
-                s.copied(), s.animating()));
+        Situation s = workbench.situation().withReading(reading != null);
+        situation.set(staged == null ? s : s.withStaged(staged, Optional.ofNullable(light)));
     }
 
-    private void heard(RenderState state) {
-        rendering.set(state);
+    private void hear() {
+        rendering.set(workbench.rendering());
         repaint();
     }
 

@@ -23,7 +23,7 @@ final class LightActions {
         Workbench bench = model.workbench();
         model.setAction(Command.UPDATE_REFLECTIONS, bench::updateReflections);
         model.setAction(Command.VERIFY, bench::verify);
-        model.setAction(Command.CANCEL, bench::cancel);
+        model.setAction(Command.CANCEL, model::cancel);
         model.setAction(Command.UNDO, bench::undo);
         model.setAction(Command.REDO, bench::redo);
         model.setAction(Command.UNDO_LIGHT, () -> bench.undoLight().ifPresent(model::say));
@@ -35,7 +35,6 @@ final class LightActions {
         model.setAction(Command.SOLO, () -> actions.edit((s, n) -> LightEdits.solo(s, n, !model.selectedLight().solo())));
         model.setAction(Command.COPY_SETTINGS, bench::copySettings);
         model.setAction(Command.PASTE_SETTINGS, () -> bench.pasteSettings().ifPresent(model::say));
-        model.setAction(Command.LOOK_THROUGH_LIGHT, () -> model.lookThrough().toggle());
     }
 
     private void edit(BiFunction<Scene, String, Change> edit) {

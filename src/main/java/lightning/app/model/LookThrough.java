@@ -2,6 +2,7 @@ package lightning.app.model;
 
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
+import lightning.edit.Command;
 import lightning.edit.PreviewCamera;
 import lightning.scene.Light;
 
@@ -17,6 +18,7 @@ public final class LookThrough {
 
     LookThrough(EditorModel model) {
         this.model = model;
+        model.setSwitch(Command.LOOK_THROUGH_LIGHT, on, this::toggle);
         model.previewCameraProperty().addListener((_, _, _) -> {
             if (!following) {
                 on.set(false);
@@ -34,7 +36,7 @@ public final class LookThrough {
     }
 
     /** Looks through the selected light, or again as before. */
-    void toggle() {
+    private void toggle() {
         if (on.get()) {
             model.previewCameraProperty().set(before);
             on.set(false);

@@ -2,12 +2,16 @@ package lightning.app.model;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.Predicate;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import lightning.edit.Command;
 import lightning.edit.loop.Frame;
 import lightning.edit.loop.Look;
+import lightning.effects.Effect;
 import lightning.effects.ViewEffects;
 import lightning.scene.Light;
 
@@ -20,9 +24,17 @@ public final class PictureLook {
 
     PictureLook(EditorModel model) {
         this.model = model;
+        model.setSwitch(Command.ONLY_SELECTED, onlySelected);
+        effect(Command.SHADOWS, e -> e.shows(Effect.SHADOWS), (e, on) -> e.with(Effect.SHADOWS, on));
+        effect(Command.REFLECTIONS, e -> e.shows(Effect.REFLECTION), (e, on) -> e.with(Effect.REFLECTION, on));
+        effect(Command.LIT_TEXTURES, ViewEffects::litTextures, ViewEffects::withLitTextures);
         onlySelected.subscribe(_ -> look());
         effects.subscribe(_ -> look());
         model.situationProperty().subscribe(_ -> look());
+    }
+
+    private void effect(Command command, Predicate<ViewEffects> shown, BiFunction<ViewEffects, Boolean, ViewEffects> with) {
+        model.setSwitch(command, effects.map(shown::test), () -> effects.set(with.apply(effects.get(), !shown.test(effects.get()))));
     }
 
     /** Whether the selected light's share alone is shown, whichever light that is. */

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
+import java.util.concurrent.Executor;
 import java.util.stream.Stream;
 import lightning.file.PrivateFolder;
 import lightning.file.SafeFile;
@@ -23,10 +24,16 @@ public final class Preferences {
     private static final int MOST_BYTES = 1 << 20;
 
     private final Path file;
+    private final Executor writes;
     private final Properties values = new Properties();
 
-    /** Reads them from a folder. */
-    public Preferences(Path folder) {
+    /**
+     * Reads them from a folder.
+     *
+     * @param writes does what takes a file, in turn
+     */
+    public Preferences(Path folder, Executor writes) {
+        this.writes = writes;
         file = folder.resolve("preferences.properties");
         if (Files.isRegularFile(file)) {
             try (InputStream in = Files.newInputStream(file)) {
@@ -104,13 +111,16 @@ public final class Preferences {
         save();
     }
 
-    /** Writes them. Preferences that cannot be kept are no reason to disturb anybody. */
+    /** Writes them as they are now. Preferences that cannot be kept are no reason to disturb anybody. */
     public void save() {
-        try {
-            PrivateFolder.make(file.toAbsolutePath().getParent());
-            SafeFile.at(file).forOwnerOnly().write(out -> values.store(out, "Lightning"));
-        } catch (IOException e) {
-            // The next run starts without them.
-        }
+        var now = (Properties) values.clone();
+        writes.execute(() -> {
+            try {
+                PrivateFolder.make(file.toAbsolutePath().getParent());
+                SafeFile.at(file).forOwnerOnly().write(out -> now.store(out, "Lightning"));
+            } catch (IOException e) {
+                // The next run starts without them.
+            }
+        });
     }
 }

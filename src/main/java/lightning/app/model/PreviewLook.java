@@ -9,18 +9,18 @@ import javafx.beans.property.SimpleObjectProperty;
 public final class PreviewLook {
     private static final String GLOWING = "glowing textures";
 
-    private final BooleanProperty lit = new SimpleBooleanProperty(true);
-    private final BooleanProperty gizmos = new SimpleBooleanProperty(true);
+    private final BooleanProperty glowing = new SimpleBooleanProperty();
+    private final BooleanProperty hidden = new SimpleBooleanProperty();
     private final ObjectProperty<GizmoSize> size = new SimpleObjectProperty<>(GizmoSize.NORMAL);
 
-    /** Whether lights fall on textures; else textures glow, as in 1998. */
-    public BooleanProperty litProperty() {
-        return lit;
+    /** Whether textures glow, as in 1998; else lights fall on them. */
+    public BooleanProperty glowingProperty() {
+        return glowing;
     }
 
-    /** Whether the lights' wireframes and markers are shown; what is hidden cannot be taken by the mouse. */
-    public BooleanProperty gizmosProperty() {
-        return gizmos;
+    /** Whether the lights' wireframes and markers are hidden; what is hidden cannot be taken by the mouse. */
+    public BooleanProperty gizmosHiddenProperty() {
+        return hidden;
     }
 
     public ObjectProperty<GizmoSize> sizeProperty() {
@@ -29,12 +29,12 @@ public final class PreviewLook {
 
     /** As it was left. Gizmos are shown in any case: without them nobody would find the lights. */
     public void restore(Preferences preferences) {
-        lit.set(!preferences.is("preview", GLOWING));
+        glowing.set(preferences.is("preview", GLOWING));
         size.set(preferences.choice("gizmos", GizmoSize.NORMAL));
     }
 
     public void remember(Preferences preferences) {
-        preferences.set("preview", lit.get() ? "" : GLOWING);
+        preferences.set("preview", glowing.get() ? GLOWING : "");
         preferences.set("gizmos", size.get().name());
     }
 }

@@ -2,6 +2,7 @@ package lightning.app.model;
 
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import lightning.accuracy.Verification;
 import lightning.accuracy.WarmSaving;
 import lightning.edit.loop.Frame;
@@ -39,13 +40,15 @@ public final class StatusText {
     }
 
     /**
-     * {@code Verified: equal to a full trace in every bit (full trace 31 ms)}.
+     * {@code Verified: equal to a full trace in every bit (full trace 31 ms)}; without a time where that would tell of a
+     * process that is not warm yet.
      *
      * @param shown the picture shown; where the verdict is of another, it says so
      */
     public static String of(Verification verification, Frame shown) {
         String which = shown != null && verification.speaksOf(shown.promise()) ? "" : "The picture before: ";
-        return which + verification.text() + " (full trace " + milliseconds(verification.fullTraceMs()) + ")";
+        OptionalDouble full = verification.fullTraceMs();
+        return which + verification.text() + (full.isPresent() ? " (full trace " + milliseconds(full.getAsDouble()) + ")" : "");
     }
 
     public static String milliseconds(double v) {

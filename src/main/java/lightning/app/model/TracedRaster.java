@@ -1,13 +1,16 @@
 package lightning.app.model;
 
+import lightning.edit.loop.Frame;
+import lightning.edit.loop.RenderListener;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
+import lightning.scene.Scene;
 
 /**
  * The traced picture as display pixels, packed tile by tile where the film changed. A new size makes new pixels. Safe for
  * several threads; readers may see tiles of the next picture a moment early, never half a pixel.
  */
-public final class TracedRaster {
+public final class TracedRaster implements RenderListener {
     /** @param pixels {@code int[width * height]}, opaque 0xFFRRGGBB, the top row first */
     public record Pixels(int width, int height, int[] pixels) {}
 
@@ -24,23 +27,82 @@ public final class TracedRaster {
         }
     }
 
+    /** Tiles of an unfinished picture are told of together, so that a window does not draw all the time, nanoseconds. */
+    private static final long STEP_NS = 40_000_000;
+
     private Pixels pixels;
     private Film shown;
     private Film coarse;
     private ViewTransform view = ViewTransform.DEFAULT;
     private Dirty dirty = Dirty.NONE;
     private Dirty patch = Dirty.NONE;
+    /** Tiles of a picture that is not whole yet: whether there are any, what of them was not told, and when the last was. */
+    private boolean unfinished;
+    private Dirty untold = Dirty.NONE;
+    private long toldAt;
 
     /** The pixels now; null before the first picture. */
     public synchronized Pixels pixels() {
         return pixels;
     }
 
-    /** Forgets the picture: that of another document is none of this one. */
-    synchronized void clear() {
+    @Override
+    public void rendered(Frame frame) {
+        show(frame.seen());
+    }
+
+    @Override
+    public void coarse(Film film, Scene scene) {
+        coarse(film, scene.picture().width(), scene.picture().height());
+    }
+
+    /** A tile comes into what a coarse picture shows; where none did, the whole picture is there soon. */
+    @Override
+    public synchronized void tile(Scene scene, int tile, float[][] film) {
+        int width = scene.picture().width();
+        int height = scene.picture().height();
+        if (!fits(width, height)) {
+            return;
+        }
+        int across = (width - 1) / Film.TILE + 1;
+        int left = tile % across * Film.TILE;
+        int top = tile / across * Film.TILE;
+        view.packTile(film[0], film[1], film[2], left, top, width, pixels.pixels());
+        unfinished = true;
+        untold = untold.plus(left, top, Math.min(left + Film.TILE, width), Math.min(top + Film.TILE, height));
+        long now = System.nanoTime();
+        if (now - toldAt > STEP_NS) {
+            dirty = dirty.plus(untold.left(), untold.top(), untold.right(), untold.bottom());
+            untold = Dirty.NONE;
+            toldAt = now;
+        }
+    }
+
+    /** Goes back from a picture that was given up to the one before. */
+    @Override
+    public synchronized void idle() {
+        if (coarse == null && !unfinished) {
+            return;
+        }
+        if (shown == null) {
+            forget();
+        } else {
+            show(shown);
+        }
+    }
+
+    /** The picture of another document is none of this one. */
+    @Override
+    public synchronized void forgotten(long number) {
+        forget();
+    }
+
+    private void forget() {
         pixels = null;
         shown = null;
         coarse = null;
+        unfinished = false;
+        untold = Dirty.NONE;
         dirty = Dirty.NONE;
         patch = Dirty.NONE;
     }
@@ -54,7 +116,7 @@ public final class TracedRaster {
 
     /** Shows another picture; tiles that it shares with the one before are not packed again. */
     synchronized void show(Film film) {
-        boolean fresh = shown == null || coarse != null || !patch.isEmpty() || !fits(film.width(), film.height());
+        boolean fresh = shown == null || coarse != null || unfinished || !patch.isEmpty() || !fits(film.width(), film.height());
         size(film.width(), film.height());
         for (int tile = 0; tile < film.tileCount(); tile++) {
             if (fresh || film.red(tile) != shown.red(tile) || film.green(tile) != shown.green(tile)
@@ -64,6 +126,8 @@ public final class TracedRaster {
         }
         shown = film;
         coarse = null;
+        unfinished = false;
+        untold = Dirty.NONE;
         patch = Dirty.NONE;
     }
 

@@ -1,7 +1,10 @@
 package lightning.app.preview;
 
+import java.util.ArrayList;
+import java.util.List;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.layout.Pane;
 import javafx.scene.paint.Color;
 import javafx.scene.shape.StrokeLineCap;
 import lightning.edit.LightGizmo;
@@ -10,8 +13,12 @@ import lightning.edit.Viewport;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
-/** The lights' wireframes over the preview (paper §3.2): yellow the selected one, faint those that do not shine. */
-final class GizmoLayer extends Canvas {
+/**
+ * The lights' wireframes over the preview (paper §3.2): yellow the selected one, faint those that do not shine. The selected
+ * light, which is the one that is edited, has a canvas of its own; that of the others is drawn again only where one of them or
+ * the view is another.
+ */
+final class GizmoLayer extends Pane {
     static final Color SELECTED = Color.web("#FFD60A");
     private static final Color PLAIN = Color.web("#E8EAF0");
     private static final Color DARK = Color.web("#E8EAF0", 0.4);
@@ -23,26 +30,76 @@ final class GizmoLayer extends Canvas {
     private static final double ARROW = 15;
     private static final double SPREAD = Math.toRadians(26);
 
+    private final Canvas others = new Canvas();
+    private final Canvas selected = new Canvas();
+    private View seen;
+    private List<Light> shining = List.of();
+    private List<Light> dark = List.of();
+    private int gizmosDrawn;
+
+    /** @param size what multiplies the wireframes' normal size; the markers at the border stay as they are */
+    private record View(PreviewCamera camera, Viewport canvas, double size) {}
+
     GizmoLayer() {
         setMouseTransparent(true);
+        getChildren().addAll(others, selected);
     }
 
     /** @param size what multiplies the wireframes' normal size; the markers at the border stay as they are */
-    void draw(Scene scene, Light selected, PreviewCamera camera, Viewport canvas, double size) {
-        GraphicsContext g = getGraphicsContext2D();
-        g.clearRect(0, 0, getWidth(), getHeight());
-        g.setLineCap(StrokeLineCap.ROUND);
+    void draw(Scene scene, Light chosen, PreviewCamera camera, Viewport canvas, double size) {
+        View view = new View(camera, canvas, size);
+        List<Light> shiningNow = new ArrayList<>();
+        List<Light> darkNow = new ArrayList<>();
         for (Light light : scene.lights()) {
-            if (!light.equals(selected)) {
-                draw(g, light, scene.shines(light) ? PLAIN : DARK, camera, canvas, size);
+            if (!light.equals(chosen)) {
+                (scene.shines(light) ? shiningNow : darkNow).add(light);
             }
         }
-        if (selected != null) {
-            draw(g, selected, SELECTED, camera, canvas, size);
+        if (!view.equals(seen) || !shiningNow.equals(shining) || !darkNow.equals(dark)) {
+            GraphicsContext g = clear(others, canvas);
+            draw(g, shiningNow, PLAIN, view);
+            draw(g, darkNow, DARK, view);
+            seen = view;
+            shining = shiningNow;
+            dark = darkNow;
         }
-        for (LightMarker marker : LightMarker.of(scene.lights(), camera, canvas)) {
-            Light light = marker.light();
-            arrow(g, marker, light.equals(selected) ? SELECTED : scene.shines(light) ? PLAIN : DARK);
+        draw(clear(selected, canvas), chosen == null ? List.of() : List.of(chosen), SELECTED, view);
+    }
+
+    private static GraphicsContext clear(Canvas canvas, Viewport size) {
+        canvas.setWidth(size.width());
+        canvas.setHeight(size.height());
+        GraphicsContext g = canvas.getGraphicsContext2D();
+        g.clearRect(0, 0, size.width(), size.height());
+        g.setLineCap(StrokeLineCap.ROUND);
+        return g;
+    }
+
+    /** How many gizmos were drawn since the start. */
+    int gizmosDrawn() {
+        return gizmosDrawn;
+    }
+
+    private void draw(GraphicsContext g, List<Light> lights, Color color, View view) {
+        List<LightGizmo.Stroke> strokes = new ArrayList<>();
+        List<Viewport.Pixel> dots = new ArrayList<>();
+        for (Light light : lights) {
+            gizmosDrawn++;
+            int before = strokes.size();
+            strokes.addAll(LightGizmo.of(light, view.camera(), view.canvas(), view.size()).strokes(view.camera(), view.canvas()));
+            if (strokes.size() > before) {
+                dots.add(view.canvas().pixel(view.camera(), light.position()));
+            }
+        }
+        // A dark edge first, so that the wires are seen before bright surfaces too.
+        lines(g, strokes, EDGE, EDGE_LINE);
+        lines(g, strokes, color, LINE);
+        g.setFill(color);
+        for (Viewport.Pixel at : dots) {
+            g.fillOval(at.x() - DOT / 2, at.y() - DOT / 2, DOT, DOT);
+        }
+        for (LightMarker marker : LightMarker.of(lights, view.camera(), view.canvas())) {
+            arrow(g, marker, color);
         }
     }
 
@@ -62,19 +119,7 @@ final class GizmoLayer extends Canvas {
         g.fillPolygon(x, y, 3);
     }
 
-    private static void draw(GraphicsContext g, Light light, Color color, PreviewCamera camera, Viewport canvas, double size) {
-        var strokes = LightGizmo.of(light, camera, canvas, size).strokes(camera, canvas);
-        // A dark edge first, so that the wires are seen before bright surfaces too.
-        lines(g, strokes, EDGE, EDGE_LINE);
-        lines(g, strokes, color, LINE);
-        if (!strokes.isEmpty()) {
-            Viewport.Pixel at = canvas.pixel(camera, light.position());
-            g.setFill(color);
-            g.fillOval(at.x() - DOT / 2, at.y() - DOT / 2, DOT, DOT);
-        }
-    }
-
-    private static void lines(GraphicsContext g, Iterable<LightGizmo.Stroke> strokes, Color color, double width) {
+    private static void lines(GraphicsContext g, List<LightGizmo.Stroke> strokes, Color color, double width) {
         g.setStroke(color);
         g.setLineWidth(width);
         g.beginPath();

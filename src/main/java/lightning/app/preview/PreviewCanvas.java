@@ -57,8 +57,8 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         model.selectedLightProperty().subscribe(_ -> requestLayout());
         model.viewProperty().subscribe(_ -> requestLayout());
         PreviewLook look = model.previewLook();
-        look.litProperty().subscribe(_ -> requestLayout());
-        look.gizmosProperty().subscribe(_ -> requestLayout());
+        look.glowingProperty().subscribe(_ -> requestLayout());
+        look.gizmosHiddenProperty().subscribe(_ -> requestLayout());
         look.sizeProperty().subscribe(_ -> requestLayout());
         size.subscribe(_ -> requestLayout());
         model.previewCameraProperty().subscribe(_ -> {
@@ -119,7 +119,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
     }
 
     /** Goes back with the camera until all lights are in view. */
-    public void frameLights() {
+    void frameLights() {
         model.previewCameraProperty().set(LightMarker.framing(model.lights(), model.previewCameraProperty().get(), mouse.canvas()));
     }
 
@@ -144,8 +144,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         image.setFitWidth(frame.shownWidth());
         image.setFitHeight(frame.shownHeight());
         image.relocate(Math.rint((getWidth() - frame.shownWidth()) / 2), Math.rint((getHeight() - frame.shownHeight()) / 2));
-        gizmos.setWidth(frame.shownWidth());
-        gizmos.setHeight(frame.shownHeight());
+        gizmos.resize(frame.shownWidth(), frame.shownHeight());
         gizmos.relocate(left(), top());
         mouse.setCanvas(new Viewport(frame.shownWidth(), frame.shownHeight()));
         if (opened) {
@@ -153,12 +152,12 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
             model.previewCameraProperty().set(
                     LightMarker.firstView(model.lights(), model.previewCameraProperty().get(), mouse.canvas()));
         }
-        gizmos.setVisible(model.previewLook().gizmosProperty().get());
+        gizmos.setVisible(!model.previewLook().gizmosHiddenProperty().get());
         gizmos.draw(model.scene(), model.selectedLight(), model.previewCameraProperty().get(), mouse.canvas(),
                 model.previewLook().sizeProperty().get().factor());
         loop.draw(new PreviewLoop.Wish(model.scene(), model.previewCameraProperty().get(), frame.width(), frame.height(),
-                model.viewProperty().get(), model.previewLook().litProperty().get() ? ViewEffects.PREVIEW : ViewEffects.PREVIEW_1998,
-                moving));
+                model.viewProperty().get(), model.previewLook().glowingProperty().get() ? ViewEffects.PREVIEW_1998 : ViewEffects.PREVIEW,
+                moving, model.frame() == null ? null : model.frame().geometry()));
     }
 
     private void drawn(PreviewLoop.Picture picture) {

@@ -1,49 +1,29 @@
 package lightning.app.preview;
 
 import java.util.List;
-import javafx.scene.control.CheckMenuItem;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuItem;
-import javafx.scene.control.RadioMenuItem;
-import javafx.scene.control.ToggleGroup;
-import javafx.scene.input.KeyCombination;
+import lightning.app.command.CommandItems;
+import lightning.app.model.EditorModel;
 import lightning.app.model.GizmoSize;
-import lightning.app.model.PreviewLook;
+import lightning.edit.Command;
 
 /** The choices of how the preview looks. */
 public final class PreviewItems {
     private PreviewItems() {}
 
-    public static List<MenuItem> of(PreviewLook look) {
-        return List.of(gizmos(look), sizes(look), glowing(look));
+    /** @param items make the menu's items */
+    public static List<MenuItem> of(EditorModel model, CommandItems items) {
+        return List.of(items.item(Command.HIDE_GIZMOS), sizes(model, items), items.item(Command.GLOWING_TEXTURES));
     }
 
-    private static MenuItem gizmos(PreviewLook look) {
-        var gizmos = new CheckMenuItem("Gizmos of the Lights");
-        gizmos.setId("menu-gizmos");
-        gizmos.setAccelerator(KeyCombination.valueOf("Shortcut+G"));
-        gizmos.selectedProperty().bindBidirectional(look.gizmosProperty());
-        return gizmos;
-    }
-
-    private static MenuItem sizes(PreviewLook look) {
-        var menu = new Menu("Size of the Gizmos");
-        var group = new ToggleGroup();
+    private static Menu sizes(EditorModel model, CommandItems items) {
+        Menu menu = items.menu(Command.GIZMO_SIZE);
+        var chosen = model.previewLook().sizeProperty();
         for (GizmoSize size : GizmoSize.values()) {
-            var item = new RadioMenuItem(size.toString());
-            item.setToggleGroup(group);
-            item.setOnAction(_ -> look.sizeProperty().set(size));
-            look.sizeProperty().subscribe(s -> item.setSelected(s == size));
-            menu.getItems().add(item);
+            menu.getItems().add(items.choice(Command.GIZMO_SIZE, "gizmos-" + size.name(), size.toString(), chosen.map(s -> s == size),
+                    () -> chosen.set(size)));
         }
         return menu;
-    }
-
-    private static MenuItem glowing(PreviewLook look) {
-        var glowing = new CheckMenuItem("Glowing Textures in the Preview, as in 1998");
-        glowing.setId("glowing-textures");
-        look.litProperty().subscribe(lit -> glowing.setSelected(!lit));
-        glowing.setOnAction(_ -> look.litProperty().set(!glowing.isSelected()));
-        return glowing;
     }
 }

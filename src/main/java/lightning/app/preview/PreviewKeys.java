@@ -52,12 +52,12 @@ final class PreviewKeys {
             case DOWN -> arrow(e, 0, -STEP);
             case PAGE_UP -> plain && moved(STEP);
             case PAGE_DOWN -> plain && moved(-STEP);
-            case X -> plain && view(PreviewCamera.alongX(model.scene()));
-            case Y -> plain && view(PreviewCamera.alongMinusY(model.scene()));
-            case Z -> plain && view(PreviewCamera.of(model.scene()));
-            case L -> plain && through();
-            case G -> plain && gizmos();
-            case HOME, A -> plain && view(LightMarker.framing(model.lights(), model.previewCameraProperty().get(), mouse.canvas()));
+            case X -> plain && run(Command.VIEW_X);
+            case Y -> plain && run(Command.VIEW_Y);
+            case Z -> plain && run(Command.VIEW_Z);
+            case L -> plain && run(Command.LOOK_THROUGH_LIGHT);
+            case G -> plain && run(Command.HIDE_GIZMOS);
+            case HOME, A -> plain && run(Command.VIEW_ALL);
             case OPEN_BRACKET -> select(-1);
             case CLOSE_BRACKET -> select(1);
             default -> false;
@@ -93,14 +93,8 @@ final class PreviewKeys {
         return true;
     }
 
-    private boolean gizmos() {
-        var shown = model.previewLook().gizmosProperty();
-        shown.set(!shown.get());
-        return true;
-    }
-
-    private boolean through() {
-        model.run(Command.LOOK_THROUGH_LIGHT);
+    private boolean run(Command command) {
+        model.run(command);
         return true;
     }
 

@@ -6,15 +6,19 @@ import lightning.edit.PreviewCamera;
 import lightning.effects.ViewEffects;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
+import lightning.math.Vec3;
+import lightning.relight.PlannedUpdate;
 import lightning.relight.Renderer;
 import lightning.relight.plan.UpdatePlan;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
+import lightning.trace.Geometry;
 import lightning.work.Progress;
 
 /**
- * Draws the preview on a thread of its own, the newest wish each time: the engine without shadows and mirrors. A light's edit is an update of the sharp picture; while the camera moves, a coarser picture comes at
- * once and the sharp one when the camera rests.
+ * Draws the preview on a thread of its own, the newest wish each time: the engine without shadows and mirrors. A light's edit
+ * is an update of the sharp picture; while the camera moves, a coarser picture comes at once and the sharp one when the camera
+ * rests. Render space stays where it is meanwhile, so that no shape and no box is moved.
  */
 final class PreviewLoop implements AutoCloseable {
     private static final Options OPTIONS = Options.DEFAULT.withView(ViewEffects.PREVIEW);
@@ -29,10 +33,16 @@ final class PreviewLoop implements AutoCloseable {
      * @param width pixels; likewise {@code height}
      * @param effects which effects are shown
      * @param moving whether a better wish follows soon
+     * @param known  what is known elsewhere of the scene's shapes; null where nothing is
      */
-    record Wish(Scene scene, PreviewCamera camera, int width, int height, ViewTransform view, ViewEffects effects, boolean moving) {
-        Scene at(int coarseness) {
-            return scene.withCamera(camera.camera()).withPicture(scene.picture()
+    record Wish(Scene scene, PreviewCamera camera, int width, int height, ViewTransform view, ViewEffects effects, boolean moving,
+            Geometry known) {
+        private Vec3 eye() {
+            return camera.camera().from();
+        }
+
+        private Scene at(int coarseness, Vec3 origin) {
+            return scene.withCamera(camera.camera().withOrigin(origin)).withPicture(scene.picture()
                     .withSize(Math.max(1, width / coarseness), Math.max(1, height / coarseness)));
         }
     }
@@ -50,6 +60,8 @@ final class PreviewLoop implements AutoCloseable {
     private final Renderer sharp = new Renderer(OPTIONS);
     private final Renderer quick = new Renderer(OPTIONS);
     private int coarseness = 2;
+    /** What the preview was drawn with last; null before the first. */
+    private Geometry last;
     private Wish newest;
     private boolean closed;
 
@@ -97,7 +109,11 @@ final class PreviewLoop implements AutoCloseable {
         try {
             sharp.change(OPTIONS.withView(wish.effects()));
             quick.change(OPTIONS.withView(wish.effects()));
-            draw(wish, sharp.plan(wish.at(1)) instanceof UpdatePlan.FirstPass);
+            Geometry shared = shared(wish);
+            sharp.share(shared);
+            quick.share(shared);
+            Vec3 origin = shared != null && shared.servesEye(wish.scene(), wish.eye()) ? shared.origin() : wish.eye();
+            draw(wish, origin, sharp.plan(wish.at(1, origin)));
         } catch (CancellationException e) {
             // The newer wish is next.
         } catch (RuntimeException | OutOfMemoryError e) {
@@ -105,18 +121,25 @@ final class PreviewLoop implements AutoCloseable {
         }
     }
 
-    private void draw(Wish wish, boolean fresh) {
+    /** The traced picture's shapes serve while the eye is not far from them, and else those of the preview that was drawn last. */
+    private Geometry shared(Wish wish) {
+        return wish.known() != null && wish.known().servesEye(wish.scene(), wish.eye()) || last == null ? wish.known() : last;
+    }
+
+    private void draw(Wish wish, Vec3 origin, PlannedUpdate inFull) {
+        boolean fresh = inFull.update() instanceof UpdatePlan.FirstPass;
         if (fresh && wish.moving()) {
-            double took = render(quick, wish, coarseness, Progress.NONE);
+            double took = render(quick, wish, quick.plan(wish.at(coarseness, origin)), Progress.NONE);
             adapt(took);
         } else {
-            render(sharp, wish, 1, fresh ? new UntilOutdated() : Progress.NONE);
+            render(sharp, wish, inFull, fresh ? new UntilOutdated() : Progress.NONE);
         }
     }
 
-    private double render(Renderer renderer, Wish wish, int coarse, Progress progress) {
-        double milliseconds = renderer.render(wish.at(coarse), progress).milliseconds();
+    private double render(Renderer renderer, Wish wish, PlannedUpdate planned, Progress progress) {
+        double milliseconds = renderer.render(planned, progress).milliseconds();
         Film film = renderer.film();
+        last = renderer.cache().geometry();
         heard.accept(new Picture(wish, film.width(), film.height(), wish.view().toPixels(film), milliseconds));
         return milliseconds;
     }

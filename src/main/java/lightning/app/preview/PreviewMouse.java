@@ -51,7 +51,7 @@ final class PreviewMouse {
 
     /** The lights whose gizmos, or whose markers at the border, are under a place of the canvas; the nearest first, none while they are hidden. */
     List<Light> lightsAt(double x, double y) {
-        if (!model.previewLook().gizmosProperty().get()) {
+        if (model.previewLook().gizmosHiddenProperty().get()) {
             return List.of();
         }
         double size = model.previewLook().sizeProperty().get().factor();

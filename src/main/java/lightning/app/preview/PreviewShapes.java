@@ -6,6 +6,7 @@ import lightning.app.model.EditorModel;
 import lightning.edit.PreviewCamera;
 import lightning.edit.ScenePicker;
 import lightning.edit.Viewport;
+import lightning.edit.loop.Frame;
 import lightning.scene.Scene;
 
 /** Finds the shape under the mouse in the preview, beside the window's thread, and offers what to do with it. */
@@ -28,12 +29,12 @@ final class PreviewShapes {
      */
     void offer(Viewport viewport, Viewport.Pixel place, double x, double y) {
         Scene scene = model.scene();
+        Frame shared = model.frame();
         PreviewCamera view = model.previewCameraProperty().get();
         Thread.ofVirtual().name("lightning-pick").start(() -> {
-            ScenePicker now = picker;
-            now = now == null ? new ScenePicker(scene) : now.forScene(scene);
-            picker = now;
-            now.at(view, viewport, place).ifPresent(found -> model.window().execute(() -> menu.show(canvas, found.shape(), x, y)));
+            picker = shared != null && shared.geometry().serves(scene) ? ScenePicker.of(scene, shared.geometry())
+                    : picker == null ? new ScenePicker(scene) : picker.forScene(scene);
+            picker.at(view, viewport, place).ifPresent(found -> model.window().execute(() -> menu.show(canvas, found.shape(), x, y)));
         });
     }
 

@@ -1,6 +1,5 @@
 package lightning.app.property;
 
-import java.util.Locale;
 import java.util.Optional;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.ArrowWidget;
@@ -16,9 +15,9 @@ import lightning.scene.Scene;
 record DialGauge(EditorModel model, Dial dial) implements Gauge {
 
     /** The arrow widget of a dial, which follows the model. */
-    static ArrowWidget widget(EditorModel model, Dial dial, String label) {
-        ArrowWidget widget = new ArrowWidget(label, dial.title(), new DialGauge(model, dial));
-        widget.setId(dial.name().toLowerCase(Locale.ROOT));
+    static ArrowWidget widget(EditorModel model, Dial dial, String unit) {
+        ArrowWidget widget = new ArrowWidget(Sections.title(dial.label()) + unit, dial.title(), new DialGauge(model, dial));
+        widget.setId(dial.label());
         model.situationProperty().subscribe(now -> show(now, dial, widget));
         return widget;
     }

@@ -25,8 +25,8 @@ import lightning.scene.Scene;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 
-/** One light of the list: type, colour, name, solo and on. A double click renames it in place. */
-final class LightCell extends ListCell<Light> {
+/** The light at one place of the list: type, colour, name, solo and on. A double click renames it in place. */
+final class LightCell extends ListCell<Integer> {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
     private static final PseudoClass DARK = PseudoClass.getPseudoClass("dark");
 
@@ -39,6 +39,7 @@ final class LightCell extends ListCell<Light> {
     private final ToggleButton on = toggle("on");
     private final FontIcon bulb = new FontIcon();
     private final HBox row;
+    private Light shown;
 
     LightCell(EditorModel model) {
         this.model = model;
@@ -53,7 +54,7 @@ final class LightCell extends ListCell<Light> {
         on.setOnAction(_ -> edit((scene, light) -> LightEdits.on(scene, light, on.isSelected())));
         row = new HBox(type, chip, name, solo, on);
         row.getStyleClass().add("light-row");
-        model.sceneProperty().subscribe(this::showShining);
+        model.sceneProperty().subscribe(_ -> show(light()));
         setOnMouseClicked(event -> {
             if (event.getClickCount() == 2 && !isEmpty()) {
                 model.run(Command.RENAME_LIGHT);
@@ -78,43 +79,55 @@ final class LightCell extends ListCell<Light> {
         ToggleButton button = new ToggleButton();
         button.getStyleClass().add(styleClass);
         button.setFocusTraversable(false);
+        button.setTooltip(new Tooltip());
         return button;
     }
 
     private void edit(BiFunction<Scene, String, Change> edit) {
-        String light = getItem().name();
+        String light = shown.name();
         model.edit(scene -> edit.apply(scene, light)).ifPresent(model::say);
     }
 
-    @Override
-    protected void updateItem(Light light, boolean empty) {
-        super.updateItem(light, empty);
-        setGraphic(empty || light == null ? null : row);
-        if (empty || light == null) {
-            setAccessibleText(null);
-            return;
-        }
-        type.setIconCode(LightTypes.icon(light.type()));
-        chip.setStyle("-fx-background-color: " + Paints.css(light.color()) + ";");
-        name.setText(light.name());
-        solo.setSelected(light.solo());
-        describe(solo, light.name() + " solo", "Show only the lights that are solo");
-        on.setSelected(light.on());
-        bulb.setIconCode(LightTypes.bulb(light.on()));
-        describe(on, light.name() + " on", light.on() ? "Switch off" : "Switch on");
-        showShining();
-        setAccessibleText(light.name() + ", " + LightTypes.title(light.type()).toLowerCase(Locale.ROOT) + " light"
-                + (light.on() ? "" : ", off") + (light.solo() ? ", solo" : ""));
+    /** The light at the cell's place; null where there is none. */
+    private Light light() {
+        Integer place = getItem();
+        return place == null || place >= model.lights().size() ? null : model.lights().get(place);
     }
 
-    /** Another light that is solo darkens this one. */
-    private void showShining() {
-        row.pseudoClassStateChanged(DARK, getItem() != null && !model.scene().shines(getItem()));
+    @Override
+    protected void updateItem(Integer place, boolean empty) {
+        super.updateItem(place, empty);
+        setGraphic(empty || place == null ? null : row);
+        if (empty || place == null) {
+            setAccessibleText(null);
+        }
+        show(light());
+    }
+
+    private void show(Light light) {
+        if (light != null && light != shown) {
+            type.setIconCode(LightTypes.icon(light.type()));
+            chip.setStyle("-fx-background-color: " + Paints.css(light.color()) + ";");
+            name.setText(light.name());
+            describe(solo, light.name() + " solo", "Show only the lights that are solo");
+            bulb.setIconCode(LightTypes.bulb(light.on()));
+            describe(on, light.name() + " on", light.on() ? "Switch off" : "Switch on");
+            setAccessibleText(light.name() + ", " + LightTypes.title(light.type()).toLowerCase(Locale.ROOT) + " light"
+                    + (light.on() ? "" : ", off") + (light.solo() ? ", solo" : ""));
+        }
+        shown = light;
+        if (light != null) {
+            // A click has switched them already, whatever came of it.
+            solo.setSelected(light.solo());
+            on.setSelected(light.on());
+            // Another light that is solo darkens this one.
+            row.pseudoClassStateChanged(DARK, !model.scene().shines(light));
+        }
     }
 
     private static void describe(ToggleButton button, String name, String hint) {
         button.setAccessibleText(name);
-        button.setTooltip(new Tooltip(hint));
+        button.getTooltip().setText(hint);
     }
 
     @Override
@@ -126,7 +139,7 @@ final class LightCell extends ListCell<Light> {
         if (!isEditing()) {
             return;
         }
-        field.setText(getItem().name());
+        field.setText(shown.name());
         mark(Optional.empty());
         replace(name, field);
         field.requestFocus();
@@ -142,7 +155,7 @@ final class LightCell extends ListCell<Light> {
     }
 
     private void rename() {
-        String old = getItem().name();
+        String old = shown.name();
         String typed = field.getText().strip();
         Optional<String> refusal = model.edit(scene -> LightEdits.rename(scene, old, typed));
         mark(refusal);

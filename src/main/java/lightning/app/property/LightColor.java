@@ -7,22 +7,23 @@ import lightning.app.widget.Gauge;
 import lightning.edit.Dial;
 import lightning.edit.Hsv;
 import lightning.edit.LightEdits;
+import lightning.scene.LightAttribute;
 
 /** The colour of the selected light. */
 record LightColor(EditorModel model) implements ColorSliders.Target {
     @Override
     public Gauge red() {
-        return new DialGauge(model, Dial.RED);
+        return new DialGauge(model, Dial.of(LightAttribute.COLOR).get(0));
     }
 
     @Override
     public Gauge green() {
-        return new DialGauge(model, Dial.GREEN);
+        return new DialGauge(model, Dial.of(LightAttribute.COLOR).get(1));
     }
 
     @Override
     public Gauge blue() {
-        return new DialGauge(model, Dial.BLUE);
+        return new DialGauge(model, Dial.of(LightAttribute.COLOR).get(2));
     }
 
     @Override

@@ -49,11 +49,11 @@ final class LightHeader extends VBox {
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
         HBox commands = row(onBox, soloBox, gap,
-                new CommandButton(model, Command.UNDO_LIGHT, false),
-                new CommandButton(model, Command.REDO_LIGHT, false),
-                new CommandButton(model, Command.COPY_SETTINGS, false),
-                new CommandButton(model, Command.PASTE_SETTINGS, false),
-                CommandButton.lookThrough(model));
+                CommandButton.icon(model, Command.UNDO_LIGHT),
+                CommandButton.icon(model, Command.REDO_LIGHT),
+                CommandButton.icon(model, Command.COPY_SETTINGS),
+                CommandButton.icon(model, Command.PASTE_SETTINGS),
+                CommandButton.icon(model, Command.LOOK_THROUGH_LIGHT));
         getChildren().addAll(identity, refusal, commands);
         model.setAction(Command.CHANGE_TYPE, type::show);
         model.situationProperty().subscribe(this::show);

@@ -1,6 +1,7 @@
 package lightning.app.property;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
@@ -14,6 +15,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.app.command.CommandButton;
+import lightning.app.command.CommandItems;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.Obstacle;
 import lightning.edit.Command;
@@ -30,7 +32,7 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
  */
 public final class LightListPane extends VBox {
     private final EditorModel model;
-    private final ListView<Light> list = new ListView<>();
+    private final ListView<Integer> list = new ListView<>();
     private boolean showing;
 
     public LightListPane(EditorModel model) {
@@ -54,9 +56,10 @@ public final class LightListPane extends VBox {
     private HBox tools() {
         MenuButton add = new MenuButton("Add Light", new FontIcon(MaterialDesignP.PLUS));
         add.setId("add-light");
+        CommandItems items = CommandItems.of(model);
         for (LightType type : List.of(LightType.POINT, LightType.SPOT, LightType.DIRECTIONAL)) {
-            MenuItem item = new MenuItem(LightTypes.title(type), new FontIcon(LightTypes.icon(type)));
-            item.setOnAction(_ -> add(type));
+            MenuItem item = items.value(Command.ADD_LIGHT, LightTypes.title(type), () -> add(type));
+            item.setGraphic(new FontIcon(LightTypes.icon(type)));
             add.getItems().add(item);
         }
         StackPane around = new StackPane(add);
@@ -65,8 +68,8 @@ public final class LightListPane extends VBox {
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
         HBox tools = new HBox(around, gap,
-                new CommandButton(model, Command.DUPLICATE_LIGHT, false),
-                new CommandButton(model, Command.DELETE_LIGHT, false));
+                CommandButton.icon(model, Command.DUPLICATE_LIGHT),
+                CommandButton.icon(model, Command.DELETE_LIGHT));
         tools.getStyleClass().add("lights-tools");
         return tools;
     }
@@ -77,24 +80,10 @@ public final class LightListPane extends VBox {
     }
 
     private ContextMenu menu() {
-        var menu = new ContextMenu(item("Rename", Command.RENAME_LIGHT), item("Duplicate", Command.DUPLICATE_LIGHT),
-                item("Delete Light", Command.DELETE_LIGHT), new SeparatorMenuItem(),
-                item("Copy Settings", Command.COPY_SETTINGS), item("Paste Settings", Command.PASTE_SETTINGS),
-                new SeparatorMenuItem(), item("On or Off", Command.SWITCH_ON), item("Solo", Command.SOLO),
-                item("Look Through Light", Command.LOOK_THROUGH_LIGHT));
-        menu.setOnShowing(_ -> menu.getItems().forEach(item -> {
-            if (item.getUserData() instanceof Command command) {
-                item.setDisable(!model.enabled(command));
-            }
-        }));
-        return menu;
-    }
-
-    private MenuItem item(String text, Command command) {
-        MenuItem item = new MenuItem(text);
-        item.setUserData(command);
-        item.setOnAction(_ -> model.run(command));
-        return item;
+        CommandItems items = CommandItems.of(model, "of-light-");
+        return new ContextMenu(items.item(Command.RENAME_LIGHT), items.item(Command.DUPLICATE_LIGHT), items.item(Command.DELETE_LIGHT),
+                new SeparatorMenuItem(), items.item(Command.COPY_SETTINGS), items.item(Command.PASTE_SETTINGS), new SeparatorMenuItem(),
+                items.item(Command.SWITCH_ON), items.item(Command.SOLO), items.item(Command.LOOK_THROUGH_LIGHT));
     }
 
     private void press(KeyEvent event) {
@@ -120,23 +109,16 @@ public final class LightListPane extends VBox {
 
     private void select(int index) {
         if (!showing && index >= 0) {
-            model.selectLight(list.getItems().get(index).name());
+            model.selectLight(model.lights().get(index).name());
         }
     }
 
-    /** Replaces only what changed, so that the list keeps its place and its focus. */
+    /** The list knows places alone, and cells what stands there: an edit of a light touches its cell, and the list not at all. */
     private void show(Situation now) {
         showing = true;
         List<Light> lights = now.scene().lights();
-        var items = list.getItems();
-        if (items.size() == lights.size()) {
-            for (int i = 0; i < lights.size(); i++) {
-                if (!items.get(i).equals(lights.get(i))) {
-                    items.set(i, lights.get(i));
-                }
-            }
-        } else {
-            items.setAll(lights);
+        if (list.getItems().size() != lights.size()) {
+            list.getItems().setAll(IntStream.range(0, lights.size()).boxed().toList());
         }
         int selected = now.selected().map(lights::indexOf).orElse(-1);
         if (selected < 0) {

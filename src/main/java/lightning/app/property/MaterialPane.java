@@ -1,9 +1,13 @@
 package lightning.app.property;
 
-import java.util.EnumMap;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javafx.scene.Node;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
@@ -21,8 +25,12 @@ import lightning.app.widget.Obstacle;
 import lightning.edit.Command;
 import lightning.edit.MaterialEdits;
 import lightning.edit.Steps;
-import lightning.scene.Limits;
+import lightning.scene.Choice;
+import lightning.scene.Kind;
 import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
+import lightning.scene.MaterialAttribute.Section;
+import lightning.scene.Quantity;
 
 /** The property editor of a material: its colours, its shininess, its texture. All shapes that have it change together. */
 final class MaterialPane extends VBox {
@@ -32,43 +40,38 @@ final class MaterialPane extends VBox {
     private final EditorModel model;
     private final ComboBox<String> name = new ComboBox<>();
     private final Label users = new Label();
-    private final Map<SurfaceColor, ColorSliders> colors = new EnumMap<>(SurfaceColor.class);
-    private final ArrowWidget shininess;
-    private final TexturePart texture;
+    private final List<Row> rows = new ArrayList<>();
     private final Obstacle unnamed;
     private String shown = "";
     private boolean showing;
+
+    /**
+     * The widget of an attribute, or of one of its numbers.
+     *
+     * @param obstacle disables it and says why; or enables it
+     * @param revert   forgets what was typed
+     */
+    private record Row(Node node, Consumer<Optional<String>> obstacle, Consumer<Material> show, Runnable showNothing, Runnable revert) {}
 
     MaterialPane(EditorModel model) {
         this.model = model;
         setId("material");
         getStyleClass().add("properties");
-        for (SurfaceColor color : SurfaceColor.values()) {
-            colors.put(color, color.sliders(model));
-        }
-        shininess = new ArrowWidget("Shininess", "shininess", Gauge.of("shininess", new Steps(1, 0, Limits.MAX_SHININESS),
-                (v, gesture) -> model.edit(scene -> MaterialEdits.shininess(scene, shown, v), gesture)));
-        shininess.setId("shininess");
-        texture = new TexturePart(model);
         name.setId("material-name");
         name.setAccessibleText("material");
         name.setMaxWidth(Double.MAX_VALUE);
         var named = new StackPane(name);
         unnamed = new Obstacle(named, name, "The material that is edited, with all shapes that have it");
         HBox.setHgrow(named, Priority.ALWAYS);
-        var row = new HBox(named, new CommandButton(model, Command.PICK_MATERIAL, false));
+        var row = new HBox(named, CommandButton.icon(model, Command.PICK_MATERIAL));
         row.getStyleClass().add("header-row");
         users.setId("material-users");
         users.getStyleClass().add("caption");
         users.setWrapText(true);
         var header = new VBox(row, users);
         header.getStyleClass().add("light-header");
-        ScrollPane scroll = Sections.scroll(header,
-                Sections.section("Diffuse", colors.get(SurfaceColor.DIFFUSE)),
-                Sections.section("Texture", texture),
-                Sections.section("Specular", colors.get(SurfaceColor.SPECULAR), shininess),
-                Sections.section("Reflective", colors.get(SurfaceColor.REFLECTIVE)),
-                Sections.section("Ambient", colors.get(SurfaceColor.AMBIENT)));
+        ScrollPane scroll = Sections.scroll(Stream.concat(Stream.of(header), Arrays.stream(Section.values()).map(this::section))
+                .toArray(Node[]::new));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);
         name.valueProperty().addListener((_, _, now) -> {
@@ -84,11 +87,49 @@ final class MaterialPane extends VBox {
         });
     }
 
+    private Node section(Section section) {
+        List<Row> widgets = MaterialAttribute.ALL.stream().filter(a -> a.section() == section).flatMap(a -> rows(a).stream()).toList();
+        rows.addAll(widgets);
+        return Sections.section(Sections.title(section.name()), widgets.stream().map(Row::node).toArray(Node[]::new));
+    }
+
+    private <V> List<Row> rows(MaterialAttribute<V> attribute) {
+        return switch (attribute.kind()) {
+            case Quantity<V> q -> switch (q.form()) {
+                case COLOR -> List.of(color(attribute, q));
+                case EACH -> IntStream.range(0, q.labels().size()).mapToObj(i -> number(attribute, q, i)).toList();
+                case POSITION, DIRECTION -> throw new IllegalStateException("there is no widget for " + attribute.title());
+            };
+            case Kind.Texturing _ -> List.of(texture());
+            case Choice<V> _ -> throw new IllegalStateException("there is no widget for " + attribute.title());
+        };
+    }
+
+    private <V> Row color(MaterialAttribute<V> attribute, Quantity<V> q) {
+        ColorSliders sliders = new SurfaceColor<>(model, attribute, q).sliders();
+        return new Row(sliders, sliders::setObstacle, m -> sliders.show(q.color(attribute.of(m))), sliders::showNothing, sliders::revert);
+    }
+
+    private <V> Row number(MaterialAttribute<V> attribute, Quantity<V> q, int index) {
+        String label = q.labels().get(index);
+        String title = label.isEmpty() ? attribute.title() : attribute.title() + " " + label;
+        ArrowWidget widget = new ArrowWidget(Sections.title(label.isEmpty() ? title : label), title,
+                Gauge.of(title, new Steps(q.step(), q.min(), q.max()), (v, gesture) -> model.edit(scene -> MaterialEdits.with(scene, shown,
+                        m -> attribute.with(m, q.with(attribute.of(m), index, v))), gesture)));
+        widget.setId(title);
+        return new Row(widget, widget::setObstacle, m -> widget.show(q.number(attribute.of(m), index)), widget::showNothing,
+                widget::revert);
+    }
+
+    private Row texture() {
+        var part = new TexturePart(model);
+        // It knows itself whether it shows another material.
+        return new Row(part, part::setObstacle, part::show, part::showNothing, () -> {});
+    }
+
     private void show(Material material) {
         Optional<String> obstacle = material == null ? NO_MATERIAL : Optional.empty();
-        colors.values().forEach(c -> c.setObstacle(obstacle));
-        shininess.setObstacle(obstacle);
-        texture.setObstacle(obstacle);
+        rows.forEach(row -> row.obstacle().accept(obstacle));
         unnamed.set(obstacle);
         if (material == null) {
             showNothing();
@@ -96,14 +137,11 @@ final class MaterialPane extends VBox {
         }
         if (!material.name().equals(shown)) {
             // What was typed was meant for the other material.
-            colors.values().forEach(ColorSliders::revert);
-            shininess.revert();
+            rows.forEach(row -> row.revert().run());
         }
         shown = material.name();
         showNames();
-        colors.forEach((color, sliders) -> sliders.show(color.of(material)));
-        shininess.show(material.shininess());
-        texture.show(material);
+        rows.forEach(row -> row.show().accept(material));
     }
 
     private void showNothing() {
@@ -112,9 +150,7 @@ final class MaterialPane extends VBox {
         showing = true;
         name.setValue(null);
         showing = false;
-        colors.values().forEach(ColorSliders::showNothing);
-        shininess.showNothing();
-        texture.showNothing();
+        rows.forEach(row -> row.showNothing().run());
     }
 
     private void showNames() {

@@ -3,7 +3,8 @@ package lightning.app.property;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.BiFunction;
+import java.util.function.Function;
+import java.util.stream.Stream;
 import javafx.scene.Node;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.Priority;
@@ -13,14 +14,18 @@ import lightning.app.model.EditorModel;
 import lightning.app.widget.ArrowWidget;
 import lightning.app.widget.ColorSliders;
 import lightning.app.widget.VectorField;
-import lightning.edit.Attribute;
 import lightning.edit.Command;
 import lightning.edit.Dial;
 import lightning.edit.LightEdits;
 import lightning.edit.OpenDocument;
 import lightning.edit.Situation;
 import lightning.math.Vec3;
+import lightning.scene.Choice;
+import lightning.scene.Kind;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
+import lightning.scene.LightAttribute.Section;
+import lightning.scene.Quantity;
 
 /** The property editor of the selected light and the scene (paper §3.2, Figure 5). */
 public final class PropertyPane extends VBox {
@@ -28,11 +33,13 @@ public final class PropertyPane extends VBox {
 
     private final EditorModel model;
     private final List<ArrowWidget> dials = new ArrayList<>();
+    private final List<VectorRow> vectors = new ArrayList<>();
     private final LightHeader header;
     private final ColorSliders color;
-    private final VectorField position;
-    private final VectorField direction;
     private Shown shown;
+
+    /** @param of what the field shows of a light */
+    private record VectorRow(LightAttribute<?> attribute, VectorField field, Function<Light, Vec3> of) {}
 
     /** @param light its number in the document's history; −1 for none */
     private record Shown(OpenDocument document, long light) {}
@@ -44,35 +51,50 @@ public final class PropertyPane extends VBox {
         header = new LightHeader(model);
         color = new ColorSliders(new LightColor(model));
         color.setId("color");
-        position = vector("position", (light, v) -> light.withPosition(v));
-        direction = vector("direction", (light, v) -> light.withDirection(v));
-        ScrollPane scroll = Sections.scroll(header,
-                Sections.section("Colour", color, dial(Dial.INTENSITY, "Intensity")),
-                Sections.section("Cone", dial(Dial.ANGLE, "Angle °"), dial(Dial.DROPOFF, "Dropoff")),
-                Sections.section("Attenuation", dial(Dial.CONSTANT, "Constant"), dial(Dial.LINEAR, "Linear"),
-                        dial(Dial.QUADRATIC, "Quadratic")),
-                Sections.section("Place", Sections.caption("Position"), position, Sections.caption("Direction"), direction, aim()),
-                Sections.section("Scene", dial(Dial.AMBIENCE, "Ambience")));
+        ScrollPane scroll = Sections.scroll(Stream.of(Stream.of(header),
+                Stream.of(Section.COLOUR, Section.CONE, Section.ATTENUATION, Section.PLACE).map(this::section),
+                Stream.of(Sections.section("Scene", dial(Dial.AMBIENCE, "")))).flatMap(s -> s).toArray(Node[]::new));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);
         model.situationProperty().subscribe(this::show);
     }
 
-    private ArrowWidget dial(Dial dial, String label) {
-        ArrowWidget widget = DialGauge.widget(model, dial, label);
+    private Node section(Section section) {
+        List<Node> widgets = new ArrayList<>(LightAttribute.ALL.stream().filter(a -> a.section() == section)
+                .flatMap(a -> widgets(a).stream()).toList());
+        if (section == Section.PLACE) {
+            widgets.add(aim());
+        }
+        return Sections.section(Sections.title(section.name()), widgets.toArray(Node[]::new));
+    }
+
+    private <V> List<? extends Node> widgets(LightAttribute<V> attribute) {
+        return switch (attribute.kind()) {
+            case Quantity<V> q -> switch (q.form()) {
+                case COLOR -> List.of(color);
+                case POSITION, DIRECTION -> List.of(Sections.caption(Sections.title(attribute.title())), vector(attribute, q));
+                case EACH -> Dial.of(attribute).stream().map(d -> dial(d, attribute.unit().startsWith("degrees") ? " °" : "")).toList();
+            };
+            case Choice<V> _,Kind.Texturing _ -> throw new IllegalStateException("there is no widget for " + attribute.title());
+        };
+    }
+
+    private ArrowWidget dial(Dial dial, String unit) {
+        ArrowWidget widget = DialGauge.widget(model, dial, unit);
         dials.add(widget);
         return widget;
     }
 
-    private VectorField vector(String title, BiFunction<Light, Vec3, Light> edit) {
-        VectorField field = new VectorField(title, v -> model.edit(
-                scene -> LightEdits.with(scene, model.selectedLight().name(), light -> edit.apply(light, v))));
-        field.setId(title);
+    private <V> VectorField vector(LightAttribute<V> attribute, Quantity<V> quantity) {
+        VectorField field = new VectorField(attribute.title(), v -> model.edit(scene -> LightEdits.with(scene,
+                model.selectedLight().name(), light -> attribute.with(light, quantity.join().apply(List.of(v.x(), v.y(), v.z()))))));
+        field.setId(attribute.title());
+        vectors.add(new VectorRow(attribute, field, light -> quantity.vector(attribute.of(light))));
         return field;
     }
 
     private Node aim() {
-        CommandButton aim = new CommandButton(model, Command.AIM, true);
+        CommandButton aim = CommandButton.titled(model, Command.AIM);
         aim.button().setMaxWidth(Double.MAX_VALUE);
         return aim;
     }
@@ -84,25 +106,20 @@ public final class PropertyPane extends VBox {
             // What was typed was meant for the other light.
             header.revert();
             color.revert();
-            position.revert();
-            direction.revert();
+            vectors.forEach(row -> row.field().revert());
             dials.forEach(ArrowWidget::revert);
         }
         color.setObstacle(now.selected().isEmpty() ? NO_LIGHT : Optional.empty());
-        position.setObstacle(now.selected().isEmpty() ? NO_LIGHT : Optional.empty());
-        direction.setObstacle(obstacle(now, Attribute.DIRECTION));
-        now.selected().ifPresentOrElse(light -> {
-            color.show(light.color());
-            position.show(light.position());
-            direction.show(light.direction());
-        }, () -> {
-            color.showNothing();
-            position.showNothing();
-            direction.showNothing();
+        now.selected().ifPresentOrElse(light -> color.show(light.color()), color::showNothing);
+        vectors.forEach(row -> {
+            row.field().setObstacle(obstacle(now, row.attribute()));
+            now.selected().ifPresentOrElse(light -> row.field().show(row.of().apply(light)), row.field()::showNothing);
         });
     }
 
-    private static Optional<String> obstacle(Situation now, Attribute attribute) {
-        return now.selected().isEmpty() ? NO_LIGHT : attribute.obstacle(now.selected().get().type());
+    /** A directional light has a place too: its gizmo stands there. */
+    private static Optional<String> obstacle(Situation now, LightAttribute<?> attribute) {
+        return now.selected().isEmpty() ? NO_LIGHT
+                : attribute == LightAttribute.POSITION ? Optional.empty() : attribute.obstacle(now.selected().get().type());
     }
 }

@@ -1,5 +1,6 @@
 package lightning.app.property;
 
+import java.util.Locale;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
@@ -26,6 +27,11 @@ final class Sections {
         pane.setAnimated(false);
         pane.getStyleClass().addAll("dense", "section");
         return pane;
+    }
+
+    /** A word as it begins a label. */
+    static String title(String word) {
+        return word.substring(0, 1).toUpperCase(Locale.ROOT) + word.substring(1).toLowerCase(Locale.ROOT);
     }
 
     static Label caption(String text) {

@@ -15,11 +15,14 @@ import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
+import lightning.app.command.CommandItems;
 import lightning.app.model.EditorModel;
+import lightning.app.model.Sentence;
 import lightning.app.widget.ArrowWidget;
 import lightning.app.widget.Gauge;
 import lightning.app.widget.Obstacle;
 import lightning.edit.Change;
+import lightning.edit.Command;
 import lightning.edit.MaterialEdits;
 import lightning.edit.Steps;
 import lightning.jen.PropertyEdit;
@@ -67,7 +70,7 @@ final class TexturePart extends VBox {
         found.setAccessibleText("Choose a texture");
         found.setMinWidth(USE_PREF_SIZE);
         found.setOnShowing(_ -> fill());
-        fill();
+        offer(List.of());
         refusal.setId("texture-refusal");
         refusal.getStyleClass().add("refusal");
         refusal.setWrapText(true);
@@ -97,19 +100,22 @@ final class TexturePart extends VBox {
         return model.document().file().toAbsolutePath().getParent();
     }
 
+    /** What lies beside the scene is seen a moment later. */
     private void fill() {
+        Path folder = folder();
+        model.files().beside(() -> PropertyEdit.textures(folder), this::offer, _ -> offer(List.of()));
+    }
+
+    private void offer(List<String> names) {
         List<MenuItem> items = new ArrayList<>();
         items.add(item("None", ""));
         items.add(new SeparatorMenuItem());
-        PropertyEdit.textures(folder()).forEach(name -> items.add(item(name, name)));
+        names.forEach(name -> items.add(item(name, name)));
         found.getItems().setAll(items);
     }
 
     private MenuItem item(String title, String name) {
-        var item = new MenuItem(title);
-        item.setMnemonicParsing(false);
-        item.setOnAction(_ -> set(name));
-        return item;
+        return CommandItems.of(model).value(Command.CHOOSE_TEXTURE, title, () -> set(name));
     }
 
     void show(Material material) {
@@ -173,10 +179,8 @@ final class TexturePart extends VBox {
         }
         var scene = model.scene();
         Path folder = folder();
-        Thread.ofVirtual().name("lightning-texture").start(() -> {
-            Change read = MaterialEdits.texture(scene, material, wanted, folder);
-            model.window().execute(() -> take(material, read));
-        });
+        model.files().beside(() -> MaterialEdits.texture(scene, material, wanted, folder), read -> take(material, read),
+                why -> mark(Sentence.of(why)));
     }
 
     private void take(String material, Change read) {

@@ -11,7 +11,7 @@ import lightning.edit.ScenePicker;
 import lightning.scene.Scene;
 
 /** Places the selected light by what it does in the traced picture: its aim, its highlight, the shadow of something. */
-public final class LightPlacer {
+final class LightPlacer {
     private final EditorModel model;
     private final Picker picker;
 
@@ -21,26 +21,28 @@ public final class LightPlacer {
         void next(String hint, Consumer<PixelReport> picked);
     }
 
-    LightPlacer(EditorModel model, Picker picker) {
+    private LightPlacer(EditorModel model, Picker picker) {
         this.model = model;
         this.picker = picker;
-        model.setAction(Command.AIM, this::aim);
     }
 
-    /** Whether there is a light to place. */
-    public boolean isEnabled() {
-        return model.enabled(Command.RENAME_LIGHT);
+    /** Does the commands that place a light. */
+    static void addTo(EditorModel model, Picker picker) {
+        var placer = new LightPlacer(model, picker);
+        model.setAction(Command.AIM, placer::aim);
+        model.setAction(Command.PLACE_HIGHLIGHT, placer::highlight);
+        model.setAction(Command.PLACE_SHADOW, placer::shadow);
     }
 
-    void aim() {
+    private void aim() {
         picker.next("Click where the light should shine to", at -> edit((scene, light) -> LightEdits.aim(scene, light, at.point())));
     }
 
-    public void highlight() {
+    private void highlight() {
         picker.next("Click where the highlight should be", at -> edit((scene, light) -> LightPlacing.highlight(scene, light, found(at))));
     }
 
-    public void shadow() {
+    private void shadow() {
         picker.next("Click what throws the shadow", thrower -> picker.next("Click where the shadow should fall",
                 target -> edit((scene, light) -> LightPlacing.shadow(scene, light, thrower.point(), target.point()))));
     }

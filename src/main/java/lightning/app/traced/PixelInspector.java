@@ -5,13 +5,13 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
-import lightning.scene.Scene;
+import lightning.edit.loop.Frame;
 import lightning.shading.PixelExplainer;
 
 /** Tells what a pixel shows, on a thread of its own; of many questions the newest is answered. */
 final class PixelInspector implements AutoCloseable {
     /** @param heard on the window's thread */
-    private record Question(Scene scene, int x, int y, Consumer<PixelReport> heard) {}
+    private record Question(Frame about, int x, int y, Consumer<PixelReport> heard) {}
 
     private final ExecutorService thread = Executors.newSingleThreadExecutor(task -> {
         Thread t = new Thread(task, "lightning-inspect");
@@ -20,7 +20,7 @@ final class PixelInspector implements AutoCloseable {
     });
     private final AtomicReference<Question> newest = new AtomicReference<>();
     private final Executor window;
-    private Scene scene;
+    private Frame about;
     private PixelExplainer explainer;
 
     PixelInspector(Executor window) {
@@ -28,11 +28,11 @@ final class PixelInspector implements AutoCloseable {
     }
 
     /**
-     * Asks about a pixel of a scene.
+     * Asks about a pixel of a picture.
      *
      * @param heard hears on the window's thread, unless a newer question comes before
      */
-    void ask(Scene about, int x, int y, Consumer<PixelReport> heard) {
+    void ask(Frame about, int x, int y, Consumer<PixelReport> heard) {
         if (newest.getAndSet(new Question(about, x, y, heard)) == null) {
             thread.execute(this::answer);
         }
@@ -43,9 +43,10 @@ final class PixelInspector implements AutoCloseable {
         if (question == null) {
             return;
         }
-        if (question.scene() != scene) {
-            explainer = new PixelExplainer(question.scene());
-            scene = question.scene();
+        if (question.about() != about) {
+            about = question.about();
+            explainer = explainer == null ? new PixelExplainer(about.scene(), about.geometry())
+                    : explainer.forScene(about.scene(), about.geometry());
         }
         PixelReport report = PixelReport.of(explainer.geometry(), explainer.pixel(question.x(), question.y()), question.x(), question.y());
         window.execute(() -> question.heard().accept(report));

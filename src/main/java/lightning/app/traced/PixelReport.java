@@ -24,7 +24,7 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<Lig
             return new PixelReport(x, y, "", null, null, List.of());
         }
         var at = report.at();
-        return new PixelReport(x, y, geometry.shape(at.shape()).shape().name(),
+        return new PixelReport(x, y, geometry.shape(at.primitive()).name(),
                 geometry.toScene(new Vec3(at.px(), at.py(), at.pz())), new Vec3(at.nx(), at.ny(), at.nz()), report.lights());
     }
 

@@ -8,10 +8,10 @@ import javafx.scene.layout.Region;
 import javafx.util.Duration;
 import lightning.app.command.CommandButton;
 import lightning.app.model.EditorModel;
-import lightning.app.model.RenderState;
 import lightning.app.widget.Lasting;
 import lightning.edit.Command;
 import lightning.edit.Situation;
+import lightning.edit.loop.RenderState;
 
 /** How far the picture or its verification is, with Cancel; not there for work too short to read it. */
 final class ProgressOverlay extends HBox {
@@ -32,7 +32,7 @@ final class ProgressOverlay extends HBox {
         setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
         bar.setId("progress-bar");
         bar.setAccessibleText("Progress of the picture");
-        var cancel = new CommandButton(model, Command.CANCEL, false);
+        var cancel = CommandButton.icon(model, Command.CANCEL);
         cancel.button().setId("cancel-progress");
         getChildren().addAll(what, bar, cancel);
         model.situationProperty().subscribe(_ -> update());
@@ -43,7 +43,8 @@ final class ProgressOverlay extends HBox {
         RenderState state = model.renderingProperty().get();
         Situation now = model.situationProperty().get();
         boolean rendering = now.inWork().isPresent();
-        work.tell(rendering ? "Tracing" : now.verifying() ? "Verifying" : "");
-        bar.setProgress(rendering ? state.progress() : (double) state.checked() / state.toCheck());
+        work.tell(now.reading() ? "Reading " + model.reading().getFileName() : rendering ? "Tracing" : now.verifying() ? "Verifying" : "");
+        bar.setProgress(now.reading() ? ProgressBar.INDETERMINATE_PROGRESS : rendering ? state.progress()
+                : (double) state.checked() / state.toCheck());
     }
 }

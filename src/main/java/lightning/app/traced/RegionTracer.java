@@ -4,10 +4,12 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import lightning.app.model.TracedRaster;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
 import lightning.scene.Scene;
-import lightning.shading.TraditionalTracer;
+import lightning.trace.Geometry;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
@@ -20,13 +22,18 @@ final class RegionTracer implements AutoCloseable {
     });
     private volatile Object newest;
 
-    /** @param heard hears of the film on the tracing thread; only the tiles that the region meets are in it */
-    void trace(Scene scene, TracedRaster.Dirty region, Consumer<Film> heard, Consumer<Throwable> failed) {
+    /**
+     * @param geometry finds what the rays of a scene can meet
+     * @param heard    hears of the film on the tracing thread; only the tiles that the region meets are in it
+     */
+    void trace(Scene scene, Function<Scene, Geometry> geometry, TracedRaster.Dirty region, Consumer<Film> heard,
+            Consumer<Throwable> failed) {
         Object own = new Object();
         newest = own;
         thread.execute(() -> {
             try (var workers = new Workers(Workers.available())) {
-                heard.accept(new TraditionalTracer(scene).trace(workers, tiles(scene, region), new Progress() {
+                var tracer = new TraditionalTracer(scene, geometry.apply(scene));
+                heard.accept(tracer.trace(workers, tiles(scene, region), new Progress() {
                     @Override
                     public void tiles(int done, int total) {}
 

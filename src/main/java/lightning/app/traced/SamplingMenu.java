@@ -1,16 +1,13 @@
 package lightning.app.traced;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Locale;
-import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import javafx.scene.control.Menu;
-import javafx.scene.control.MenuItem;
-import javafx.scene.control.RadioMenuItem;
 import javafx.scene.control.SeparatorMenuItem;
-import javafx.scene.control.ToggleGroup;
+import lightning.app.command.CommandItems;
 import lightning.app.model.EditorModel;
 import lightning.edit.Change;
+import lightning.edit.Command;
 import lightning.scene.Antialias;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
@@ -21,42 +18,26 @@ public final class SamplingMenu {
 
     private SamplingMenu() {}
 
-    /** @param prefix of the items' ids, which end in {@code off}, {@code edges}, {@code every}, and {@code 2} to {@code 8} */
-    public static Menu of(EditorModel model, String prefix) {
-        List<MenuItem> items = new ArrayList<>();
-        var which = new ToggleGroup();
+    /** @param items make the menu's items; the ids end in {@code off}, {@code edges}, {@code every}, and {@code 2} to {@code 8} */
+    public static Menu of(EditorModel model, CommandItems items) {
+        Menu menu = items.menu(Command.ANTIALIAS);
         for (Antialias antialias : Antialias.values()) {
-            items.add(item(model, prefix + "-" + antialias.name().toLowerCase(Locale.ROOT), title(antialias), which,
-                    now -> new Sampling(antialias, now.grid()), now -> now.antialias() == antialias));
+            menu.getItems().add(items.choice(Command.ANTIALIAS, "antialias-" + antialias.name().toLowerCase(Locale.ROOT), title(antialias),
+                    model.sceneProperty().map(s -> sampling(s).antialias() == antialias),
+                    () -> choose(model, now -> new Sampling(antialias, now.grid()))));
         }
-        items.add(new SeparatorMenuItem());
-        var grids = new ToggleGroup();
+        menu.getItems().add(new SeparatorMenuItem());
         for (int grid : GRIDS) {
-            MenuItem item = item(model, prefix + "-" + grid, grid + " × " + grid + " Samples in Such a Pixel", grids,
-                    now -> new Sampling(now.antialias(), grid), now -> now.grid() == grid);
-            model.sceneProperty().subscribe(s -> item.setDisable(!sampling(s).isFine()));
-            items.add(item);
+            menu.getItems().add(items.choice(Command.SAMPLES, "antialias-" + grid, grid + " × " + grid + " Samples in Such a Pixel",
+                    model.sceneProperty().map(s -> sampling(s).grid() == grid),
+                    () -> choose(model, now -> new Sampling(now.antialias(), grid))));
         }
-        var menu = new Menu("Anti-Aliasing");
-        menu.setId(prefix);
-        menu.getItems().setAll(items);
         return menu;
     }
 
-    private interface Choice {
-        Sampling from(Sampling now);
-    }
-
-    private static MenuItem item(EditorModel model, String id, String title, ToggleGroup group, Choice choice,
-            Predicate<Sampling> chosen) {
-        var item = new RadioMenuItem(title);
-        item.setId(id);
-        item.setToggleGroup(group);
-        item.setOnAction(
-                _ -> model.edit(scene -> Change.of(() -> scene.withPicture(scene.picture().withSampling(choice.from(sampling(scene))))))
-                        .ifPresent(model::say));
-        model.sceneProperty().subscribe(s -> item.setSelected(chosen.test(sampling(s))));
-        return item;
+    private static void choose(EditorModel model, UnaryOperator<Sampling> choice) {
+        model.edit(scene -> Change.of(() -> scene.withPicture(scene.picture().withSampling(choice.apply(sampling(scene))))))
+                .ifPresent(model::say);
     }
 
     private static Sampling sampling(Scene scene) {

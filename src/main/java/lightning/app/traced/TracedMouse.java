@@ -1,6 +1,7 @@
 package lightning.app.traced;
 
 import java.util.function.Consumer;
+import java.util.function.Function;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
@@ -18,7 +19,10 @@ import lightning.app.model.EditorModel;
 import lightning.app.model.Sentence;
 import lightning.app.model.TracedRaster;
 import lightning.app.widget.PictureView;
+import lightning.edit.loop.Frame;
+import lightning.scene.Picture;
 import lightning.scene.Scene;
+import lightning.trace.Geometry;
 
 /**
  * The mouse over the traced picture: says what a pixel is made of, selects the light that matters most there, picks
@@ -113,9 +117,10 @@ final class TracedMouse implements AutoCloseable {
         if (model.frame() == null) {
             return;
         }
-        Scene scene = model.frame().scene();
-        picture.pixel(e.getX(), e.getY()).filter(p -> p.x() < scene.picture().width() && p.y() < scene.picture().height())
-                .ifPresentOrElse(p -> inspector.ask(scene, p.x(), p.y(), report -> {
+        Frame shown = model.frame();
+        Picture size = shown.scene().picture();
+        picture.pixel(e.getX(), e.getY()).filter(p -> p.x() < size.width() && p.y() < size.height())
+                .ifPresentOrElse(p -> inspector.ask(shown, p.x(), p.y(), report -> {
                     if (picture.isHover()) {
                         hovered.accept(report);
                     }
@@ -166,7 +171,7 @@ final class TracedMouse implements AutoCloseable {
 
     private void offer(MouseEvent e) {
         if (model.frame() != null) {
-            picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.ask(model.frame().scene(), p.x(), p.y(),
+            picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.ask(model.frame(), p.x(), p.y(),
                     report -> menu.show(picture, report.shape(), e.getScreenX(), e.getScreenY())));
         }
     }
@@ -176,7 +181,10 @@ final class TracedMouse implements AutoCloseable {
                 .plus(to.x(), to.y(), to.x() + 1, to.y() + 1);
         TracedRaster.Pixels shown = model.raster().pixels();
         Scene scene = model.scene().withPicture(model.scene().picture().withSize(shown.width(), shown.height()));
-        regions.trace(scene, part, film -> {
+        Frame known = model.frame();
+        Function<Scene, Geometry> geometry =
+                known == null ? Geometry::new : s -> known.geometry().forScene(s, known.geometry().mirrors());
+        regions.trace(scene, geometry, part, film -> {
             model.raster().patch(film, part);
             patched = scene;
             model.window().execute(model::repaint);
@@ -187,7 +195,7 @@ final class TracedMouse implements AutoCloseable {
         if (model.frame() == null) {
             return;
         }
-        picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.ask(model.frame().scene(), p.x(), p.y(), report -> {
+        picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.ask(model.frame(), p.x(), p.y(), report -> {
             if (pick == null) {
                 report.strongest().ifPresent(model::selectLight);
             } else if (report.point() == null) {

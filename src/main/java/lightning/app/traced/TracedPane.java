@@ -10,21 +10,23 @@ import javafx.scene.control.MenuButton;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.accuracy.Verification;
+import lightning.app.command.CommandButton;
+import lightning.app.command.CommandItems;
 import lightning.app.model.EditorModel;
-import lightning.app.model.RenderState;
 import lightning.app.model.Sentence;
 import lightning.app.model.TracedRaster;
 import lightning.app.widget.Lasting;
 import lightning.app.widget.Obstacle;
 import lightning.app.widget.PaneHeader;
 import lightning.app.widget.PictureView;
-import lightning.app.widget.ZoomButtons;
 import lightning.edit.Command;
 import lightning.edit.Situation;
+import lightning.edit.loop.RenderState;
 import lightning.effects.Effect;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
@@ -33,15 +35,11 @@ import lightning.scene.VisiblePart;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignE;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 
 /** The ray-traced canvas: the picture, what it does not show yet, how far it is, and what a pixel of it is made of. */
 public final class TracedPane extends BorderPane implements AutoCloseable {
     private static final Insets BADGES = new Insets(12);
-    private static final String NOT_PLAIN = "The view does not show the whole picture";
-    private static final String REGION_HINT =
-            "Trace a region alone: drag a frame in the picture; it shows the edits that are not rendered yet";
+    private static final double ZOOM = 1.5;
 
     private final EditorModel model;
     private final PictureView picture = new PictureView();
@@ -58,7 +56,6 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private final Obstacle comparing =
             new Obstacle(compareBox, compare, "Compare: the snapshot on the left, the picture on the right; drag to wipe");
     private final TracedMouse mouse;
-    private final LightPlacer placer;
     private TracedRaster.Pixels shown;
 
     public TracedPane(EditorModel model) {
@@ -78,7 +75,12 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             pixelLine.setText(report == null ? "" : report.headline());
             card.setText(report == null ? "" : String.join("\n", report.lightLines()));
         });
-        placer = new LightPlacer(model, mouse::pickNext);
+        LightPlacer.addTo(model, mouse::pickNext);
+        model.setSwitch(Command.REGION, mouse.regionProperty());
+        model.setAction(Command.TRACED_FIT, picture::fit);
+        model.setAction(Command.TRACED_ONE_TO_ONE, picture::oneToOne);
+        model.setAction(Command.TRACED_ZOOM_IN, () -> picture.zoomBy(ZOOM));
+        model.setAction(Command.TRACED_ZOOM_OUT, () -> picture.zoomBy(1 / ZOOM));
         model.setAction(Command.PICK_MATERIAL,
                 () -> mouse.pickNext("Click the shape whose material to edit", at -> model.materials().chooseOf(at.shape())));
         mirrors.setTooltip(new Tooltip("As in 1998, mirrors are updated on demand.\nA click here does it, and F6."));
@@ -125,52 +127,11 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         model.renderingProperty().subscribe(_ -> mark());
     }
 
-    /** Where the picture is magnified and moved. */
-    public PictureView picture() {
-        return picture;
-    }
-
-    public LightPlacer placer() {
-        return placer;
-    }
-
-    /** The next drag frames a region that is traced alone. */
-    public void frameRegion() {
-        if (isPlain()) {
-            mouse.regionProperty().set(true);
-        } else {
-            model.say(NOT_PLAIN);
-        }
-    }
-
-    /** Whether the canvas shows the picture itself. */
-    private boolean isPlain() {
-        var frame = model.renderingProperty().get().frame();
-        return frame == null || frame.look().isPlain();
-    }
-
     private Node header() {
-        var region = new ToggleButton("", new FontIcon(MaterialDesignS.SELECTION_DRAG));
-        region.setId("region");
-        region.setAccessibleText("Trace a region");
-        region.selectedProperty().bindBidirectional(mouse.regionProperty());
-        region.getStyleClass().add("button-icon");
-        var regionBox = new StackPane(region);
-        var obstacle = new Obstacle(regionBox, region, REGION_HINT);
-        model.renderingProperty().subscribe(_ -> obstacle.set(isPlain() ? Optional.empty() : Optional.of(NOT_PLAIN)));
-        return new PaneHeader("Ray traced", difference, only(), snapshot(), compareBox, new ExposureControl(model), viewMenu(), regionBox,
-                ZoomButtons.of(picture, "traced"));
-    }
-
-    private ToggleButton only() {
-        var only = new ToggleButton("", new FontIcon(MaterialDesignF.FILTER_OUTLINE));
-        only.setId("only-selected");
-        only.setAccessibleText("Only the selected light");
-        only.setTooltip(
-                new Tooltip("Only the selected light\nShow what it gives to the picture, in mirrors too: no ambience, no background."));
-        only.getStyleClass().add("button-icon");
-        only.selectedProperty().bindBidirectional(model.look().onlySelectedProperty());
-        return only;
+        var zoom = new HBox(CommandButton.icon(model, Command.TRACED_FIT), CommandButton.icon(model, Command.TRACED_ONE_TO_ONE));
+        zoom.setAlignment(Pos.CENTER);
+        return new PaneHeader("Ray traced", difference, CommandButton.icon(model, Command.ONLY_SELECTED), snapshot(), compareBox,
+                new ExposureControl(model), viewMenu(), CommandButton.icon(model, Command.REGION), zoom);
     }
 
     private MenuButton viewMenu() {
@@ -179,7 +140,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         menu.setAccessibleText("How the picture is shown");
         menu.setTooltip(new Tooltip("How the picture is shown\nThe display's curve, and effects to hide. No part of the scene."));
         menu.getStyleClass().addAll("button-icon", "flat");
-        menu.getItems().setAll(ViewItems.of(model, "view"));
+        menu.getItems().setAll(ViewItems.of(model, CommandItems.of(model, "view-")));
         return menu;
     }
 
@@ -209,6 +170,11 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             picture.requestLayout();
             model.say("Snapshot kept");
         }
+    }
+
+    /** Whether there is no picture in it yet. */
+    public boolean isEmpty() {
+        return picture.emptyProperty().get();
     }
 
     /** How the picture is behind the edits; empty where it is not. */

@@ -27,8 +27,8 @@ final class CurveSections {
         if (!results.drift().isEmpty()) {
             page.open("section", "id", "drift");
             page.leaf("h2", "Drift");
-            page.leaf("p", "After many edits in a row, how far is a picture from a full trace? Level exact starts from the stored rows "
-                    + "each time; level ratio multiplies what it has, knows a bound of its error, and computes anew before that could show.",
+            page.leaf("p", "After many edits in a row, how far is a picture from a full trace? Grade exact starts from the stored rows "
+                    + "each time; grade ratio multiplies what it has, knows a bound of its error, and computes anew before that could show.",
                     "class", "lead");
             page.open("div", "class", "charts");
             results.drift().forEach(drift -> drift(page, drift));
@@ -55,7 +55,7 @@ final class CurveSections {
         }
         int refreshes = drift.points().stream().mapToInt(DriftPoint::refreshes).max().orElse(0);
         SceneSection.figure(page, drift.scene() + ", " + drift.width() + " × " + drift.height(),
-                "Largest difference of any value (linear) against the number of edits. Level ratio "
+                "Largest difference of any value (linear) against the number of edits. Grade ratio "
                         + (refreshes == 0 ? "never had to compute anew." : "computed anew " + refreshes + " times."),
                 CurveChart.svg("Error after many edits", curves, WIDTH, HEIGHT, Numbers::tick,
                         at -> Numbers.power((int) Math.round(Math.log10(at)))));

@@ -3,17 +3,17 @@ package lightning.bench.report;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
 import lightning.accuracy.PictureError;
 import lightning.bench.EditResult;
 import lightning.bench.RungResult;
 import lightning.bench.SceneResult;
 import lightning.bench.ValueResult;
 
-/** Each edit by itself: its pictures to wipe between, its levels, its error against time. */
+/** Each edit by itself: its pictures to wipe between, its grades, its error against time. */
 final class EditPictures {
     /** A picture with the words for it. */
-    private record Shown(String name, String style, Level level) {}
+    private record Shown(String name, String style, Grade grade) {}
 
     private EditPictures() {}
 
@@ -40,27 +40,27 @@ final class EditPictures {
         List<Shown> differences = new ArrayList<>();
         add(shown, "before", book.picture(scene.before()), null);
         for (RungResult rung : value.rungs()) {
-            add(shown, rung.level().label(), book.picture(rung.picture()), rung.level());
-            add(differences, rung.level().label(), book.difference(rung.difference()), rung.level());
+            add(shown, rung.grade().label(), book.picture(rung.picture()), rung.grade());
+            add(differences, rung.grade().label(), book.difference(rung.difference()), rung.grade());
         }
         if (shown.size() < 2) {
             return;
         }
         String shape = String.format(Locale.ROOT, "aspect-ratio:%d/%d", scene.width(), scene.height());
-        int after = index(shown, Level.EXACT, shown.size() - 1);
+        int after = index(shown, Grade.EXACT, shown.size() - 1);
         wipe(page, shown, differences, after, shape);
         side(page, shown, differences, after, shape);
     }
 
-    private static void add(List<Shown> to, String name, String style, Level level) {
+    private static void add(List<Shown> to, String name, String style, Grade grade) {
         if (style != null) {
-            to.add(new Shown(name, style, level));
+            to.add(new Shown(name, style, grade));
         }
     }
 
-    private static int index(List<Shown> shown, Level level, int otherwise) {
+    private static int index(List<Shown> shown, Grade grade, int otherwise) {
         for (int i = 0; i < shown.size(); i++) {
-            if (shown.get(i).level == level) {
+            if (shown.get(i).grade == grade) {
                 return i;
             }
         }
@@ -84,14 +84,14 @@ final class EditPictures {
         page.open("div", "class", "view");
         page.open("div", "class", "stage", "style", shape);
         page.leaf("p", "equal in every bit", "class", "equal");
-        int of = index(differences, shown.get(after).level, -1);
+        int of = index(differences, shown.get(after).grade, -1);
         page.leaf("div", "", "class", "pic difference " + (of < 0 ? "" : differences.get(of).style));
         page.close();
         page.open("div", "class", "controls").open("label").text("difference to the full trace ");
-        page.open("select", "class", "of", "aria-label", "difference of which level");
+        page.open("select", "class", "of", "aria-label", "difference of which grade");
         for (Shown s : shown) {
-            if (s.level != null && s.level != Level.FULL_TRACE) {
-                int i = index(differences, s.level, -1);
+            if (s.grade != null && s.grade != Grade.FULL_TRACE) {
+                int i = index(differences, s.grade, -1);
                 page.leaf("option", s.name, "value", i < 0 ? "" : differences.get(i).style, "selected",
                         s == shown.get(after) ? "selected" : null);
             }
@@ -113,11 +113,11 @@ final class EditPictures {
         page.open("div", "class", "side");
         picture(page, shown.getFirst().name, shown.getFirst().style, shape);
         picture(page, shown.get(after).name, shown.get(after).style, shape);
-        int full = index(shown, Level.FULL_TRACE, -1);
+        int full = index(shown, Grade.FULL_TRACE, -1);
         if (full >= 0 && full != after) {
             picture(page, shown.get(full).name, shown.get(full).style, shape);
         }
-        int of = index(differences, shown.get(after).level, -1);
+        int of = index(differences, shown.get(after).grade, -1);
         if (of >= 0) {
             picture(page, "difference, false colours", differences.get(of).style, shape);
         }
@@ -135,7 +135,7 @@ final class EditPictures {
         page.ready(LadderChart.svg("Error against time of " + edit.edit(), value.rungs().stream().map(EditPictures::point).toList(), 380,
                 240));
         page.leaf("p", "RMSE against time, ms", "class", "axes").close();
-        try (Table table = new Table(page, "tight", value.value(), "level", "time", "saves", "values differ", "ulp", "largest", "RMSE",
+        try (Table table = new Table(page, "tight", value.value(), "grade", "time", "saves", "values differ", "ulp", "largest", "RMSE",
                 "PSNR", "SSIM", "ꟻLIP")) {
             value.rungs().forEach(rung -> row(table, rung));
         }
@@ -143,15 +143,15 @@ final class EditPictures {
     }
 
     private static LadderChart.Point point(RungResult rung) {
-        return new LadderChart.Point(rung.level(), rung.time().lowerQuartile(), rung.time().median(), rung.time().upperQuartile(),
+        return new LadderChart.Point(rung.grade(), rung.time().lowerQuartile(), rung.time().median(), rung.time().upperQuartile(),
                 rung.error().rmse());
     }
 
     private static void row(Table table, RungResult rung) {
         PictureError e = rung.error();
-        table.row(rung.level().label(), Numbers.ms(rung.time().median()), Numbers.percent(rung.saving()),
+        table.row(rung.grade().label(), Numbers.ms(rung.time().median()), Numbers.percent(rung.saving()),
                 Numbers.share(e.values(), e.of()), Numbers.grouped(e.maxUlp()), Numbers.error(e.maxAbsolute()),
-                Numbers.error(e.rmse()), LevelSummary.decibels(e.displayPsnr()), LevelSummary.similarity(e.ssim()),
+                Numbers.error(e.rmse()), GradeSummary.decibels(e.displayPsnr()), GradeSummary.similarity(e.ssim()),
                 Numbers.error(e.flip()));
     }
 }

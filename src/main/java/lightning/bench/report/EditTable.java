@@ -1,7 +1,7 @@
 package lightning.bench.report;
 
 import java.util.Optional;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
 import lightning.bench.EditResult;
 import lightning.bench.RungResult;
 import lightning.bench.SceneResult;
@@ -12,7 +12,7 @@ final class EditTable {
     private EditTable() {}
 
     static void write(Markup page, SceneResult scene) {
-        try (Table table = new Table(page, "plans", "Each edit at level exact: work of its first value, savings averaged over all values.",
+        try (Table table = new Table(page, "plans", "Each edit at grade exact: work of its first value, savings averaged over all values.",
                 "edit", "plan", "rows touched", "shadow rays", "avoided", "time", "full trace", "saves", "paper", "cap",
                 "saves with mirrors updated", "kept current", "above floor")) {
             scene.edits().forEach(edit -> row(table, edit));
@@ -20,16 +20,16 @@ final class EditTable {
     }
 
     private static void row(Table table, EditResult edit) {
-        Optional<RungResult> exact = LevelSummary.first(edit, Level.EXACT);
+        Optional<RungResult> exact = GradeSummary.first(edit, Grade.EXACT);
         Optional<Work> work = exact.map(RungResult::work);
         table.row(edit.edit(), work.map(Work::plan).orElse("–"), work.map(w -> Numbers.grouped(w.rowsTouched())).orElse("–"),
                 work.map(w -> Numbers.grouped(w.shadowRays())).orElse("–"),
                 work.map(w -> Numbers.grouped(w.shadowRaysAvoided())).orElse("–"),
                 exact.map(r -> Numbers.ms(r.time().median())).orElse("–"),
-                LevelSummary.first(edit, Level.FULL_TRACE).map(r -> Numbers.ms(r.time().median())).orElse("–"),
+                GradeSummary.first(edit, Grade.FULL_TRACE).map(r -> Numbers.ms(r.time().median())).orElse("–"),
                 Numbers.percent(edit.saving()), Numbers.percent(edit.paperSaving()), Numbers.percent(edit.cap()),
-                Numbers.percent(LevelSummary.saving(edit, Level.EXACT_UPDATED)),
-                Numbers.percent(LevelSummary.saving(edit, Level.EXACT_CURRENT)),
+                Numbers.percent(GradeSummary.saving(edit, Grade.EXACT_UPDATED)),
+                Numbers.percent(GradeSummary.saving(edit, Grade.EXACT_CURRENT)),
                 work.filter(w -> !Double.isNaN(w.timesFloor())).map(w -> "×\u202f" + Numbers.plain(w.timesFloor())).orElse("–"));
     }
 }

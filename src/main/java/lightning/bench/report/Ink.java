@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
 
 /**
  * The colours of charts. In the page each is a variable of the style sheet, {@code --paper} and so on, so that they change
@@ -48,8 +48,8 @@ enum Ink {
         return ink == null ? String.format(Locale.ROOT, "rgb(%d,%d,%d)", red, green, blue) : ink.variable();
     }
 
-    static Ink of(Level level) {
-        return switch (level) {
+    static Ink of(Grade grade) {
+        return switch (grade) {
             case HALF_RESOLUTION -> ORANGE;
             case FAST_SHADING -> RED;
             case RATIO -> PURPLE;

@@ -3,7 +3,7 @@ package lightning.bench.report;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
 import lightning.bench.EditResult;
 import lightning.bench.Results;
 import lightning.bench.RungResult;
@@ -20,16 +20,16 @@ final class KeyNumbers {
         }
         double[] savings = sorted(edits.stream().mapToDouble(EditResult::saving));
         List<RungResult> current = edits.stream().flatMap(edit -> edit.values().stream()).flatMap(value -> value.rungs().stream())
-                .filter(rung -> rung.level() == Level.EXACT_CURRENT).toList();
+                .filter(rung -> rung.grade() == Grade.EXACT_CURRENT).toList();
         long equal = current.stream().filter(rung -> rung.error().values() == 0).count();
         double[] first = sorted(results.scenes().stream().map(SceneResult::firstPass).filter(f -> f != null)
                 .mapToDouble(f -> f.percentSlower()));
         page.open("dl", "class", "key");
-        number(page, Numbers.percent(median(savings)), "of a full trace is saved by the median edit at level exact, "
+        number(page, Numbers.percent(median(savings)), "of a full trace is saved by the median edit at grade exact, "
                 + "the full trace being the fastest that the program can make");
         worst(page, results);
         number(page, Numbers.grouped(equal) + " of " + Numbers.grouped(current.size()),
-                "pictures of level exact with current mirrors equal the full trace in every bit");
+                "pictures of grade exact with current mirrors equal the full trace in every bit");
         number(page, Numbers.percent(median(first)), "is what the median first pass takes beyond a full trace, to keep what edits need");
         page.close();
     }

@@ -3,7 +3,7 @@ package lightning.bench.report;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYErrorRenderer;
 import org.jfree.chart.renderer.xy.XYStepRenderer;
@@ -13,15 +13,15 @@ import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 
 /**
- * Error against time on logarithmic axes, one point for each level of accuracy, quartiles of time as whiskers, and the front
- * of Pareto: the levels than which no other is both faster and closer. Pictures without any error have a line of their own.
+ * Error against time on logarithmic axes, one point for each grade of accuracy, quartiles of time as whiskers, and the front
+ * of Pareto: the grades than which no other is both faster and closer. Pictures without any error have a line of their own.
  */
 final class LadderChart {
     /** Where all pictures are equal. */
     private static final double LEAST_ERROR = 1e-7;
 
-    /** One level: its time in milliseconds, and its error, ≥ 0. */
-    record Point(Level level, double lower, double median, double upper, double error) {
+    /** One grade: its time in milliseconds, and its error, ≥ 0. */
+    record Point(Grade grade, double lower, double median, double upper, double error) {
         private boolean isPlausible() {
             return Charts.plausible(lower) && Charts.plausible(median) && Charts.plausible(upper) && Charts.plausibleOrZero(error);
         }
@@ -41,15 +41,15 @@ final class LadderChart {
                 new DecadeAxis(zero / 2.4, top, at -> at < 1.5 * zero ? "0" : Numbers.power((int) Math.round(Math.log10(at)))));
         plot.setDataset(0, front(points, zero, top));
         plot.setRenderer(0, steps());
-        plot.setDataset(1, levels(points, zero, top));
+        plot.setDataset(1, grades(points, zero, top));
         plot.setRenderer(1, dots(points));
         PointLabels labels = new PointLabels(false);
-        points.forEach(p -> labels.add(p.median, shown(p.error, zero, top), p.level.label(), Ink.TEXT.color()));
+        points.forEach(p -> labels.add(p.median, shown(p.error, zero, top), p.grade.label(), Ink.TEXT.color()));
         plot.addAnnotation(labels);
         return ChartSvg.of(PlotLook.chart(plot), width, height, label);
     }
 
-    /** The levels than which none is as fast and closer, or faster and as close: the fastest first. */
+    /** The grades than which none is as fast and closer, or faster and as close: the fastest first. */
     static List<Point> paretoFront(List<Point> points) {
         List<Point> front = new ArrayList<>();
         List<Point> byTime = points.stream().sorted(Comparator.comparingDouble(Point::median).thenComparingDouble(Point::error)).toList();
@@ -71,15 +71,15 @@ final class LadderChart {
         return new XYSeriesCollection(front);
     }
 
-    private static XYIntervalSeriesCollection levels(List<Point> points, double zero, double top) {
-        XYIntervalSeriesCollection levels = new XYIntervalSeriesCollection();
+    private static XYIntervalSeriesCollection grades(List<Point> points, double zero, double top) {
+        XYIntervalSeriesCollection grades = new XYIntervalSeriesCollection();
         for (Point p : points) {
-            XYIntervalSeries series = new XYIntervalSeries(p.level);
+            XYIntervalSeries series = new XYIntervalSeries(p.grade);
             double y = shown(p.error, zero, top);
             series.add(p.median, p.lower, p.upper, y, y, y);
-            levels.addSeries(series);
+            grades.addSeries(series);
         }
-        return levels;
+        return grades;
     }
 
     private static XYStepRenderer steps() {
@@ -96,10 +96,10 @@ final class LadderChart {
         renderer.setErrorStroke(PlotLook.HAIRLINE);
         renderer.setCapLength(4);
         for (int i = 0; i < points.size(); i++) {
-            Level level = points.get(i).level;
-            renderer.setSeriesPaint(i, Ink.of(level).color());
-            renderer.setSeriesShape(i, PlotLook.shape(level));
-            renderer.setSeriesShapesFilled(i, level != Level.EXACT);
+            Grade grade = points.get(i).grade;
+            renderer.setSeriesPaint(i, Ink.of(grade).color());
+            renderer.setSeriesShape(i, PlotLook.shape(grade));
+            renderer.setSeriesShapesFilled(i, grade != Grade.EXACT);
             renderer.setSeriesStroke(i, PlotLook.LINE);
         }
         return renderer;

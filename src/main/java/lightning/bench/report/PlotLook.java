@@ -5,7 +5,7 @@ import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.Axis;
 import org.jfree.chart.axis.AxisLocation;
@@ -80,9 +80,9 @@ final class PlotLook {
         axis.setTickLabelPaint(Ink.MUTED.color());
     }
 
-    /** Each level has a shape of its own too, for those who print in black. */
-    static Shape shape(Level level) {
-        return switch (level) {
+    /** Each grade has a shape of its own too, for those who print in black. */
+    static Shape shape(Grade grade) {
+        return switch (grade) {
             case HALF_RESOLUTION -> new Rectangle2D.Double(-4, -4, 8, 8);
             case FAST_SHADING -> polygon(0, -5, 5, 4, -5, 4);
             case RATIO -> polygon(0, -5.5, 5.5, 0, 0, 5.5, -5.5, 0);

@@ -95,9 +95,9 @@ final class RunSection {
     static void writeMethod(Markup page, Run run) {
         page.open("section", "id", "method");
         page.leaf("h2", "How it was measured");
-        page.leaf("p", "Each edit's levels of accuracy and the full trace run in turns, again and again, so that whatever slows the "
+        page.leaf("p", "Each edit's grades of accuracy and the full trace run in turns, again and again, so that whatever slows the "
                 + "machine for a while slows all of them; " + run.repetitions() + " samples each, after warming up until no work "
-                + "becomes faster. Times are medians, whiskers quartiles. No level is timed before its picture was compared with a "
+                + "becomes faster. Times are medians, whiskers quartiles. No grade is timed before its picture was compared with a "
                 + "trace from nothing. A saving is what an edit spares of the time of the traditional full trace, the fastest that "
                 + "the program can make, which keeps nothing; the paper's are of its own scene on a computer of 1998.");
         page.leaf("p", "The cap is what an edit could save if it cast its rays as fast as the full trace casts its own and moved its "

@@ -2,7 +2,8 @@ package lightning.bench.report;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
+import lightning.bench.Cold;
 import lightning.bench.EditResult;
 import lightning.bench.FirstPass;
 import lightning.bench.Peer;
@@ -24,20 +25,23 @@ final class SceneSection {
         page.open("section", "id", id, "class", "scene");
         page.leaf("h2", title(scene));
         lead(page, scene);
-        List<LevelSummary> levels = LevelSummary.of(scene);
+        List<GradeSummary> grades = GradeSummary.of(scene);
         if (!scene.edits().isEmpty()) {
             page.open("div", "class", "charts").open("div");
             shares(page, scene);
             page.close().open("div");
-            ladder(page, levels);
+            ladder(page, grades);
             floors(page, scene);
             page.close().close();
-            LevelSummary.table(page, levels);
+            GradeSummary.table(page, grades);
             EditTable.write(page, scene);
         }
         EffectTable.write(page, scene);
         if (scene.peer() != null) {
             peer(page, scene.peer());
+        }
+        if (scene.cold() != null) {
+            cold(page, scene.cold());
         }
         EditPictures.write(page, id, scene, book);
         page.close();
@@ -60,26 +64,26 @@ final class SceneSection {
         for (EditResult edit : scene.edits()) {
             if (!edit.figure().isEmpty()) {
                 bars.add(new ShareChart.Bar(edit.edit() + " (" + edit.figure() + ")", 100 - edit.paperSaving(), 100 - edit.saving(),
-                        100 - LevelSummary.saving(edit, Level.EXACT_UPDATED), 100 - edit.cap()));
+                        100 - GradeSummary.saving(edit, Grade.EXACT_UPDATED), 100 - edit.cap()));
             }
         }
         figure(page, "The paper's figures, redrawn", "Time of each edit in percent of the full trace's: shorter is better.",
                 ShareChart.svg("Time of each edit beside the paper's", bars),
-                Ink.PAPER, "the paper, 1998, on its own scene", Ink.OURS, "level exact, mirrors as they were", Ink.SKY,
+                Ink.PAPER, "the paper, 1998, on its own scene", Ink.OURS, "grade exact, mirrors as they were", Ink.SKY,
                 "mirrors updated too", Ink.TEXT, "tick: least that ray counts and memory allow");
     }
 
-    private static void ladder(Markup page, List<LevelSummary> levels) {
+    private static void ladder(Markup page, List<GradeSummary> grades) {
         figure(page, "What accuracy costs", "Error (RMSE, the largest of all edits) against time (ms, median of all edits). "
-                + "Dashed: the front of Pareto; a level off it is beaten in both.",
-                LadderChart.svg("Error against time of each level of accuracy", levels.stream().map(LevelSummary::point).toList(), 550,
+                + "Dashed: the front of Pareto; a grade off it is beaten in both.",
+                LadderChart.svg("Error against time of each grade of accuracy", grades.stream().map(GradeSummary::point).toList(), 550,
                         330));
     }
 
     private static void floors(Markup page, SceneResult scene) {
         List<FloorChart.Row> rows = new ArrayList<>();
         for (EditResult edit : scene.edits()) {
-            LevelSummary.first(edit, Level.EXACT).filter(rung -> rung.work() != null).ifPresent(rung -> {
+            GradeSummary.first(edit, Grade.EXACT).filter(rung -> rung.work() != null).ifPresent(rung -> {
                 if (Charts.plausible(rung.work().floorMs()) && Charts.plausible(rung.time().median())) {
                     rows.add(new FloorChart.Row(edit.edit(), rung.work().floorMs(), rung.time().median()));
                 }
@@ -87,7 +91,7 @@ final class SceneSection {
         }
         if (!rows.isEmpty()) {
             figure(page, "How far above the floor",
-                    "Time of each edit (ms, level exact) beside the time that memory needs to move its bytes.",
+                    "Time of each edit (ms, grade exact) beside the time that memory needs to move its bytes.",
                     FloorChart.svg("Time of each edit beside its memory floor", rows),
                     Ink.OURS, "measured, and how many times the floor", Ink.TEXT, "tick: the floor");
         }
@@ -98,6 +102,14 @@ final class SceneSection {
                 + Numbers.ms(peer.fullTrace().median()) + ", " + Numbers.plain(peer.ratio()) + " times as fast. The pictures agree in "
                 + Numbers.percent(100 * peer.agreement()) + " of pixels (" + peer.measure() + ")."
                 + (peer.losses().isEmpty() ? "" : " It cannot say exactly: " + String.join("; ", peer.losses()) + "."), "class", "peer");
+    }
+
+    private static void cold(Markup page, Cold cold) {
+        String ours = "From cold: a whole process of 'lightning render' takes " + Numbers.ms(cold.process().median())
+                + (cold.processor() == null ? "" : " and " + Numbers.ms(cold.processor().median()) + " of processor time");
+        page.leaf("p", ours + (cold.rival() == null ? "." : "; that of " + cold.rival().program() + " takes "
+                + Numbers.ms(cold.rival().process().median()) + ", so ours takes " + Numbers.percent(100 * cold.rival().share())
+                + " of its time."), "class", "peer");
     }
 
     /** A chart with a title, a line that says what its axes are, and a legend of inks and their meanings. */

@@ -7,7 +7,8 @@ import java.util.Locale;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
+import lightning.bench.Cold;
 import lightning.bench.Drift;
 import lightning.bench.EditResult;
 import lightning.bench.EffectResult;
@@ -15,6 +16,7 @@ import lightning.bench.Growth;
 import lightning.bench.GrowthPoint;
 import lightning.bench.Results;
 import lightning.bench.RungResult;
+import lightning.bench.Samples;
 import lightning.bench.SceneResult;
 
 /** The tables of a run as Markdown, for documents: each is named, and made from the results alone. */
@@ -27,7 +29,8 @@ public final class Tables {
 
     /** The names of all tables. */
     public static List<String> names() {
-        return List.of("run", "scenes", "savings", "ladder", "composing", "drift", "growth", "effects in use", "effects absent", "peer");
+        return List.of("run", "scenes", "savings", "ladder", "composing", "drift", "growth", "effects in use", "effects absent", "peer",
+                "cold");
     }
 
     /**
@@ -47,6 +50,7 @@ public final class Tables {
             case "effects in use" -> effects(true);
             case "effects absent" -> effects(false);
             case "peer" -> peers();
+            case "cold" -> cold();
             default -> throw new IllegalArgumentException("there is no table '" + name + "'");
         };
     }
@@ -94,22 +98,22 @@ public final class Tables {
     }
 
     private String ladder() {
-        return table(List.of("scene", "level", "ms", "saves %", "worst RMSE", "worst ꟻLIP", "most values that differ %"),
-                large().flatMap(s -> LevelSummary.of(s).stream().map(l -> List.of(s.scene(), l.level().label(), number(l.median()),
+        return table(List.of("scene", "grade", "ms", "saves %", "worst RMSE", "worst ꟻLIP", "most values that differ %"),
+                large().flatMap(s -> GradeSummary.of(s).stream().map(l -> List.of(s.scene(), l.grade().label(), number(l.median()),
                         number(l.saving()), error(l.rmse()), error(l.flip()), number(l.percentDiffering())))));
     }
 
     private String floors() {
         return table(List.of("scene", "edit", "ms", "floor ms", "times the floor"), large().flatMap(s -> s.edits().stream()
                 .filter(e -> List.of("color", "attenuation", "position").contains(e.edit())).map(e -> {
-                    RungResult exact = e.values().getFirst().rungs().get(Level.EXACT.ordinal());
+                    RungResult exact = e.values().getFirst().rungs().get(Grade.EXACT.ordinal());
                     return List.of(s.scene(), e.edit(), number(exact.time().median()), number(exact.work().floorMs()),
                             number(exact.work().timesFloor()));
                 })));
     }
 
     private String drift() {
-        return table(List.of("edits", "level", "values that differ", "largest ulp", "largest difference", "bound", "refreshes"),
+        return table(List.of("edits", "grade", "values that differ", "largest ulp", "largest difference", "bound", "refreshes"),
                 results.drift().stream().map(Drift::points).flatMap(List::stream).map(p -> List.of(Integer.toString(p.edits()),
                         p.accuracy().name().toLowerCase(Locale.ROOT), Long.toString(p.error().values()), Long.toString(p.error().maxUlp()),
                         error(p.error().maxAbsolute()), error(p.bound()), Integer.toString(p.refreshes()))));
@@ -139,6 +143,23 @@ public final class Tables {
         return table(List.of("scene", "program", "its ms", "full trace ms", "times as fast", "pixels that agree %"),
                 large().filter(s -> s.peer() != null).map(s -> List.of(s.scene(), s.peer().program(), number(s.peer().time().median()),
                         number(s.peer().fullTrace().median()), number(s.peer().ratio()), number(100 * s.peer().agreement()))));
+    }
+
+    private String cold() {
+        return table(List.of("scene", "size", "process ms", "processor ms", "program", "its process ms", "its processor ms", "share",
+                "warm full trace ms"),
+                results.scenes().stream().filter(s -> s.cold() != null).map(s -> List.of(s.scene(), s.width() + "×" + s.height(),
+                        median(s.cold().process()), median(s.cold().processor()), rival(s, Cold.Rival::program),
+                        rival(s, r -> median(r.process())), rival(s, r -> median(r.processor())), rival(s, r -> number(r.share())),
+                        s.firstPass() == null ? "–" : median(s.firstPass().fullTrace()))));
+    }
+
+    private static String rival(SceneResult scene, Function<Cold.Rival, String> what) {
+        return scene.cold().rival() == null ? "–" : what.apply(scene.cold().rival());
+    }
+
+    private static String median(Samples samples) {
+        return samples == null ? "–" : number(samples.median());
     }
 
     /** Three digits, no exponent. */

@@ -5,7 +5,8 @@ import lightning.effects.ViewEffects;
 import lightning.image.Film;
 import lightning.relight.Update;
 import lightning.scene.Scene;
-import lightning.shading.Sight;
+import lightning.shading.SeenScenes;
+import lightning.trace.Geometry;
 
 /**
  * A finished picture.
@@ -16,11 +17,12 @@ import lightning.shading.Sight;
  * @param scene    what the film shows
  * @param mirrored what its mirrors show: an older scene where reflections are stale (paper §4.8)
  * @param update   how it came about
+ * @param geometry what its rays met, with the tree that it was traced with
  */
-public record Frame(Film film, Film seen, Look look, Scene scene, Scene mirrored, Update update) {
+public record Frame(Film film, Film seen, Look look, Scene scene, Scene mirrored, Update update, Geometry geometry) {
     /** What the film is said to be. */
     public Promise promise() {
-        return new Promise(new Sight(scene, mirrored), ViewEffects.ALL, update.errorBound());
+        return new Promise(new SeenScenes(scene, mirrored), ViewEffects.ALL, update.errorBound());
     }
 
     /** Whether the mirrors, if there are any, show the scene itself, as far as a picture can tell. */

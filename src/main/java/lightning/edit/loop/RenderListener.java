@@ -23,11 +23,18 @@ public interface RenderListener {
     /** A small picture of the scene that is being traced for the first time, to show enlarged until it is there. */
     default void coarse(Film film, Scene scene) {}
 
+    /**
+     * A tile of the scene that is being traced for the first time is there. From any thread.
+     *
+     * @param film its red, green and blue, each {@code float[1024]}
+     */
+    default void tile(Scene scene, int tile, float[][] film) {}
+
     /** A picture is finished, or another look at it. */
     default void rendered(Frame frame) {}
 
-    /** The last picture is dropped: see {@link RenderLoop#open}. Nothing of it is told after this. */
-    default void forgotten() {}
+    /** The last picture is dropped: see {@link RenderLoop#open}, of whose {@code number} all is that is told after this. */
+    default void forgotten(long number) {}
 
     /** It was found out what an update saves: the last one, unless a newer one was made meanwhile. */
     default void measured(WarmSaving saving) {}

@@ -1,22 +1,26 @@
 package lightning.edit.loop;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.accuracy.Promise;
 import lightning.accuracy.WarmSaving;
 import lightning.cache.PixelCache;
+import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
 import lightning.relight.MemoryNeed;
 import lightning.relight.PictureTooLarge;
+import lightning.relight.PlannedUpdate;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
 import lightning.relight.plan.Accuracy;
 import lightning.relight.plan.UpdatePlan;
 import lightning.relight.tile.Options;
 import lightning.scene.Picture;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
-import lightning.shading.TraditionalTracer;
+import lightning.work.Progress;
 import lightning.work.Workers;
 
 /**
@@ -30,9 +34,10 @@ import lightning.work.Workers;
  * }</pre>
  */
 public final class RenderLoop implements AutoCloseable {
-    /** A picture of fewer pixels is there before a coarse one could be looked at. */
-    private static final int COARSE_FROM = 512 * 512;
-    private static final int COARSE_SHARE = 8;
+    /** So many pixels coarse pictures have, about: the first is there at once in a process that has compiled nothing yet. */
+    private static final List<Integer> COARSE = List.of(2_000, 30_000);
+    /** A picture of fewer pixels for each of a coarse one is there before that could be looked at. */
+    private static final int LEAST_SHARE = 16;
     private static final long PATIENCE_MS = 10_000;
 
     private final RenderListener listener;
@@ -102,9 +107,13 @@ public final class RenderLoop implements AutoCloseable {
         verifier.cancel();
     }
 
-    /** Stops everything, drops all that is known of the picture, and renders another document's scene. */
-    public void open(Scene scene) {
-        queue.open(scene);
+    /**
+     * Stops everything, drops all that is known of the picture, and renders another document's scene.
+     *
+     * @param number told when all was dropped; larger than that of the document before
+     */
+    public void open(Scene scene, long number) {
+        queue.open(scene, number);
         verifier.cancel();
     }
 
@@ -137,7 +146,7 @@ public final class RenderLoop implements AutoCloseable {
 
             @Override
             public void rest() {
-                measure();
+                RenderLoop.this.rest();
             }
 
             @Override
@@ -156,13 +165,14 @@ public final class RenderLoop implements AutoCloseable {
             case RenderQueue.Work.Reflections _ -> mirror(stop);
             case RenderQueue.Work.Looks _ -> lookAgain(stop);
             case RenderQueue.Work.Verify _ -> handToVerifier(stop);
-            case RenderQueue.Work.Forget _ -> drop();
+            case RenderQueue.Work.Forget f -> drop(f.number());
         }
     }
 
-    /** While nobody works, what the last update saves. */
-    private void measure() {
-        verifier.measure();
+    private void rest() {
+        if (rendered != null) {
+            verifier.rest(rendered, renderer.cache().geometry());
+        }
     }
 
     private void reopen(RenderQueue.Work.Reopen work, RenderQueue.Stop stop) {
@@ -173,13 +183,13 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     private void renderScene(Scene scene, RenderQueue.Stop stop) {
-        UpdatePlan plan = renderer.plan(scene);
-        listener.started(plan);
-        if (plan instanceof UpdatePlan.FirstPass) {
+        PlannedUpdate planned = renderer.plan(scene);
+        listener.started(planned.update());
+        if (planned.update() instanceof UpdatePlan.FirstPass) {
             makeRoom(scene);
             coarse(scene, stop);
         }
-        make((r, progress) -> r.render(scene, progress), stop);
+        make((r, progress) -> r.render(planned, watched(scene, progress)), (r, progress) -> r.render(scene, progress), stop);
     }
 
     /**
@@ -205,16 +215,20 @@ public final class RenderLoop implements AutoCloseable {
         verifier.done(Optional.empty());
     }
 
-    /** Updates the picture in a way that can be done again, to measure what it saves. */
-    private void make(WarmSaving.Step step, RenderQueue.Stop stop) {
+    /**
+     * Updates the picture.
+     *
+     * @param again does the same from the beginning, planning included, to measure what it saves
+     */
+    private void make(WarmSaving.Step step, WarmSaving.Step again, RenderQueue.Stop stop) {
         PixelCache start = known();
         ViewTransform shown = view;
-        WarmSaving.Step whole = (r, progress) -> {
+        renderer.setView(shown.exposure(), shown.curve());
+        Update update = step.on(renderer, stop);
+        verifier.done(WarmSaving.Edit.of(update, start, renderer.options(), (r, progress) -> {
             r.setView(shown.exposure(), shown.curve());
-            return step.on(r, progress);
-        };
-        Update update = whole.on(renderer, stop);
-        verifier.done(WarmSaving.Edit.of(update, start, renderer.options(), whole));
+            return again.on(r, progress);
+        }));
         madeAt = renderer.options().accuracy();
         show(update, stop);
     }
@@ -224,14 +238,14 @@ public final class RenderLoop implements AutoCloseable {
         return renderer.hasPicture() && renderer.options().accuracy() == madeAt ? renderer.cache() : null;
     }
 
-    private void drop() {
+    private void drop(long number) {
         letGo();
-        listener.forgotten();
+        listener.forgotten(number);
     }
 
     private void mirror(RenderQueue.Stop stop) {
         if (rendered != null && !renderer.reflectionsAreCurrent()) {
-            make(Renderer::updateReflections, stop);
+            make(Renderer::updateReflections, Renderer::updateReflections, stop);
         }
     }
 
@@ -257,21 +271,49 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     private void tell(Film seen, Look shown) {
-        listener.rendered(new Frame(renderer.film(), seen, shown, rendered, renderer.cache().mirroredScene(), last));
+        listener.rendered(new Frame(renderer.film(), seen, shown, rendered, renderer.cache().mirroredScene(), last,
+                renderer.cache().geometry()));
     }
 
-    /** One pixel of 64: a look at the picture in a fraction of its time. */
+    /** Tells of the tiles, where it is a first pass. */
+    private Progress watched(Scene scene, Progress progress) {
+        return new Progress() {
+            @Override
+            public void tiles(int done, int total) {
+                progress.tiles(done, total);
+            }
+
+            @Override
+            public void made(int tile, float[][] film) {
+                listener.tile(scene, tile, film);
+            }
+
+            @Override
+            public boolean isCancelled() {
+                return progress.isCancelled();
+            }
+        };
+    }
+
+    /** A look at all of the picture in a fraction of its time, then a better one. */
     private void coarse(Scene scene, RenderQueue.Stop stop) {
         Picture picture = scene.picture();
-        if ((long) picture.width() * picture.height() < COARSE_FROM) {
-            return;
+        for (int pixels : COARSE) {
+            double share = (double) picture.width() * picture.height() / pixels;
+            if (share < LEAST_SHARE) {
+                return;
+            }
+            double shrink = Math.sqrt(share);
+            Scene small = scene.withPicture(picture.withSize(side(picture.width() / shrink), side(picture.height() / shrink))
+                    .withSampling(Sampling.DEFAULT));
+            try (var workers = new Workers(renderer.options().threads())) {
+                listener.coarse(new TraditionalTracer(small, renderer.prepare(small)).trace(workers, stop).film(), scene);
+            }
         }
-        Scene small = scene.withPicture(picture.withSize(Math.max(1, picture.width() / COARSE_SHARE),
-                Math.max(1, picture.height() / COARSE_SHARE)));
-        try (var workers = new Workers(renderer.options().threads())) {
-            Film film = new TraditionalTracer(small).trace(workers, stop).film();
-            listener.coarse(film, scene);
-        }
+    }
+
+    private static int side(double pixels) {
+        return (int) Math.max(1, pixels);
     }
 
     private void handToVerifier(RenderQueue.Stop stop) {

@@ -17,8 +17,8 @@ final class RenderQueue {
 
         record Verify() implements Work {}
 
-        /** All that is known of the picture is dropped. */
-        record Forget() implements Work {}
+        /** All that is known of the picture is dropped for a document of that number. */
+        record Forget(long number) implements Work {}
 
         /** The picture that there is, to be looked at in another way. */
         public record Looks() implements Work {}
@@ -62,6 +62,7 @@ final class RenderQueue {
     private boolean verify;
     private boolean look;
     private boolean forget;
+    private long opened;
     private boolean closed;
     private Work running;
     private Scene rendered;
@@ -81,16 +82,11 @@ final class RenderQueue {
     private boolean isUselessFor(Scene wanted) {
         return switch (running) {
             case null -> false;
-            case Work.Render r -> !samePicture(r.scene(), wanted);
-            case Work.Reopen r -> r.scene() != null && !samePicture(r.scene(), wanted);
+            case Work.Render r -> !r.scene().showsSameShapes(wanted);
+            case Work.Reopen r -> r.scene() != null && !r.scene().showsSameShapes(wanted);
             case Work.Reflections _ -> true;
             case Work.Verify _,Work.Looks _,Work.Forget _ -> false;
         };
-    }
-
-    private static boolean samePicture(Scene a, Scene b) {
-        return a.picture().width() == b.picture().width() && a.picture().height() == b.picture().height()
-                && a.camera().equals(b.camera()) && a.nodes().equals(b.nodes());
     }
 
     synchronized void reflections() {
@@ -109,9 +105,10 @@ final class RenderQueue {
     }
 
     /** What waits, what runs and what is known is of no use any more. */
-    synchronized void open(Scene wanted) {
+    synchronized void open(Scene wanted, long number) {
         cancel();
         forget = true;
+        opened = number;
         render(wanted);
     }
 
@@ -171,7 +168,7 @@ final class RenderQueue {
     private Work next() {
         if (forget) {
             forget = false;
-            return new Work.Forget();
+            return new Work.Forget(opened);
         }
         if (options != null) {
             var work = new Work.Reopen(options, scene == null ? rendered : scene);

@@ -8,12 +8,16 @@ import java.util.concurrent.TimeUnit;
 import lightning.accuracy.Promise;
 import lightning.accuracy.Verification;
 import lightning.accuracy.WarmSaving;
+import lightning.engine.choice.Engines;
 import lightning.image.Film;
+import lightning.scene.Scene;
+import lightning.trace.Geometry;
+import lightning.warmup.WarmUp;
 import lightning.work.Workers;
 
 /**
- * Traces in full on a thread of its own, to verify a picture and to find out what an update saves; a newer verification
- * replaces an older one. Safe for several threads.
+ * Traces in full on a thread of its own, to verify a picture, and where nobody works to warm the process up and to find out what
+ * an update saves; a newer verification replaces an older one. Safe for several threads.
  */
 final class Verifier implements AutoCloseable {
     private static final int PATIENCE_SECONDS = 10;
@@ -64,9 +68,15 @@ final class Verifier implements AutoCloseable {
         waiting = edit.orElse(null);
     }
 
-    /** Finds out what the update made last saves, unless that is known or being found out; the listener hears of it. */
-    synchronized void measure() {
-        if (waiting == null || measuring != null || thread.isShutdown()) {
+    /**
+     * While nobody works: warms the process up, and finds out what the update made last saves, unless that is known or being
+     * found out; the listener hears of it.
+     *
+     * @param shown    what the picture shows
+     * @param geometry serves it
+     */
+    synchronized void rest(Scene shown, Geometry geometry) {
+        if (waiting == null && Engines.areFastest() || measuring != null || thread.isShutdown()) {
             return;
         }
         var own = new RenderQueue.Stop((_, _) -> {});
@@ -74,9 +84,10 @@ final class Verifier implements AutoCloseable {
         measuring = own;
         thread.execute(() -> {
             try {
-                measured(own, WarmSaving.measure(edit, workers, WARM_UP_MS, own));
+                WarmUp.run(shown, geometry, own);
+                measured(own, edit == null ? Optional.empty() : WarmSaving.measure(edit, workers, WARM_UP_MS, own));
             } catch (CancellationException e) {
-                // It is measured when there is time again.
+                // It is done when there is time again.
             } catch (RuntimeException | OutOfMemoryError e) {
                 // A picture that cannot be traced in full has no time that savings could be savings of.
                 measured(own, Optional.empty());

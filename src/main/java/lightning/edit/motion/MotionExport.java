@@ -13,6 +13,7 @@ import lightning.relight.tile.Options;
 import lightning.scene.Light;
 import lightning.scene.Limits;
 import lightning.scene.Scene;
+import lightning.warmup.LateWarmUp;
 import lightning.work.Progress;
 
 /**
@@ -72,7 +73,7 @@ public record MotionExport(Scene scene, String light, MotionPath path, int pictu
                 return listener.isCancelled();
             }
         };
-        try (var renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.CURRENT))) {
+        try (var _ = new LateWarmUp(scene(0)); var renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.CURRENT))) {
             for (int i = 0; i < pictures; i++) {
                 renderer.render(scene(i), stop);
                 PictureFile.write(folder.resolve(file(name, i)), renderer.film(), view);

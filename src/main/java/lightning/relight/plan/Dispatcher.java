@@ -2,7 +2,7 @@ package lightning.relight.plan;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.IntFunction;
+import lightning.cache.KnownLight;
 import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
 import lightning.scene.Antialias;
@@ -11,8 +11,9 @@ import lightning.scene.LightMatch;
 import lightning.scene.Scene;
 import lightning.shading.ConeChange;
 import lightning.shading.IntensityRatio;
-import lightning.shading.Lamp;
+import lightning.shading.Luminaire;
 import lightning.trace.Geometry;
+import lightning.trace.MaterialTable;
 
 /**
  * Finds the least update that leads from the scene rendered last to the scene wanted (paper §4.9), by
@@ -38,7 +39,7 @@ public final class Dispatcher {
         }
         boolean resampled = !known.picture().sampling().samplesLike(wanted.picture().sampling());
         // Where rays are followed from what mirrors nothing, edges cannot be looked for in the levels that are known.
-        if (resampled && (hasNoCentres(known) || hasNoCentres(wanted) || cache.geometry().everyMirror())) {
+        if (resampled && (hasNoCentres(known) || hasNoCentres(wanted) || cache.geometry().mirrors() != MaterialTable.MIRRORS)) {
             return new UpdatePlan.FirstPass("other samples");
         }
         if (!known.camera().equals(wanted.camera())) {
@@ -54,9 +55,9 @@ public final class Dispatcher {
             return new UpdatePlan.Nothing();
         }
         Geometry geometry = cache.geometry().of(wanted);
-        LevelPlan top = level(cache.geometry(), known, cache::stamp, wanted, geometry, accuracy);
+        LevelPlan top = level(cache.geometry(), known, cache.lights(), wanted, geometry, accuracy);
         LevelPlan mirrored = refresh
-                ? level(cache.mirroredGeometry(), cache.mirroredScene(), cache::mirroredStamp, wanted, geometry, accuracy) : null;
+                ? level(cache.mirroredGeometry(), cache.mirroredScene(), cache.mirroredLights(), wanted, geometry, accuracy) : null;
         if (resampled && !(top.materials().mirrors().isEmpty() && mirrored.materials().mirrors().isEmpty())) {
             return new UpdatePlan.FirstPass("other samples and mirrors");
         }
@@ -68,15 +69,15 @@ public final class Dispatcher {
         return scene.picture().sampling().antialias() == Antialias.EVERY;
     }
 
-    /** The update of the layers that show {@code known} and were computed for {@code stamps}. */
-    private static LevelPlan level(Geometry shown, Scene known, IntFunction<LayerStamp> stamps, Scene wanted, Geometry geometry,
+    /** @param lights those of {@code known} */
+    private static LevelPlan level(Geometry shown, Scene known, List<KnownLight> lights, Scene wanted, Geometry geometry,
             Accuracy accuracy) {
         LightMatch match = new LightMatch(known.lights(), wanted.lights());
         List<LayerPlan> layers = new ArrayList<>();
         for (int l = 0; l < wanted.lights().size(); l++) {
             Light light = wanted.lights().get(l);
-            LayerStamp before = match.origin(l) < 0 ? null : stamps.apply(match.origin(l));
-            layers.add(new LayerPlan(light, match.origin(l), before, update(before, light, wanted, accuracy)));
+            KnownLight from = match.origin(l) < 0 ? null : lights.get(match.origin(l));
+            layers.add(new LayerPlan(light, from, update(from == null ? null : from.stamp(), light, wanted, accuracy)));
         }
         List<String> dropped = match.gone().stream().map(i -> known.lights().get(i).name()).toList();
         // A change of the order or number of lights changes how their sum is grouped.
@@ -85,27 +86,26 @@ public final class Dispatcher {
                 MaterialDifference.between(shown.materials(), geometry.materials()));
     }
 
-    /** At level ratio: all contributions anew, of the scene that is shown. */
+    /** At accuracy ratio: all contributions anew, of the scene that is shown. */
     public static UpdatePlan.Relight refresh(PixelCache cache) {
         int depth = cache.scene().picture().depth();
         MaterialUpdate materials = MaterialUpdate.none(cache.geometry().materials());
-        return new UpdatePlan.Relight(refresh(cache.scene(), cache.stamps(), materials),
-                cache.mirroredScene().equals(cache.scene()) ? refresh(cache.mirroredScene(), cache.mirroredStamps(), materials) : null,
+        return new UpdatePlan.Relight(refresh(cache.scene(), cache.lights(), materials),
+                cache.mirroredScene().equals(cache.scene()) ? refresh(cache.mirroredScene(), cache.mirroredLights(), materials) : null,
                 depth, depth);
     }
 
-    private static LevelPlan refresh(Scene scene, LayerStamp[] stamps, MaterialUpdate materials) {
+    private static LevelPlan refresh(Scene scene, List<KnownLight> lights, MaterialUpdate materials) {
         List<LayerPlan> layers = new ArrayList<>();
-        for (int l = 0; l < stamps.length; l++) {
-            boolean scaled = stamps[l] != null && stamps[l].roundings() > 0 && scene.shines(scene.lights().get(l));
-            LightUpdate update = scaled ? new LightUpdate.Refresh() : new LightUpdate.Keep();
-            layers.add(new LayerPlan(scene.lights().get(l), l, stamps[l], update));
+        for (KnownLight light : lights) {
+            boolean scaled = light.stamp() != null && light.stamp().roundings() > 0 && scene.shines(light.light());
+            layers.add(new LayerPlan(light.light(), light, scaled ? new LightUpdate.Refresh() : new LightUpdate.Keep()));
         }
         return new LevelPlan(layers, List.of(), true, materials);
     }
 
     private static LightUpdate update(LayerStamp before, Light light, Scene wanted, Accuracy accuracy) {
-        boolean dark = Lamp.of(light, wanted).isDark();
+        boolean dark = Luminaire.of(light, wanted).isDark();
         if (before == null) {
             return dark ? new LightUpdate.Keep() : new LightUpdate.FullRecompute(true);
         }
@@ -135,7 +135,7 @@ public final class Dispatcher {
         if (least instanceof LightUpdate.Keep) {
             return least;
         }
-        boolean usable = IntensityRatio.between(Lamp.shining(before, wanted), Lamp.shining(light, wanted)).isUsable();
+        boolean usable = IntensityRatio.between(Luminaire.shining(before, wanted), Luminaire.shining(light, wanted)).isUsable();
         return difference.cone() == ConeChange.TURN || !usable ? new LightUpdate.FullRecompute(false) : least;
     }
 }

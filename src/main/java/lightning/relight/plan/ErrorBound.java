@@ -1,5 +1,7 @@
 package lightning.relight.plan;
 
+import java.util.List;
+import lightning.cache.KnownLight;
 import lightning.cache.LayerStamp;
 import lightning.cache.PixelCache;
 import lightning.image.DisplayCurve;
@@ -22,8 +24,8 @@ public record ErrorBound(double relative, double absolute, double largest) {
     private static final double HALF_STEP = 0.5 / 255;
 
     public static ErrorBound of(PixelCache cache) {
-        LayerStamp[] top = cache.stamps();
-        LayerStamp[] mirrors = cache.mirroredStamps();
+        LayerStamp[] top = stamps(cache.lights());
+        LayerStamp[] mirrors = stamps(cache.mirroredLights());
         int depth = cache.mirroredScene().picture().depth();
         Sampling sampling = cache.scene().picture().sampling();
         int samples = sampling.isFine() ? sampling.perPixel() : 1;
@@ -33,6 +35,10 @@ public record ErrorBound(double relative, double absolute, double largest) {
         }
         double absolute = RatioBound.absolute(top, 1) + RatioBound.absolute(mirrors, depth);
         return new ErrorBound(relative, absolute, relative * cache.brightest() + absolute);
+    }
+
+    private static LayerStamp[] stamps(List<KnownLight> lights) {
+        return lights.stream().map(KnownLight::stamp).toArray(LayerStamp[]::new);
     }
 
     /** Whether an error of this size could change what is displayed at an exposure, in stops. */

@@ -1,5 +1,6 @@
 package lightning.relight.plan;
 
+import lightning.cache.KnownLight;
 import lightning.cache.LayerStamp;
 import lightning.scene.Light;
 
@@ -7,11 +8,15 @@ import lightning.scene.Light;
  * The update of one light's layer.
  *
  * @param light  the light as wanted
- * @param from   which layer of the old cache it goes on from, −1 for none
- * @param before what the old layer shows, null for none
+ * @param from   the light known before that it goes on from, null for none
  * @param update what to do
  */
-public record LayerPlan(Light light, int from, LayerStamp before, LightUpdate update) {
+public record LayerPlan(Light light, KnownLight from, LightUpdate update) {
+    /** What the layers there are were computed for, or null where there are none. */
+    public LayerStamp before() {
+        return from == null ? null : from.stamp();
+    }
+
     /**
      * What the layer shows afterwards, or null if there is none.
      *
@@ -20,11 +25,11 @@ public record LayerPlan(Light light, int from, LayerStamp before, LightUpdate up
      */
     public LayerStamp stamp(boolean scaled, double leastFalloff) {
         return switch (update) {
-            case LightUpdate.Keep _ -> before;
+            case LightUpdate.Keep _ -> before();
             case LightUpdate.FullRecompute _,LightUpdate.Refresh _ -> LayerStamp.fresh(light);
-            case LightUpdate.Reweight _ -> scaled ? RatioBound.scaled(before, light, true, false, leastFalloff) : LayerStamp.fresh(light);
+            case LightUpdate.Reweight _ -> scaled ? RatioBound.scaled(before(), light, true, false, leastFalloff) : LayerStamp.fresh(light);
             case LightUpdate.Partial p -> scaled
-                    ? RatioBound.scaled(before, light, p.weight(), p.falloff(), leastFalloff)
+                    ? RatioBound.scaled(before(), light, p.weight(), p.falloff(), leastFalloff)
                     : LayerStamp.fresh(light);
         };
     }

@@ -1,8 +1,12 @@
 package lightning.relight.plan;
 
-import lightning.math.Rgb;
-import lightning.math.Vec3;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
+import lightning.scene.LightTerm;
 import lightning.shading.ConeChange;
 
 /**
@@ -17,51 +21,31 @@ import lightning.shading.ConeChange;
 record LightDifference(boolean moved, ConeChange cone, boolean falloff, boolean weight) {
 
     static LightDifference between(Light before, Light wanted) {
-        ConeChange cone = cone(before, wanted);
-        return new LightDifference(moved(before, wanted), cone,
-                falloff(before, wanted) || cone == ConeChange.TURN, weight(before, wanted));
+        Set<LightTerm> changed = changed(before, wanted);
+        ConeChange cone = cone(changed, before, wanted);
+        return new LightDifference(changed.contains(LightTerm.SOURCE), cone,
+                changed.contains(LightTerm.FALLOFF) || cone == ConeChange.TURN, changed.contains(LightTerm.WEIGHT));
     }
 
-    private static boolean moved(Light before, Light wanted) {
-        if (before.type().hasPosition() != wanted.type().hasPosition()) {
-            return true;
+    /** The terms of attributes that act with another value than before, or come into action, or go out of it. */
+    private static Set<LightTerm> changed(Light before, Light wanted) {
+        Set<LightTerm> changed = EnumSet.noneOf(LightTerm.class);
+        for (LightAttribute<?> attribute : before == wanted ? List.<LightAttribute<?>>of() : LightAttribute.ALL) {
+            Optional<LightTerm> was = attribute.term(before.type());
+            Optional<LightTerm> is = attribute.term(wanted.type());
+            if (!was.equals(is) || is.isPresent() && !attribute.isAlike(before, wanted)) {
+                was.ifPresent(changed::add);
+                is.ifPresent(changed::add);
+            }
         }
-        return wanted.type().hasPosition()
-                ? !samePoint(before.position(), wanted.position())
-                : !sameDirection(before, wanted);
+        return changed;
     }
 
-    private static boolean samePoint(Vec3 a, Vec3 b) {
-        return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
-    }
-
-    private static boolean sameDirection(Light before, Light wanted) {
-        return samePoint(before.direction().normalized(), wanted.direction().normalized());
-    }
-
-    private static ConeChange cone(Light before, Light wanted) {
-        if (before.type().hasCone() != wanted.type().hasCone()) {
+    private static ConeChange cone(Set<LightTerm> changed, Light before, Light wanted) {
+        if (changed.contains(LightTerm.AXIS)) {
             return ConeChange.TURN;
         }
-        if (!wanted.type().hasCone()) {
-            return ConeChange.NONE;
-        }
-        if (!sameDirection(before, wanted)) {
-            return ConeChange.TURN;
-        }
-        return before.angle() == wanted.angle() ? ConeChange.NONE
+        return !changed.contains(LightTerm.OPENING) ? ConeChange.NONE
                 : before.angle() > wanted.angle() ? ConeChange.ANGLE_REMOVE : ConeChange.ANGLE_ADD;
-    }
-
-    private static boolean falloff(Light before, Light wanted) {
-        boolean attenuation = wanted.type().hasPosition() && !before.attenuation().equals(wanted.attenuation());
-        boolean dropoff = wanted.type().hasCone() && before.dropoff() != wanted.dropoff();
-        return attenuation || dropoff;
-    }
-
-    private static boolean weight(Light before, Light wanted) {
-        Rgb a = before.color();
-        Rgb b = wanted.color();
-        return before.intensity() != wanted.intensity() || a.r() != b.r() || a.g() != b.g() || a.b() != b.b();
     }
 }

@@ -8,7 +8,7 @@ public sealed interface LightUpdate {
     /** Nothing: the layer is as wanted, or its light does not shine and the layer may wait. */
     record Keep() implements LightUpdate {}
 
-    /** Only colour or intensity changed: a new weight, or at level ratio the intensity ratio (§4.1). */
+    /** Only colour or intensity changed: a new weight, or at accuracy ratio the intensity ratio (§4.1). */
     record Reweight() implements LightUpdate {}
 
     /**
@@ -20,7 +20,7 @@ public sealed interface LightUpdate {
      */
     record Partial(ConeChange cone, boolean falloff, boolean weight) implements LightUpdate {}
 
-    /** At level ratio: contributions anew, because their error bound grew too large; no ray is cast. */
+    /** At accuracy ratio: contributions anew, because their error bound grew too large; no ray is cast. */
     record Refresh() implements LightUpdate {}
 
     /** The light moved, or there is no layer yet: the full diffuse and specular terms (§4.5, §4.6). */

@@ -1,7 +1,8 @@
 package lightning.relight.plan;
 
-import java.util.Optional;
-import lightning.scene.TextureMap;
+import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
+import lightning.scene.MaterialTerm;
 import lightning.trace.MaterialSet;
 import lightning.trace.MaterialTable;
 
@@ -19,28 +20,21 @@ record MaterialDifference(MaterialTable before, MaterialTable wanted) {
     }
 
     private boolean recolors(int m) {
-        boolean colors = texture(m);
-        for (int c = 0; c < 3; c++) {
-            colors |= before.ambient(m, c) != wanted.ambient(m, c) || before.diffuse(m, c) != wanted.diffuse(m, c)
-                    || before.specular(m, c) != wanted.specular(m, c) || before.reflective(m, c) != wanted.reflective(m, c);
-        }
-        return colors;
+        return differs(MaterialTerm.COLOR, m) || texture(m);
     }
 
     private boolean specular(int m) {
-        return before.isSpecular(m) != wanted.isSpecular(m)
-                || wanted.isSpecular(m) && before.shininess(m) != wanted.shininess(m);
+        return before.isSpecular(m) != wanted.isSpecular(m) || wanted.isSpecular(m) && differs(MaterialTerm.HIGHLIGHT, m);
     }
 
     private boolean texture(int m) {
-        Optional<TextureMap> a = before.material(m).texture();
-        Optional<TextureMap> b = wanted.material(m).texture();
-        return a.isPresent() != b.isPresent() || a.isPresent() && !sameTexels(a.get(), b.get());
+        return differs(MaterialTerm.TEXEL, m);
     }
 
-    /** Another file name alone shows nothing. */
-    private static boolean sameTexels(TextureMap a, TextureMap b) {
-        return a.repeatU() == b.repeatU() && a.repeatV() == b.repeatV() && a.image().equals(b.image());
+    private boolean differs(MaterialTerm term, int m) {
+        Material a = before.material(m);
+        Material b = wanted.material(m);
+        return a != b && MaterialAttribute.ALL.stream().anyMatch(attribute -> attribute.term() == term && !attribute.isAlike(a, b));
     }
 
     private boolean mirrors(int m) {

@@ -1,6 +1,7 @@
 package lightning.relight.plan;
 
 import lightning.cache.LayerStamp;
+import lightning.math.Rgb;
 import lightning.scene.Light;
 
 /**
@@ -12,9 +13,9 @@ import lightning.scene.Light;
  * values with n roundings between them lies in 1 ± n·u/(1 − n·u) =: 1 ± γ(n) (Higham, Accuracy and
  * Stability, §3.1). The equation adds and multiplies values ≥ 0 only, so a sum is off by no larger share than
  * the worst of its terms, and each of the two pictures adds its own roundings on the way of a contribution to
- * the film: one for each level of the balanced sum over the lights; five to close the equation (kd or
+ * the film: one for each step down the balanced sum over the lights; five to close the equation (kd or
  * ks·, + ambient, ·(1 − kr), + specular, + Cr); and two for each mirror that it is seen in (kr·, +); and where a pixel
- * is the mean of samples, one for each level of their balanced sum and one for the division. Hence for every value I
+ * is the mean of samples, one for each step down their balanced sum and one for the division. Hence for every value I
  * of the film
  *
  * <pre>|I − exact| ≤ γ(N)·I/(1 − γ(N)) + A,   N = 6 + scalings·2 + 2·(⌈log₂ lights⌉ + 5 + 2·mirrors + mean)</pre>
@@ -71,15 +72,16 @@ final class RatioBound {
     }
 
     private static double weight(Light light) {
-        return light.color().max() * light.intensity();
+        return light.weight().max();
     }
 
     /** The least weight of a channel that is a normal float; +∞ where there is none. */
     private static double leastWeight(Light light) {
         double least = Double.POSITIVE_INFINITY;
-        for (double channel : new double[] {light.color().r(), light.color().g(), light.color().b()}) {
+        Rgb weight = light.weight();
+        for (double channel : new double[] {weight.r(), weight.g(), weight.b()}) {
             // Rounded as the contributions' weight is.
-            float w = (float) (channel * light.intensity());
+            float w = (float) channel;
             least = w >= Float.MIN_NORMAL ? Math.min(least, w) : least;
         }
         return least;
@@ -99,14 +101,14 @@ final class RatioBound {
         if (most == 0) {
             return 0;
         }
-        int mean = samples == 1 ? 0 : levels(samples) + 1;
-        double n = 6 + most + 2.0 * (levels(stamps.length) + 5 + 2 * mirrors + mean);
+        int mean = samples == 1 ? 0 : depth(samples) + 1;
+        double n = 6 + most + 2.0 * (depth(stamps.length) + 5 + 2 * mirrors + mean);
         double gamma = n * UNIT / (1 - n * UNIT);
         return gamma / (1 - gamma);
     }
 
-    /** The levels of the balanced sum of so many terms: ⌈log₂ terms⌉. */
-    private static int levels(int terms) {
+    /** The depth of the balanced sum of so many terms: ⌈log₂ terms⌉. */
+    private static int depth(int terms) {
         return 32 - Integer.numberOfLeadingZeros(Math.max(0, terms - 1));
     }
 

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import lightning.cache.CachedTile;
 import lightning.cache.FineSamples;
 import lightning.cache.FineTile;
+import lightning.engine.Crew;
 import lightning.image.Film;
 import lightning.scene.Antialias;
 import lightning.shading.EdgeMap;
@@ -22,7 +23,7 @@ final class FineWorker {
     private static final short[] NO_PIXELS = new short[0];
 
     private final Job job;
-    private final TileWorker worker;
+    private final Crew<TileWorker> crew;
     private final EdgeMap edges;
     private final EdgeMap known;
 
@@ -30,9 +31,9 @@ final class FineWorker {
      * @param edges the edges that there are now; unread where all pixels have several samples
      * @param known the edges of the picture before, or null
      */
-    FineWorker(Job job, TileWorker worker, EdgeMap edges, EdgeMap known) {
+    FineWorker(Job job, Crew<TileWorker> crew, EdgeMap edges, EdgeMap known) {
         this.job = job;
-        this.worker = worker;
+        this.crew = crew;
         this.edges = edges;
         this.known = known;
     }
@@ -68,6 +69,7 @@ final class FineWorker {
     private FineSamples samples(int tile, short[] pixels, FineSamples old) {
         int together = SampleMean.pixelsTogether(job.sampling().perPixel());
         boolean same = old != null && Arrays.equals(pixels, old.pixels());
+        TileWorker worker = crew.forTile(tile);
         CachedTile[] blocks = new CachedTile[(pixels.length + together - 1) / together];
         for (int b = 0; b < blocks.length && !job.progress().isCancelled(); b++) {
             var places = new SamplePlaces(tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE, pixels, b * together,

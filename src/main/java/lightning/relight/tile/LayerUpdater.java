@@ -2,17 +2,17 @@ package lightning.relight.tile;
 
 import lightning.relight.plan.Accuracy;
 import lightning.relight.plan.LightUpdate;
-import lightning.shading.Lamp;
 import lightning.shading.LightKernel;
 import lightning.shading.LightLayer;
+import lightning.shading.Luminaire;
 import lightning.shading.RatioKernel;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialSet;
 import lightning.trace.RowSplice;
 
-/** Carries out a light's update on one tile's layer, at one level of accuracy. One for each thread. */
+/** Carries out a light's update on one tile's layer, at one accuracy. One for each thread. */
 public interface LayerUpdater {
-    /** The one of a level. */
+    /** The one of an accuracy. */
     static LayerUpdater of(Accuracy accuracy, LightKernel lights, RatioKernel ratios) {
         return switch (accuracy) {
             case EXACT -> new ExactUpdater(lights);
@@ -21,7 +21,7 @@ public interface LayerUpdater {
     }
 
     /** A layer from nothing. */
-    LightLayer full(HitRows rows, Lamp lamp);
+    LightLayer full(HitRows rows, Luminaire light);
 
     /**
      * The layer after an update.
@@ -29,25 +29,28 @@ public interface LayerUpdater {
      * @param before what it was, or null
      * @param from   the light that it was computed for, or null
      */
-    LightLayer update(HitRows rows, Lamp from, Lamp to, LightLayer before, LightUpdate update);
+    LightLayer update(HitRows rows, Luminaire from, Luminaire to, LightLayer before, LightUpdate update);
 
-    /** The layer in this level's form, as {@link #full} would make it, from one in either form; no ray is cast. */
-    LightLayer convert(HitRows rows, Lamp lamp, LightLayer before);
+    /** The layer in this accuracy's form, as {@link #full} would make it, from one in either form; no ray is cast. */
+    LightLayer convert(HitRows rows, Luminaire light, LightLayer before);
 
     /**
      * The layer after an edit of materials, its light being as it was.
      *
-     * @param lamp    the light that it was computed for
+     * @param light   the light that it was computed for
      * @param changed materials whose specular term changed
      */
-    LightLayer speculars(HitRows rows, Lamp lamp, LightLayer before, MaterialSet changed);
+    LightLayer speculars(HitRows rows, Luminaire light, LightLayer before, MaterialSet changed);
+
+    /** The layer over rows of which some may be gone, in another order; {@code before} is over the old rows. */
+    LightLayer sorted(RowSplice splice, LightLayer before);
 
     /**
-     * The layer over rows that were put together anew.
+     * The layer over rows that were put together of old ones and others.
      *
      * @param before over the old rows
-     * @param added  over the added rows; null where there are none
-     * @param lamp   the light that both were computed for; unread where no rows were added
+     * @param added  over the added rows
+     * @param light  the light that both were computed for
      */
-    LightLayer spliced(RowSplice splice, LightLayer before, LightLayer added, Lamp lamp);
+    LightLayer joined(RowSplice splice, LightLayer before, LightLayer added, Luminaire light);
 }

@@ -2,21 +2,22 @@ package lightning.relight.tile;
 
 import java.util.Arrays;
 import lightning.cache.TileLevel;
+import lightning.engine.Engine;
 import lightning.shading.BranchSums;
 import lightning.shading.EdgeCoder;
-import lightning.shading.Lamp;
 import lightning.shading.LightKernel;
 import lightning.shading.LightLayer;
 import lightning.shading.LightRows;
+import lightning.shading.Luminaire;
 import lightning.shading.RatioKernel;
 import lightning.shading.RatioRows;
 import lightning.shading.TileComposer;
 import lightning.trace.HitRows;
-import lightning.trace.PacketTracer;
 import lightning.trace.Retexturing;
 import lightning.trace.RowSplice;
 import lightning.trace.SamplePlaces;
 import lightning.trace.TileVisibility;
+import lightning.trace.Tracer;
 
 /**
  * Traces, lights and composes levels that show one scene: those that the eye sees, or those in mirrors. Holds scratch
@@ -24,10 +25,10 @@ import lightning.trace.TileVisibility;
  */
 final class LevelWorker {
     private final Job job;
-    private final Job.Shown shown;
+    private final PreparedScene shown;
     final TileVisibility visibility;
     final TileComposer composer;
-    private final PacketTracer tracer;
+    private final Tracer tracer;
     /** Made when it is needed first. */
     private Retexturing textures;
     private final LightKernel lights;
@@ -36,15 +37,15 @@ final class LevelWorker {
     private long rowsComposed;
     private long bytesMoved;
 
-    LevelWorker(Job job, Job.Shown shown, PacketTracer tracer) {
+    LevelWorker(Job job, PreparedScene shown, Engine engine, Tracer tracer) {
         this.job = job;
         this.shown = shown;
         this.tracer = tracer;
         visibility = new TileVisibility(shown.geometry(), shown.scene(), tracer);
-        lights = new LightKernel(shown.geometry(), tracer, job.options().view());
+        lights = new LightKernel(shown.geometry(), tracer, engine.terms(), job.options().view());
         ratios = new RatioKernel(lights);
         updater = LayerUpdater.of(job.options().accuracy(), lights, ratios);
-        composer = new TileComposer(shown.geometry().materials(), job.options().view());
+        composer = new TileComposer(shown.geometry().materials(), engine.sums(), job.options().view());
     }
 
     long shadowRays() {
@@ -69,10 +70,10 @@ final class LevelWorker {
 
     /** The layers of all lights that shine, from nothing. */
     TileLevel lit(HitRows rows) {
-        LightLayer[] layers = new LightLayer[shown.lamps().length];
+        LightLayer[] layers = new LightLayer[shown.lights().length];
         for (int l = 0; l < layers.length && !job.progress().isCancelled(); l++) {
-            if (!shown.lamps()[l].isDark()) {
-                layers[l] = updater.full(rows, shown.lamps()[l]);
+            if (!shown.lights()[l].isDark()) {
+                layers[l] = updater.full(rows, shown.lights()[l]);
             }
         }
         return new TileLevel(rows, layers);
@@ -84,8 +85,8 @@ final class LevelWorker {
      * @param above  the level that it is seen from; null for the first
      * @param places where the rays of the first level go; unread for others
      */
-    TileLevel retextured(TileLevel level, HitRows above, SamplePlaces places, Job.Level plan) {
-        var changed = plan.plan().materials().retextured();
+    TileLevel retextured(TileLevel level, HitRows above, SamplePlaces places, LevelJob update) {
+        var changed = update.plan().materials().retextured();
         if (changed.isEmpty()) {
             return level;
         }
@@ -102,51 +103,57 @@ final class LevelWorker {
     }
 
     /** Carries out a plan on a level's layers; counts what that reads of the rows and writes. */
-    TileLevel updated(TileLevel old, Job.Level plan) {
-        LightLayer[] layers = plan.layers(old, updater, job.progress());
+    TileLevel updated(TileLevel old, LevelJob update) {
+        LightLayer[] layers = update.layers(old, updater, job.progress());
         for (int l = 0; l < layers.length; l++) {
-            int from = plan.plan().layers().get(l).from();
-            LightLayer before = from < 0 ? null : old.layers()[from];
+            LightLayer before = update.lights().get(l).before(old);
             if (layers[l] != before && layers[l] != null) {
                 bytesMoved += layers[l].newBytes(before) + old.rows().count * layers[l].rowBytesRead(before);
             }
         }
-        BranchSums sums = old.branches() != null && old.branches().key() == plan.key() ? old.branches() : null;
+        BranchSums sums = old.branches() != null && old.branches().key() == update.key() ? old.branches() : null;
         return sums == old.branches() && Arrays.equals(layers, old.layers()) ? old : new TileLevel(old.rows(), layers, sums);
     }
 
+    /** A level over rows of which some may be gone, in another order; its layers are of the lights that they were of before. */
+    TileLevel sorted(RowSplice splice, TileLevel old) {
+        return splice.keepsRows() ? new TileLevel(splice.rows(), old.layers())
+                : moved(old, splice.rows(), Arrays.stream(old.layers())
+                        .map(before -> before == null ? null : updater.sorted(splice, before)).toArray(LightLayer[]::new));
+    }
+
     /**
-     * A level over rows that were put together anew.
+     * A level over rows that were put together of known ones and others.
      *
-     * @param added rows newly lit by {@link #lit}, with their layers; null for none. A layer that either level lacks is
-     *              dropped: its light does not shine, and once it does the layer is made anew.
+     * @param old   layers of the lights shown over the known rows
+     * @param added rows newly lit by {@link #lit}, with their layers. A layer that either level lacks is dropped: its light does
+     *              not shine, and once it does the layer is made anew.
      */
-    TileLevel spliced(RowSplice splice, TileLevel old, TileLevel added) {
-        if (splice.keepsRows()) {
-            return new TileLevel(splice.rows(), old.layers());
-        }
+    TileLevel joined(RowSplice splice, TileLevel old, TileLevel added) {
         LightLayer[] layers = new LightLayer[old.layers().length];
         for (int l = 0; l < layers.length; l++) {
             LightLayer before = old.layers()[l];
-            LightLayer more = added == null ? null : added.layers()[l];
-            if (before != null && (added == null || more != null)) {
-                layers[l] = updater.spliced(splice, before, more, added == null ? null : shown.lamps()[l]);
-            }
+            LightLayer more = added.layers()[l];
+            layers[l] = before == null || more == null ? null : updater.joined(splice, before, more, shown.lights()[l]);
         }
-        var level = new TileLevel(splice.rows(), layers);
+        return moved(old, splice.rows(), layers);
+    }
+
+    private TileLevel moved(TileLevel old, HitRows rows, LightLayer[] layers) {
+        var level = new TileLevel(rows, layers);
         bytesMoved += old.bytes() + level.bytes();
         return level;
     }
 
     /** Tells anti-aliasing what a level shows; the levels above were told before. */
     void code(EdgeCoder coder, int k, TileLevel level) {
-        Lamp[] lamps = shown.lamps();
+        Luminaire[] lights = shown.lights();
         coder.shapes(k, level.rows(), shown.geometry().materials());
-        for (int l = 0; l < lamps.length && !job.progress().isCancelled(); l++) {
-            if (!lamps[l].isDark()) {
+        for (int l = 0; l < lights.length && !job.progress().isCancelled(); l++) {
+            if (!lights[l].isDark()) {
                 LightRows layer = switch (level.layers()[l]) {
                     case LightRows exact -> exact;
-                    case RatioRows ratio -> ratios.terms(level.rows(), lamps[l], ratio);
+                    case RatioRows ratio -> ratios.terms(level.rows(), lights[l], ratio);
                 };
                 coder.light(k, l, level.rows(), layer, shown.geometry().materials());
             }
@@ -154,13 +161,13 @@ final class LevelWorker {
     }
 
     /** Composes a level; gives it back with the sums that are kept for the next time, if any are. */
-    TileLevel compose(TileLevel level, Job.Level plan, float[][] cr) {
+    TileLevel compose(TileLevel level, LevelJob update, float[][] cr) {
         rowsComposed += level.rows().count;
-        BranchSums sums = plan == null || plan.key() == null ? null
+        BranchSums sums = update == null || update.key() == null ? null
                 : level.branches() != null ? level.branches()
-                : composer.branches(level.rows(), shown.lamps(), level.layers(), plan.key());
-        composer.level(level.rows(), shown.lamps(), level.layers(), sums, shown.scene().world(), cr);
-        bytesMoved += bytesRead(level, plan == null ? null : plan.key(), sums);
+                : composer.branches(level.rows(), shown.lights(), level.layers(), update.key());
+        composer.level(level.rows(), shown.lights(), level.layers(), sums, shown.scene().world(), cr);
+        bytesMoved += bytesRead(level, update == null ? null : update.key(), sums);
         return sums == level.branches() ? level : level.with(sums);
     }
 
@@ -168,9 +175,9 @@ final class LevelWorker {
     private long bytesRead(TileLevel level, BranchSums.Key key, BranchSums sums) {
         HitRows rows = level.rows();
         long bytes = 12L * rows.reflective + (rows.texelRed == null ? 0 : 12L * rows.count) + 2L * rows.count;
-        for (int l = 0; l < shown.lamps().length; l++) {
+        for (int l = 0; l < shown.lights().length; l++) {
             boolean read = sums == null || key.light() == l;
-            if (read && !shown.lamps()[l].isDark() && level.layers()[l].lit() > 0) {
+            if (read && !shown.lights()[l].isDark() && level.layers()[l].lit() > 0) {
                 bytes += level.layers()[l].bytes() - rows.count;
             }
         }

@@ -2,9 +2,9 @@ package lightning.relight.tile;
 
 import lightning.relight.plan.LightUpdate;
 import lightning.shading.ConeChange;
-import lightning.shading.Lamp;
 import lightning.shading.LightLayer;
 import lightning.shading.LightRows;
+import lightning.shading.Luminaire;
 import lightning.shading.RatioKernel;
 import lightning.shading.RatioRows;
 import lightning.trace.HitRows;
@@ -15,12 +15,12 @@ import lightning.trace.RowSplice;
 record RatioUpdater(RatioKernel kernel) implements LayerUpdater {
 
     @Override
-    public LightLayer full(HitRows rows, Lamp lamp) {
-        return kernel.full(rows, lamp);
+    public LightLayer full(HitRows rows, Luminaire light) {
+        return kernel.full(rows, light);
     }
 
     @Override
-    public LightLayer update(HitRows rows, Lamp from, Lamp to, LightLayer before, LightUpdate update) {
+    public LightLayer update(HitRows rows, Luminaire from, Luminaire to, LightLayer before, LightUpdate update) {
         return switch (update) {
             case LightUpdate.Keep _ -> before;
             case LightUpdate.Refresh _ -> kernel.again(rows, to, (RatioRows) before);
@@ -31,20 +31,25 @@ record RatioUpdater(RatioKernel kernel) implements LayerUpdater {
     }
 
     @Override
-    public LightLayer convert(HitRows rows, Lamp lamp, LightLayer before) {
+    public LightLayer convert(HitRows rows, Luminaire light, LightLayer before) {
         return switch (before) {
-            case LightRows layer -> kernel.of(rows, lamp, layer);
+            case LightRows layer -> kernel.of(rows, light, layer);
             case RatioRows layer -> layer;
         };
     }
 
     @Override
-    public LightLayer speculars(HitRows rows, Lamp lamp, LightLayer before, MaterialSet changed) {
-        return kernel.speculars(rows, lamp, (RatioRows) before, changed);
+    public LightLayer speculars(HitRows rows, Luminaire light, LightLayer before, MaterialSet changed) {
+        return kernel.speculars(rows, light, (RatioRows) before, changed);
     }
 
     @Override
-    public LightLayer spliced(RowSplice splice, LightLayer before, LightLayer added, Lamp lamp) {
+    public LightLayer sorted(RowSplice splice, LightLayer before) {
+        return kernel.spliced(splice, (RatioRows) before, null);
+    }
+
+    @Override
+    public LightLayer joined(RowSplice splice, LightLayer before, LightLayer added, Luminaire light) {
         return kernel.spliced(splice, (RatioRows) before, (RatioRows) added);
     }
 }

@@ -6,14 +6,6 @@ import lightning.shading.TraceCounts;
 public record Tally(long rowsTouched, long rowsComposed, long bytesMoved, TraceCounts rays) {
     public static final Tally NONE = new Tally(0, 0, 0, TraceCounts.NONE);
 
-    static Tally of(TileWorker[] threads) {
-        Tally work = NONE;
-        for (TileWorker thread : threads) {
-            work = work.plus(thread.work());
-        }
-        return work;
-    }
-
     public Tally plus(Tally o) {
         return new Tally(rowsTouched + o.rowsTouched, rowsComposed + o.rowsComposed, bytesMoved + o.bytesMoved, rays.plus(o.rays));
     }

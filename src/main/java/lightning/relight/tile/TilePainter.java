@@ -3,9 +3,10 @@ package lightning.relight.tile;
 import lightning.cache.PixelCache;
 import lightning.cache.TileLevel;
 import lightning.effects.ViewEffects;
+import lightning.engine.Engine;
 import lightning.image.Film;
 import lightning.scene.World;
-import lightning.shading.Lamp;
+import lightning.shading.Luminaire;
 import lightning.shading.TileComposer;
 
 /**
@@ -16,33 +17,33 @@ public final class TilePainter {
     private final TileComposer eye;
     private final TileComposer mirror;
 
-    public TilePainter(PixelCache cache, ViewEffects view) {
-        eye = new TileComposer(cache.geometry().materials(), view);
-        mirror = new TileComposer(cache.geometry().of(cache.mirroredScene()).materials(), view);
+    public TilePainter(PixelCache cache, Engine engine, ViewEffects view) {
+        eye = new TileComposer(cache.geometry().materials(), engine.sums(), view);
+        mirror = new TileComposer(cache.geometry().of(cache.mirroredScene()).materials(), engine.sums(), view);
     }
 
     /**
      * Cr of the first level's reflective rows: red, green and blue columns of scratch memory, valid until the next call;
      * null where it has none.
      *
-     * @param levels all of them, lit by {@code lamps} from the second on
+     * @param levels all of them, lit by {@code lights} from the second on
      */
-    public float[][] mirrored(TileLevel[] levels, Lamp[] lamps, World world) {
+    public float[][] mirrored(TileLevel[] levels, Luminaire[] lights, World world) {
         if (levels[0].rows().reflective == 0) {
             return null;
         }
         float[][] cr = mirror.unfollowed(levels[levels.length - 1].rows());
         for (int k = levels.length - 1; k > 0; k--) {
-            mirror.level(levels[k].rows(), lamps, levels[k].layers(), null, world, cr);
+            mirror.level(levels[k].rows(), lights, levels[k].layers(), null, world, cr);
             cr = mirror.followed(levels[k - 1].rows(), levels[k].rows(), world);
         }
         return cr;
     }
 
     /** The tile of the film: red, green, blue, {@code float[1024]} each. */
-    public float[][] film(TileLevel top, Lamp[] lamps, World world, float[][] cr) {
+    public float[][] film(TileLevel top, Luminaire[] lights, World world, float[][] cr) {
         float[][] pixels = new float[3][Film.TILE_PIXELS];
-        eye.level(top.rows(), lamps, top.layers(), null, world, cr);
+        eye.level(top.rows(), lights, top.layers(), null, world, cr);
         eye.toFilm(top.rows(), world, pixels[0], pixels[1], pixels[2]);
         return pixels;
     }

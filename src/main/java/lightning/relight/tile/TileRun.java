@@ -1,9 +1,13 @@
 package lightning.relight.tile;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import lightning.cache.CachedTile;
 import lightning.cache.FineTile;
 import lightning.cache.PixelCache;
+import lightning.engine.Crew;
 import lightning.scene.Antialias;
 import lightning.shading.EdgeCodes;
 import lightning.shading.EdgeMap;
@@ -14,9 +18,10 @@ public final class TileRun {
     private final Job job;
     private final Workers workers;
     private final PixelCache old;
-    private final TileWorker[] threads;
+    private final List<Crew<TileWorker>> threads;
     private final CachedTile[] tiles;
     private final FineTile[] fine;
+    private final int[] order;
 
     /**
      * Does all of it.
@@ -28,15 +33,22 @@ public final class TileRun {
         this.job = job;
         this.workers = workers;
         this.old = old;
-        threads = new TileWorker[workers.count()];
-        Arrays.setAll(threads, _ -> new TileWorker(job));
+        threads = Crew.each(workers.count(), job.options().engines(), engine -> new TileWorker(job, engine));
         tiles = new CachedTile[job.sampling().antialias() == Antialias.EVERY ? 0 : job.tileCount()];
         fine = new FineTile[job.sampling().isFine() ? job.tileCount() : 0];
         int all = tiles.length + fine.length;
-        workers.run(tiles.length, (worker, tile) -> tiles[tile] = old == null
-                ? threads[worker].firstPass(tile) : threads[worker].relight(tile, old.tile(tile)), job.progress().part(0, all));
+        order = old == null ? MiddleFirst.order(job.tilesX(), job.tileCount()) : IntStream.range(0, job.tileCount()).toArray();
+        workers.run(tiles.length, (worker, i) -> center(worker, order[i]), job.progress().part(0, all));
         if (fine.length > 0) {
             finer(all);
+        }
+    }
+
+    private void center(int worker, int tile) {
+        TileWorker mine = threads.get(worker).forTile(tile);
+        tiles[tile] = old == null ? mine.firstPass(tile) : mine.relight(tile, old.tile(tile));
+        if (old == null && tiles[tile] != null) {
+            job.progress().made(tile, tiles[tile].film);
         }
     }
 
@@ -44,11 +56,16 @@ public final class TileRun {
         EdgeMap edges = edges(tiles);
         boolean known = old != null && old.scene().picture().sampling().samplesLike(job.sampling());
         EdgeMap edgesBefore = known ? edges(old.tiles()) : null;
-        FineWorker[] finer = new FineWorker[threads.length];
-        Arrays.setAll(finer, worker -> new FineWorker(job, threads[worker], edges, edgesBefore));
-        workers.run(fine.length, (worker, tile) -> fine[tile] = finer[worker].tile(tile, tiles.length == 0 ? null : tiles[tile],
-                !known || tiles.length == 0 ? null : old.tile(tile), known ? old.fine(tile) : null),
-                job.progress().part(tiles.length, all));
+        FineWorker[] finer = new FineWorker[threads.size()];
+        Arrays.setAll(finer, worker -> new FineWorker(job, threads.get(worker), edges, edgesBefore));
+        workers.run(fine.length, (worker, i) -> {
+            int tile = order[i];
+            fine[tile] = finer[worker].tile(tile, tiles.length == 0 ? null : tiles[tile],
+                    !known || tiles.length == 0 ? null : old.tile(tile), known ? old.fine(tile) : null);
+            if (old == null && fine[tile] != null) {
+                job.progress().made(tile, fine[tile].film());
+            }
+        }, job.progress().part(tiles.length, all));
     }
 
     private EdgeMap edges(CachedTile[] centers) {
@@ -66,12 +83,16 @@ public final class TileRun {
         return fine;
     }
 
+    private Stream<TileWorker> made() {
+        return threads.stream().flatMap(crew -> crew.all().stream());
+    }
+
     public Tally work() {
-        return Tally.of(threads);
+        return made().map(TileWorker::work).reduce(Tally.NONE, Tally::plus);
     }
 
     /** The least falloff of rows whose falloff was scaled. */
     public double leastFalloff() {
-        return Arrays.stream(threads).mapToDouble(TileWorker::leastFalloff).reduce(1, Math::min);
+        return made().mapToDouble(TileWorker::leastFalloff).reduce(1, Math::min);
     }
 }

@@ -3,6 +3,7 @@ package lightning.relight.tile;
 import java.util.Arrays;
 import lightning.cache.CachedTile;
 import lightning.cache.TileLevel;
+import lightning.engine.Engine;
 import lightning.image.Film;
 import lightning.relight.plan.MaterialUpdate;
 import lightning.scene.Antialias;
@@ -10,15 +11,16 @@ import lightning.shading.EdgeCoder;
 import lightning.shading.EdgeCodes;
 import lightning.shading.TraceCounts;
 import lightning.trace.HitRows;
-import lightning.trace.PacketTracer;
 import lightning.trace.RowSplice;
 import lightning.trace.SamplePlaces;
 import lightning.trace.TileVisibility;
+import lightning.trace.Tracer;
 
-/** Builds and updates cached tiles. Holds scratch memory: one for each thread. */
+/** Builds and updates cached tiles by one engine. Holds scratch memory: one for each thread. */
 final class TileWorker {
     private final Job job;
-    private final PacketTracer tracer;
+    private final Engine engine;
+    private final Tracer tracer;
     private final LevelWorker eye;
     /** Made when it is needed first. */
     private LevelWorker mirror;
@@ -28,15 +30,16 @@ final class TileWorker {
     private long mirroredRays;
     private long filmBytes;
 
-    TileWorker(Job job) {
+    TileWorker(Job job, Engine engine) {
         this.job = job;
-        tracer = new PacketTracer(job.shown().geometry());
-        eye = new LevelWorker(job, job.shown(), tracer);
+        this.engine = engine;
+        tracer = engine.tracer(job.shown().geometry());
+        eye = new LevelWorker(job, job.shown(), engine, tracer);
     }
 
     private LevelWorker mirror() {
         if (mirror == null) {
-            mirror = job.mirrored() == job.shown() ? eye : new LevelWorker(job, job.mirrored(), tracer);
+            mirror = job.mirrored() == job.shown() ? eye : new LevelWorker(job, job.mirrored(), engine, tracer);
         }
         return mirror;
     }
@@ -122,7 +125,7 @@ final class TileWorker {
         MaterialUpdate materials = job.top().plan().materials();
         RowSplice order = materials.mirrors().isIn(known.rows())
                 ? RowSplice.sorted(known.rows(), materials.materials()) : null;
-        TileLevel sorted = order == null ? known : eye.spliced(order, known, null);
+        TileLevel sorted = order == null ? known : eye.sorted(order, known);
         sorted = eye.retextured(sorted, null, places, job.top());
         TileLevel top = eye.updated(sorted, job.top());
         if (job.progress().isCancelled()) {
@@ -225,7 +228,7 @@ final class TileWorker {
             }
             RowSplice here = moves(above, known.rows())
                     ? RowSplice.seenFrom(above, rows.reflective, known.rows(), null, job.mirrored().geometry().materials()) : null;
-            TileLevel kept = here == null ? known : mirror().spliced(here, known, null);
+            TileLevel kept = here == null ? known : mirror().sorted(here, known);
             if (job.mirrors() != null) {
                 TileLevel textured = mirror().retextured(kept, rows, null, job.mirrors());
                 TileLevel updated = mirror().updated(textured, job.mirrors());
@@ -240,7 +243,7 @@ final class TileWorker {
                 TileLevel added = mirror().lit(mirror().visibility.mirroredFrom(rows, unknown, rows(rows.code != null)));
                 mirroredRays += unknown.length;
                 RowSplice all = RowSplice.seenFrom(null, rows.reflective, kept.rows(), added.rows(), job.mirrored().geometry().materials());
-                kept = mirror().spliced(all, kept, added);
+                kept = mirror().joined(all, kept, added);
                 here = here == null ? all : here.then(all);
             }
             levels[k + 1] = kept;

@@ -5,13 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import javafx.scene.Node;
 import javafx.scene.control.TableView;
 import javafx.scene.input.KeyCode;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
 import lightning.accuracy.Rung;
 import lightning.app.EditorDesk;
 import lightning.app.widget.PictureView;
 import lightning.edit.Change;
 import lightning.edit.Command;
-import lightning.edit.Dial;
+import lightning.edit.Desk;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 class AccuracyPaneTest extends EditorDesk {
 
     private void dim() {
-        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
     }
 
     private void measure() {
@@ -39,7 +39,7 @@ class AccuracyPaneTest extends EditorDesk {
     }
 
     private int[] shown() {
-        return robot.lookup("#level-picture").<PictureView>query().pixels();
+        return robot.lookup("#grade-picture").<PictureView>query().pixels();
     }
 
     @Test
@@ -57,9 +57,9 @@ class AccuracyPaneTest extends EditorDesk {
         robot.push(KeyCode.F9);
         assertThat(text("accuracy-edit")).isEqualTo("The edits that are not rendered yet");
         measure();
-        assertThat(table().getItems()).extracting(Rung::level).containsExactly(Level.values());
+        assertThat(table().getItems()).extracting(Rung::grade).containsExactly(Grade.values());
         assertThat(text("accuracy-edit")).isEqualTo("lamp: weight · 64 × 48 pixels");
-        Rung exact = table().getItems().get(Level.EXACT.ordinal());
+        Rung exact = table().getItems().get(Grade.EXACT.ordinal());
         assertThat(exact.film().sameBits(new ReferenceTracer(model().scene(), before).trace())).isTrue();
         assertThat(model().enabled(Command.GO)).as("the document and its picture stay").isTrue();
     }
@@ -72,12 +72,12 @@ class AccuracyPaneTest extends EditorDesk {
         robot.push(KeyCode.F9);
         measure();
         Film full = new ReferenceTracer(model().scene()).trace();
-        Rung fast = table().getItems().get(Level.FAST_SHADING.ordinal());
+        Rung fast = table().getItems().get(Grade.FAST_SHADING.ordinal());
         robot.interact(() -> table().getSelectionModel().select(fast));
         assertThat(shown()).isEqualTo(ViewTransform.DEFAULT.toPixels(DifferencePicture.of(fast.film(), full)));
-        click("level-difference");
+        click("grade-difference");
         assertThat(shown()).isEqualTo(ViewTransform.DEFAULT.toPixels(fast.film()));
-        assertThat(text("level-note")).startsWith("fast shading: ");
+        assertThat(text("grade-note")).startsWith("fast shading: ");
     }
 
     @Test

@@ -6,7 +6,7 @@ import javafx.scene.Node;
 import javafx.scene.input.KeyCode;
 import lightning.app.EditorDesk;
 import lightning.edit.Command;
-import lightning.edit.Dial;
+import lightning.edit.Desk;
 import lightning.effects.Effect;
 import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.Test;
@@ -81,7 +81,7 @@ class EffectsPaneTest extends EditorDesk {
 
     @Test
     void editMadeLast_isTheOneMeasured() {
-        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
         openAndMeasure();
         assertThat(text("effects-outcome")).contains("lamp: weight");
         assertThat(isEnabled(Command.GO)).as("the document and its picture stay").isTrue();
@@ -90,7 +90,7 @@ class EffectsPaneTest extends EditorDesk {
     @Test
     void editAfterMeasuring_marksTheCostsAsOlder() {
         openAndMeasure();
-        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
         assertThat(text("effects-outcome")).startsWith("Before the last edits: First pass");
     }
 

@@ -8,8 +8,8 @@ import javafx.geometry.Bounds;
 import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.stage.Stage;
+import lightning.accuracy.Grade;
 import lightning.accuracy.Ladder;
-import lightning.accuracy.Level;
 import lightning.accuracy.PictureError;
 import lightning.accuracy.Rung;
 import lightning.accuracy.Timing;
@@ -33,14 +33,14 @@ class LadderPlotTest {
         stage.show();
     }
 
-    private static Rung rung(Level level) {
-        double ms = level == Level.FULL_TRACE ? 100 : 0.1;
-        return new Rung(level, new Timing(List.of(ms)), new PictureError(0, 1, 0, 0, 0, 0, 0, 0, 1, 0), null, null);
+    private static Rung rung(Grade grade) {
+        double ms = grade == Grade.FULL_TRACE ? 100 : 0.1;
+        return new Rung(grade, new Timing(List.of(ms)), new PictureError(0, 1, 0, 0, 0, 0, 0, 0, 1, 0), null, null);
     }
 
     @Test
     void labelOfManyLevelsWithoutTime_isReadInFull(FxRobot robot) {
-        robot.interact(() -> chart.show(new Ladder(null, null, null, Stream.of(Level.values()).map(LadderPlotTest::rung).toList(),
+        robot.interact(() -> chart.show(new Ladder(null, null, null, Stream.of(Grade.values()).map(LadderPlotTest::rung).toList(),
                 TraceCounts.NONE, true)));
         QuickRobot.settle();
         Node label = robot.lookup("1 2 3 4 5 6").query();

@@ -34,17 +34,17 @@ class PreferencesFuzzTest {
             byte[] bytes = Fuzz.mutated(PREFERENCES, Fuzz.random(i), BITS);
             Files.write(file, bytes);
             assertThatCode(() -> {
-                var preferences = new Preferences(folder);
+                var preferences = new Preferences(folder, Runnable::run);
                 assertThat(preferences.number("width", 200, 32_768, 1)).isFinite();
                 assertThat(preferences.number("height", 200, 32_768, 1)).isFinite();
                 preferences.choice("theme", Looks.DARK);
                 List<Path> files = preferences.recent();
                 preferences.set("width", 7);
                 preferences.save();
-                assertThat(new Preferences(folder).recent()).isEqualTo(files);
-                assertThat(new Preferences(folder).number("width", 1, 9, 0)).isEqualTo(7);
+                assertThat(new Preferences(folder, Runnable::run).recent()).isEqualTo(files);
+                assertThat(new Preferences(folder, Runnable::run).number("width", 1, 9, 0)).isEqualTo(7);
             }).as("try " + i + ": " + new String(bytes, StandardCharsets.UTF_8)).doesNotThrowAnyException();
-            recent += new Preferences(folder).recent().isEmpty() ? 0 : 1;
+            recent += new Preferences(folder, Runnable::run).recent().isEmpty() ? 0 : 1;
         }
         assertThat(recent).isBetween(TRIES / 20, TRIES - 1);
     }

@@ -22,26 +22,26 @@ class PreferencesTest {
 
     @Test
     void preferences_areThereInTheNextRun() {
-        var first = new Preferences(folder.resolve("new"));
+        var first = new Preferences(folder.resolve("new"), Runnable::run);
         first.set("width", 1234.5);
         first.save();
-        assertThat(new Preferences(folder.resolve("new")).number("width", 1, 9999, 0)).isEqualTo(1234.5);
+        assertThat(new Preferences(folder.resolve("new"), Runnable::run).number("width", 1, 9999, 0)).isEqualTo(1234.5);
     }
 
     @Test
     void recentScenes_areTheLatestFirstAndEachOnce() {
-        var preferences = new Preferences(folder);
+        var preferences = new Preferences(folder, Runnable::run);
         Path a = folder.resolve("a.jen");
         Path b = folder.resolve("b.jen");
         preferences.opened(a);
         preferences.opened(b);
         preferences.opened(a);
-        assertThat(new Preferences(folder).recent()).containsExactly(a.toAbsolutePath(), b.toAbsolutePath());
+        assertThat(new Preferences(folder, Runnable::run).recent()).containsExactly(a.toAbsolutePath(), b.toAbsolutePath());
     }
 
     @Test
     void recentScenes_areAtMostTen() {
-        var preferences = new Preferences(folder);
+        var preferences = new Preferences(folder, Runnable::run);
         for (int i = 0; i < 15; i++) {
             preferences.opened(folder.resolve(i + ".jen"));
         }
@@ -53,14 +53,14 @@ class PreferencesTest {
         "\\u00zz"})
     void numberOutOfReason_countsAsAbsent(String damaged) throws IOException {
         Files.writeString(folder.resolve("preferences.properties"), "width=" + damaged);
-        assertThat(new Preferences(folder).number("width", 200, 32_768, 7)).isEqualTo(7);
+        assertThat(new Preferences(folder, Runnable::run).number("width", 200, 32_768, 7)).isEqualTo(7);
     }
 
     @Test
     void damagedValue_leavesTheOthers() throws IOException {
         Files.writeString(folder.resolve("preferences.properties"),
                 "height=500\nrecent.0=\\u00zz\nwidth=400\ntheme=PINK\ncurve=LINEAR\nrecent.1=a\\u0000b\nrecent.2=/a.jen\n");
-        var preferences = new Preferences(folder);
+        var preferences = new Preferences(folder, Runnable::run);
         assertThat(preferences.number("height", 200, 900, 7)).isEqualTo(500);
         assertThat(preferences.number("width", 200, 900, 7)).isEqualTo(400);
         assertThat(preferences.choice("theme", Looks.DARK)).isEqualTo(Looks.DARK);
@@ -71,13 +71,13 @@ class PreferencesTest {
     @Test
     void bytesThatAreNoText_loseTheirOwnValueAlone() throws IOException {
         Files.write(folder.resolve("preferences.properties"), "theme=\u00ff\nwidth=400\n".getBytes(StandardCharsets.ISO_8859_1));
-        assertThat(new Preferences(folder).number("width", 200, 900, 7)).isEqualTo(400);
+        assertThat(new Preferences(folder, Runnable::run).number("width", 200, 900, 7)).isEqualTo(400);
     }
 
     @Test
     @DisabledOnOs(OS.WINDOWS)
     void preferences_areTheirOwnersAlone() throws IOException {
-        new Preferences(folder.resolve("new")).save();
+        new Preferences(folder.resolve("new"), Runnable::run).save();
         assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(folder.resolve("new/preferences.properties"))))
                 .isEqualTo("rw-------");
         assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(folder.resolve("new")))).isEqualTo("rwx------");
@@ -86,7 +86,7 @@ class PreferencesTest {
     @Test
     void folderThatCannotBeMade_disturbsNobody() throws IOException {
         Path file = Files.writeString(folder.resolve("file"), "no folder");
-        var preferences = new Preferences(file);
+        var preferences = new Preferences(file, Runnable::run);
         preferences.opened(folder.resolve("a.jen"));
         assertThat(preferences.recent()).hasSize(1);
     }

@@ -11,31 +11,31 @@ class PreviewLookTest {
     Path folder;
 
     private PreviewLook inTheNextRun(PreviewLook left) {
-        var preferences = new Preferences(folder);
+        var preferences = new Preferences(folder, Runnable::run);
         left.remember(preferences);
         preferences.save();
         var look = new PreviewLook();
-        look.restore(new Preferences(folder));
+        look.restore(new Preferences(folder, Runnable::run));
         return look;
     }
 
     @Test
     void withoutPreferences_lightFallsOnTexturesAndGizmosAreNormal() {
         var look = new PreviewLook();
-        look.restore(new Preferences(folder));
-        assertThat(look.litProperty().get()).isTrue();
-        assertThat(look.gizmosProperty().get()).isTrue();
+        look.restore(new Preferences(folder, Runnable::run));
+        assertThat(look.glowingProperty().get()).isFalse();
+        assertThat(look.gizmosHiddenProperty().get()).isFalse();
         assertThat(look.sizeProperty().get()).isEqualTo(GizmoSize.NORMAL);
     }
 
     @Test
     void glowingTextures_areKept() {
         var look = new PreviewLook();
-        look.litProperty().set(false);
+        look.glowingProperty().set(true);
         PreviewLook next = inTheNextRun(look);
-        assertThat(next.litProperty().get()).isFalse();
-        next.litProperty().set(true);
-        assertThat(inTheNextRun(next).litProperty().get()).isTrue();
+        assertThat(next.glowingProperty().get()).isTrue();
+        next.glowingProperty().set(false);
+        assertThat(inTheNextRun(next).glowingProperty().get()).isFalse();
     }
 
     @Test
@@ -50,7 +50,7 @@ class PreviewLookTest {
     @Test
     void hiddenGizmos_areShownInTheNextRun() {
         var look = new PreviewLook();
-        look.gizmosProperty().set(false);
-        assertThat(inTheNextRun(look).gizmosProperty().get()).isTrue();
+        look.gizmosHiddenProperty().set(true);
+        assertThat(inTheNextRun(look).gizmosHiddenProperty().get()).isFalse();
     }
 }

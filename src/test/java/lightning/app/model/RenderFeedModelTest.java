@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.concurrent.Executor;
 import lightning.edit.loop.Frame;
 import lightning.edit.loop.Look;
+import lightning.edit.loop.RenderFeed;
+import lightning.edit.loop.RenderState;
 import lightning.image.Film;
 import lightning.model.Schedules;
 import org.junit.jupiter.api.Tag;
@@ -46,7 +48,9 @@ class RenderFeedModelTest {
         explore(() -> {
             var window = new Window();
             List<RenderState> heard = new ArrayList<>();
-            var feed = new RenderFeed(window, new TracedRaster(), heard::add);
+            var feeds = new RenderFeed[1];
+            var feed = new RenderFeed(window, new TracedRaster(), () -> heard.add(feeds[0].state()));
+            feeds[0] = feed;
             Schedules.Beside loop = Schedules.beside(() -> {
                 feed.progress(1, 2);
                 feed.progress(2, 2);
@@ -70,12 +74,37 @@ class RenderFeedModelTest {
         explore(() -> {
             var window = new Window();
             var raster = new TracedRaster();
+            var feeds = new RenderFeed[1];
             var feed = new RenderFeed(window, raster,
-                    state -> law(state.frame() == null || raster.pixels() != null, "who hears of a picture can show it"));
-            Schedules.Beside loop = Schedules.beside(() -> feed.rendered(new Frame(FILM, FILM, Look.PLAIN, null, null, null)));
+                    () -> law(feeds[0].state().frame() == null || raster.pixels() != null, "who hears of a picture can show it"));
+            feeds[0] = feed;
+            Schedules.Beside loop = Schedules.beside(() -> feed.rendered(new Frame(FILM, FILM, Look.PLAIN, null, null, null, null)));
             window.runAll();
             loop.end();
             window.runAll();
+        });
+    }
+
+    @Test
+    void pictureOfADocumentThatWasLeft_isNeitherHeardNorShown() {
+        Film large = Film.black(2, 1);
+        Frame old = new Frame(FILM, FILM, Look.PLAIN, null, null, null, null);
+        Frame fresh = new Frame(large, large, Look.PLAIN, null, null, null, null);
+        explore(() -> {
+            var window = new Window();
+            var raster = new TracedRaster();
+            var feed = new RenderFeed(window, raster, () -> {});
+            Schedules.Beside before = Schedules.beside(() -> feed.rendered(old));
+            feed.open(1);
+            Schedules.Beside loop = Schedules.beside(() -> {
+                before.end();
+                feed.forgotten(1);
+                feed.rendered(fresh);
+            });
+            law(feed.state().frame() != old, "no picture of the document that was left is told");
+            law(raster.pixels() == null || raster.pixels().width() == 2, "none of it is shown");
+            loop.end();
+            law(feed.state().frame() == fresh && raster.pixels().width() == 2, "that of the open one is told and shown");
         });
     }
 }

@@ -8,6 +8,7 @@ import lightning.accuracy.Timing;
 import lightning.accuracy.WarmSaving;
 import lightning.edit.loop.Frame;
 import lightning.edit.loop.Look;
+import lightning.edit.loop.RenderState;
 import lightning.image.Film;
 import lightning.relight.Update;
 import lightning.relight.plan.LevelPlan;
@@ -30,7 +31,7 @@ class RenderStateTest {
 
     /** Took 60 ms in cold code. */
     private static Frame frame(UpdatePlan plan) {
-        return new Frame(FILM, FILM, Look.PLAIN, SCENE, SCENE, new Update(plan, 0, 0, 0, TraceCounts.NONE, 60_000_000, 0, false));
+        return new Frame(FILM, FILM, Look.PLAIN, SCENE, SCENE, new Update(plan, 0, 0, 0, TraceCounts.NONE, 60_000_000, 0, false), null);
     }
 
     private static WarmSaving saving(Frame of) {
@@ -63,7 +64,7 @@ class RenderStateTest {
     @Test
     void anotherLook_isStillThePictureThatWasMeasured() {
         Frame edit = frame(SAMPLES);
-        Frame look = new Frame(FILM, FILM, Look.PLAIN.withLight(Optional.of("key")), SCENE, SCENE, edit.update());
+        Frame look = new Frame(FILM, FILM, Look.PLAIN.withLight(Optional.of("key")), SCENE, SCENE, edit.update(), null);
         assertThat(RenderState.NONE.rendered(edit).measured(saving(edit)).rendered(look).saving()).isPresent();
     }
 

@@ -2,8 +2,13 @@ package lightning.app.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
+import lightning.scene.Camera;
+import lightning.scene.Picture;
+import lightning.scene.Scene;
+import lightning.scene.World;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -71,6 +76,58 @@ class TracedRasterTest {
         TracedRaster.Pixels before = raster.pixels();
         raster.show(filled(0.9f));
         assertThat(raster.pixels()).isSameAs(before);
+    }
+
+    private static Scene scene(int width, int height) {
+        return new Scene(Picture.DEFAULT.withSize(width, height), Camera.DEFAULT, World.DEFAULT, List.of(), List.of(), List.of());
+    }
+
+    private static float[][] tile(float value) {
+        Film film = filled(32, 32, value);
+        return new float[][] {film.red(0), film.green(0), film.blue(0)};
+    }
+
+    @Test
+    void tileOfAPictureThatIsNotWhole_comesIntoTheCoarseOne() {
+        raster.coarse(filled(4, 2, 0.2f), WIDTH, HEIGHT);
+        raster.takeDirty();
+        raster.tile(scene(WIDTH, HEIGHT), 4, tile(0.9f));
+        assertThat(raster.takeDirty()).isEqualTo(new TracedRaster.Dirty(32, 32, 64, 40));
+        assertThat(pixels()[32 * WIDTH + 32]).isEqualTo(ViewTransform.DEFAULT.toPixels(filled(0.9f))[0]);
+        assertThat(pixels()[31 * WIDTH + 32]).isEqualTo(ViewTransform.DEFAULT.toPixels(filled(0.2f))[0]);
+    }
+
+    @Test
+    void tilesThatFollowAtOnce_areToldWithThePicture() {
+        for (int tile = 0; tile < 6; tile++) {
+            raster.tile(scene(WIDTH, HEIGHT), tile, tile(0.9f));
+        }
+        raster.show(withTile(4, 0.1f));
+        assertThat(raster.takeDirty()).isEqualTo(new TracedRaster.Dirty(0, 0, WIDTH, HEIGHT));
+        assertThat(pixels()).isEqualTo(ViewTransform.DEFAULT.toPixels(withTile(4, 0.1f)));
+    }
+
+    @Test
+    void tileOfAnotherSize_isNotShown() {
+        raster.tile(scene(WIDTH, HEIGHT + 1), 0, tile(0.9f));
+        assertThat(pixels()).isEqualTo(ViewTransform.DEFAULT.toPixels(first));
+    }
+
+    @Test
+    void pictureThatWasGivenUp_givesWayToTheOneBefore() {
+        raster.coarse(filled(4, 2, 0.2f), 100, 50);
+        raster.tile(scene(100, 50), 0, tile(0.9f));
+        raster.idle();
+        assertThat(raster.pixels().width()).isEqualTo(WIDTH);
+        assertThat(pixels()).isEqualTo(ViewTransform.DEFAULT.toPixels(first));
+    }
+
+    @Test
+    void firstPictureThatWasGivenUp_leavesNone() {
+        raster.forgotten(1);
+        raster.coarse(filled(4, 2, 0.2f), 100, 50);
+        raster.idle();
+        assertThat(raster.pixels()).isNull();
     }
 
     @Test

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
-import lightning.edit.Dial;
+import lightning.edit.Desk;
 import lightning.edit.PreviewCamera;
 import lightning.effects.ViewEffects;
 import lightning.image.ViewTransform;
@@ -59,7 +59,7 @@ class PreviewLoopTest {
     }
 
     private static PreviewLoop.Wish wish(Scene scene, PreviewCamera camera, ViewEffects effects, boolean moving) {
-        return new PreviewLoop.Wish(scene, camera, WIDTH, HEIGHT, ViewTransform.DEFAULT, effects, moving);
+        return new PreviewLoop.Wish(scene, camera, WIDTH, HEIGHT, ViewTransform.DEFAULT, effects, moving, null);
     }
 
     private PreviewLoop.Picture next() throws InterruptedException {
@@ -95,7 +95,7 @@ class PreviewLoopTest {
         PreviewCamera camera = PreviewCamera.alongX(SCENE);
         loop.draw(wish(SCENE, camera, false));
         next();
-        Scene edited = Dial.ANGLE.set(SCENE, "key", 40).or(SCENE);
+        Scene edited = Desk.dial("angle").set(SCENE, "key", 40).or(SCENE);
         loop.draw(wish(edited, camera, false));
         assertThat(next().pixels()).isEqualTo(expected(edited, camera));
     }
@@ -133,7 +133,7 @@ class PreviewLoopTest {
         PreviewCamera camera = PreviewCamera.of(SCENE);
         Scene last = SCENE;
         for (int i = 0; i < 50; i++) {
-            last = Dial.INTENSITY.set(SCENE, "key", i / 10.0).or(SCENE);
+            last = Desk.dial("intensity").set(SCENE, "key", i / 10.0).or(SCENE);
             loop.draw(wish(last, camera, false));
         }
         PreviewLoop.Picture picture = next();

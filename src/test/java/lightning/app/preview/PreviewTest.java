@@ -209,14 +209,14 @@ class PreviewTest extends EditorDesk {
     @Test
     void hiddenGizmo_isNeitherTakenNorSelected() {
         robot.interact(() -> model().selectLight("stage"));
-        click("gizmos");
+        click("hide-gizmos");
         Light lamp = light("lamp");
         robot.clickOn(inPreview(lamp.position()));
         drag(lamp, MouseButton.SECONDARY, 30, 20);
         assertThat(model().selectedLight().name()).isEqualTo("stage");
         assertThat(light("lamp")).isEqualTo(lamp);
         assertThat(isEnabled(Command.UNDO)).isFalse();
-        click("gizmos");
+        click("hide-gizmos");
         robot.clickOn(inPreview(lamp.position()));
         assertThat(model().selectedLight().name()).isEqualTo("lamp");
     }
@@ -231,7 +231,7 @@ class PreviewTest extends EditorDesk {
             preview().requestFocus();
         });
         robot.type(KeyCode.G);
-        assertThat(model().previewLook().gizmosProperty().get()).isFalse();
+        assertThat(model().previewLook().gizmosHiddenProperty().get()).isTrue();
         robot.clickOn(preview().onScreen(marker.at()));
         assertThat(model().selectedLight().name()).isEqualTo("lamp");
     }

@@ -161,6 +161,7 @@ class MaterialPaneTest extends EditorDesk {
         robot.interact(() -> model().materials().inFrontProperty().set(true));
         MenuButton found = robot.lookup("#textures").query();
         robot.interact(() -> found.getOnShowing().handle(null));
+        waitFor("it is seen", () -> found.getItems().stream().anyMatch(i -> "dots.png".equals(i.getText())));
         MenuItem dots = found.getItems().stream().filter(i -> "dots.png".equals(i.getText())).findFirst().orElseThrow();
         robot.interact(dots::fire);
         waitFor("it is read", () -> material(edited()).texture().isPresent());

@@ -11,7 +11,7 @@ import lightning.app.OnStage;
 import lightning.app.OpenEditor;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.HandTime;
-import lightning.edit.Dial;
+import lightning.edit.Desk;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
@@ -47,7 +47,7 @@ class BadgesTest {
     }
 
     private void dim(FxRobot robot, double intensity) {
-        robot.interact(() -> model.edit(scene -> Dial.INTENSITY.set(scene, OpenEditor.POINT, intensity)));
+        robot.interact(() -> model.edit(scene -> Desk.dial("intensity").set(scene, OpenEditor.POINT, intensity)));
     }
 
     @Test

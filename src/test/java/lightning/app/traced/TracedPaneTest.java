@@ -17,6 +17,7 @@ import lightning.app.EditorDesk;
 import lightning.app.widget.PictureView;
 import lightning.app.widget.Typing;
 import lightning.edit.Command;
+import lightning.edit.Desk;
 import lightning.edit.Dial;
 import lightning.edit.LightEdits;
 import lightning.effects.Effect;
@@ -57,7 +58,7 @@ class TracedPaneTest extends EditorDesk {
 
     @Test
     void click_selectsTheLightThatMattersMostThere() {
-        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "stage", 50)));
+        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "stage", 50)));
         click("go");
         waitForPicture();
         robot.interact(() -> model().selectLight("sun"));
@@ -82,7 +83,7 @@ class TracedPaneTest extends EditorDesk {
     void placedHighlight_shinesThereMost() {
         robot.interact(() -> {
             model().selectLight("lamp");
-            traced().placer().highlight();
+            model().run(Command.PLACE_HIGHLIGHT);
         });
         assertThat(text("prompt")).startsWith("Click where the highlight should be");
         robot.clickOn(pixel(28, 22));
@@ -96,7 +97,7 @@ class TracedPaneTest extends EditorDesk {
     void placedShadow_fallsThere() {
         robot.interact(() -> {
             model().selectLight("lamp");
-            traced().placer().shadow();
+            model().run(Command.PLACE_SHADOW);
         });
         robot.clickOn(pixel(32, 22));
         waitFor("it asks for the second place", () -> text("prompt").startsWith("Click where the shadow should fall"));
@@ -135,7 +136,7 @@ class TracedPaneTest extends EditorDesk {
 
     @Test
     void whatIsAskedFor_standsOverThePictureUntilEscape() {
-        robot.interact(() -> traced().placer().highlight());
+        robot.interact(() -> model().run(Command.PLACE_HIGHLIGHT));
         Bounds asked = robot.lookup("#prompt").query().localToScreen(robot.lookup("#prompt").query().getBoundsInLocal());
         Bounds canvas = robot.lookup("#traced-picture").query().localToScreen(robot.lookup("#traced-picture").query().getBoundsInLocal());
         assertThat(canvas.contains(asked)).isTrue();
@@ -290,7 +291,7 @@ class TracedPaneTest extends EditorDesk {
             assertThat(isShown("pending")).isFalse();
         });
         waitForPicture();
-        robot.interact(() -> model().edit(scene -> Dial.INTENSITY.set(scene, "lamp", 5)));
+        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 5)));
         waitFor("it is told", () -> isShown("pending"));
     }
 

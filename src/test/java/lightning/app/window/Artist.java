@@ -44,7 +44,8 @@ final class Artist {
         BufferedImage before = rendered("before.png");
         Process editor = program("editor", scene.toString());
         try {
-            return look("a window", () -> !isBlank(screen())) && zoom() && look("the picture of the scene", () -> shows(before))
+            // The window stands before it hears keys.
+            return look("a window", () -> !isBlank(screen())) && look("the picture of the scene", () -> zoom() && shows(before))
                     && edit() && look("the picture of the edited scene", this::showsEdited) && quit(editor);
         } finally {
             if (editor.isAlive()) {

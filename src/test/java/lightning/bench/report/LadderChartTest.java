@@ -3,7 +3,7 @@ package lightning.bench.report;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import lightning.accuracy.Level;
+import lightning.accuracy.Grade;
 import lightning.bench.report.LadderChart.Point;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -17,10 +17,10 @@ class LadderChartTest {
 
     @Test
     void aLevelBeatenInBoth_isOffTheFront() {
-        Point fast = new Point(Level.FAST_SHADING, 1, 1, 1, 0.1);
-        Point half = new Point(Level.HALF_RESOLUTION, 2, 2, 2, 0.2);
-        Point exact = new Point(Level.EXACT_CURRENT, 3, 3, 3, 0);
-        Point full = new Point(Level.FULL_TRACE, 9, 9, 9, 0);
+        Point fast = new Point(Grade.FAST_SHADING, 1, 1, 1, 0.1);
+        Point half = new Point(Grade.HALF_RESOLUTION, 2, 2, 2, 0.2);
+        Point exact = new Point(Grade.EXACT_CURRENT, 3, 3, 3, 0);
+        Point full = new Point(Grade.FULL_TRACE, 9, 9, 9, 0);
 
         assertThat(LadderChart.paretoFront(List.of(full, half, exact, fast))).containsExactly(fast, exact);
     }
@@ -39,7 +39,7 @@ class LadderChartTest {
 
     @Test
     void everyLevel_isNamedInTheChart() {
-        String svg = LadderChart.svg("chart", List.of(new Point(Level.RATIO, 1, 2, 3, 1e-8), new Point(Level.FULL_TRACE, 8, 9, 10, 0)), 400,
+        String svg = LadderChart.svg("chart", List.of(new Point(Grade.RATIO, 1, 2, 3, 1e-8), new Point(Grade.FULL_TRACE, 8, 9, 10, 0)), 400,
                 300);
 
         assertThat(svg).contains(">ratio<", ">full trace<", ">0<");
@@ -47,14 +47,14 @@ class LadderChartTest {
 
     @Test
     void allEqual_stillIsAChart() {
-        assertThat(LadderChart.svg("chart", List.of(new Point(Level.FULL_TRACE, 5, 5, 5, 0)), 400, 300)).contains(">full trace<");
+        assertThat(LadderChart.svg("chart", List.of(new Point(Grade.FULL_TRACE, 5, 5, 5, 0)), 400, 300)).contains(">full trace<");
         assertThat(LadderChart.svg("chart", List.of(), 400, 300)).contains("<svg");
     }
 
     @Provide
     Arbitrary<List<Point>> points() {
         Arbitrary<Double> few = Arbitraries.of(1.0, 2.0, 3.0, 4.0);
-        return Combinators.combine(Arbitraries.of(Level.values()), few, few)
-                .as((level, time, error) -> new Point(level, time, time, time, error - 1)).list().ofMaxSize(7);
+        return Combinators.combine(Arbitraries.of(Grade.values()), few, few)
+                .as((grade, time, error) -> new Point(grade, time, time, time, error - 1)).list().ofMaxSize(7);
     }
 }

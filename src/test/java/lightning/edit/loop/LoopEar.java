@@ -1,5 +1,7 @@
 package lightning.edit.loop;
 
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -18,11 +20,14 @@ public final class LoopEar implements RenderListener {
     /** What is told of a finished picture, with a film of its own. */
     record Shown(Frame frame, Film film) {}
 
+    /** The tiles that were told of, as they were told last. */
+    final Map<Integer, float[][]> tiles = new ConcurrentHashMap<>();
+
     record Coarse(Film film) {}
 
     record Started(UpdatePlan plan) {}
 
-    enum Event {
+    public enum Event {
         CANCELLED, IDLE
     }
 
@@ -74,7 +79,7 @@ public final class LoopEar implements RenderListener {
         }
     }
 
-    void nextIs(Event wanted) throws InterruptedException {
+    public void nextIs(Event wanted) throws InterruptedException {
         Event event = next(Event.class);
         while (event != wanted) {
             event = next(Event.class);
@@ -92,6 +97,11 @@ public final class LoopEar implements RenderListener {
         if (now != null) {
             now.stand();
         }
+    }
+
+    @Override
+    public void tile(Scene scene, int tile, float[][] film) {
+        tiles.put(tile, film);
     }
 
     @Override

@@ -6,7 +6,6 @@ import static lightning.model.Schedules.law;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.edit.Desk;
-import lightning.edit.Dial;
 import lightning.model.Schedules;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
@@ -17,8 +16,8 @@ import org.junit.jupiter.api.Test;
 @Tag("model")
 class RenderQueueModelTest {
     private static final Scene FIRST = Desk.scene();
-    private static final Scene SECOND = Desk.done(Dial.INTENSITY.set(FIRST, "key", 2));
-    private static final Scene THIRD = Desk.done(Dial.INTENSITY.set(FIRST, "key", 3));
+    private static final Scene SECOND = Desk.done(Desk.dial("intensity").set(FIRST, "key", 2));
+    private static final Scene THIRD = Desk.done(Desk.dial("intensity").set(FIRST, "key", 3));
     private static final Scene LARGER = FIRST.withPicture(FIRST.picture().withSize(80, 60));
 
     /** A render loop that does nothing with its works but remember them. */

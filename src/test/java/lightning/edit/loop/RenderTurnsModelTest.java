@@ -9,8 +9,6 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.Executor;
 import lightning.edit.Desk;
-import lightning.edit.Dial;
-import lightning.edit.WorkbenchEar;
 import lightning.model.Schedules;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Tag;
@@ -20,7 +18,7 @@ import org.junit.jupiter.api.Test;
 @Tag("model")
 class RenderTurnsModelTest {
     private static final Scene FIRST = Desk.scene();
-    private static final Scene SECOND = Desk.done(Dial.INTENSITY.set(FIRST, "key", 2));
+    private static final Scene SECOND = Desk.done(Desk.dial("intensity").set(FIRST, "key", 2));
     private static final Scene LARGER = FIRST.withPicture(FIRST.picture().withSize(80, 60));
 
     /** The window's thread: runs what it is told, in turn, when it has time. */
@@ -73,7 +71,7 @@ class RenderTurnsModelTest {
                     throw new IllegalStateException("broken");
                 }
                 rendered = scene;
-                listener.rendered(new Frame(null, null, Look.PLAIN, scene, scene, null));
+                listener.rendered(new Frame(null, null, Look.PLAIN, scene, scene, null, null));
             }
         }
 
@@ -97,6 +95,7 @@ class RenderTurnsModelTest {
         final Window window = new Window();
         final List<Scene> shown = new ArrayList<>();
         final List<Throwable> problems = new ArrayList<>();
+        final RenderFeed feed;
         final Tiles tiles;
         final Schedules.Beside loop;
         boolean inWork;
@@ -109,12 +108,19 @@ class RenderTurnsModelTest {
                     window.execute(() -> problems.add(problem));
                 }
             };
-            var ear = new WorkbenchEar(canvas, window::execute, frame -> shown.add(frame.scene()), () -> {}, () -> {
-                inWork = queue.isBusy();
-                settled = true;
-            });
-            tiles = new Tiles(ear, broken);
-            loop = Schedules.beside(new RenderTurns(queue, tiles, ear)::run);
+            feed = new RenderFeed(window, canvas, this::hear);
+            tiles = new Tiles(feed, broken);
+            loop = Schedules.beside(new RenderTurns(queue, tiles, feed)::run);
+        }
+
+        /** As the workbench does. */
+        private void hear() {
+            inWork = queue.isBusy();
+            Frame now = feed.state().frame();
+            if (now != null && (shown.isEmpty() || shown.getLast() != now.scene())) {
+                shown.add(now.scene());
+            }
+            settled = true;
         }
 
         void render(Scene scene) {
@@ -146,6 +152,10 @@ class RenderTurnsModelTest {
                 stage.window.runOne();
             }
             stage.render(SECOND);
+            while (stage.inWork) {
+                stage.window.runOne();
+            }
+            law(stage.shown.getLast() == SECOND, "work that ended is taken with its picture");
             stage.settle();
             law(stage.shown.getLast() == SECOND, "the last edit is shown last");
             law(stage.shown.lastIndexOf(FIRST) < stage.shown.indexOf(SECOND), "no older edit is shown after a newer one");

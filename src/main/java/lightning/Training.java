@@ -1,0 +1,22 @@
+package lightning;
+
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import lightning.app.Rehearsal;
+import lightning.cli.Lightning;
+
+/**
+ * Does what starts do, while Java takes down which classes that needs: a picture by the command, and the editor's first
+ * one. Called by {@code make-archive}, with a picture file to write.
+ */
+public final class Training {
+    private Training() {}
+
+    public static void main(String[] args) {
+        var nobody = new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
+        Lightning.run(nobody, nobody, "render", System.getProperty("lightning.home") + "/scenes/bird.jen", "-o", args[0]);
+        Rehearsal.open();
+        System.exit(0);
+    }
+}

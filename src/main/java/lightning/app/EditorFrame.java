@@ -1,0 +1,82 @@
+package lightning.app;
+
+import java.nio.file.Path;
+import javafx.geometry.Orientation;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.SplitPane;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
+import lightning.app.widget.PaneHeader;
+
+/**
+ * The places of the editor's panes. Each holds what says that the scene is being read, until its pane comes: the traced picture
+ * first, then all others. Panes stay where they were put, since looks are lost on the way from one window into another.
+ */
+final class EditorFrame extends BorderPane {
+    /** The share of the two pictures in the window's width. */
+    private static final double CANVASES = 0.74;
+    private static final double LIST = 0.28;
+    /** About what menu and tools take, and the line at the bottom, pixels: so that little moves when they come. */
+    private static final double BARS = 72;
+    private static final double LINE = 27;
+
+    private final SplitPane canvases;
+    private final SplitPane side;
+
+    /** @param file what is being read */
+    EditorFrame(Path file) {
+        setId("opening");
+        getStyleClass().add("editor");
+        String reading = "Reading " + file.getFileName() + " …";
+        canvases = new SplitPane(note("Ray traced", reading), note("Preview", reading));
+        side = new SplitPane(sideNote(reading));
+        side.setOrientation(Orientation.VERTICAL);
+        var all = new SplitPane(canvases, side);
+        all.setDividerPositions(CANVASES);
+        SplitPane.setResizableWithParent(side, false);
+        setTop(space(BARS));
+        setCenter(all);
+        setBottom(space(LINE));
+    }
+
+    private static Region space(double height) {
+        var space = new Region();
+        space.setPrefHeight(height);
+        return space;
+    }
+
+    private static BorderPane note(String title, String text) {
+        var note = new Label(text);
+        note.getStyleClass().add("canvas-note");
+        var canvas = new StackPane(note);
+        canvas.getStyleClass().add("canvas");
+        var pane = new BorderPane(canvas);
+        pane.setTop(new PaneHeader(title));
+        return pane;
+    }
+
+    private static VBox sideNote(String text) {
+        var note = new Label(text);
+        note.getStyleClass().add("pane-note");
+        var side = new VBox(new PaneHeader("Lights"), note);
+        side.getStyleClass().add("lights");
+        return side;
+    }
+
+    void showTraced(Node pane) {
+        canvases.getItems().set(0, pane);
+    }
+
+    /** Puts in all but the traced picture. */
+    void fill(Node bars, Node preview, Node lights, Node properties, Node status) {
+        setId("editor");
+        canvases.getItems().set(1, preview);
+        side.getItems().setAll(lights, properties);
+        side.setDividerPositions(LIST);
+        setTop(bars);
+        setBottom(status);
+    }
+}

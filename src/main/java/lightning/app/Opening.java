@@ -1,0 +1,45 @@
+package lightning.app;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import lightning.edit.OpenDocument;
+import lightning.edit.Recovery;
+import lightning.jen.JenException;
+
+/**
+ * What the editor begins with, read from files.
+ *
+ * @param failed the scene that was named, where it could not be opened for {@code why}; else null
+ * @param left   what crashes left unsaved
+ */
+record Opening(OpenDocument document, Path failed, Exception why, List<Recovery.Found> left) {
+
+    /**
+     * Reads a scene; the first scene takes the place of one that cannot be opened.
+     *
+     * @throws IOException   if neither could be read
+     * @throws JenException  if the first scene, which was read in place of the other, does not parse
+     */
+    static Opening read(Path file, Recovery recovery) throws IOException, JenException {
+        List<Recovery.Found> left = left(recovery);
+        try {
+            return new Opening(OpenDocument.open(file), null, null, left);
+        } catch (IOException | JenException | RuntimeException e) {
+            try {
+                return new Opening(OpenDocument.open(Folders.firstScene()), file, e, left);
+            } catch (IOException | JenException again) {
+                again.addSuppressed(e);
+                throw e;
+            }
+        }
+    }
+
+    private static List<Recovery.Found> left(Recovery recovery) {
+        try {
+            return recovery.found();
+        } catch (IOException e) {
+            return List.of();
+        }
+    }
+}

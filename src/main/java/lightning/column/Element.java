@@ -1,0 +1,51 @@
+package lightning.column;
+
+/** What a column holds for each row. */
+public enum Element {
+    /** Read one by one: as many as there are rows. */
+    BYTE(Byte.BYTES, 1),
+    /** Of this and what follows a multiple of 16, so that lanes may run over the end. */
+    SHORT(Short.BYTES, 16),
+    INT(Integer.BYTES, 16),
+    FLOAT(Float.BYTES, 16);
+
+    private final int bytes;
+    private final int grain;
+
+    Element(int bytes, int grain) {
+        this.bytes = bytes;
+        this.grain = grain;
+    }
+
+    /** The bytes of one. */
+    public int bytes() {
+        return bytes;
+    }
+
+    /** How many a column for {@code rows} rows holds: as many bytes, and of all else the next multiple of 16. */
+    public int length(int rows) {
+        return (rows + grain - 1) / grain * grain;
+    }
+
+    /** A new column of them for {@code rows} rows, all 0. */
+    Object column(int rows) {
+        int length = length(rows);
+        return switch (this) {
+            case BYTE -> new byte[length];
+            case SHORT -> new short[length];
+            case INT -> new int[length];
+            case FLOAT -> new float[length];
+        };
+    }
+
+    /** The bytes of a column of them, its header left out. */
+    long bytes(Object column) {
+        int length = switch (this) {
+            case BYTE -> ((byte[]) column).length;
+            case SHORT -> ((short[]) column).length;
+            case INT -> ((int[]) column).length;
+            case FLOAT -> ((float[]) column).length;
+        };
+        return (long) bytes * length;
+    }
+}

@@ -1,0 +1,117 @@
+package lightning.edit;
+
+import java.util.Optional;
+import java.util.function.Function;
+import lightning.scene.LightAttribute;
+import lightning.scene.Limits;
+import lightning.scene.VisiblePart;
+
+/** Why commands have nothing to do: each a clause without a full stop, or empty where nothing is in the way. */
+final class Obstacles {
+    /** There is always something to do. */
+    static final Function<Situation, Optional<String>> NONE = _ -> Optional.empty();
+
+    private static final String NO_PICTURE = "there is no picture yet";
+
+    private Obstacles() {}
+
+    /** Of a command that changes the document, or writes what an animation has changed for a while. */
+    static Function<Situation, Optional<String>> alone() {
+        return alone(NONE);
+    }
+
+    /** The same, with an obstacle of its own. */
+    static Function<Situation, Optional<String>> alone(Function<Situation, Optional<String>> own) {
+        return s -> s.animating() ? Optional.of("an animation is open; close it first") : own.apply(s);
+    }
+
+    static Optional<String> noPicture(Situation s) {
+        return unless(s.rendered().isPresent(), NO_PICTURE);
+    }
+
+    static Optional<String> notPlain(Situation s) {
+        return unless(s.plain(), "the view does not show the whole picture");
+    }
+
+    static Optional<String> nothingRuns(Situation s) {
+        return unless(s.inWork().isPresent() || s.verifying() || s.reading(), "nothing is running");
+    }
+
+    static Optional<String> asOnDisk(Situation s) {
+        return unless(s.dirty() || s.changedOnDisk(), "the scene is as it is on disk");
+    }
+
+    static Optional<String> saved(Situation s) {
+        return unless(s.dirty(), "there is nothing to save");
+    }
+
+    static Optional<String> nothingToUndo(Situation s) {
+        return unless(s.undo().isPresent(), "there is nothing to undo");
+    }
+
+    static Optional<String> nothingToRedo(Situation s) {
+        return unless(s.redo().isPresent(), "there is nothing to redo");
+    }
+
+    static Optional<String> nothingToUndoOfLight(Situation s) {
+        return ofLight(s, s.undoLight().isPresent(), "there is nothing to undo of this light");
+    }
+
+    static Optional<String> nothingToRedoOfLight(Situation s) {
+        return ofLight(s, s.redoLight().isPresent(), "there is nothing to redo of this light");
+    }
+
+    static Optional<String> noLight(Situation s) {
+        return unless(s.selected().isPresent(), "no light is selected");
+    }
+
+    static Optional<String> nothingCopied(Situation s) {
+        return ofLight(s, s.copied().isPresent(), "no settings were copied");
+    }
+
+    static Optional<String> noDirection(Situation s) {
+        return s.type().map(LightAttribute.DIRECTION::obstacle).orElseGet(() -> noLight(s));
+    }
+
+    static Optional<String> noRoom(Situation s) {
+        return unless(s.scene().lights().size() < Limits.MAX_LIGHTS, "a scene has at most " + Limits.MAX_LIGHTS + " lights");
+    }
+
+    static Optional<String> noLightOrNoRoom(Situation s) {
+        return noLight(s).or(() -> noRoom(s));
+    }
+
+    static Optional<String> nothingToAnimate(Situation s) {
+        return ofLight(s, !s.isPending(), s.rendered().isEmpty() ? NO_PICTURE : "the picture does not show the last edits; press Go first");
+    }
+
+    static Optional<String> oneSample(Situation s) {
+        return unless(s.scene().picture().sampling().isFine(), "every pixel has one sample");
+    }
+
+    static Optional<String> nothingToRender(Situation s) {
+        if (!s.isPending()) {
+            return Optional.of("nothing was edited since the last Go");
+        }
+        boolean comes = s.inWork().filter(scene -> VisiblePart.same(scene, s.scene())).isPresent();
+        return unless(!comes, "the scene is being rendered");
+    }
+
+    static Optional<String> mirrorsAreCurrent(Situation s) {
+        if (s.rendered().isEmpty() || s.mirrored().isEmpty()) {
+            return Optional.of(NO_PICTURE);
+        }
+        if (VisiblePart.same(s.rendered().get(), s.mirrored().get())) {
+            return Optional.of("the mirrors show the picture's lights already");
+        }
+        return unless(s.mirrorsRemark().isPresent(), "nothing in the picture mirrors");
+    }
+
+    private static Optional<String> ofLight(Situation s, boolean possible, String obstacle) {
+        return noLight(s).or(() -> unless(possible, obstacle));
+    }
+
+    private static Optional<String> unless(boolean possible, String obstacle) {
+        return possible ? Optional.empty() : Optional.of(obstacle);
+    }
+}

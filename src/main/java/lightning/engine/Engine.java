@@ -1,0 +1,22 @@
+package lightning.engine;
+
+import lightning.shading.Sums;
+import lightning.shading.Terms;
+import lightning.trace.Geometry;
+import lightning.trace.Tracer;
+
+/**
+ * What does the work on the rows of a tile, in one of several ways that give the same bits: finds what rays hit, fills a
+ * light's rows, and composes them. Engines are asked for one tile at a time, so that tiles of one picture may come from
+ * several. Shared between threads; what it gives holds scratch memory, one for each thread.
+ */
+public interface Engine {
+    /** What finds the hit rows of tiles. */
+    Tracer tracer(Geometry geometry);
+
+    /** What fills a light's rows. */
+    Terms terms();
+
+    /** What composes rows. */
+    Sums sums();
+}

@@ -1,0 +1,232 @@
+package lightning.engine.lanes;
+
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorShape;
+import jdk.incubator.vector.VectorSpecies;
+import lightning.scene.Attenuation;
+import lightning.shading.Lamp;
+import lightning.shading.LightingEquation;
+import lightning.shading.RowBits;
+import lightning.shading.Terms;
+import lightning.trace.HitRows;
+
+/**
+ * {@link LightingEquation} in lanes, over all rows of a tile: the same operations in the same order.
+ * Holds scratch columns: one for each thread.
+ */
+final class LightLanes implements Terms {
+    private static final VectorSpecies<Double> D = DoubleVector.SPECIES_PREFERRED;
+    /** As many floats as there are double lanes. */
+    private static final VectorSpecies<Float> F =
+            VectorSpecies.of(float.class, VectorShape.forBitSize(D.vectorBitSize() / 2));
+    static final int LANES = D.length();
+    private static final VectorSpecies<Float> WIDE = FloatVector.SPECIES_PREFERRED;
+
+    /** The unit vector from each row to the light. */
+    private final double[] lx = new double[ROWS];
+    private final double[] ly = new double[ROWS];
+    private final double[] lz = new double[ROWS];
+    private final double[] distance = new double[ROWS];
+    /** The cosine from the cone's axis, −1…1. */
+    private final double[] axisCosine = new double[ROWS];
+    private final double[] power = new double[ROWS];
+    private final float[] specular = new float[ROWS];
+
+    @Override
+    public void aim(HitRows rows, Lamp lamp) {
+        double x = lamp.source().x();
+        double y = lamp.source().y();
+        double z = lamp.source().z();
+        if (lamp.type().hasPosition()) {
+            aimAtPoint(rows, x, y, z);
+        } else {
+            java.util.Arrays.fill(lx, 0, HitRows.padded(rows.count), x);
+            java.util.Arrays.fill(ly, 0, HitRows.padded(rows.count), y);
+            java.util.Arrays.fill(lz, 0, HitRows.padded(rows.count), z);
+        }
+    }
+
+    private void aimAtPoint(HitRows rows, double x, double y, double z) {
+        for (int i = 0; i < rows.count; i += LANES) {
+            DoubleVector vx = DoubleVector.broadcast(D, x).sub(load(rows.px, i));
+            DoubleVector vy = DoubleVector.broadcast(D, y).sub(load(rows.py, i));
+            DoubleVector vz = DoubleVector.broadcast(D, z).sub(load(rows.pz, i));
+            DoubleVector d = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).lanewise(VectorOperators.SQRT);
+            VectorMask<Double> here = d.compare(VectorOperators.LT, LightingEquation.NO_DISTANCE);
+            DoubleVector inverse = DoubleVector.broadcast(D, 1).div(d);
+            d.intoArray(distance, i);
+            vx.mul(inverse).blend(load(rows.nx, i), here).intoArray(lx, i);
+            vy.mul(inverse).blend(load(rows.ny, i), here).intoArray(ly, i);
+            vz.mul(inverse).blend(load(rows.nz, i), here).intoArray(lz, i);
+        }
+    }
+
+    @Override
+    public void cosines(HitRows rows, float[] to) {
+        for (int i = 0; i < rows.count; i += LANES) {
+            DoubleVector c = load(rows.nx, i).mul(DoubleVector.fromArray(D, lx, i))
+                    .add(load(rows.ny, i).mul(DoubleVector.fromArray(D, ly, i)))
+                    .add(load(rows.nz, i).mul(DoubleVector.fromArray(D, lz, i)));
+            store(c, to, i);
+        }
+    }
+
+    @Override
+    public void aimCone(HitRows rows, Lamp lamp) {
+        double ax = lamp.axis().x();
+        double ay = lamp.axis().y();
+        double az = lamp.axis().z();
+        for (int i = 0; i < rows.count; i += LANES) {
+            DoubleVector c = DoubleVector.fromArray(D, lx, i).mul(ax)
+                    .add(DoubleVector.fromArray(D, ly, i).mul(ay))
+                    .add(DoubleVector.fromArray(D, lz, i).mul(az)).neg();
+            DoubleVector low = c.blend(-1, c.compare(VectorOperators.LT, -1));
+            low.blend(1, c.compare(VectorOperators.GT, 1)).intoArray(axisCosine, i);
+        }
+    }
+
+    @Override
+    public void facing(float[] cosine, int rows, int[] facing) {
+        for (int b = 0, row = 0; row < rows; b++, row += RowBits.WIDTH) {
+            int bits = 0;
+            for (int i = 0; i < RowBits.WIDTH; i += WIDE.length()) {
+                bits |= (int) FloatVector.fromArray(WIDE, cosine, row + i).compare(VectorOperators.GT, 0).toLong() << i;
+            }
+            facing[b] = bits & RowBits.valid(b, rows);
+        }
+    }
+
+    @Override
+    public void inside(int[] among, int rows, double cosAngle, int[] inside) {
+        for (int b = 0, row = 0; row < rows; b++, row += RowBits.WIDTH) {
+            int bits = 0;
+            for (int i = 0; among[b] != 0 && i < RowBits.WIDTH; i += LANES) {
+                DoubleVector c = DoubleVector.fromArray(D, axisCosine, row + i);
+                bits |= (int) c.compare(VectorOperators.GE, cosAngle).toLong() << i;
+            }
+            inside[b] = bits & among[b];
+        }
+    }
+
+    @Override
+    public boolean isInside(int row, double cosAngle) {
+        return axisCosine[row] >= cosAngle;
+    }
+
+    @Override
+    public void select(float[] values, int[] which, int rows, float[] to) {
+        for (int b = 0, row = 0; row < rows; b++, row += RowBits.WIDTH) {
+            for (int i = 0; i < RowBits.WIDTH; i += WIDE.length()) {
+                FloatVector v = FloatVector.fromArray(WIDE, values, row + i);
+                FloatVector.zero(WIDE).blend(v, VectorMask.fromLong(WIDE, which[b] >>> i)).intoArray(to, row + i);
+            }
+        }
+    }
+
+    @Override
+    public void falloffs(HitRows rows, Lamp lamp, float[] to) {
+        if (lamp.type().hasCone()) {
+            spots(rows, lamp.light().dropoff());
+        }
+        Attenuation a = lamp.light().attenuation();
+        boolean cone = lamp.type().hasCone();
+        for (int i = 0; i < rows.count; i += LANES) {
+            store(factor(a, cone, i), to, i);
+        }
+    }
+
+    @Override
+    public void factors(HitRows rows, Lamp lamp, double[] to) {
+        if (lamp.type().hasCone()) {
+            spots(rows, lamp.light().dropoff());
+        }
+        Attenuation a = lamp.light().attenuation();
+        boolean cone = lamp.type().hasCone();
+        for (int i = 0; i < rows.count; i += LANES) {
+            factor(a, cone, i).intoArray(to, i);
+        }
+    }
+
+    private DoubleVector factor(Attenuation a, boolean cone, int i) {
+        DoubleVector d = DoubleVector.fromArray(D, distance, i);
+        DoubleVector sum = d.mul(a.linear()).add(a.constant()).add(d.mul(d).mul(a.quadratic()));
+        DoubleVector factor = DoubleVector.broadcast(D, 1).div(sum);
+        DoubleVector atten = DoubleVector.broadcast(D, 1).blend(factor, factor.compare(VectorOperators.LT, 1));
+        return cone ? atten.mul(DoubleVector.fromArray(D, power, i)) : atten;
+    }
+
+    private void spots(HitRows rows, double dropoff) {
+        for (int i = 0; i < rows.count; i += LANES) {
+            DoubleVector c = DoubleVector.fromArray(D, axisCosine, i);
+            DoubleVector.zero(D).blend(c, c.compare(VectorOperators.GT, 0)).intoArray(power, i);
+        }
+        PowerLanes.of(power, 0, rows.count, dropoff);
+    }
+
+    /** Goes over whole lanes from the first to the last row asked for. */
+    @Override
+    public void speculars(HitRows rows, int from, int to, int[] which, double shininess, float[] column) {
+        int first = to;
+        int last = from;
+        for (int b = from / RowBits.WIDTH; b * RowBits.WIDTH < to; b++) {
+            if ((which[b] & RowBits.within(b, from, to)) != 0) {
+                first = Math.min(first, b * RowBits.WIDTH);
+                last = (b + 1) * RowBits.WIDTH;
+            }
+        }
+        if (first >= last) {
+            return;
+        }
+        for (int i = first; i < last; i += LANES) {
+            mirrorCosine(rows, i);
+        }
+        PowerLanes.of(power, first, last, shininess);
+        for (int i = first; i < last; i += LANES) {
+            store(DoubleVector.fromArray(D, power, i), specular, i);
+        }
+        for (int b = first / RowBits.WIDTH; b * RowBits.WIDTH < last; b++) {
+            merge(b, which[b] & RowBits.within(b, from, to), column);
+        }
+    }
+
+    private void merge(int b, int bits, float[] column) {
+        for (int i = 0; bits != 0 && i < RowBits.WIDTH; i += WIDE.length()) {
+            int row = b * RowBits.WIDTH + i;
+            FloatVector old = FloatVector.fromArray(WIDE, column, row);
+            old.blend(FloatVector.fromArray(WIDE, specular, row), VectorMask.fromLong(WIDE, bits >>> i)).intoArray(column, row);
+        }
+    }
+
+    private void mirrorCosine(HitRows rows, int i) {
+        DoubleVector nx = load(rows.nx, i);
+        DoubleVector ny = load(rows.ny, i);
+        DoubleVector nz = load(rows.nz, i);
+        DoubleVector x = DoubleVector.fromArray(D, lx, i);
+        DoubleVector y = DoubleVector.fromArray(D, ly, i);
+        DoubleVector z = DoubleVector.fromArray(D, lz, i);
+        DoubleVector twice = nx.mul(x).add(ny.mul(y)).add(nz.mul(z)).mul(2);
+        DoubleVector rx = x.sub(twice.mul(nx));
+        DoubleVector ry = y.sub(twice.mul(ny));
+        DoubleVector rz = z.sub(twice.mul(nz));
+        DoubleVector vx = load(rows.vx, i);
+        DoubleVector vy = load(rows.vy, i);
+        DoubleVector vz = load(rows.vz, i);
+        DoubleVector dot = vx.mul(rx).add(vy.mul(ry)).add(vz.mul(rz));
+        DoubleVector lengths = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz))
+                .mul(rx.mul(rx).add(ry.mul(ry)).add(rz.mul(rz)));
+        DoubleVector c = dot.div(lengths.lanewise(VectorOperators.SQRT));
+        DoubleVector positive = DoubleVector.zero(D).blend(c, c.compare(VectorOperators.GT, 0));
+        positive.blend(1, positive.compare(VectorOperators.GT, 1)).intoArray(power, i);
+    }
+
+    private static DoubleVector load(float[] column, int i) {
+        return (DoubleVector) FloatVector.fromArray(F, column, i).castShape(D, 0);
+    }
+
+    private static void store(DoubleVector v, float[] column, int i) {
+        ((FloatVector) v.castShape(F, 0)).intoArray(column, i);
+    }
+}

@@ -1,0 +1,2 @@
+/** {@link lightning.engine.lanes.LaneEngine}: the lighting equation in vector lanes. */
+package lightning.engine.lanes;

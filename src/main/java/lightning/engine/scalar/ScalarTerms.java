@@ -1,0 +1,144 @@
+package lightning.engine.scalar;
+
+import java.util.Arrays;
+import lightning.math.Power;
+import lightning.scene.Attenuation;
+import lightning.shading.Lamp;
+import lightning.shading.LightingEquation;
+import lightning.shading.RowBits;
+import lightning.shading.Terms;
+import lightning.trace.HitRows;
+
+/** {@link Terms} in plain loops, row by row. */
+final class ScalarTerms implements Terms {
+    /** The unit vector from each row to the light. */
+    private final double[] lx = new double[ROWS];
+    private final double[] ly = new double[ROWS];
+    private final double[] lz = new double[ROWS];
+    private final double[] distance = new double[ROWS];
+    /** The cosine from the cone's axis, −1…1. */
+    private final double[] axisCosine = new double[ROWS];
+
+    @Override
+    public void aim(HitRows rows, Lamp lamp) {
+        double x = lamp.source().x();
+        double y = lamp.source().y();
+        double z = lamp.source().z();
+        if (!lamp.type().hasPosition()) {
+            Arrays.fill(lx, 0, rows.count, x);
+            Arrays.fill(ly, 0, rows.count, y);
+            Arrays.fill(lz, 0, rows.count, z);
+            return;
+        }
+        for (int i = 0; i < rows.count; i++) {
+            double vx = x - rows.px[i];
+            double vy = y - rows.py[i];
+            double vz = z - rows.pz[i];
+            double d = Math.sqrt(vx * vx + vy * vy + vz * vz);
+            boolean here = d < LightingEquation.NO_DISTANCE;
+            double inverse = 1 / d;
+            distance[i] = d;
+            lx[i] = here ? rows.nx[i] : vx * inverse;
+            ly[i] = here ? rows.ny[i] : vy * inverse;
+            lz[i] = here ? rows.nz[i] : vz * inverse;
+        }
+    }
+
+    @Override
+    public void aimCone(HitRows rows, Lamp lamp) {
+        for (int i = 0; i < rows.count; i++) {
+            double c = -(lx[i] * lamp.axis().x() + ly[i] * lamp.axis().y() + lz[i] * lamp.axis().z());
+            axisCosine[i] = c < -1 ? -1 : c > 1 ? 1 : c;
+        }
+    }
+
+    @Override
+    public void cosines(HitRows rows, float[] to) {
+        for (int i = 0; i < rows.count; i++) {
+            to[i] = (float) (rows.nx[i] * lx[i] + rows.ny[i] * ly[i] + rows.nz[i] * lz[i]);
+        }
+    }
+
+    @Override
+    public void facing(float[] cosine, int rows, int[] facing) {
+        Arrays.fill(facing, 0, RowBits.words(rows), 0);
+        for (int i = 0; i < rows; i++) {
+            if (cosine[i] > 0) {
+                RowBits.add(facing, i);
+            }
+        }
+    }
+
+    @Override
+    public void inside(int[] among, int rows, double cosAngle, int[] inside) {
+        Arrays.fill(inside, 0, RowBits.words(rows), 0);
+        for (int i = 0; i < rows; i++) {
+            if (RowBits.contains(among, i) && isInside(i, cosAngle)) {
+                RowBits.add(inside, i);
+            }
+        }
+    }
+
+    @Override
+    public boolean isInside(int row, double cosAngle) {
+        return axisCosine[row] >= cosAngle;
+    }
+
+    @Override
+    public void select(float[] values, int[] which, int rows, float[] to) {
+        for (int i = 0; i < rows; i++) {
+            to[i] = RowBits.contains(which, i) ? values[i] : 0;
+        }
+    }
+
+    @Override
+    public void speculars(HitRows rows, int from, int to, int[] which, double shininess, float[] column) {
+        for (int i = from; i < to; i++) {
+            if (RowBits.contains(which, i)) {
+                column[i] = (float) Power.of(mirrorCosine(rows, i), shininess);
+            }
+        }
+    }
+
+    /** max(V·R, 0) with R = 2N(N·−L) + L, both taken at length 1. */
+    private double mirrorCosine(HitRows rows, int i) {
+        double nx = rows.nx[i];
+        double ny = rows.ny[i];
+        double nz = rows.nz[i];
+        double vx = rows.vx[i];
+        double vy = rows.vy[i];
+        double vz = rows.vz[i];
+        double twice = 2 * (nx * lx[i] + ny * ly[i] + nz * lz[i]);
+        double rx = lx[i] - twice * nx;
+        double ry = ly[i] - twice * ny;
+        double rz = lz[i] - twice * nz;
+        double dot = vx * rx + vy * ry + vz * rz;
+        if (!(dot > 0)) {
+            return 0;
+        }
+        double c = dot / Math.sqrt((vx * vx + vy * vy + vz * vz) * (rx * rx + ry * ry + rz * rz));
+        return c > 0 ? c > 1 ? 1 : c : 0;
+    }
+
+    @Override
+    public void falloffs(HitRows rows, Lamp lamp, float[] to) {
+        for (int i = 0; i < rows.count; i++) {
+            to[i] = (float) factor(lamp, i);
+        }
+    }
+
+    @Override
+    public void factors(HitRows rows, Lamp lamp, double[] to) {
+        for (int i = 0; i < rows.count; i++) {
+            to[i] = factor(lamp, i);
+        }
+    }
+
+    private double factor(Lamp lamp, int i) {
+        Attenuation a = lamp.light().attenuation();
+        double d = distance[i];
+        double factor = 1 / (a.constant() + a.linear() * d + a.quadratic() * (d * d));
+        factor = factor < 1 ? factor : 1;
+        return lamp.type().hasCone() ? factor * Power.of(axisCosine[i] > 0 ? axisCosine[i] : 0, lamp.light().dropoff()) : factor;
+    }
+}

@@ -1,0 +1,165 @@
+package lightning.fulltrace;
+
+import lightning.effects.ViewEffects;
+import lightning.engine.Engine;
+import lightning.image.Film;
+import lightning.scene.Antialias;
+import lightning.scene.Sampling;
+import lightning.scene.Scene;
+import lightning.scene.World;
+import lightning.shading.EdgeCoder;
+import lightning.shading.EdgeCodes;
+import lightning.shading.LightKernel;
+import lightning.shading.LightLayer;
+import lightning.shading.LightRows;
+import lightning.shading.Luminaire;
+import lightning.shading.SampleMean;
+import lightning.shading.ScratchColumns;
+import lightning.shading.SeenScenes;
+import lightning.shading.TileComposer;
+import lightning.shading.TraceCounts;
+import lightning.trace.Geometry;
+import lightning.trace.HitRows;
+import lightning.trace.MaterialTable;
+import lightning.trace.SamplePlaces;
+import lightning.trace.TileVisibility;
+import lightning.trace.Tracer;
+import lightning.work.Progress;
+
+/** Traces one tile after the other and keeps nothing but their pixels. One for each thread and engine. */
+final class TileTracer {
+    private final Sampling sampling;
+    private final int depth;
+    private final Side eye;
+    private final Side mirrors;
+    private final EdgeCoder coder = new EdgeCoder();
+    private final ScratchColumns columns = new ScratchColumns();
+    private final HitRows[] levels;
+    private final LightLayer[] layers;
+    private final float[][] samples;
+    private long eyeRays;
+    private long reflected;
+
+    /** What is needed of the first level, or of those in mirrors. */
+    private static final class Side {
+        private final Luminaire[] lights;
+        private final World world;
+        private final MaterialTable materials;
+        private final TileVisibility visibility;
+        private final LightKernel kernel;
+        private final TileComposer composer;
+
+        Side(Geometry geometry, Scene scene, Engine engine, Tracer tracer) {
+            lights = Luminaire.all(scene);
+            world = scene.world();
+            materials = geometry.materials();
+            visibility = new TileVisibility(geometry, scene, tracer);
+            kernel = new LightKernel(geometry, tracer, engine.terms(), ViewEffects.ALL);
+            composer = new TileComposer(materials, engine.sums(), ViewEffects.ALL);
+        }
+    }
+
+    TileTracer(Geometry geometry, Geometry mirroredGeometry, SeenScenes scenes, Sampling sampling, Engine engine) {
+        this.sampling = sampling;
+        depth = scenes.scene().picture().depth();
+        Tracer tracer = engine.tracer(geometry);
+        eye = new Side(geometry, scenes.scene(), engine, tracer);
+        mirrors = scenes.mirrored() == scenes.scene() ? eye : new Side(mirroredGeometry, scenes.mirrored(), engine, tracer);
+        levels = new HitRows[depth + 1];
+        layers = new LightLayer[Math.max(eye.lights.length, mirrors.lights.length)];
+        samples = sampling.isFine() ? new float[3][Film.TILE_PIXELS] : null;
+    }
+
+    /** The rays cast so far. */
+    TraceCounts rays() {
+        return new TraceCounts(eyeRays, reflected, eye.kernel.shadowRays() + (mirrors == eye ? 0 : mirrors.kernel.shadowRays()));
+    }
+
+    /** Traces the centres of a tile's pixels. */
+    void centers(Film film, int tile, Progress progress) {
+        centers(film, tile, false, progress);
+    }
+
+    /** Traces the centres of a tile's pixels; returns what anti-aliasing sees of them. */
+    EdgeCodes coded(Film film, int tile, Progress progress) {
+        coder.begin();
+        centers(film, tile, true, progress);
+        return coder.codes();
+    }
+
+    private void centers(Film film, int tile, boolean coded, Progress progress) {
+        int x0 = tile % film.tilesX() * Film.TILE;
+        int y0 = tile / film.tilesX() * Film.TILE;
+        eye.visibility.eye(x0, y0, Film.TILE, (count, textured) -> level(0));
+        eyeRays += (long) Math.min(Film.TILE, film.width() - x0) * Math.min(Film.TILE, film.height() - y0);
+        shade(coded, new float[][] {film.red(tile), film.green(tile), film.blue(tile)}, progress);
+    }
+
+    /** Makes some pixels of a tile of all their samples; {@code pixels} are indices in the tile, ascending. */
+    void fine(Film film, int tile, short[] pixels, Progress progress) {
+        int x0 = tile % film.tilesX() * Film.TILE;
+        int y0 = tile / film.tilesX() * Film.TILE;
+        float[][] pixel = {film.red(tile), film.green(tile), film.blue(tile)};
+        int together = SampleMean.pixelsTogether(sampling.perPixel());
+        for (int from = 0; from < pixels.length && !progress.isCancelled(); from += together) {
+            int to = Math.min(pixels.length, from + together);
+            eye.visibility.fine(new SamplePlaces(x0, y0, pixels, from, to, sampling.grid()), (count, textured) -> level(0));
+            eyeRays += (long) (to - from) * sampling.perPixel();
+            shade(false, samples, progress);
+            SampleMean.write(pixels, from, to, sampling.perPixel(), samples, pixel);
+        }
+    }
+
+    /** From the first level's rows to colours. */
+    private void shade(boolean coded, float[][] colors, Progress progress) {
+        int deepest = mirrors(coded);
+        float[][] cr = mirrors.composer.unfollowed(levels[deepest]);
+        for (int k = deepest; k > 0 && !progress.isCancelled(); k--) {
+            compose(mirrors, k, coded, cr, progress);
+            cr = mirrors.composer.followed(levels[k - 1], levels[k], mirrors.world);
+        }
+        compose(eye, 0, coded, cr, progress);
+        if (!progress.isCancelled()) {
+            eye.composer.toFilm(levels[0], eye.world, colors[0], colors[1], colors[2]);
+        }
+    }
+
+    /** Follows the mirrors; returns the deepest level that was reached. */
+    private int mirrors(boolean coded) {
+        int deepest = 0;
+        if (coded) {
+            coder.shapes(0, levels[0], eye.materials);
+        }
+        while (deepest < depth && levels[deepest].reflective > 0) {
+            HitRows above = levels[deepest++];
+            int next = deepest;
+            reflected += above.reflective;
+            mirrors.visibility.mirrored(above, null, (count, textured) -> level(next));
+            if (coded) {
+                coder.shapes(deepest, levels[deepest], mirrors.materials);
+            }
+        }
+        return deepest;
+    }
+
+    private void compose(Side side, int level, boolean coded, float[][] cr, Progress progress) {
+        columns.reset();
+        for (int l = 0; l < side.lights.length && !progress.isCancelled(); l++) {
+            LightRows layer = side.lights[l].isDark() ? null : side.kernel.full(levels[level], side.lights[l].lamp(), columns);
+            layers[l] = layer;
+            if (coded && layer != null) {
+                coder.light(level, l, levels[level], layer, side.materials);
+            }
+        }
+        if (!progress.isCancelled()) {
+            side.composer.level(levels[level], side.lights, layers, null, side.world, cr);
+        }
+    }
+
+    private HitRows level(int k) {
+        if (levels[k] == null) {
+            levels[k] = new HitRows(Film.TILE_PIXELS, true, sampling.antialias() == Antialias.EDGES);
+        }
+        return levels[k];
+    }
+}

@@ -1,0 +1,81 @@
+package lightning.relight.tile;
+
+import lightning.cache.LayerStamp;
+import lightning.cache.TileLevel;
+import lightning.relight.plan.LayerPlan;
+import lightning.relight.plan.LightUpdate;
+import lightning.scene.Scene;
+import lightning.shading.ConeChange;
+import lightning.shading.LightLayer;
+import lightning.shading.Luminaire;
+import lightning.trace.MaterialSet;
+
+/**
+ * What an update does to the layers of one light over the rows of a level.
+ *
+ * @param plan     how its layers follow from those before
+ * @param light    the light as wanted
+ * @param computed the light that its layers were computed for; null where there are none
+ * @param shone    what the scene before has of it, its weight there included; null where it has no such light
+ */
+public record LightJob(LayerPlan plan, Luminaire light, Luminaire computed, Luminaire shone) {
+
+    /** @param known the scene before */
+    static LightJob of(LayerPlan plan, Luminaire light, Scene known) {
+        LayerStamp stamp = plan.before();
+        return new LightJob(plan, light, stamp == null ? null : Luminaire.shining(stamp.light(), known),
+                plan.from() == null ? null : Luminaire.of(plan.from().light(), known));
+    }
+
+    /** Its layer over one tile's rows before the update; null where there is none. */
+    LightLayer before(TileLevel old) {
+        return plan.from() == null ? null : plan.from().layer(old);
+    }
+
+    /**
+     * Its layer over one tile's rows after the update: that before where nothing of it changes; null where it never shone.
+     *
+     * @param speculars materials whose specular term changed
+     */
+    LightLayer after(TileLevel old, LayerUpdater updater, MaterialSet speculars) {
+        LightLayer before = before(old);
+        if (before == null) {
+            // Never lit, or a mirror level that a deeper recursion added while the light was dark.
+            return light.isDark() ? null : updater.full(old.rows(), light);
+        }
+        LightLayer ready = plan.update() instanceof LightUpdate.FullRecompute ? before
+                : updater.speculars(old.rows(), computed, before, speculars);
+        return updater.update(old.rows(), computed, light, ready, plan.update());
+    }
+
+    /** Whether its weight changes: colour, intensity, on or solo. */
+    boolean reweights() {
+        return shone == null || shone.red() != light.red() || shone.green() != light.green() || shone.blue() != light.blue();
+    }
+
+    /** Whether it changes anything in the picture, as far as one light's plan tells. */
+    boolean changes() {
+        return reweights() || !(plan.update() instanceof LightUpdate.Keep);
+    }
+
+    /** Whether anti-aliasing may see other edges of it than before over a tile's rows: it sees neither weight nor falloff. */
+    boolean recodes(TileLevel old, LightLayer after) {
+        boolean wasDark = shone == null || shone.isDark();
+        return wasDark != light.isDark() || before(old) != after && !keepsStates();
+    }
+
+    private boolean keepsStates() {
+        return switch (plan.update()) {
+            case LightUpdate.Keep _,LightUpdate.Reweight _,LightUpdate.Refresh _ -> true;
+            case LightUpdate.Partial p -> p.cone() == ConeChange.NONE;
+            case LightUpdate.FullRecompute _ -> false;
+        };
+    }
+
+    /** Whether the colour of any of a tile's rows may differ from before. */
+    boolean recolors(TileLevel old, LightLayer after) {
+        LightLayer before = before(old);
+        boolean lights = before != null && before.lit() > 0 || after != null && after.lit() > 0;
+        return lights && (before != after || reweights());
+    }
+}

@@ -1,0 +1,95 @@
+package lightning.scene;
+
+import java.util.function.BiFunction;
+import java.util.function.Function;
+
+/**
+ * One attribute of a record of the scene: everything that is known of it but what it means. The format's blocks, the edits
+ * of the command line, the editor's widgets, the words of undo and the tables of the documents follow from it.
+ *
+ * @param <T> the record that has it
+ * @param <V> the type of its values
+ */
+public sealed class Attribute<T, V> permits LightAttribute, MaterialAttribute {
+    private final String name;
+    private final String title;
+    private final Kind<V> kind;
+    private final V initial;
+    private final String unit;
+    private final Function<T, V> get;
+    private final BiFunction<T, V, T> with;
+
+    /**
+     * @param name    as a scene file writes it
+     * @param title   as people are told it, one word, lower case
+     * @param initial the value where a file does not say
+     * @param unit    for the documents; empty where there is none
+     */
+    Attribute(String name, String title, Kind<V> kind, V initial, String unit, Function<T, V> get, BiFunction<T, V, T> with) {
+        this.name = name;
+        this.title = title;
+        this.kind = kind;
+        this.initial = initial;
+        this.unit = unit;
+        this.get = get;
+        this.with = with;
+    }
+
+    public final String name() {
+        return name;
+    }
+
+    public final String title() {
+        return title;
+    }
+
+    public final Kind<V> kind() {
+        return kind;
+    }
+
+    public final V initial() {
+        return initial;
+    }
+
+    public final String unit() {
+        return unit;
+    }
+
+    public final V of(T record) {
+        return get.apply(record);
+    }
+
+    /**
+     * The record with another value.
+     *
+     * @throws IllegalArgumentException if the record may not have it; the message says why
+     */
+    public final T with(T record, V value) {
+        return with.apply(record, value);
+    }
+
+    /** {@code to} with the value that {@code from} has. */
+    public final T copy(T from, T to) {
+        return with(to, of(from));
+    }
+
+    /** Whether the values of two records do the same wherever they act. */
+    public boolean isAlike(T a, T b) {
+        return kind.alike(of(a), of(b));
+    }
+
+    /** The value for people, in a few digits. */
+    public final String text(T record) {
+        return kind.text(of(record));
+    }
+
+    /** @throws IllegalArgumentException if no record may have the value; the message says why */
+    final void check(V value) {
+        kind.check(title, value);
+    }
+
+    @Override
+    public final String toString() {
+        return title;
+    }
+}

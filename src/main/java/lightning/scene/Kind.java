@@ -1,0 +1,43 @@
+package lightning.scene;
+
+import java.util.Optional;
+
+/**
+ * What values an {@link Attribute} has.
+ *
+ * @param <V> the type of a value
+ */
+public sealed interface Kind<V> permits Quantity, Choice, Kind.Texturing {
+
+    /**
+     * Refuses a value that no scene may hold.
+     *
+     * @param what the attribute's name in the message
+     * @throws IllegalArgumentException if it is out of its range; the message says what was expected and found
+     */
+    void check(String what, V value);
+
+    /** Whether two values do the same wherever they act. */
+    boolean alike(V a, V b);
+
+    /** A value for people. */
+    String text(V value);
+
+    /** A picture on a surface, or none. */
+    record Texturing() implements Kind<Optional<TextureMap>> {
+        @Override
+        public void check(String what, Optional<TextureMap> value) {
+            // Every map has checked itself.
+        }
+
+        @Override
+        public boolean alike(Optional<TextureMap> a, Optional<TextureMap> b) {
+            return a.isPresent() == b.isPresent() && (a.isEmpty() || a.get().hasTexelsOf(b.get()));
+        }
+
+        @Override
+        public String text(Optional<TextureMap> value) {
+            return value.map(t -> t.file() + " " + Quantity.digits(t.repeatU()) + " × " + Quantity.digits(t.repeatV())).orElse("none");
+        }
+    }
+}

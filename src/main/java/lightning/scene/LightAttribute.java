@@ -1,0 +1,110 @@
+package lightning.scene;
+
+import static lightning.scene.LightType.DIRECTIONAL;
+import static lightning.scene.LightType.POINT;
+import static lightning.scene.LightType.SPOT;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.Function;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+
+/**
+ * The attributes of lights, each described here and nowhere else, in the order in which a file writes them. What a light does
+ * with them is told by the lighting equation.
+ */
+public final class LightAttribute<V> extends Attribute<Light, V> {
+
+    /** What people find together. */
+    public enum Section {
+        /** What it is. */
+        KIND,
+        /** Whether it shines. */
+        SWITCHES,
+        COLOUR,
+        CONE,
+        ATTENUATION,
+        PLACE
+    }
+
+    public static final LightAttribute<LightType> TYPE = of("type", Choice.of(LightType.class), POINT, "",
+            Light::type, Light::withType, Section.KIND, Map.of());
+    public static final LightAttribute<Rgb> COLOR = of("color", Quantity.color(Limits.MAX_LIGHT_COLOR), Rgb.WHITE,
+            "linear red, green, blue", Light::color, Light::withColor, Section.COLOUR, all(LightTerm.WEIGHT));
+    public static final LightAttribute<Double> INTENSITY = of("intensity", Quantity.number(0, Limits.MAX_INTENSITY, 0.1), 1.0, "",
+            Light::intensity, Light::withIntensity, Section.COLOUR, all(LightTerm.WEIGHT));
+    public static final LightAttribute<Vec3> POSITION = new LightAttribute<>("at", "position", Quantity.position(), Vec3.ZERO,
+            "scene units", Light::position, Light::withPosition, Section.PLACE,
+            Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE));
+    public static final LightAttribute<Vec3> DIRECTION = of("direction", Quantity.direction(), new Vec3(0, -1, 0),
+            "any length but 0", Light::direction, Light::withDirection, Section.PLACE,
+            Map.of(DIRECTIONAL, LightTerm.SOURCE, SPOT, LightTerm.AXIS));
+    public static final LightAttribute<Attenuation> ATTENUATION = of("attenuation", Quantity.attenuation(), Attenuation.NONE,
+            "per scene unit to the power 0, 1, 2", Light::attenuation, Light::withAttenuation, Section.ATTENUATION,
+            Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF));
+    public static final LightAttribute<Double> ANGLE = of("angle", Quantity.number(0, Limits.MAX_ANGLE, 1), 30.0,
+            "degrees from the axis", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.OPENING));
+    public static final LightAttribute<Double> DROPOFF = of("dropoff", Quantity.number(0, Limits.MAX_DROPOFF, 0.1), 0.0,
+            "exponent", Light::dropoff, Light::withDropoff, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
+    public static final LightAttribute<Boolean> ON = of("on", Choice.YES_OR_NO, true, "", Light::on, Light::withOn,
+            Section.SWITCHES, Map.of());
+    public static final LightAttribute<Boolean> SOLO = of("solo", Choice.YES_OR_NO, false, "", Light::solo, Light::withSolo,
+            Section.SWITCHES, Map.of());
+
+    /** All of them. */
+    public static final List<LightAttribute<?>> ALL =
+            List.of(TYPE, COLOR, INTENSITY, POSITION, DIRECTION, ATTENUATION, ANGLE, DROPOFF, ON, SOLO);
+
+    private final Section section;
+    private final Map<LightType, LightTerm> terms;
+
+    /**
+     * @param terms what it changes of a light of each type that has it; none where it decides which others act, or
+     *              whether any does
+     */
+    private LightAttribute(String name, String title, Kind<V> kind, V initial, String unit, Function<Light, V> get,
+            BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
+        super(name, title, kind, initial, unit, get, with);
+        this.section = section;
+        this.terms = terms;
+    }
+
+    private static <V> LightAttribute<V> of(String name, Kind<V> kind, V initial, String unit, Function<Light, V> get,
+            BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
+        return new LightAttribute<>(name, name, kind, initial, unit, get, with, section, terms);
+    }
+
+    private static Map<LightType, LightTerm> all(LightTerm term) {
+        return Map.of(DIRECTIONAL, term, POINT, term, SPOT, term);
+    }
+
+    public Section section() {
+        return section;
+    }
+
+    /** What it changes of a light of this type; empty where it does not act, and for those that decide about others. */
+    public Optional<LightTerm> term(LightType type) {
+        return Optional.ofNullable(terms.get(type));
+    }
+
+    /** Whether it acts on the picture of a light of this type. The value is kept all the same (paper §4.5). */
+    public boolean acts(LightType type) {
+        return terms.isEmpty() || terms.containsKey(type);
+    }
+
+    /** Why it does nothing for a light of this type: a clause; empty where it acts. */
+    public Optional<String> obstacle(LightType type) {
+        return acts(type) ? Optional.empty() : Optional.of("a " + TYPE.kind().text(type) + " light has no " + title());
+    }
+
+    /** Whether a light takes it over from another whose settings it is given: all but where it is and whether it shines. */
+    public boolean isSetting() {
+        return switch (section) {
+            case KIND, COLOUR, CONE, ATTENUATION -> true;
+            case PLACE, SWITCHES -> false;
+        };
+    }
+}

@@ -1,0 +1,15 @@
+package lightning.scene;
+
+/** What of the lighting equation a light's attribute changes, from the cheapest change to the dearest. */
+public enum LightTerm {
+    /** Colour times intensity, with which all that a light adds is multiplied. */
+    WEIGHT,
+    /** How it fades with distance or away from its axis. */
+    FALLOFF,
+    /** How wide its cone is: a larger value lets points in, a smaller one puts points out. */
+    OPENING,
+    /** Which points are in its cone, whatever the opening. */
+    AXIS,
+    /** Where it shines from: which points face it and which see it. */
+    SOURCE
+}

@@ -1,0 +1,137 @@
+package lightning.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+
+/** Says what changed from one scene to another: {@code key: intensity 1 → 1.2}. */
+public final class SceneChange {
+    private final boolean brief;
+    private final List<String> parts = new ArrayList<>();
+
+    /** One attribute with its values, for people. */
+    private record Change(String title, String before, String after) {
+        boolean shows() {
+            return !before.equals(after);
+        }
+
+        String text() {
+            return title + " " + before + " → " + after;
+        }
+    }
+
+    private SceneChange(boolean brief) {
+        this.brief = brief;
+    }
+
+    /** All of it: {@code key: color 1 1 1 → 1 0 0, intensity 1 → 0.3}. Never empty. */
+    public static String text(Scene before, Scene after) {
+        return new SceneChange(false).of(before, after);
+    }
+
+    /** One line for a menu: {@code key: color, intensity} where several attributes of a light or material changed. Never empty. */
+    public static String summary(Scene before, Scene after) {
+        return new SceneChange(true).of(before, after);
+    }
+
+    /** The edit of one light, in one line for a menu. */
+    public static String summary(Light before, Light after) {
+        return new SceneChange(true).of(before, after);
+    }
+
+    private String of(Scene before, Scene after) {
+        lights(new LightMatch(before.lights(), after.lights()));
+        add(change(World.AMBIENCE, before.world(), after.world()));
+        add(change(Picture.DEPTH, before.picture(), after.picture()));
+        add(new Change("anti-aliasing", sampling(before), sampling(after)));
+        add(new Change("size", size(before), size(after)));
+        boolean known = materials(before, after);
+        boolean other = !known || !before.withPicture(after.picture()).showsSameShapes(after)
+                || !before.world().background().equals(after.world().background());
+        if (other || parts.isEmpty()) {
+            parts.add("the scene");
+        }
+        return String.join(", ", parts);
+    }
+
+    private void add(Change change) {
+        if (change.shows()) {
+            parts.add(change.text());
+        }
+    }
+
+    private void lights(LightMatch match) {
+        match.gone().forEach(i -> parts.add("delete " + match.before().get(i).name()));
+        boolean ordered = true;
+        int last = -1;
+        for (int i = 0; i < match.after().size(); i++) {
+            Light after = match.after().get(i);
+            int origin = match.origin(i);
+            if (origin < 0) {
+                parts.add("add " + after.name() + (brief ? "" : ", " + LightAttribute.TYPE.text(after)));
+            } else if (!match.before().get(origin).equals(after)) {
+                parts.add(of(match.before().get(origin), after));
+            }
+            ordered &= origin < 0 || origin > last;
+            last = Math.max(last, origin);
+        }
+        if (!ordered) {
+            parts.add("order of lights");
+        }
+    }
+
+    private String of(Light before, Light after) {
+        List<Change> changes = new ArrayList<>(List.of(new Change("name", before.name(), after.name())));
+        changes.addAll(changes(LightAttribute.ALL, before, after));
+        return joined(before.name(), changes);
+    }
+
+    /** Adds what changed of each material; false if the change is more than values of theirs. */
+    private boolean materials(Scene before, Scene after) {
+        if (!before.materials().equals(after.materials())) {
+            Map<String, Material> known = before.materialsByName();
+            for (Material material : after.materials()) {
+                Material old = known.get(material.name());
+                if (old != null && !old.equals(material)) {
+                    parts.add(joined(old.name(), changes(MaterialAttribute.ALL, old, material)));
+                }
+            }
+        }
+        return names(after).equals(names(before)) || addsDefault(before, after);
+    }
+
+    private static boolean addsDefault(Scene before, Scene after) {
+        List<String> names = new ArrayList<>(names(before));
+        names.add(Material.DEFAULT.name());
+        return names(after).equals(names);
+    }
+
+    private static List<String> names(Scene scene) {
+        return scene.materials().stream().map(Material::name).toList();
+    }
+
+    private static <T> List<Change> changes(List<? extends Attribute<T, ?>> attributes, T before, T after) {
+        return attributes.stream().map(a -> change(a, before, after)).toList();
+    }
+
+    private static <T> Change change(Attribute<T, ?> attribute, T before, T after) {
+        return new Change(attribute.title(), attribute.text(before), attribute.text(after));
+    }
+
+    private String joined(String name, List<Change> all) {
+        List<Change> changes = all.stream().filter(Change::shows).toList();
+        return name + ": " + (changes.isEmpty() ? "a little"
+                : changes.stream().map(brief && changes.size() > 1 ? Change::title : Change::text).collect(Collectors.joining(", ")));
+    }
+
+    private static String size(Scene scene) {
+        return scene.picture().width() + " × " + scene.picture().height();
+    }
+
+    private static String sampling(Scene scene) {
+        Sampling sampling = scene.picture().sampling();
+        return sampling.antialias().name().toLowerCase(Locale.ROOT) + " " + sampling.grid() + " × " + sampling.grid();
+    }
+}

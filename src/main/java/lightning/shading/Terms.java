@@ -1,0 +1,49 @@
+package lightning.shading;
+
+import lightning.trace.HitRows;
+
+/**
+ * The terms of the {@link LightingEquation} for one light over all rows of a tile. Whoever computes them gives the equation's
+ * bits. Holds scratch columns: one for each thread.
+ *
+ * <p>First it is aimed at a light; what is asked then is about that light and these rows. Sets of rows are those of
+ * {@link RowBits}.
+ */
+public interface Terms {
+    /** The rows of a tile at most. */
+    int ROWS = 1024;
+
+    /** As {@link LightingEquation#at}. */
+    void aim(HitRows rows, Lamp lamp);
+
+    /** Computes the cosines from the axis of the cone of the light that was aimed at. */
+    void aimCone(HitRows rows, Lamp lamp);
+
+    /** Writes {@link LightingEquation#cosine} of all rows. */
+    void cosines(HitRows rows, float[] to);
+
+    /** Puts the rows with a cosine above 0 into a set. */
+    void facing(float[] cosine, int rows, int[] facing);
+
+    /** Puts those of a set that are in the cone, as {@link LightingEquation#insideCone}, into another; the cone was aimed. */
+    void inside(int[] among, int rows, double cosAngle, int[] inside);
+
+    /** Whether a row is in the cone; the cone was aimed. */
+    boolean isInside(int row, double cosAngle);
+
+    /** Writes a column: the values of the rows of a set, and 0 for others. */
+    void select(float[] values, int[] which, int rows, float[] to);
+
+    /**
+     * Writes {@link LightingEquation#specular} of those of the rows {@code from … to − 1} that are in a set.
+     *
+     * @param column keeps what it holds of other rows
+     */
+    void speculars(HitRows rows, int from, int to, int[] which, double shininess, float[] column);
+
+    /** Writes {@link LightingEquation#falloff} of all rows of a point or spot light, whose cone was aimed. */
+    void falloffs(HitRows rows, Lamp lamp, float[] to);
+
+    /** Writes the falloff before it is rounded to float. */
+    void factors(HitRows rows, Lamp lamp, double[] to);
+}

@@ -1,0 +1,222 @@
+package lightning.trace;
+
+import java.util.List;
+import lightning.math.Transform;
+import lightning.math.Vec3;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.scene.Stage;
+import lightning.scene.TextureMap;
+import lightning.trace.solid.Form;
+import lightning.trace.solid.Kind;
+import lightning.trace.solid.Touch;
+
+/**
+ * All that rays of a scene can meet, as plain columns, in render space.
+ *
+ * <p>Primitive {@code s} is a canonical solid of kind {@link #kind}, a part of the shape with index {@code owner[s]}, of material
+ * index {@code material[s]}. Its data begin at {@code data[at[s]]}, as {@link Form} has them: the map from render space to its own
+ * space, and numbers of its own.
+ */
+final class PrimitiveTable {
+    /** The error of a way to a light as a share of the coordinates of its ends ({@link #off}). */
+    static final double WAY = 0x1p-47;
+
+    final int count;
+    final int[] owner;
+    final int[] material;
+    final int[] at;
+    final double[] data;
+    /** A bound on the error of a hit point on the primitive that its distance from the camera causes, scene units. */
+    final double[] error;
+    /** The box of each primitive, as {@link PrimitiveBoxes} makes it. */
+    final float[] boxes;
+
+    /** Where the primitives stand, shared by the tables of all cameras. */
+    final PrimitivePlaces places;
+
+    private final byte[] kind;
+    /** How far a point that was put on the primitive may lie off it because shape and camera are rounded, scene units. */
+    private final double[] off;
+    /** Whether the eye lies on the primitive. */
+    private final boolean[] underEye;
+    /** How far the primitive reaches from its place, scene units along an axis. */
+    private final double[] size;
+    /** The largest coordinate of a primitive, render space: rays may start within it. */
+    final double farthest;
+    /** More than the |x| + |y| + |z| of any point of a primitive. */
+    final double reach;
+
+    private PrimitiveTable(byte[] kind, int[] material, int[] owner, int[] at, double[] data, PrimitivePlaces places, Vec3 camera) {
+        count = kind.length;
+        this.kind = kind;
+        this.material = material;
+        this.owner = owner;
+        this.at = at;
+        this.data = data;
+        this.places = places;
+        error = new double[count];
+        off = new double[count];
+        size = new double[count];
+        underEye = new boolean[count];
+        double[] bounds = new double[6 * count];
+        double[] slack = new double[count];
+        double largest = 0;
+        for (int s = 0; s < count; s++) {
+            Transform render = places.toRender(s, camera);
+            Transform inverse = inverse(s, render);
+            PrimitivePlaces.store(inverse, data, at[s]);
+            Form form = kind(s).form();
+            form.extent(data, at[s], render.m00(), render.m01(), render.m02(), render.t0(), bounds, 6 * s);
+            form.extent(data, at[s], render.m10(), render.m11(), render.m12(), render.t1(), bounds, 6 * s + 1);
+            form.extent(data, at[s], render.m20(), render.m21(), render.m22(), render.t2(), bounds, 6 * s + 2);
+            double far = 0;
+            for (int i = 6 * s; i < 6 * s + 6; i++) {
+                far = Math.max(far, Math.abs(bounds[i]));
+            }
+            error[s] = far * Surface.ERROR;
+            slack[s] = Slack.of(render, inverse, far);
+            largest = Math.max(largest, far);
+            off(s, bounds, new Vec3(render.t0(), render.t1(), render.t2()), camera);
+            underEye[s] = gap(s, 0, 0, 0) <= off[s];
+        }
+        boxes = PrimitiveBoxes.of(bounds, slack);
+        farthest = largest;
+        reach = 4 * farthest;
+    }
+
+    /** @param material the material index of each shape */
+    static PrimitiveTable of(Stage stage, int[] material, Vec3 camera) {
+        List<Shape> shapes = stage.shapes();
+        int count = shapes.size();
+        byte[] kind = new byte[count];
+        int[] owner = new int[count];
+        int[] at = new int[count];
+        int numbers = 0;
+        for (int s = 0; s < count; s++) {
+            Solid solid = shapes.get(s).solid();
+            kind[s] = (byte) Kind.of(solid).ordinal();
+            owner[s] = s;
+            at[s] = numbers;
+            numbers += Form.MAP + Kind.numbers(solid).length;
+        }
+        double[] data = new double[numbers];
+        PrimitivePlaces places = new PrimitivePlaces(count);
+        int[] next = {0};
+        stage.place(shape -> {
+            int s = next[0]++;
+            places.put(s, shape);
+            PrimitivePlaces.store(shape.directionsBack(), data, at[s]);
+            double[] own = Kind.numbers(shape.shape().solid());
+            System.arraycopy(own, 0, data, at[s] + Form.MAP, own.length);
+        });
+        return new PrimitiveTable(kind, material, owner, at, data, places, camera);
+    }
+
+    /** The same primitives seen from elsewhere. */
+    PrimitiveTable from(Vec3 camera) {
+        return new PrimitiveTable(kind, material, owner, at, data.clone(), places, camera);
+    }
+
+    /**
+     * The bound on how far a point x that was put on the shape lies off the surface that rays meet, scene units.
+     *
+     * <p>Its own point is B·(x − place). A number of B is off by what {@code PlacementError} tells, times a distance within the
+     * shape; the place by the same. Maximum norms, u = 2⁻⁵³: x and the camera are decimals made doubles and subtracted, u·(2|x|
+     * + |camera|), the place u·|place|; mapping takes 4u·|x| + 4u·|place|, and for the eye, x = 0, only 3u·|place|. For the eye that
+     * is all, with 4u in own units for the surface's formula, where 1 is no more than the shape's size in the scene.
+     *
+     * <p>A way from p to a light at x has errors of its own: 6u·|x| + u·|place| are left from above; 13u·|p| + 8u·|place| + 5u·|x| in
+     * its map, and 8 units in the last place of its length in what its {@link Form} finds, 16u·(|p| + |place|) and 16u in own units.
+     * As |place| ≤ |x| + size, all of it is less than 64u of |x|, |p| and the size.
+     */
+    private void off(int s, double[] bounds, Vec3 place, Vec3 camera) {
+        int b = 6 * s;
+        size[s] = Math.max(new Vec3(bounds[b], bounds[b + 1], bounds[b + 2]).minus(place).maxAbs(),
+                new Vec3(bounds[b + 3], bounds[b + 4], bounds[b + 5]).minus(place).maxAbs());
+        off[s] = places.error(s, size[s]) + 0x1p-51 * (size[s] + place.maxAbs() + camera.maxAbs());
+    }
+
+    /**
+     * How far a light that was put on a primitive may lie off it, scene units.
+     *
+     * @param far the sum of |x| + |y| + |z| at both ends of a way to it, render space
+     */
+    double offLight(int s, double far) {
+        return off[s] + WAY * (size[s] + far);
+    }
+
+    /** How far the eye may lie off a primitive on which it was put, scene units. */
+    double offEye(int s) {
+        return off[s];
+    }
+
+    /** How long a step of at most 1 along each axis of the scene can be in its own units. */
+    double rate(int s) {
+        return places.rate[s];
+    }
+
+    /**
+     * How far a point in render space lies off the surface of a primitive at least, scene units: from the patch on each axis
+     * by itself; from a solid by its own distance, which changes by no more than a point moves, over how long a step of the
+     * scene can be in it.
+     */
+    double gap(int s, double x, double y, double z) {
+        double[] m = data;
+        int i = at[s];
+        double px = m[i] * x + m[i + 1] * y + m[i + 2] * z + m[i + 3];
+        double py = m[i + 4] * x + m[i + 5] * y + m[i + 6] * z + m[i + 7];
+        double pz = m[i + 8] * x + m[i + 9] * y + m[i + 10] * z + m[i + 11];
+        return kind(s).form().gap(m, i, px, py, pz, places.rate[s]);
+    }
+
+    /** Directions back, which stand in the data, and the translation by which the place of the shape becomes the origin. */
+    private Transform inverse(int s, Transform render) {
+        double[] m = data;
+        int i = at[s];
+        Transform back = new Transform(m[i], m[i + 1], m[i + 2], 0, m[i + 4], m[i + 5], m[i + 6], 0, m[i + 8], m[i + 9], m[i + 10], 0);
+        Vec3 origin = back.vector(new Vec3(render.t0(), render.t1(), render.t2()));
+        return new Transform(back.m00(), back.m01(), back.m02(), -origin.x(), back.m10(), back.m11(), back.m12(), -origin.y(),
+                back.m20(), back.m21(), back.m22(), -origin.z());
+    }
+
+    /** Writes the colour of a texture, linear RGB, at an own point of primitive {@code s} to {@code rgb[0…2]}. */
+    void texel(int s, TextureMap map, double x, double y, double z, float[] rgb) {
+        Form form = kind(s).form();
+        TextureLookup.sample(map, form.u(data, at[s], x, y, z), form.v(data, at[s], x, y, z), rgb);
+    }
+
+    Kind kind(int s) {
+        return Kind.at(kind[s]);
+    }
+
+    /** Whether the eye lies on primitive {@code s}: it then does not hide from the eye what is before it. */
+    boolean isUnderEye(int s) {
+        return underEye[s];
+    }
+
+    /** The distance along the ray to primitive {@code s}, or {@code +∞}; a ray from the origin of render space is the eye's. */
+    double distance(int s, double ox, double oy, double oz, double dx, double dy, double dz) {
+        return distance(s, ox, oy, oz, dx, dy, dz, underEye[s] && ox == 0 && oy == 0 && oz == 0 ? Touch.START : Touch.NEITHER);
+    }
+
+    /** The distance along a way of which an end may lie on primitive {@code s}, or {@code +∞}. */
+    double distance(int s, double ox, double oy, double oz, double dx, double dy, double dz, Touch touch) {
+        double[] m = data;
+        int i = at[s];
+        double px = m[i] * ox + m[i + 1] * oy + m[i + 2] * oz + m[i + 3];
+        double py = m[i + 4] * ox + m[i + 5] * oy + m[i + 6] * oz + m[i + 7];
+        double pz = m[i + 8] * ox + m[i + 9] * oy + m[i + 10] * oz + m[i + 11];
+        double vx = m[i] * dx + m[i + 1] * dy + m[i + 2] * dz;
+        double vy = m[i + 4] * dx + m[i + 5] * dy + m[i + 6] * dz;
+        double vz = m[i + 8] * dx + m[i + 9] * dy + m[i + 10] * dz;
+        Form form = kind(s).form();
+        if (touch == Touch.NEITHER) {
+            return form.distance(m, i, px, py, pz, vx, vy, vz);
+        }
+        double off = touch == Touch.START ? offEye(s) : offLight(s, Math.abs(ox + dx) + Math.abs(oy + dy) + Math.abs(oz + dz)
+                + Math.abs(ox) + Math.abs(oy) + Math.abs(oz));
+        double margin = 2 * form.tip(m, i) * places.rate[s] * off / Math.sqrt(vx * vx + vy * vy + vz * vz);
+        return form.distance(m, i, px, py, pz, vx, vy, vz, touch, margin);
+    }
+}

@@ -1,0 +1,157 @@
+package lightning.trace;
+
+import lightning.trace.solid.Form;
+import lightning.trace.solid.Touch;
+
+/** Searches what one ray after the other meets, by the tree of boxes or among candidates. Scratch memory: one for each thread. */
+final class RayWalk {
+    /** Up to this many candidates are tested without their boxes. */
+    private static final int BARE = 2;
+
+    private final Bvh bvh;
+    private final PrimitiveTable primitives;
+    private final BoxRay box = new BoxRay();
+    private final int[] stack;
+    private double ox;
+    private double oy;
+    private double oz;
+    private double dx;
+    private double dy;
+    private double dz;
+    private WayEnd end = WayEnd.OPEN;
+    private double best;
+    private int found;
+    private int lastOccluder = -1;
+
+    RayWalk(Bvh bvh) {
+        this.bvh = bvh;
+        primitives = bvh.primitives;
+        stack = new int[bvh.depth + 2];
+    }
+
+    /** Takes a ray; its origin is the camera or lies within the box of the scene. */
+    void enter(double originX, double originY, double originZ, double directionX, double directionY, double directionZ) {
+        ox = originX;
+        oy = originY;
+        oz = originZ;
+        dx = directionX;
+        dy = directionY;
+        dz = directionZ;
+        box.enter(ox, oy, oz, dx, dy, dz);
+    }
+
+    /** Says where the ways end that are asked for from now on: at distance 1, if at all. */
+    void leadTo(WayEnd wayEnd) {
+        end = wayEnd;
+    }
+
+    /** The primitive that the ray meets first, the one with the lowest index among equals, or −1. */
+    int nearest() {
+        best = Form.MISS;
+        found = -1;
+        int top = 0;
+        int next = root();
+        boolean more = primitives.count > 0;
+        while (more) {
+            if (next < 0) {
+                meet(~next);
+            } else {
+                boolean first = box.hits(bvh.boxes, 12 * next, best);
+                boolean second = box.hits(bvh.boxes, 12 * next + 6, best);
+                int near = box.forwards(bvh.axis[next]) ? 0 : 1;
+                if (first && second) {
+                    stack[top++] = bvh.child[2 * next + 1 - near];
+                    next = bvh.child[2 * next + near];
+                    continue;
+                }
+                if (first || second) {
+                    next = bvh.child[2 * next + (first ? 0 : 1)];
+                    continue;
+                }
+            }
+            more = top > 0;
+            next = more ? stack[--top] : 0;
+        }
+        return found;
+    }
+
+    /** The same where only the candidates can be met. */
+    int nearest(Candidates candidates) {
+        if (candidates.tooMany) {
+            return nearest();
+        }
+        best = Form.MISS;
+        found = -1;
+        for (int c = 0; c < candidates.count; c++) {
+            if (candidates.count <= BARE || box.hits(candidates.boxes, 6 * c, best)) {
+                meet(candidates.primitive[c]);
+            }
+        }
+        return found;
+    }
+
+    /** The distance of what {@link #nearest} found, or {@code +∞}. */
+    double distance() {
+        return best;
+    }
+
+    private void meet(int s) {
+        double t = primitives.distance(s, ox, oy, oz, dx, dy, dz);
+        if (t < best || t == best && s < found) {
+            best = t;
+            found = s;
+        }
+    }
+
+    /** Whether the way meets any primitive at a distance below {@code limit}. */
+    boolean blocked(double limit) {
+        if (lastOccluder >= 0 && box.hits(bvh.primitiveBoxes, 6 * lastOccluder, limit) && isMet(lastOccluder, limit)) {
+            return true;
+        }
+        int top = 0;
+        if (primitives.count > 0) {
+            stack[top++] = root();
+        }
+        while (top > 0) {
+            int next = stack[--top];
+            if (next < 0) {
+                if (isMet(~next, limit)) {
+                    lastOccluder = ~next;
+                    return true;
+                }
+                continue;
+            }
+            for (int c = 0; c < 2; c++) {
+                if (box.hits(bvh.boxes, 12 * next + 6 * c, limit)) {
+                    stack[top++] = bvh.child[2 * next + c];
+                }
+            }
+        }
+        return false;
+    }
+
+    /** The same where only the candidates can be met; one that is goes to their front. */
+    boolean blocked(double limit, Candidates candidates) {
+        if (candidates.tooMany) {
+            return blocked(limit);
+        }
+        for (int c = 0; c < candidates.count; c++) {
+            if ((candidates.count <= BARE || box.hits(candidates.boxes, 6 * c, limit)) && isMet(candidates.primitive[c], limit)) {
+                candidates.promote(c);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean isMet(int s, double limit) {
+        int index = end.indexOf(s);
+        double t = index >= 0 && end.touches(index, ox, oy, oz) ? primitives.distance(s, ox, oy, oz, dx, dy, dz, Touch.END)
+                : primitives.distance(s, ox, oy, oz, dx, dy, dz);
+        return t < limit;
+    }
+
+    private int root() {
+        return primitives.count == 1 ? ~0 : 0;
+    }
+}

@@ -1,0 +1,55 @@
+package lightning.trace.solid;
+
+/**
+ * What tracing must know of one kind of canonical solid, in the readable form that lanes repeat operation by operation.
+ *
+ * <p>A solid's data begin at {@code data[at]}: first the {@value #MAP} numbers of the map from the scene to its own space, row by
+ * row, m00 m01 m02 t0 m10 … t2; then numbers of its own, if it has any. Points and rays are in its own space, where not said
+ * otherwise. Directions have any length.
+ */
+public abstract class Form {
+    /** The distance to a solid that a ray does not meet. */
+    public static final double MISS = Double.POSITIVE_INFINITY;
+    /** How many numbers of a solid are its map. */
+    public static final int MAP = 12;
+
+    Form() {}
+
+    /** Writes the least of mx·x + my·y + mz·z + t over the solid to {@code box[i]}, the greatest to {@code box[i + 3]}. */
+    public abstract void extent(double[] data, int at, double mx, double my, double mz, double t, double[] box, int i);
+
+    /** The least distance {@code t > 0} at which a ray meets the surface, or {@code +∞}. */
+    public abstract double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz);
+
+    /**
+     * The distance to the surface for a way of which an end lies on it, or {@code +∞}.
+     *
+     * @param margin twice the distance from that end up to which it cannot be told which side of the surface a point is on
+     */
+    public abstract double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz,
+            Touch touch, double margin);
+
+    /** How many times as long as its end lies off the surface a tip can be that a way cuts off an edge or an apex. */
+    public abstract double tip(double[] data, int at);
+
+    /**
+     * How far a point lies off the surface at least, scene units.
+     *
+     * @param rate how long a step of at most 1 along each axis of the scene can be in own units
+     */
+    public abstract double gap(double[] data, int at, double x, double y, double z, double rate);
+
+    /** Writes a direction of any length that leads out of the surface at a point on it to {@code out[0 … 2]}; 0 at an apex. */
+    public abstract void outward(double[] data, int at, double x, double y, double z, double[] out);
+
+    /** The texture coordinate across at a point on the surface. */
+    public abstract double u(double[] data, int at, double x, double y, double z);
+
+    /** The texture coordinate upwards at a point on the surface. */
+    public abstract double v(double[] data, int at, double x, double y, double z);
+
+    /** The longitude of a point, from 0 to 1. */
+    static double longitude(double x, double z) {
+        return StrictMath.atan2(x, z) / (2 * Math.PI) + 0.5;
+    }
+}

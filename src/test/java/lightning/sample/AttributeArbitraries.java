@@ -1,0 +1,79 @@
+package lightning.sample;
+
+import java.util.Collections;
+import java.util.List;
+import lightning.scene.Attribute;
+import lightning.scene.Choice;
+import lightning.scene.Kind;
+import lightning.scene.Light;
+import lightning.scene.LightAttribute;
+import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
+import lightning.scene.Quantity;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.Tuple;
+
+/** Records with one attribute set anew, for each that the tables hold: nothing here names any. */
+public final class AttributeArbitraries {
+    /** Values up to here are drawn evenly; what an attribute does shows best where numbers are as large as the scene. */
+    private static final double ORDINARY = 8;
+
+    private AttributeArbitraries() {}
+
+    /**
+     * A record before and after one of its attributes was set.
+     *
+     * @param after perhaps the same as before
+     */
+    public record Changed<T>(Attribute<T, ?> attribute, T before, T after) {}
+
+    /** Lights that stand over the studio's floor and have the name of its light. */
+    public static Arbitrary<Changed<Light>> lights() {
+        return Combinators.combine(LightArbitraries.lights(), attributes()).flatAs((seed, attribute) -> changed(attribute,
+                seed.in(StudioScene.of(seed.attributes().type()), StudioScene.KEY)));
+    }
+
+    /** Materials of a name. */
+    public static Arbitrary<Changed<Material>> materials(String name) {
+        return Combinators.combine(MaterialArbitraries.materials(name), Arbitraries.of(MaterialAttribute.ALL))
+                .flatAs((material, attribute) -> changed(attribute, material));
+    }
+
+    /** Edits that set any attribute of a light. */
+    static Arbitrary<LightChange> lightChanges() {
+        return attributes().flatMap(AttributeArbitraries::lightChange);
+    }
+
+    private static <V> Arbitrary<LightChange> lightChange(LightAttribute<V> attribute) {
+        return values(attribute, attribute.initial()).map(v -> new LightChange.Anew<>(attribute, v));
+    }
+
+    private static Arbitrary<LightAttribute<?>> attributes() {
+        return Arbitraries.of(LightAttribute.ALL);
+    }
+
+    private static <T, V> Arbitrary<Changed<T>> changed(Attribute<T, V> attribute, T before) {
+        return values(attribute, attribute.of(before)).map(v -> new Changed<>(attribute, before, attribute.with(before, v)));
+    }
+
+    /** Values of an attribute, sometimes the one that it has already, or is without being said. */
+    private static <V> Arbitrary<V> values(Attribute<?, V> attribute, V before) {
+        Arbitrary<V> known = Arbitraries.of(List.of(before, attribute.initial()));
+        return switch (attribute.kind()) {
+            case Quantity<V> q -> Arbitraries.frequencyOf(Tuple.of(6, numbers(q)), Tuple.of(1, known));
+            case Choice<V> c -> Arbitraries.of(c.all());
+            case Kind.Texturing _ -> known;
+        };
+    }
+
+    private static <V> Arbitrary<V> numbers(Quantity<V> q) {
+        Arbitrary<Double> ordinary = Numbers.between(Math.max(q.min(), -ORDINARY), Math.min(q.max(), ORDINARY));
+        Arbitrary<Double> number = q.isVector() ? ordinary
+                : Arbitraries.frequencyOf(Tuple.of(6, ordinary), Tuple.of(1, Arbitraries.of(q.min())));
+        return number.map(v -> q.whole() ? Math.rint(v) : v).list().ofSize(q.labels().size())
+                .filter(n -> q.form() != Quantity.Form.DIRECTION || !n.equals(Collections.nCopies(n.size(), 0.0)))
+                .map(q.join()::apply);
+    }
+}

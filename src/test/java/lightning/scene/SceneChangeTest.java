@@ -1,0 +1,58 @@
+package lightning.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import lightning.edit.Desk;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import org.junit.jupiter.api.Test;
+
+class SceneChangeTest {
+    private final Scene scene = Desk.scene();
+    private final Light sun = Desk.light(scene, "sun");
+
+    private String to(Scene after) {
+        return SceneChange.text(scene, after);
+    }
+
+    @Test
+    void attributes_areToldWithBothValues() {
+        assertThat(to(scene.withLight(sun.withColor(new Rgb(1, 0, 0)).withIntensity(1 / 3.0).withOn(false))))
+                .isEqualTo("sun: color 1 1 1 → 1 0 0, intensity 0.3 → 0.3333, on yes → no");
+        assertThat(to(scene.withLight(sun.withType(LightType.SPOT).withAngle(12).withPosition(new Vec3(4, 5, 6)))))
+                .isEqualTo("sun: type directional → spot, position 1 2 3 → 4 5 6, angle 30 → 12");
+        assertThat(to(scene.withWorld(scene.world().withAmbience(0.1)))).isEqualTo("ambience 1 → 0.1");
+        assertThat(to(scene.withPicture(scene.picture().withDepth(9)))).isEqualTo("depth 2 → 9");
+        assertThat(to(scene.withPicture(scene.picture().withSampling(new Sampling(Antialias.EDGES, 3)))))
+                .isEqualTo("anti-aliasing off 4 × 4 → edges 3 × 3");
+        assertThat(to(scene.withWorld(scene.world().withBackground(Rgb.WHITE)))).isEqualTo("the scene");
+    }
+
+    @Test
+    void materials_areToldWithBothValues() {
+        Scene textured = scene.withMaterial(scene.material("mirror").orElseThrow()
+                .withTexture(Optional.of(new TextureMap("wood.png", 2, 1, new Texture(1, 1, new float[3])))));
+        assertThat(to(textured)).isEqualTo("mirror: texture none → wood.png 2 × 1");
+        assertThat(SceneChange.text(textured, scene.withMaterial(scene.material("mirror").orElseThrow().withReflective(Rgb.grey(0.25)))))
+                .isEqualTo("mirror: texture wood.png 2 × 1 → none, reflective 0.4 0.4 0.4 → 0.25 0.25 0.25");
+    }
+
+    @Test
+    void lights_comeGoAndAreRenamed() {
+        List<Light> more = new ArrayList<>(scene.lights());
+        more.add(Light.of("rim", LightType.POINT));
+        assertThat(to(scene.withLights(more))).isEqualTo("add rim, point");
+        assertThat(to(scene.withLights(scene.lights().stream().filter(l -> l != sun).toList()))).isEqualTo("delete sun");
+        assertThat(to(scene.withLights(scene.lights().stream().map(l -> l == sun ? l.withName("moon") : l).toList())))
+                .isEqualTo("sun: name sun → moon");
+        assertThat(to(scene.withLights(scene.lights().reversed()))).isEqualTo("order of lights");
+    }
+
+    @Test
+    void changeBeyondFourDigits_isALittle() {
+        assertThat(to(scene.withLight(sun.withIntensity(sun.intensity() + 1e-9)))).isEqualTo("sun: a little");
+    }
+}

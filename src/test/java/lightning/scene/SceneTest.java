@@ -1,0 +1,33 @@
+package lightning.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.sample.StudioScene;
+import org.junit.jupiter.api.Test;
+
+class SceneTest {
+    private final Scene scene = StudioScene.of(LightType.SPOT);
+
+    @Test
+    void lightsMaterialsAndDepth_showTheSameShapes() {
+        for (Scene other : List.of(scene, scene.withLights(List.of()), scene.withPicture(scene.picture().withDepth(7)),
+                scene.withWorld(scene.world().withAmbience(0.5)),
+                scene.withMaterials(scene.materials().stream().map(m -> m.withDiffuse(Rgb.BLACK)).toList()))) {
+            assertThat(scene.showsSameShapes(other)).isTrue();
+        }
+    }
+
+    @Test
+    void anotherCameraSizeOrShape_showsOthers() {
+        Camera c = scene.camera();
+        for (Scene other : List.of(scene.withCamera(new Camera(c.from().plus(Vec3.Y), c.to(), c.up(), c.fov())),
+                scene.withPicture(scene.picture().withSize(scene.picture().width(), 3)),
+                scene.withPicture(scene.picture().withSize(3, scene.picture().height())),
+                scene.withNodes(scene.nodes().subList(1, scene.nodes().size())))) {
+            assertThat(scene.showsSameShapes(other)).isFalse();
+        }
+    }
+}
