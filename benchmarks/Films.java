@@ -1,0 +1,55 @@
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import java.util.zip.CRC32C;
+import lightning.image.Film;
+import lightning.jen.JenReader;
+import lightning.relight.Renderer;
+import lightning.relight.Update;
+import lightning.relight.plan.Accuracy;
+import lightning.relight.plan.Reflections;
+import lightning.relight.tile.MirrorStorage;
+import lightning.relight.tile.Options;
+import lightning.scene.Scene;
+import lightning.work.Progress;
+
+/**
+ * Goes through kept sessions by the names that all builds share, for {@code benchmarks/films}: a line for each scene of each
+ * session, in order, with a checksum of the film that the update made, the rows touched and the shadow rays cast.
+ */
+final class Films {
+    public static void main(String[] args) throws Exception {
+        List<Path> sessions = sorted(Path.of(args[0]));
+        for (int i = 0; i < sessions.size(); i++) {
+            Options options =
+                    new Options(i % 5 == 4 ? Accuracy.RATIO : Accuracy.EXACT, i % 3 == 2 ? Reflections.STALE : Reflections.CURRENT,
+                            i % 2 == 1 ? MirrorStorage.HIT_SHAPES : MirrorStorage.FULL_ROWS, 2);
+            try (var renderer = new Renderer(options)) {
+                for (Path file : sorted(sessions.get(i)).stream().filter(f -> f.toString().endsWith(".jen")).toList()) {
+                    Scene scene = JenReader.read(file).scene();
+                    Update update = renderer.render(scene, Progress.NONE);
+                    System.out.printf("%s/%s %08x %d %d%n", sessions.get(i).getFileName(), file.getFileName(), checksum(renderer.film()),
+                            update.rowsTouched(), update.rays().shadow());
+                }
+            }
+        }
+    }
+
+    private static List<Path> sorted(Path folder) throws Exception {
+        try (Stream<Path> entries = Files.list(folder)) {
+            return entries.sorted().toList();
+        }
+    }
+
+    private static long checksum(Film film) {
+        var sum = new CRC32C();
+        for (float value : film.toScanlines()) {
+            int bits = Float.floatToIntBits(value);
+            for (int shift = 0; shift < 32; shift += 8) {
+                sum.update(bits >>> shift);
+            }
+        }
+        return sum.getValue();
+    }
+}
