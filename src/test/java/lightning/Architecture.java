@@ -35,6 +35,7 @@ final class Architecture {
             row("work", ""),
             row("column", ""),
             row("file", "text"),
+            row("mesh", "text file work"),
             row("scene", "text math"),
             row("effects", "text math scene"),
             row("jen", "text math file scene"),

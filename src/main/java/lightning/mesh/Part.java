@@ -1,0 +1,8 @@
+package lightning.mesh;
+
+/**
+ * A mesh as its file names it: a file may hold several.
+ *
+ * @param name not empty, shown in one line; unique in its file
+ */
+public record Part(String name, Mesh mesh) {}
