@@ -1,9 +1,7 @@
 package lightning.scene;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import lightning.text.Quote;
 
@@ -16,14 +14,13 @@ public final class Rig {
     public static final Rig DARK = Rig.of(List.of());
 
     private final List<Light> lights;
-    /** The place of each light by its name; shared, never changed. */
-    private final Map<String, Integer> places;
+    private final RigNames names;
     /** Whether any light is solo and on, so that the others are dark. */
     private final boolean solo;
 
-    private Rig(List<Light> lights, Map<String, Integer> places) {
+    private Rig(List<Light> lights, RigNames names) {
         this.lights = lights;
-        this.places = places;
+        this.names = names;
         solo = lights.stream().anyMatch(l -> l.solo() && l.on());
     }
 
@@ -34,26 +31,20 @@ public final class Rig {
     public static Rig of(List<Light> lights) {
         List<Light> all = List.copyOf(lights);
         Limits.range("the number of lights", all.size(), 0, Limits.MAX_LIGHTS);
-        Map<String, Integer> places = HashMap.newHashMap(all.size());
-        for (Light light : all) {
-            if (places.putIfAbsent(light.name(), places.size()) != null) {
-                throw taken(light);
-            }
-        }
-        return new Rig(all, places);
-    }
-
-    static IllegalArgumentException taken(Light light) {
-        return new IllegalArgumentException("light " + Quote.of(light.name()) + ": the name is already taken");
+        return new Rig(all, new RigNames(all));
     }
 
     public List<Light> lights() {
         return lights;
     }
 
+    RigNames names() {
+        return names;
+    }
+
     /** The place of the light of that name, or −1. */
     public int place(String name) {
-        return places.getOrDefault(name, -1);
+        return names.place(name);
     }
 
     /** The light of that name. */
@@ -79,7 +70,7 @@ public final class Rig {
         }
         List<Light> all = new ArrayList<>(lights);
         all.set(place, light);
-        return new Rig(List.copyOf(all), places);
+        return new Rig(List.copyOf(all), names);
     }
 
     @Override

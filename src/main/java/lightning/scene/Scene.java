@@ -15,11 +15,7 @@ import lightning.text.Quote;
 public record Scene(Picture picture, Camera camera, World world, Stage stage, Rig rig) {
 
     public Scene {
-        for (Light light : rig.lights()) {
-            if (stage.hasNode(light.name())) {
-                throw Rig.taken(light);
-            }
-        }
+        rig.names().checkApart(stage);
     }
 
     /**

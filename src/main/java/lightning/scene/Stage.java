@@ -82,6 +82,11 @@ public final class Stage {
         return Arrays.binarySearch(tree.names, name) >= 0;
     }
 
+    /** Whether both have the same names of shapes and groups, because the one was made of the other. */
+    boolean sharesNodesWith(Stage o) {
+        return tree == o.tree;
+    }
+
     /** All shapes, in the order of the file, with materials and groups resolved. */
     public List<PlacedShape> placedShapes() {
         List<PlacedShape> placed = new ArrayList<>(tree.shapes);

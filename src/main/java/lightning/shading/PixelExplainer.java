@@ -125,13 +125,12 @@ public final class PixelExplainer {
             LightingEquation.contribution(light.blue(), term, falloff)};
     }
 
-    /** The shape between the point and the light that is nearest to the point, or −1; all are asked only where one is. */
+    /** The shape between the point and the light that is nearest to the point, or −1. */
     private int blocker(Lamp lamp, SurfacePoint at) {
         Vec3 point = new Vec3(at.px(), at.py(), at.pz());
         if (!lamp.type().hasPosition()) {
             return geometry.nearest(new Ray(point, lamp.source()));
         }
-        boolean free = !geometry.blocked(new Ray(point, lamp.source().minus(point)), 1);
-        return free ? -1 : geometry.blocker(point, ends.computeIfAbsent(lamp.source(), geometry::end));
+        return geometry.blocker(point, ends.computeIfAbsent(lamp.source(), geometry::end));
     }
 }

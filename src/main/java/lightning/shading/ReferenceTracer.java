@@ -42,7 +42,7 @@ public final class ReferenceTracer {
         geometry = new Geometry(scene);
         materials = geometry.materials();
         lights = Luminaire.all(scene);
-        ends = Arrays.stream(lights).map(Luminaire::lamp).map(lamp -> lamp.type().hasPosition() ? geometry.end(lamp.source()) : null)
+        ends = Arrays.stream(lights).map(Luminaire::lamp).map(lamp -> lamp.type().hasPosition() ? geometry.endOfAll(lamp.source()) : null)
                 .toArray(WayEnd[]::new);
     }
 

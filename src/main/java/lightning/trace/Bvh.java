@@ -60,6 +60,13 @@ final class Bvh {
         return walk(ray).blocked(limit);
     }
 
+    /** The primitive that a way to a light meets first before its end, the one with the lowest index among equals, or −1. */
+    int blocker(Ray way, WayEnd end) {
+        RayWalk walk = walk(way);
+        walk.leadTo(end);
+        return walk.nearest(1);
+    }
+
     private RayWalk walk(Ray ray) {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();

@@ -207,9 +207,14 @@ public final class Geometry {
         return false;
     }
 
-    /** Where ways to a light at a point in render space end. */
+    /** Where ways to a light at a point in render space end; every primitive is asked. */
+    public WayEnd endOfAll(Vec3 point) {
+        return WayEnd.ofAll(point, bvh);
+    }
+
+    /** The same by the tree of boxes. */
     public WayEnd end(Vec3 point) {
-        return WayEnd.at(point, primitives);
+        return WayEnd.at(point, bvh);
     }
 
     /** Whether any primitive stands between a point and a light, both in render space; every one is asked. */
@@ -224,22 +229,12 @@ public final class Geometry {
     }
 
     /**
-     * The primitive that stands nearest to a point on its way to a light, both in render space; every one is asked.
+     * The primitive that stands nearest to a point on its way to a light, both in render space, by the tree of boxes.
      *
      * @return its index, or −1 where the way is free
      */
     public int blocker(Vec3 point, WayEnd end) {
-        Ray way = new Ray(point, end.point().minus(point));
-        int nearest = -1;
-        double least = 1;
-        for (int s = 0; s < primitives.count; s++) {
-            double t = distance(s, way, end);
-            if (t < least) {
-                least = t;
-                nearest = s;
-            }
-        }
-        return nearest;
+        return bvh.blocker(new Ray(point, end.point().minus(point)), end);
     }
 
     /** The distance along a ray to a primitive, or {@code +∞}. */
@@ -250,7 +245,7 @@ public final class Geometry {
     }
 
     /** The distance along the way to a light, 1 at the light, to a primitive that comes between; {@code +∞} where it does not. */
-    private double distance(int primitive, Ray way, WayEnd end) {
+    double distance(int primitive, Ray way, WayEnd end) {
         Vec3 o = way.origin();
         Vec3 d = way.direction();
         return end.touches(primitive, o) ? primitives.distance(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), Touch.END)

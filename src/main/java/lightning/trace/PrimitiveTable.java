@@ -46,6 +46,8 @@ final class PrimitiveTable {
     final double farthest;
     /** More than the |x| + |y| + |z| of any point of a primitive. */
     final double reach;
+    /** The most that a point put on any primitive may lie off it because shape and camera are rounded, scene units. */
+    private final double mostOff;
 
     private PrimitiveTable(byte[] kind, int[] material, int[] owner, int[] at, double[] data, PrimitivePlaces places, Vec3 camera) {
         count = kind.length;
@@ -62,6 +64,7 @@ final class PrimitiveTable {
         double[] bounds = new double[6 * count];
         double[] slack = new double[count];
         double largest = 0;
+        double most = 0;
         for (int s = 0; s < count; s++) {
             Transform render = places.toRender(s, camera);
             Transform inverse = inverse(s, render);
@@ -79,10 +82,12 @@ final class PrimitiveTable {
             largest = Math.max(largest, far);
             off(s, bounds, new Vec3(render.t0(), render.t1(), render.t2()), camera);
             underEye[s] = gap(s, 0, 0, 0) <= off[s];
+            most = Math.max(most, off[s]);
         }
         boxes = PrimitiveBoxes.of(bounds, slack);
         farthest = largest;
         reach = 4 * farthest;
+        mostOff = most;
     }
 
     /** @param material the material index of each shape */
@@ -144,6 +149,11 @@ final class PrimitiveTable {
      */
     double offLight(int s, double far) {
         return off[s] + WAY * (size[s] + far);
+    }
+
+    /** No less than that of any primitive: none reaches farther from its place than {@link #reach}, and rounding keeps order. */
+    double offLight(double far) {
+        return mostOff + WAY * (reach + far);
     }
 
     /** How far the eye may lie off a primitive on which it was put, scene units. */

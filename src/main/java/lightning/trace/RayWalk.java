@@ -40,14 +40,19 @@ final class RayWalk {
         box.enter(ox, oy, oz, dx, dy, dz);
     }
 
-    /** Says where the ways end that are asked for from now on: at distance 1, if at all. */
+    /** Says where the rays end that are asked for from now on: at distance 1, if at all. */
     void leadTo(WayEnd wayEnd) {
         end = wayEnd;
     }
 
     /** The primitive that the ray meets first, the one with the lowest index among equals, or −1. */
     int nearest() {
-        best = Form.MISS;
+        return nearest(Form.MISS);
+    }
+
+    /** The same of those at a distance below {@code limit}. */
+    int nearest(double limit) {
+        best = limit;
         found = -1;
         int top = 0;
         int next = root();
@@ -96,7 +101,7 @@ final class RayWalk {
     }
 
     private void meet(int s) {
-        double t = primitives.distance(s, ox, oy, oz, dx, dy, dz);
+        double t = distance(s);
         if (t < best || t == best && s < found) {
             best = t;
             found = s;
@@ -145,10 +150,13 @@ final class RayWalk {
     }
 
     private boolean isMet(int s, double limit) {
+        return distance(s) < limit;
+    }
+
+    private double distance(int s) {
         int index = end.indexOf(s);
-        double t = index >= 0 && end.touches(index, ox, oy, oz) ? primitives.distance(s, ox, oy, oz, dx, dy, dz, Touch.END)
+        return index >= 0 && end.touches(index, ox, oy, oz) ? primitives.distance(s, ox, oy, oz, dx, dy, dz, Touch.END)
                 : primitives.distance(s, ox, oy, oz, dx, dy, dz);
-        return t < limit;
     }
 
     private int root() {

@@ -29,6 +29,7 @@ public final class ScalarTracer implements Tracer {
 
     @Override
     public void nearest(RayColumns rays, Candidates candidates) {
+        walk.leadTo(WayEnd.OPEN);
         for (int ray = 0; ray < rays.count; ray++) {
             walk.enter(rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray], rays.dy[ray], rays.dz[ray]);
             rays.primitive[ray] = walk.nearest(candidates);

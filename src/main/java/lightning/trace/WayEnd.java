@@ -25,25 +25,75 @@ public final class WayEnd {
         this.from = from;
     }
 
-    /** The end of ways to a point in render space. */
-    static WayEnd at(Vec3 point, PrimitiveTable primitives) {
-        int[] primitive = new int[4];
-        double[] from = new double[4];
+    /**
+     * The end of ways to a point in render space.
+     *
+     * <p>It lies on a primitive if it is no farther off than {@link PrimitiveTable#offLight} and a row tell: neither off the
+     * surface nor off the box around it, whichever shows it. The tree leads to the primitives by boxes that are wider for all by
+     * what any of them may be off.
+     */
+    static WayEnd at(Vec3 point, Bvh bvh) {
+        PrimitiveTable primitives = bvh.primitives;
+        double margin = primitives.offLight(sum(point)) + PrimitiveTable.WAY * primitives.reach;
+        int[] asked = new int[8];
         int count = 0;
-        double far = Math.abs(point.x()) + Math.abs(point.y()) + Math.abs(point.z());
-        for (int s = 0; s < primitives.count; s++) {
-            double lies = (primitives.gap(s, point.x(), point.y(), point.z()) - primitives.offLight(s, far)) / PrimitiveTable.WAY;
-            if (lies <= primitives.reach) {
-                if (count == primitive.length) {
-                    primitive = Arrays.copyOf(primitive, 2 * count);
-                    from = Arrays.copyOf(from, 2 * count);
+        int[] stack = new int[bvh.depth + 2];
+        int top = 0;
+        if (primitives.count > 0) {
+            stack[top++] = primitives.count == 1 ? ~0 : 0;
+        }
+        while (top > 0) {
+            int next = stack[--top];
+            if (next < 0) {
+                asked = count == asked.length ? Arrays.copyOf(asked, 2 * count) : asked;
+                asked[count++] = ~next;
+                continue;
+            }
+            for (int c = 0; c < 2; c++) {
+                if (holds(bvh.boxes, 12 * next + 6 * c, point, margin)) {
+                    stack[top++] = bvh.child[2 * next + c];
                 }
-                primitive[count] = s;
-                from[count++] = lies;
             }
         }
-        return count == 0 ? new WayEnd(point, OPEN.primitive, OPEN.from)
-                : new WayEnd(point, Arrays.copyOf(primitive, count), Arrays.copyOf(from, count));
+        Arrays.sort(asked, 0, count);
+        return among(asked, count, point, bvh);
+    }
+
+    /** The same; every primitive is asked. */
+    static WayEnd ofAll(Vec3 point, Bvh bvh) {
+        int[] all = new int[bvh.primitives.count];
+        Arrays.setAll(all, s -> s);
+        return among(all, all.length, point, bvh);
+    }
+
+    /** @param asked ascending; the primitives on which the point may lie, {@code asked[0 … count − 1]} */
+    private static WayEnd among(int[] asked, int count, Vec3 point, Bvh bvh) {
+        PrimitiveTable primitives = bvh.primitives;
+        int[] primitive = new int[count];
+        double[] from = new double[count];
+        int kept = 0;
+        for (int i = 0; i < count; i++) {
+            int s = asked[i];
+            double off = primitives.offLight(s, sum(point));
+            double lies = (primitives.gap(s, point.x(), point.y(), point.z()) - off) / PrimitiveTable.WAY;
+            if (lies <= primitives.reach && holds(bvh.primitiveBoxes, 6 * s, point, off + PrimitiveTable.WAY * primitives.reach)) {
+                primitive[kept] = s;
+                from[kept++] = lies;
+            }
+        }
+        return kept == 0 ? new WayEnd(point, OPEN.primitive, OPEN.from)
+                : new WayEnd(point, Arrays.copyOf(primitive, kept), Arrays.copyOf(from, kept));
+    }
+
+    private static double sum(Vec3 point) {
+        return Math.abs(point.x()) + Math.abs(point.y()) + Math.abs(point.z());
+    }
+
+    /** Whether a point lies in the box {@code boxes[at … at + 5]}, or off it by no more than the margin on each axis. */
+    private static boolean holds(float[] boxes, int at, Vec3 p, double margin) {
+        return p.x() >= boxes[at] - margin && p.x() <= boxes[at + 3] + margin
+                && p.y() >= boxes[at + 1] - margin && p.y() <= boxes[at + 4] + margin
+                && p.z() >= boxes[at + 2] - margin && p.z() <= boxes[at + 5] + margin;
     }
 
     /** The point, render space. */

@@ -1,11 +1,13 @@
 package lightning.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.sample.StudioScene;
+import lightning.text.Quote;
 import org.junit.jupiter.api.Test;
 
 class SceneTest {
@@ -18,6 +20,20 @@ class SceneTest {
                 scene.withMaterials(scene.materials().stream().map(m -> m.withDiffuse(Rgb.BLACK)).toList()))) {
             assertThat(scene.showsSameShapes(other)).isTrue();
         }
+    }
+
+    /** Of an edited light and of other shapes, names are looked at again only where they may be others. */
+    @Test
+    void lightWithTheNameOfAShape_isRefusedAfterEditsToo() {
+        Light light = scene.lights().getFirst();
+        Scene edited = scene.withLight(light.withIntensity(0.25));
+        List<Node> nodes = List.of(new Shape(Solid.SPHERE, light.name(), Material.DEFAULT.name(), Placement.IDENTITY));
+        String reason = "light " + Quote.of(light.name()) + ": the name is already taken";
+        assertThatThrownBy(() -> edited.withNodes(nodes)).hasMessage(reason);
+        assertThatThrownBy(() -> scene.withNodes(nodes)).hasMessage(reason);
+        Scene free = edited.withLights(List.of()).withNodes(nodes);
+        assertThatThrownBy(() -> free.withLight(light)).hasMessageContaining("there is no light");
+        assertThatThrownBy(() -> free.withRig(edited.rig())).hasMessage(reason);
     }
 
     @Test

@@ -30,6 +30,38 @@ class BvhTest {
         }
     }
 
+    /** Lights on shapes, above them, and away from all. */
+    @Property
+    void endsOfWaysAndWhatBlocksThem_areThoseOfAllShapes(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed,
+            @ForAll @IntRange(min = 0, max = 60) int up) {
+        Geometry geometry = new Geometry(TraceScenes.wild(shapes, seed));
+        TraceRays rays = new TraceRays(geometry, seed);
+        rays.fill(p);
+        for (int i = 0; i < RayPacket.WIDTH; i++) {
+            Ray ray = TraceRays.ray(p, i);
+            int hit = geometry.nearestOfAll(ray);
+            double t = hit < 0 ? 1 : geometry.distance(hit, ray);
+            Vec3 light = ray.origin().plus(ray.direction().times(t * (1 - Math.scalb(1, -up))));
+            WayEnd end = geometry.end(light);
+            assertThat(end).usingRecursiveComparison().isEqualTo(geometry.endOfAll(light));
+            assertThat(geometry.blocker(ray.origin(), end)).isEqualTo(blockerOfAll(geometry, ray.origin(), end));
+        }
+    }
+
+    private static int blockerOfAll(Geometry geometry, Vec3 point, WayEnd end) {
+        Ray way = new Ray(point, end.point().minus(point));
+        int nearest = -1;
+        double least = 1;
+        for (int s = 0; s < geometry.primitiveCount(); s++) {
+            double t = geometry.distance(s, way, end);
+            if (t < least) {
+                least = t;
+                nearest = s;
+            }
+        }
+        return nearest;
+    }
+
     @Property
     void movedCamera_movesTheBoxesOfATreeThatKeepsItsForm(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed,
             @ForAll @DoubleRange(min = -100, max = 100) double by) {
