@@ -36,7 +36,7 @@ final class StatusLine extends HBox {
             message.setManaged(!text.isEmpty());
         });
         model.renderingProperty().subscribe(_ -> update());
-        model.situationProperty().subscribe(_ -> update());
+        model.situationProperty().map(s -> s.inWork().isPresent() ? model.document().name() : "").subscribe(_ -> update());
     }
 
     private void update() {

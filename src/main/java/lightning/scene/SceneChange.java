@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 
 /** Says what changed from one scene to another: {@code key: intensity 1 → 1.2}. */
@@ -43,10 +44,12 @@ public final class SceneChange {
 
     private String of(Scene before, Scene after) {
         lights(new LightMatch(before.lights(), after.lights()));
-        add(change(World.AMBIENCE, before.world(), after.world()));
-        add(change(Picture.DEPTH, before.picture(), after.picture()));
-        add(new Change("anti-aliasing", sampling(before), sampling(after)));
-        add(new Change("size", size(before), size(after)));
+        change(World.AMBIENCE, before.world(), after.world()).ifPresent(this::add);
+        if (!before.picture().equals(after.picture())) {
+            change(Picture.DEPTH, before.picture(), after.picture()).ifPresent(this::add);
+            add(new Change("anti-aliasing", sampling(before), sampling(after)));
+            add(new Change("size", size(before), size(after)));
+        }
         boolean known = materials(before, after);
         boolean other = !known || !before.withPicture(after.picture()).showsSameShapes(after)
                 || !before.world().background().equals(after.world().background());
@@ -90,13 +93,14 @@ public final class SceneChange {
 
     /** Adds what changed of each material; false if the change is more than values of theirs. */
     private boolean materials(Scene before, Scene after) {
-        if (!before.materials().equals(after.materials())) {
-            Map<String, Material> known = before.materialsByName();
-            for (Material material : after.materials()) {
-                Material old = known.get(material.name());
-                if (old != null && !old.equals(material)) {
-                    parts.add(joined(old.name(), changes(MaterialAttribute.ALL, old, material)));
-                }
+        if (before.materials().equals(after.materials())) {
+            return true;
+        }
+        Map<String, Material> known = before.materialsByName();
+        for (Material material : after.materials()) {
+            Material old = known.get(material.name());
+            if (old != null && !old.equals(material)) {
+                parts.add(joined(old.name(), changes(MaterialAttribute.ALL, old, material)));
             }
         }
         return names(after).equals(names(before)) || addsDefault(before, after);
@@ -113,11 +117,15 @@ public final class SceneChange {
     }
 
     private static <T> List<Change> changes(List<? extends Attribute<T, ?>> attributes, T before, T after) {
-        return attributes.stream().map(a -> change(a, before, after)).toList();
+        List<Change> changes = new ArrayList<>();
+        attributes.forEach(a -> change(a, before, after).ifPresent(changes::add));
+        return changes;
     }
 
-    private static <T> Change change(Attribute<T, ?> attribute, T before, T after) {
-        return new Change(attribute.title(), attribute.text(before), attribute.text(after));
+    /** Nothing for a value that is the same: to write numbers takes long. */
+    private static <T> Optional<Change> change(Attribute<T, ?> attribute, T before, T after) {
+        return attribute.of(before).equals(attribute.of(after)) ? Optional.empty()
+                : Optional.of(new Change(attribute.title(), attribute.text(before), attribute.text(after)));
     }
 
     private String joined(String name, List<Change> all) {

@@ -39,6 +39,10 @@ public final class ColorSliders extends VBox {
     private final Obstacle obstacle;
     private Rgb shown = Rgb.WHITE;
     private Hsv shownHsv = Hsv.of(Rgb.WHITE);
+    /** What the parts show; null for no colour. */
+    private Drawn drawn;
+
+    private record Drawn(Rgb color, Hsv hsv) {}
 
     /** Where the edits go. Each returns why it was refused; {@code gesture} as in {@link Gauge#set}. */
     public interface Target {
@@ -123,13 +127,20 @@ public final class ColorSliders extends VBox {
             shownHsv = now.saturation() == 0 ? new Hsv(shownHsv.hue(), now.value() == 0 ? shownHsv.saturation() : 0, now.value())
                     : now;
         }
+        var now = new Drawn(color, shownHsv);
+        if (!now.equals(drawn)) {
+            drawn = now;
+            draw(color, shownHsv);
+        }
+    }
+
+    private void draw(Rgb color, Hsv h) {
         well.setStyle("-well-color: " + Paints.css(color) + ";");
         well.setAccessibleText(
                 prefix + String.format(Locale.ROOT, "colour: red %.3f, green %.3f, blue %.3f", color.r(), color.g(), color.b()));
         rgb.get(0).show(color.r(), v -> new Rgb(v, color.g(), color.b()));
         rgb.get(1).show(color.g(), v -> new Rgb(color.r(), v, color.b()));
         rgb.get(2).show(color.b(), v -> new Rgb(color.r(), color.g(), v));
-        Hsv h = shownHsv;
         square.show(h);
         hsv.get(0).show(h.hue(), v -> new Hsv(v, 1, 1).rgb());
         hsv.get(1).show(h.saturation(), v -> new Hsv(h.hue(), v, Math.clamp(h.value(), 0, 1)).rgb());
@@ -139,6 +150,7 @@ public final class ColorSliders extends VBox {
 
     /** Shows that there is no colour. */
     public void showNothing() {
+        drawn = null;
         well.setStyle("-well-color: transparent;");
         well.setAccessibleText(prefix + "colour: none");
         rgb.forEach(ColorSlider::showNothing);

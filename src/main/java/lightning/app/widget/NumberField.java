@@ -77,7 +77,11 @@ public final class NumberField extends TextField {
     /** Forgets what was typed. */
     public void revert() {
         refusal.set("");
-        setText(shown());
+        String text = shown();
+        // Setting a text, even the one that is there, takes long and empties its own undo, which comes before the document's.
+        if (!getText().equals(text) || isUndoable() || isRedoable()) {
+            setText(text);
+        }
     }
 
     /** Marks the field with the reason why an edit was refused. */

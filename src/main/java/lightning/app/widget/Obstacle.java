@@ -13,6 +13,8 @@ public final class Obstacle {
     private final String hint;
     private final Tooltip tooltip = new Tooltip();
     private boolean installed;
+    /** What was set last; null before the first. */
+    private Optional<String> reason;
 
     /** Of a control that needs no hint while it is enabled. */
     public Obstacle(Node around, Node control) {
@@ -28,7 +30,14 @@ public final class Obstacle {
     }
 
     /** Disables the control with a reason, a clause; or enables it. */
-    public void set(Optional<String> reason) {
+    public void set(Optional<String> now) {
+        if (!now.equals(reason)) {
+            reason = now;
+            show();
+        }
+    }
+
+    private void show() {
         if (control.isDisable() != reason.isPresent()) {
             tellParts(reason.map(Obstacle::sentence).orElse(""));
         }
