@@ -36,6 +36,8 @@ final class Architecture {
             row("column", ""),
             row("file", "text"),
             row("mesh", "text file work"),
+            row("mesh.ply", "text math mesh"),
+            row("mesh.file", "mesh mesh.ply work"),
             row("scene", "text math"),
             row("effects", "text math scene"),
             row("jen", "text math file scene"),

@@ -1,5 +1,7 @@
 package lightning.image;
 
+import lightning.math.SrgbCurve;
+
 /**
  * The sRGB encoding to and from 8 bits (IEC 61966-2-1), correctly rounded.
  *
@@ -92,8 +94,7 @@ final class Srgb {
     private static float[] linears() {
         float[] linears = new float[256];
         for (int code = 0; code < 256; code++) {
-            double s = code / 255.0;
-            linears[code] = (float) (s <= 0.04045 ? s / 12.92 : StrictMath.pow((s + 0.055) / 1.055, 2.4));
+            linears[code] = (float) SrgbCurve.linear(code / 255.0);
         }
         return linears;
     }

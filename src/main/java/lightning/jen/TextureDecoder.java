@@ -14,6 +14,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
+import lightning.math.SrgbCurve;
 import lightning.scene.Texture;
 import lightning.text.Quote;
 
@@ -21,8 +22,7 @@ import lightning.text.Quote;
  * Decodes PNG and JPEG files to linear light.
  *
  * <p>The samples s are taken as sRGB in 0…1, whatever colour profile the file carries, and decoded
- * by IEC 61966-2-1: s / 12.92 where s ≤ 0.04045, else ((s + 0.055) / 1.055)<sup>2.4</sup>, in
- * double, rounded once to float. Transparency is ignored; a grey sample counts for all channels.
+ * by {@link SrgbCurve}, in double, rounded once to float. Transparency is ignored; a grey sample counts for all channels.
  */
 final class TextureDecoder {
     private static final Set<String> FORMATS = Set.of("png", "jpeg");
@@ -131,7 +131,7 @@ final class TextureDecoder {
         float[] linear = new float[largest + 1];
         for (int i = 0; i <= largest; i++) {
             double s = (double) i / largest;
-            linear[i] = (float) (s <= 0.04045 ? s / 12.92 : StrictMath.pow((s + 0.055) / 1.055, 2.4));
+            linear[i] = (float) SrgbCurve.linear(s);
         }
         return linear;
     }

@@ -2,6 +2,7 @@ package lightning.mesh;
 
 import java.nio.file.Path;
 import lightning.text.Quote;
+import lightning.text.Visible;
 
 /** A file of meshes cannot be used; the message says in one line which file, the place in it, what was expected and what was found. */
 public final class MeshException extends Exception {
@@ -12,6 +13,6 @@ public final class MeshException extends Exception {
      * @param message what was expected and what was found
      */
     public MeshException(Path file, String place, String message) {
-        super(Quote.path(file) + ": " + (place.isEmpty() ? "" : place + ": ") + message);
+        super(Quote.path(file) + ": " + Visible.escaped(place.isEmpty() ? message : place + ": " + message));
     }
 }

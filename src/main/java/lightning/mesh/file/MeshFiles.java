@@ -1,0 +1,47 @@
+package lightning.mesh.file;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.CancellationException;
+import lightning.mesh.ByteSource;
+import lightning.mesh.MeshException;
+import lightning.mesh.Notes;
+import lightning.mesh.Part;
+import lightning.mesh.ply.PlyReader;
+import lightning.work.Progress;
+
+/** Reads files of meshes: PLY. What a file is, its content says. */
+public final class MeshFiles {
+    /** The name of the one mesh in a file that names none. */
+    public static final String ONLY_PART = "mesh";
+    /** How the names of such files end. */
+    public static final List<String> ENDINGS = List.of(".ply");
+
+    private MeshFiles() {}
+
+    /** Whether a file is one of meshes by its name. */
+    public static boolean isNamedSo(String file) {
+        String name = file.toLowerCase(Locale.ROOT);
+        return ENDINGS.stream().anyMatch(name::endsWith);
+    }
+
+    /**
+     * Reads all meshes of a file. No memory is taken for what a file says to hold and does not.
+     *
+     * @param progress hears how many KiB are read
+     * @return at least one, in the order of the file
+     * @throws MeshException         if its content is wrong; the message says where
+     * @throws IOException           if it cannot be read, or is a folder, a pipe or a device
+     * @throws CancellationException if {@code progress} asked to stop
+     */
+    public static List<Part> read(Path file, Progress progress) throws IOException, MeshException {
+        try (ByteSource source = ByteSource.open(file, progress)) {
+            if (PlyReader.isPly(source)) {
+                return List.of(new Part(ONLY_PART, PlyReader.read(source, new Notes())));
+            }
+            throw source.problem("", "must be a PLY file, found another kind");
+        }
+    }
+}

@@ -1,0 +1,64 @@
+package lightning.mesh.ply;
+
+import java.io.EOFException;
+import java.io.IOException;
+import lightning.mesh.ByteSource;
+import lightning.mesh.MeshException;
+import lightning.mesh.TextSource;
+
+/** The numbers behind the header, in either form. */
+final class PlyBody {
+    private final ByteSource source;
+    /** Null where the numbers are binary. */
+    private final TextSource text;
+    /** What is being read, as messages call it. */
+    private String element = "";
+    private long number;
+
+    PlyBody(PlyHeader.Format format, TextSource text, ByteSource source) {
+        this.source = source;
+        this.text = format == PlyHeader.Format.ASCII ? text : null;
+        source.order(format.order);
+    }
+
+    /** Says what follows. */
+    void enter(String newElement, long newNumber) {
+        element = newElement;
+        number = newNumber;
+    }
+
+    /** The next number, as a double, which holds those of all types exactly. */
+    double number(PlyType type) throws IOException, MeshException {
+        try {
+            return text == null ? type.read(source) : word();
+        } catch (EOFException e) {
+            throw problem("the file ends before it does");
+        }
+    }
+
+    /** The length of the list that follows, held against what is left of the file. */
+    int length(PlyHeader.Property list) throws IOException, MeshException {
+        double length = number(list.length());
+        // In text each number has a digit and, but for the last, something behind it.
+        double most = text == null ? source.left() / list.type().bytes : (source.left() + 1) / 2;
+        if (!(length >= 0 && length <= most && length == Math.rint(length))) {
+            throw problem(list.name() + " must have from 0 to " + (long) most + " numbers, as the file has bytes for, was " + length);
+        }
+        return (int) length;
+    }
+
+    /** A problem with what is being read. */
+    MeshException problem(String message) {
+        String place = element + " " + number;
+        return text == null ? source.problem(place, message) : text.problem(place + ": " + message);
+    }
+
+    private double word() throws IOException, MeshException {
+        while (!text.word()) {
+            if (!text.nextLine()) {
+                throw new EOFException();
+            }
+        }
+        return text.number("a number of " + element + " " + number);
+    }
+}

@@ -1,0 +1,87 @@
+package lightning.mesh.file;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.stream.Stream;
+import lightning.mesh.MeshException;
+import lightning.mesh.Part;
+import lightning.mesh.ply.PlyText;
+import lightning.sample.Fuzz;
+import lightning.text.Visible;
+import lightning.work.Progress;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Files of meshes with a few mistakes: whatever comes, the reader answers with meshes or with its own error, in one line, soon;
+ * {@link Fuzz} tells the options.
+ */
+class MeshFuzzTest {
+    private static final int TRIES = Fuzz.tries(20_000);
+    private static final String PLY = """
+            ply
+            format ascii 1.0
+            element vertex 4
+            property float x
+            property double y
+            property short z
+            property float nx
+            property float ny
+            property float nz
+            property uchar red
+            property uchar green
+            property uchar blue
+            element face 1
+            property list uchar int vertex_indices
+            element tristrips 1
+            property list int int vertex_indices
+            end_header
+            0 0 0 0 0 1 1 2 3
+            1 0 0 0 0 1 4 5 6
+            1 1 0 0 0 1 7 8 9
+            0 1 0 0 0 1 0 0 0
+            4 0 1 2 3
+            5 0 1 2 -1 3
+            """;
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    @Timeout(300)
+    void plyWithMistakes_isReadOrRefused() throws IOException {
+        List<byte[]> pool = Stream.of("ascii", "binary_little_endian", "binary_big_endian").map(form -> PlyText.in(form, PLY)).toList();
+        assertReadOrRefused("a.ply", pool, "end_header", "element x 2147483647\n", "property list uint double y\n",
+                "format binary_big_endian 1.0\n",
+                "1000000000", "-1", "nan", "\n", "\r", " ", "\u0000\u0000\u0000\u0000", "ÿÿÿ\u007f", "1e999", "\u001B[31m");
+    }
+
+    private void assertReadOrRefused(String name, List<byte[]> pool, String... hostile) throws IOException {
+        List<byte[]> bits = Stream.of(hostile).map(bit -> bit.getBytes(StandardCharsets.ISO_8859_1)).toList();
+        List<String> refusals = new ArrayList<>();
+        for (int i = 0; i < TRIES; i++) {
+            SplittableRandom random = Fuzz.random(i);
+            Path file = Files.write(folder.resolve(name), Fuzz.mutated(pool, random, bits));
+            try {
+                List<Part> parts = MeshFiles.read(file, Progress.NONE);
+                assertThat(parts).isNotEmpty();
+                assertThat(parts.stream().map(Part::name)).doesNotHaveDuplicates().allMatch(part -> !part.isBlank() && Visible.is(part));
+            } catch (MeshException e) {
+                assertThat(e.getMessage()).as("try " + i).startsWith(file + ": ").matches(Visible::is, "is visible").hasSizeLessThan(2000);
+                refusals.add(e.getMessage());
+            } catch (IOException | RuntimeException | Error e) {
+                throw new AssertionError("try " + i, e);
+            }
+        }
+        assertThat(refusals.size()).isBetween(TRIES / 10, TRIES - 1);
+        assertThat(refusals.stream().map(m -> m.replaceAll("'.*'|[0-9]+", "")).distinct().count()).as("kinds of refusals").isGreaterThan(5);
+    }
+}
