@@ -90,7 +90,7 @@ final class Obstacles {
     }
 
     static Optional<String> nothingToRender(Situation s) {
-        if (!s.isPending()) {
+        if (!s.isPending() && !s.lacksSamples()) {
             return Optional.of("nothing was edited since the last Go");
         }
         boolean comes = s.inWork().filter(scene -> VisiblePart.same(scene, s.scene())).isPresent();

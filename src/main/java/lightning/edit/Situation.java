@@ -92,8 +92,16 @@ public record Situation(Scene scene, Optional<Frame> frame, Optional<Scene> inWo
 
     /** What the canvas and Save Image say of a picture that is behind the document; empty if it is not. */
     public Optional<String> pendingRemark() {
-        return frame.isPresent() && isPending() ? Optional.of("the picture does not show the edits since the last Go")
-                : Optional.empty();
+        if (frame.isEmpty()) {
+            return Optional.empty();
+        }
+        return isPending() ? Optional.of("the picture does not show the edits since the last Go")
+                : lacksSamples() ? Optional.of("the picture lacks the finer samples of its edges") : Optional.empty();
+    }
+
+    /** Whether the traced picture is one of pixels' centres, that finer samples are still to follow. */
+    public boolean lacksSamples() {
+        return frame.isPresent() && !frame.get().finished();
     }
 
     /** What the canvas says of mirrors that are older than the rest of the picture; empty where they are not. */

@@ -16,19 +16,24 @@ public final class PlannedUpdate {
     /** What leads from the scene shown to the scene wanted. */
     final UpdatePlan difference;
     private final UpdatePlan update;
+    /** What it goes on from: what is known, or an older picture; null for nothing. */
+    final PixelCache base;
     private final PixelCache known;
     /** What planning took. */
     final long nanoseconds;
 
     /**
      * @param update as it is told: the difference, or where there is none the change of accuracy
+     * @param base   what it goes on from, or null
      * @param known  what it was planned for, or null
      */
-    PlannedUpdate(Scene wanted, boolean mirrors, UpdatePlan difference, UpdatePlan update, PixelCache known, long nanoseconds) {
+    PlannedUpdate(Scene wanted, boolean mirrors, UpdatePlan difference, UpdatePlan update, PixelCache base, PixelCache known,
+            long nanoseconds) {
         this.wanted = wanted;
         this.mirrors = mirrors;
         this.difference = difference;
         this.update = update;
+        this.base = base;
         this.known = known;
         this.nanoseconds = nanoseconds;
     }

@@ -1,34 +1,21 @@
 package lightning.relight;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.Predicate;
-import lightning.cache.KnownLight;
-import lightning.cache.LayerStamp;
+import java.util.function.Supplier;
 import lightning.cache.PixelCache;
 import lightning.image.DisplayCurve;
 import lightning.image.Film;
 import lightning.relight.plan.Accuracy;
 import lightning.relight.plan.Dispatcher;
 import lightning.relight.plan.ErrorBound;
-import lightning.relight.plan.LayerPlan;
-import lightning.relight.plan.LevelPlan;
 import lightning.relight.plan.Reflections;
 import lightning.relight.plan.UpdatePlan;
-import lightning.relight.tile.Job;
-import lightning.relight.tile.LevelJob;
 import lightning.relight.tile.Options;
-import lightning.relight.tile.PreparedScene;
-import lightning.relight.tile.RepeatedEdit;
 import lightning.relight.tile.Tally;
-import lightning.relight.tile.TileRun;
-import lightning.scene.Antialias;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.shading.Demands;
-import lightning.shading.Luminaire;
-import lightning.shading.SeenScenes;
 import lightning.trace.Geometry;
 import lightning.trace.MaterialTable;
 import lightning.work.Progress;
@@ -41,9 +28,10 @@ import lightning.work.Workers;
 public final class Renderer implements AutoCloseable {
     private Options options;
     private Workers workers;
-    private final RepeatedEdit repeat = new RepeatedEdit();
-    private final RepeatedEdit mirroredRepeat = new RepeatedEdit();
+    private final Making.Repeats repeats = new Making.Repeats();
     private PixelCache cache;
+    /** What the cache lacks, where it holds pixels' centres alone; else null. */
+    private Unfinished unfinished;
     /** What a first pass may take where the cache has nothing that serves; may be null. */
     private Geometry shared;
     /** How the cache is known; its accuracy differs from the wanted one after a change, until the next update. */
@@ -75,6 +63,10 @@ public final class Renderer implements AutoCloseable {
      * a ray; only another view, or another storage of mirror levels, forgets it.
      */
     public void change(Options to) {
+        if (unfinished != null && (to.accuracy() != options.accuracy() || to.reflections() != options.reflections())) {
+            // Samples could not follow centres that are known in another way.
+            restore(unfinished.whole());
+        }
         if (to.threads() != options.threads()) {
             workers.close();
             workers = new Workers(to.threads());
@@ -94,13 +86,14 @@ public final class Renderer implements AutoCloseable {
 
     private PlannedUpdate plan(Scene wanted, boolean mirrors) {
         long start = System.nanoTime();
-        UpdatePlan difference = difference(wanted, mirrors);
+        PixelCache base = unfinished == null ? cache : unfinished.base(cache, wanted, mirrors);
+        UpdatePlan difference = difference(base, wanted, mirrors);
         UpdatePlan told = difference instanceof UpdatePlan.Nothing && converts() ? new Conversion(cache, options).plan() : difference;
-        return new PlannedUpdate(wanted, mirrors, difference, told, cache, System.nanoTime() - start);
+        return new PlannedUpdate(wanted, mirrors, difference, told, base, cache, System.nanoTime() - start);
     }
 
-    private UpdatePlan difference(Scene wanted, boolean mirrors) {
-        return Dispatcher.plan(cache, wanted, mirrors, options.accuracy());
+    private UpdatePlan difference(PixelCache base, Scene wanted, boolean mirrors) {
+        return Dispatcher.plan(base, wanted, mirrors, options.accuracy());
     }
 
     private boolean converts() {
@@ -127,13 +120,58 @@ public final class Renderer implements AutoCloseable {
      * @throws CancellationException likewise
      */
     public Update render(PlannedUpdate planned, Progress progress) {
-        PlannedUpdate now = planned.startsFrom(cache) ? planned : plan(planned.wanted, planned.mirrors);
+        return orAsBefore(() -> update(again(planned), false, progress));
+    }
+
+    /**
+     * Does what was planned, and leaves it to {@link #finish} to make the finer samples where only edges have them: the film then
+     * shows the pixels' centres, as if there were no anti-aliasing. Updates go on from there, whether it was finished or not.
+     *
+     * @param planned by {@link #plan}
+     * @throws PictureTooLarge       as {@link #render(Scene, Progress)}
+     * @throws CancellationException likewise
+     */
+    public Update renderCenters(PlannedUpdate planned, Progress progress) {
+        return orAsBefore(() -> update(again(planned), true, progress));
+    }
+
+    /** Whether the film has all samples that its scene asks for. */
+    public boolean isFinished() {
+        return unfinished == null;
+    }
+
+    /**
+     * Makes the finer samples that {@link #renderCenters} left out.
+     *
+     * @return all that was done since the last picture that had its samples
+     * @throws IllegalStateException if the picture is finished
+     * @throws CancellationException if {@code progress} asked to stop; everything is then as before the call
+     */
+    public Update finish(Progress progress) {
+        if (unfinished == null) {
+            throw new IllegalStateException("the picture is finished");
+        }
+        long start = System.nanoTime();
+        Unfinished left = unfinished;
+        UpdatePlan plan = left.plan(cache);
+        Tally work = left.work().plus(samples(plan, progress));
+        return new Update(plan, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(),
+                left.nanoseconds() + System.nanoTime() - start, 0, false);
+    }
+
+    private PlannedUpdate again(PlannedUpdate planned) {
+        return planned.startsFrom(cache) ? planned : plan(planned.wanted, planned.mirrors);
+    }
+
+    private Update orAsBefore(Supplier<Update> work) {
         PixelCache before = cache;
+        Unfinished unfinishedBefore = unfinished;
         Accuracy knownBefore = known;
         try {
-            return update(now, progress);
+            return work.get();
         } catch (CancellationException e) {
             cache = before;
+            unfinished = unfinishedBefore;
             known = knownBefore;
             throw e;
         }
@@ -193,6 +231,17 @@ public final class Renderer implements AutoCloseable {
         return cache;
     }
 
+    /** What was kept of the last picture that had all its samples, from which {@link #finish} goes on; null where there is none. */
+    public PixelCache finishedCache() {
+        return unfinished == null ? cache : unfinished.whole();
+    }
+
+    /** The bytes of all that is kept. */
+    public long bytes() {
+        long newest = cache == null ? 0 : MemoryNeed.of(cache);
+        return unfinished == null || unfinished.whole() == null ? newest : newest + MemoryNeed.of(unfinished.whole());
+    }
+
     /** Drops all that is known: the next picture is a first pass. */
     public void forget() {
         restore(null);
@@ -207,37 +256,56 @@ public final class Renderer implements AutoCloseable {
      */
     public void restore(PixelCache kept) {
         cache = kept;
+        unfinished = null;
         known = options.accuracy();
-        repeat.end();
-        mirroredRepeat.end();
+        repeats.end();
     }
 
     /** Leaves things half done where it is cancelled. */
-    private Update update(PlannedUpdate planned, Progress progress) {
+    private Update update(PlannedUpdate planned, boolean centersAlone, Progress progress) {
         long start = System.nanoTime() - planned.nanoseconds;
         UpdatePlan plan = planned.difference;
         Scene wanted = planned.wanted;
         Tally work = Tally.NONE;
+        if (planned.base != cache) {
+            cache = planned.base;
+            unfinished = null;
+        } else if (unfinished != null && plan instanceof UpdatePlan.Relight next && !unfinished.mirrorsFollow(cache, next, wanted)) {
+            work = samples(unfinished.plan(cache), progress);
+        }
         if (converts() && !(plan instanceof UpdatePlan.FirstPass)) {
-            work = convert(new Conversion(cache, options), progress);
+            work = work.plus(convert(new Conversion(cache, options), progress));
             // The same lights and rows, but layers are known in another way.
-            plan = difference(wanted, planned.mirrors);
+            plan = difference(cache, wanted, planned.mirrors);
         }
         UpdatePlan told = plan instanceof UpdatePlan.Nothing ? planned.update() : plan;
         work = work.plus(switch (plan) {
             case UpdatePlan.Nothing _ -> Tally.NONE;
-            case UpdatePlan.FirstPass _ -> firstPass(wanted, progress);
-            case UpdatePlan.Relight relight -> relight(relight, wanted, progress);
+            case UpdatePlan.FirstPass first -> firstPass(first, wanted, centersAlone && samplesMayFollow(wanted), progress);
+            case UpdatePlan.Relight relight -> relight(relight, wanted,
+                    (centersAlone || unfinished != null) && !relight.resampled() && samplesMayFollow(wanted), progress);
         });
         known = options.accuracy();
         ErrorBound bound = ErrorBound.of(cache);
         boolean refreshed = bound.shows(exposure, curve);
         if (refreshed) {
-            work = work.plus(relight(Dispatcher.refresh(cache), cache.scene(), progress));
+            work = work.plus(relight(Dispatcher.refresh(cache), cache.scene(), false, progress));
             bound = ErrorBound.of(cache);
+        }
+        if (unfinished != null) {
+            if (centersAlone) {
+                unfinished = unfinished.plus(work, System.nanoTime() - start);
+            } else {
+                work = work.plus(samples(unfinished.plan(cache), progress));
+            }
         }
         return new Update(told, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(), System.nanoTime() - start,
                 bound.largest(), refreshed);
+    }
+
+    /** Contributions that are scaled are off by what all their scalings lose, and centres and samples must be by the same. */
+    private boolean samplesMayFollow(Scene wanted) {
+        return options.accuracy() == Accuracy.EXACT && Making.seeksEdges(wanted);
     }
 
     private Tally convert(Conversion conversion, Progress progress) {
@@ -260,14 +328,12 @@ public final class Renderer implements AutoCloseable {
         MemoryNeed.check(wanted, options.withMemory(options.memory() - kept));
     }
 
-    private Tally firstPass(Scene wanted, Progress progress) {
-        checkMemory(wanted, cache == null ? 0 : MemoryNeed.of(cache));
-        PreparedScene shown = PreparedScene.of(geometry(wanted), wanted);
-        boolean coding = wanted.picture().sampling().antialias() == Antialias.EDGES;
-        List<KnownLight> lights = KnownLight.all(wanted, light -> Luminaire.of(light, wanted).isDark() ? null : LayerStamp.fresh(light));
-        TileRun run = new TileRun(new Job(shown, shown, options, null, null, coding, progress), workers, null);
-        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), SeenScenes.of(wanted), lights, lights);
-        return run.work();
+    private Tally firstPass(UpdatePlan.FirstPass plan, Scene wanted, boolean centersAlone, Progress progress) {
+        checkMemory(wanted, bytes());
+        Making.Made made = new Making(options, workers, progress).firstPass(geometry(wanted), wanted, centersAlone);
+        cache = made.cache();
+        unfinished = centersAlone ? new Unfinished(null, plan) : null;
+        return made.work();
     }
 
     /** What rays of a scene can meet, as a first pass takes it; it is kept for that. */
@@ -282,36 +348,27 @@ public final class Renderer implements AutoCloseable {
     }
 
     private Geometry geometry(Scene wanted) {
-        boolean coding = wanted.picture().sampling().antialias() == Antialias.EDGES;
         // Anti-aliasing looks into mirrors for edges, so what mirrors nothing must not be followed then.
-        Predicate<Material> mirrors = coding ? MaterialTable.MIRRORS : Demands.of(options.view()).mirrors();
+        Predicate<Material> mirrors = Making.seeksEdges(wanted) ? MaterialTable.MIRRORS : Demands.of(options.view()).mirrors();
         Geometry own = cache == null ? null : cache.geometry();
         Geometry best = shared != null && (own == null || !own.serves(wanted)) ? shared : own;
         return best == null ? new Geometry(wanted, mirrors) : best.forScene(wanted, mirrors);
     }
 
-    private Tally relight(UpdatePlan.Relight plan, Scene wanted, Progress progress) {
+    private Tally relight(UpdatePlan.Relight plan, Scene wanted, boolean centersAlone, Progress progress) {
         PixelCache old = cache;
-        boolean mirrors = plan.mirrors() != null;
-        PreparedScene shown = PreparedScene.of(old.geometry(), wanted);
-        PreparedScene mirrored = mirrors ? shown : PreparedScene.of(old.geometry(), old.mirroredScene());
-        Job job = new Job(shown, mirrored, options, LevelJob.of(plan.top(), old.scene(), shown.lights(), repeat),
-                mirrors ? LevelJob.of(plan.mirrors(), old.mirroredScene(), shown.lights(), mirroredRepeat) : null,
-                wanted.picture().sampling().antialias() == Antialias.EDGES, progress);
-        TileRun run = new TileRun(job, workers, old);
-        cache = new PixelCache(shown.geometry(), run.tiles(), run.fine(), new SeenScenes(wanted, mirrored.scene()),
-                lights(plan.top(), run.leastFalloff()),
-                mirrors ? lights(plan.mirrors(), run.leastFalloff()) : old.mirroredLights());
-        return run.work();
+        Making.Made made = new Making(options, workers, progress).relight(plan, old, wanted, repeats, centersAlone);
+        cache = made.cache();
+        unfinished = !centersAlone ? null : unfinished == null ? new Unfinished(old, plan) : unfinished;
+        return made.work();
     }
 
-    private List<KnownLight> lights(LevelPlan plan, double leastFalloff) {
-        boolean scaled = options.accuracy() == Accuracy.RATIO;
-        List<KnownLight> lights = new ArrayList<>();
-        for (LayerPlan layer : plan.layers()) {
-            lights.add(new KnownLight(lights.size(), layer.light(), layer.stamp(scaled, leastFalloff)));
-        }
-        return lights;
+    /** Makes the finer samples of the centres that are known. */
+    private Tally samples(UpdatePlan plan, Progress progress) {
+        Making.Made made = new Making(options, workers, progress).samples(cache, unfinished.whole(), plan);
+        cache = made.cache();
+        unfinished = null;
+        return made.work();
     }
 
     @Override

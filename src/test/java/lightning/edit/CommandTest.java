@@ -48,14 +48,14 @@ class CommandTest {
         var update = renderer.render(document.scene(), Progress.NONE);
         frame = Optional
                 .of(new Frame(renderer.film(), renderer.film(), Look.PLAIN, renderer.scene(), renderer.cache().mirroredScene(), update,
-                        renderer.cache().geometry()));
+                        renderer.cache().geometry(), renderer.isFinished()));
     }
 
     private void updateReflections() {
         var update = renderer.updateReflections(Progress.NONE);
         frame = Optional
                 .of(new Frame(renderer.film(), renderer.film(), Look.PLAIN, renderer.scene(), renderer.cache().mirroredScene(), update,
-                        renderer.cache().geometry()));
+                        renderer.cache().geometry(), renderer.isFinished()));
     }
 
     private Situation now() {
@@ -119,6 +119,15 @@ class CommandTest {
         Scene older = document.scene();
         dial(3);
         assertThat(Command.GO.obstacle(now().withInWork(Optional.of(older)))).isEmpty();
+    }
+
+    @Test
+    void go_makesTheSamplesThatThePictureLacks() {
+        go();
+        frame = frame.map(f -> new Frame(f.film(), f.seen(), f.look(), f.scene(), f.mirrored(), f.update(), f.geometry(), false));
+        assertEnabled(Command.GO);
+        assertThat(now().pendingRemark()).contains("the picture lacks the finer samples of its edges");
+        assertThat(Command.GO.obstacle(now().withInWork(Optional.of(document.scene())))).contains("the scene is being rendered");
     }
 
     @Test

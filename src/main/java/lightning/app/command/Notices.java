@@ -85,7 +85,7 @@ public final class Notices {
 
     /** @param remark why the picture is not what the artist may expect: a clause */
     Optional<ButtonType> pending(String remark) {
-        return alert(Alert.AlertType.CONFIRMATION, "Save the picture without the last edits?",
+        return alert(Alert.AlertType.CONFIRMATION, "Save the picture as it is?",
                 Character.toUpperCase(remark.charAt(0)) + remark.substring(1) + ".", SAVE_AS_IT_IS, GO_FIRST, ButtonType.CANCEL)
                 .showAndWait();
     }

@@ -23,6 +23,9 @@ public final class StatusText {
         Update update = frame.update();
         String text = update.plan().text() + " · " + number(update.rowsTouched()) + " rows touched · "
                 + number(update.rays().shadow()) + " shadow rays · " + milliseconds(update.milliseconds());
+        if (!frame.finished()) {
+            return text + " · without finer samples yet";
+        }
         if (update.plan() instanceof UpdatePlan.Relight) {
             text += saving.map(StatusText::saving).orElse(" (what it saves is being measured)");
         }

@@ -187,7 +187,10 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         }
         // What is played is always on its way.
         boolean comes = now.animating() && now.inWork().isPresent();
-        return now.pendingRemark().isPresent() && !comes ? "Edits not yet rendered" : "";
+        if (comes || now.pendingRemark().isEmpty()) {
+            return "";
+        }
+        return now.isPending() ? "Edits not yet rendered" : now.inWork().isPresent() ? "Finer samples follow" : "Without finer samples";
     }
 
     /** What is said in the place of a picture that is not there yet. */

@@ -4,6 +4,7 @@ import lightning.accuracy.Promise;
 import lightning.effects.ViewEffects;
 import lightning.image.Film;
 import lightning.relight.Update;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.shading.SeenScenes;
 import lightning.trace.Geometry;
@@ -18,15 +19,22 @@ import lightning.trace.Geometry;
  * @param mirrored what its mirrors show: an older scene where reflections are stale (paper §4.8)
  * @param update   how it came about
  * @param geometry what its rays met, with the tree that it was traced with
+ * @param finished whether it has all samples that its scene asks for; else it shows the pixels' centres, without anti-aliasing
  */
-public record Frame(Film film, Film seen, Look look, Scene scene, Scene mirrored, Update update, Geometry geometry) {
+public record Frame(Film film, Film seen, Look look, Scene scene, Scene mirrored, Update update, Geometry geometry,
+        boolean finished) {
     /** What the film is said to be. */
     public Promise promise() {
-        return new Promise(new SeenScenes(scene, mirrored), ViewEffects.ALL, update.errorBound());
+        SeenScenes shown = finished ? new SeenScenes(scene, mirrored) : new SeenScenes(centers(scene), centers(mirrored));
+        return new Promise(shown, ViewEffects.ALL, update.errorBound());
     }
 
     /** Whether the mirrors, if there are any, show the scene itself, as far as a picture can tell. */
     public boolean mirrorsAreCurrent() {
         return !promise().isStale();
+    }
+
+    private static Scene centers(Scene scene) {
+        return scene.withPicture(scene.picture().withSampling(Sampling.DEFAULT));
     }
 }

@@ -3,7 +3,6 @@ package lightning.edit.loop;
 import java.util.concurrent.CancellationException;
 import lightning.effects.ViewEffects;
 import lightning.image.Film;
-import lightning.relight.MemoryNeed;
 import lightning.relight.PictureTooLarge;
 import lightning.relight.Renderer;
 import lightning.relight.plan.Reflections;
@@ -29,21 +28,32 @@ final class Looking implements AutoCloseable {
     /** The picture without some effects; its mirrors show what the picture's show. */
     private Renderer hiding(Renderer picture, ViewEffects effects, Progress progress) {
         var options = picture.options().withReflections(Reflections.STALE).withView(effects)
-                .withMemory(picture.options().memory() - MemoryNeed.of(picture.cache()));
+                .withMemory(picture.options().memory() - picture.bytes());
         if (hiding == null) {
             hiding = new Renderer(options);
         }
         hiding.change(options);
         Scene mirrored = picture.cache().mirroredScene();
-        hiding.render(mirrored, progress);
-        hiding.updateReflections(progress);
-        hiding.render(picture.scene(), progress);
+        bring(mirrored, picture.isFinished(), progress);
+        if (!hiding.reflectionsAreCurrent()) {
+            hiding.updateReflections(progress);
+        }
+        bring(picture.scene(), picture.isFinished(), progress);
         return hiding;
+    }
+
+    /** @param finished whether the samples are wanted too */
+    private void bring(Scene scene, boolean finished, Progress progress) {
+        if (finished) {
+            hiding.render(scene, progress);
+        } else {
+            hiding.renderCenters(hiding.plan(scene), progress);
+        }
     }
 
     /** The bytes that hiding takes beside the picture. */
     long bytes() {
-        return hiding == null || !hiding.hasPicture() ? 0 : MemoryNeed.of(hiding.cache());
+        return hiding == null ? 0 : hiding.bytes();
     }
 
     /** The picture as it is; what hiding took is given back. */

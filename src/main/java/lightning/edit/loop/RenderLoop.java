@@ -9,7 +9,6 @@ import lightning.cache.PixelCache;
 import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
-import lightning.relight.MemoryNeed;
 import lightning.relight.PictureTooLarge;
 import lightning.relight.PlannedUpdate;
 import lightning.relight.Renderer;
@@ -164,6 +163,7 @@ public final class RenderLoop implements AutoCloseable {
             case RenderQueue.Work.Reopen r -> reopen(r, stop);
             case RenderQueue.Work.Reflections _ -> mirror(stop);
             case RenderQueue.Work.Looks _ -> lookAgain(stop);
+            case RenderQueue.Work.Finish _ -> finish(stop);
             case RenderQueue.Work.Verify _ -> handToVerifier(stop);
             case RenderQueue.Work.Forget f -> drop(f.number());
         }
@@ -177,6 +177,9 @@ public final class RenderLoop implements AutoCloseable {
 
     private void reopen(RenderQueue.Work.Reopen work, RenderQueue.Stop stop) {
         renderer.change(work.options());
+        if (!renderer.hasPicture()) {
+            letGo();
+        }
         if (work.scene() != null) {
             renderScene(work.scene(), stop);
         }
@@ -189,7 +192,18 @@ public final class RenderLoop implements AutoCloseable {
             makeRoom(scene);
             coarse(scene, stop);
         }
-        make((r, progress) -> r.render(planned, watched(scene, progress)), (r, progress) -> r.render(scene, progress), stop);
+        make((r, progress) -> r.renderCenters(planned, watched(scene, progress)), (r, progress) -> r.render(scene, progress), stop);
+        if (!renderer.isFinished()) {
+            queue.finish();
+        }
+    }
+
+    /** Makes the samples that the picture lacks; nothing where it lacks none. */
+    private void finish(RenderQueue.Stop stop) {
+        if (!renderer.isFinished()) {
+            Scene scene = renderer.scene();
+            make((r, progress) -> r.finish(watched(scene, progress)), (r, progress) -> r.render(scene, progress), stop);
+        }
     }
 
     /**
@@ -199,7 +213,7 @@ public final class RenderLoop implements AutoCloseable {
      */
     private void makeRoom(Scene scene) {
         renderer.check(scene, 0);
-        long kept = (renderer.hasPicture() ? MemoryNeed.of(renderer.cache()) : 0) + looking.bytes();
+        long kept = renderer.bytes() + looking.bytes();
         try {
             renderer.check(scene, kept);
         } catch (PictureTooLarge e) {
@@ -225,17 +239,18 @@ public final class RenderLoop implements AutoCloseable {
         ViewTransform shown = view;
         renderer.setView(shown.exposure(), shown.curve());
         Update update = step.on(renderer, stop);
-        verifier.done(WarmSaving.Edit.of(update, start, renderer.options(), (r, progress) -> {
-            r.setView(shown.exposure(), shown.curve());
-            return again.on(r, progress);
-        }));
+        verifier.done(!renderer.isFinished() ? Optional.empty()
+                : WarmSaving.Edit.of(update, start, renderer.options(), (r, progress) -> {
+                    r.setView(shown.exposure(), shown.curve());
+                    return again.on(r, progress);
+                }));
         madeAt = renderer.options().accuracy();
         show(update, stop);
     }
 
     /** What an update starts from; null where it cannot start from there again, as it is of another accuracy. */
     private PixelCache known() {
-        return renderer.hasPicture() && renderer.options().accuracy() == madeAt ? renderer.cache() : null;
+        return renderer.hasPicture() && renderer.options().accuracy() == madeAt ? renderer.finishedCache() : null;
     }
 
     private void drop(long number) {
@@ -272,7 +287,7 @@ public final class RenderLoop implements AutoCloseable {
 
     private void tell(Film seen, Look shown) {
         listener.rendered(new Frame(renderer.film(), seen, shown, rendered, renderer.cache().mirroredScene(), last,
-                renderer.cache().geometry()));
+                renderer.cache().geometry(), renderer.isFinished()));
     }
 
     /** Tells of the tiles, where it is a first pass. */
@@ -318,6 +333,7 @@ public final class RenderLoop implements AutoCloseable {
 
     private void handToVerifier(RenderQueue.Stop stop) {
         if (rendered != null) {
+            finish(stop);
             verifier.verify(Promise.of(renderer, last), renderer.film().copy(), stop);
         }
     }

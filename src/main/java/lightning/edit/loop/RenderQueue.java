@@ -15,6 +15,9 @@ final class RenderQueue {
 
         record Reflections() implements Work {}
 
+        /** The finer samples that a picture lacks. */
+        record Finish() implements Work {}
+
         record Verify() implements Work {}
 
         /** All that is known of the picture is dropped for a document of that number. */
@@ -36,13 +39,25 @@ final class RenderQueue {
     static final class Stop implements Progress {
         private final Tiles hears;
         private volatile boolean asked;
+        private volatile boolean gaveWay;
 
         Stop(Tiles hears) {
             this.hears = hears;
         }
 
         void ask() {
+            gaveWay = false;
             asked = true;
+        }
+
+        /** Stops a work that is taken up again after another: nobody needs to hear of it. */
+        void giveWay() {
+            gaveWay = !asked;
+            asked = true;
+        }
+
+        boolean gaveWay() {
+            return gaveWay;
         }
 
         @Override
@@ -59,6 +74,7 @@ final class RenderQueue {
     private Scene scene;
     private Options options;
     private boolean reflections;
+    private boolean finish;
     private boolean verify;
     private boolean look;
     private boolean forget;
@@ -70,6 +86,9 @@ final class RenderQueue {
 
     synchronized void render(Scene wanted) {
         scene = wanted;
+        if (wanted != rendered) {
+            finishLater();
+        }
         if (isUselessFor(wanted)) {
             // The mirrors are still wanted, of the newer scene.
             reflections |= running instanceof Work.Reflections;
@@ -85,13 +104,27 @@ final class RenderQueue {
             case Work.Render r -> !r.scene().showsSameShapes(wanted);
             case Work.Reopen r -> r.scene() != null && !r.scene().showsSameShapes(wanted);
             case Work.Reflections _ -> true;
-            case Work.Verify _,Work.Looks _,Work.Forget _ -> false;
+            case Work.Finish _,Work.Verify _,Work.Looks _,Work.Forget _ -> false;
         };
     }
 
     synchronized void reflections() {
         reflections = true;
         notifyAll();
+    }
+
+    /** The picture lacks samples: they are made when nothing else of it is to be done. */
+    synchronized void finish() {
+        finish = true;
+        notifyAll();
+    }
+
+    /** Other work comes before samples, which nobody can see to be begun. */
+    private void finishLater() {
+        if (running instanceof Work.Finish) {
+            finish = true;
+            stop.giveWay();
+        }
     }
 
     synchronized void verify() {
@@ -101,6 +134,7 @@ final class RenderQueue {
 
     synchronized void look() {
         look = true;
+        finishLater();
         notifyAll();
     }
 
@@ -114,6 +148,7 @@ final class RenderQueue {
 
     synchronized void reopen(Options wanted) {
         options = wanted;
+        finishLater();
         notifyAll();
     }
 
@@ -127,6 +162,7 @@ final class RenderQueue {
     synchronized void cancel() {
         scene = null;
         reflections = false;
+        finish = false;
         verify = false;
         if (stop != null) {
             stop.ask();
@@ -149,7 +185,7 @@ final class RenderQueue {
     }
 
     private boolean isWaiting() {
-        return scene != null || options != null || reflections || look || verify || forget;
+        return scene != null || options != null || reflections || look || finish || verify || forget;
     }
 
     /** Waits for work; returns null when the queue was closed. */
@@ -188,6 +224,10 @@ final class RenderQueue {
         if (look) {
             look = false;
             return new Work.Looks();
+        }
+        if (finish) {
+            finish = false;
+            return new Work.Finish();
         }
         verify = false;
         return new Work.Verify();

@@ -58,7 +58,9 @@ final class RenderTurns implements Runnable {
         try {
             hands.work(work, stop);
         } catch (CancellationException e) {
-            listener.cancelled();
+            if (!stop.gaveWay()) {
+                listener.cancelled();
+            }
         } catch (Throwable e) {
             // Whatever it is, the window lives on and says so.
             listener.failed(e);

@@ -1,6 +1,8 @@
 package lightning.relight.plan;
 
+import java.util.ArrayList;
 import java.util.List;
+import lightning.cache.KnownLight;
 
 /**
  * The update of a level's layers.
@@ -15,5 +17,24 @@ public record LevelPlan(List<LayerPlan> layers, List<String> dropped, boolean co
     public LevelPlan {
         layers = List.copyOf(layers);
         dropped = List.copyOf(dropped);
+    }
+
+    /** The lights after an update that scales nothing, and what their layers are then computed for. */
+    public List<KnownLight> after() {
+        return after(false, 1);
+    }
+
+    /**
+     * The lights after the update, and what their layers are then computed for.
+     *
+     * @param scaled       whether the update is carried out by ratios
+     * @param leastFalloff the least falloff of rows whose falloff was scaled
+     */
+    public List<KnownLight> after(boolean scaled, double leastFalloff) {
+        List<KnownLight> lights = new ArrayList<>();
+        for (LayerPlan layer : layers) {
+            lights.add(new KnownLight(lights.size(), layer.light(), layer.stamp(scaled, leastFalloff)));
+        }
+        return lights;
     }
 }

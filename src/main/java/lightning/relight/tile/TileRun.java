@@ -13,74 +13,78 @@ import lightning.shading.EdgeCodes;
 import lightning.shading.EdgeMap;
 import lightning.work.Workers;
 
-/** Carries out a job on all tiles, by all workers: first the pixels' centres, then the finer samples. */
+/** Carries out a job on all tiles, by all workers: first the pixels' centres, then the finer samples, or either. */
 public final class TileRun {
     private final Job job;
     private final Workers workers;
     private final PixelCache old;
     private final List<Crew<TileWorker>> threads;
-    private final CachedTile[] tiles;
-    private final FineTile[] fine;
     private final int[] order;
 
-    /**
-     * Does all of it.
-     *
-     * @param old what is known, or null for a first pass
-     * @throws java.util.concurrent.CancellationException if the job's progress asked to stop
-     */
+    /** @param old what is known, or null for a first pass */
     public TileRun(Job job, Workers workers, PixelCache old) {
         this.job = job;
         this.workers = workers;
         this.old = old;
         threads = Crew.each(workers.count(), job.options().engines(), engine -> new TileWorker(job, engine));
-        tiles = new CachedTile[job.sampling().antialias() == Antialias.EVERY ? 0 : job.tileCount()];
-        fine = new FineTile[job.sampling().isFine() ? job.tileCount() : 0];
-        int all = tiles.length + fine.length;
         order = old == null ? MiddleFirst.order(job.tilesX(), job.tileCount()) : IntStream.range(0, job.tileCount()).toArray();
-        workers.run(tiles.length, (worker, i) -> center(worker, order[i]), job.progress().part(0, all));
-        if (fine.length > 0) {
-            finer(all);
-        }
     }
 
-    private void center(int worker, int tile) {
-        TileWorker mine = threads.get(worker).forTile(tile);
-        tiles[tile] = old == null ? mine.firstPass(tile) : mine.relight(tile, old.tile(tile));
-        if (old == null && tiles[tile] != null) {
-            job.progress().made(tile, tiles[tile].film);
-        }
+    /**
+     * Makes the pixels' centres; none where all pixels have several samples.
+     *
+     * @param more how many tiles are made afterwards, for who hears of the progress
+     * @throws java.util.concurrent.CancellationException if the job's progress asked to stop
+     */
+    public CachedTile[] centers(int more) {
+        CachedTile[] tiles = new CachedTile[job.sampling().antialias() == Antialias.EVERY ? 0 : job.tileCount()];
+        workers.run(tiles.length, (worker, i) -> {
+            int tile = order[i];
+            TileWorker mine = threads.get(worker).forTile(tile);
+            tiles[tile] = old == null ? mine.firstPass(tile) : mine.relight(tile, old.tile(tile));
+            if (old == null && tiles[tile] != null) {
+                job.progress().made(tile, tiles[tile].film);
+            }
+        }, job.progress().part(0, tiles.length + more));
+        return tiles;
     }
 
-    private void finer(int all) {
-        EdgeMap edges = edges(tiles);
+    /** How many tiles of finer samples the picture has: none without anti-aliasing. */
+    public int fineTiles() {
+        return job.sampling().isFine() ? job.tileCount() : 0;
+    }
+
+    /**
+     * Makes the finer samples of each tile.
+     *
+     * @param centers the pixels' centres as they are now; none where all pixels have several samples
+     * @param before  how many tiles were made before, for who hears of the progress
+     * @throws java.util.concurrent.CancellationException if the job's progress asked to stop
+     */
+    public FineTile[] samples(CachedTile[] centers, int before) {
+        FineTile[] fine = new FineTile[fineTiles()];
+        if (fine.length == 0) {
+            return fine;
+        }
         boolean known = old != null && old.scene().picture().sampling().samplesLike(job.sampling());
+        EdgeMap edges = edges(centers);
         EdgeMap edgesBefore = known ? edges(old.tiles()) : null;
         FineWorker[] finer = new FineWorker[threads.size()];
         Arrays.setAll(finer, worker -> new FineWorker(job, threads.get(worker), edges, edgesBefore));
         workers.run(fine.length, (worker, i) -> {
             int tile = order[i];
-            fine[tile] = finer[worker].tile(tile, tiles.length == 0 ? null : tiles[tile],
-                    !known || tiles.length == 0 ? null : old.tile(tile), known ? old.fine(tile) : null);
+            fine[tile] = finer[worker].tile(tile, centers.length == 0 ? null : centers[tile],
+                    !known || centers.length == 0 ? null : old.tile(tile), known ? old.fine(tile) : null);
             if (old == null && fine[tile] != null) {
                 job.progress().made(tile, fine[tile].film());
             }
-        }, job.progress().part(tiles.length, all));
+        }, job.progress().part(before, before + fine.length));
+        return fine;
     }
 
     private EdgeMap edges(CachedTile[] centers) {
         EdgeCodes[] codes = Arrays.stream(centers).map(tile -> tile.codes).toArray(EdgeCodes[]::new);
         return new EdgeMap(job.scene().picture().width(), job.scene().picture().height(), codes);
-    }
-
-    /** The pixels' centres; none where all pixels have several samples. */
-    public CachedTile[] tiles() {
-        return tiles;
-    }
-
-    /** The finer samples of each tile; none without anti-aliasing. */
-    public FineTile[] fine() {
-        return fine;
     }
 
     private Stream<TileWorker> made() {

@@ -78,7 +78,7 @@ class RenderFeedModelTest {
             var feed = new RenderFeed(window, raster,
                     () -> law(feeds[0].state().frame() == null || raster.pixels() != null, "who hears of a picture can show it"));
             feeds[0] = feed;
-            Schedules.Beside loop = Schedules.beside(() -> feed.rendered(new Frame(FILM, FILM, Look.PLAIN, null, null, null, null)));
+            Schedules.Beside loop = Schedules.beside(() -> feed.rendered(new Frame(FILM, FILM, Look.PLAIN, null, null, null, null, true)));
             window.runAll();
             loop.end();
             window.runAll();
@@ -88,8 +88,8 @@ class RenderFeedModelTest {
     @Test
     void pictureOfADocumentThatWasLeft_isNeitherHeardNorShown() {
         Film large = Film.black(2, 1);
-        Frame old = new Frame(FILM, FILM, Look.PLAIN, null, null, null, null);
-        Frame fresh = new Frame(large, large, Look.PLAIN, null, null, null, null);
+        Frame old = new Frame(FILM, FILM, Look.PLAIN, null, null, null, null, true);
+        Frame fresh = new Frame(large, large, Look.PLAIN, null, null, null, null, true);
         explore(() -> {
             var window = new Window();
             var raster = new TracedRaster();

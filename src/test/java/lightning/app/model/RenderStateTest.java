@@ -31,7 +31,8 @@ class RenderStateTest {
 
     /** Took 60 ms in cold code. */
     private static Frame frame(UpdatePlan plan) {
-        return new Frame(FILM, FILM, Look.PLAIN, SCENE, SCENE, new Update(plan, 0, 0, 0, TraceCounts.NONE, 60_000_000, 0, false), null);
+        return new Frame(FILM, FILM, Look.PLAIN, SCENE, SCENE, new Update(plan, 0, 0, 0, TraceCounts.NONE, 60_000_000, 0, false), null,
+                true);
     }
 
     private static WarmSaving saving(Frame of) {
@@ -51,6 +52,13 @@ class RenderStateTest {
     }
 
     @Test
+    void pictureOfCentres_isToldToLackItsSamples() {
+        Frame edit = frame(SAMPLES);
+        var centers = new Frame(FILM, FILM, Look.PLAIN, SCENE, SCENE, edit.update(), null, false);
+        assertThat(text(RenderState.NONE.rendered(centers))).endsWith("60 ms · without finer samples yet").doesNotContain("exact");
+    }
+
+    @Test
     void savingOfAnOlderUpdate_isToldOfNoOther() {
         Frame older = frame(SAMPLES);
         Frame newer = frame(SAMPLES);
@@ -64,7 +72,7 @@ class RenderStateTest {
     @Test
     void anotherLook_isStillThePictureThatWasMeasured() {
         Frame edit = frame(SAMPLES);
-        Frame look = new Frame(FILM, FILM, Look.PLAIN.withLight(Optional.of("key")), SCENE, SCENE, edit.update(), null);
+        Frame look = new Frame(FILM, FILM, Look.PLAIN.withLight(Optional.of("key")), SCENE, SCENE, edit.update(), null, true);
         assertThat(RenderState.NONE.rendered(edit).measured(saving(edit)).rendered(look).saving()).isPresent();
     }
 

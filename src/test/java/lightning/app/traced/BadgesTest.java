@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import javafx.scene.Node;
+import javafx.scene.control.Label;
 import javafx.stage.Stage;
 import javafx.util.Duration;
 import lightning.app.JavaFxNeeds;
@@ -11,7 +12,11 @@ import lightning.app.OnStage;
 import lightning.app.OpenEditor;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.HandTime;
+import lightning.edit.Change;
+import lightning.edit.Command;
 import lightning.edit.Desk;
+import lightning.scene.Antialias;
+import lightning.scene.Sampling;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
@@ -73,5 +78,23 @@ class BadgesTest {
         assertThat(isShown(robot, "pending")).isTrue();
         robot.interact(() -> model.workbench().undo());
         assertThat(isShown(robot, "pending")).isFalse();
+    }
+
+    @Test
+    void samplesThatWereCancelled_areToldOfUntilGo(FxRobot robot) throws Exception {
+        OpenEditor.await(() -> model.frame() != null);
+        var sampling = new Sampling(Antialias.EDGES, 8);
+        robot.interact(() -> model.edit(scene -> Change
+                .of(() -> scene.withPicture(scene.picture().withSize(400, 300).withSampling(sampling)))));
+        robot.interact(() -> model.renderingProperty().subscribe(state -> {
+            if (state.frame() != null && !state.frame().finished()) {
+                model.workbench().cancel();
+            }
+        }));
+        robot.interact(() -> model.run(Command.GO));
+        OpenEditor.await(() -> !model.frame().finished() && model.situationProperty().get().inWork().isEmpty());
+        robot.interact(() -> time.pass(Duration.millis(100)));
+        assertThat(isShown(robot, "pending")).isTrue();
+        assertThat(robot.lookup("#pending").<Label>query().getText()).isEqualTo("Without finer samples");
     }
 }

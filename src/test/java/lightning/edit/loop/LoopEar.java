@@ -16,6 +16,7 @@ import lightning.scene.Scene;
 public final class LoopEar implements RenderListener {
     final LinkedBlockingQueue<Object> events = new LinkedBlockingQueue<>();
     private final AtomicReference<Hold> hold = new AtomicReference<>();
+    private final AtomicReference<Hold> later = new AtomicReference<>();
 
     /** What is told of a finished picture, with a film of its own. */
     record Shown(Frame frame, Film film) {}
@@ -60,6 +61,13 @@ public final class LoopEar implements RenderListener {
     public Hold holdNextTile() {
         var next = new Hold();
         hold.set(next);
+        return next;
+    }
+
+    /** The next tile after the next picture stands still until released. */
+    public Hold holdAfterNextPicture() {
+        var next = new Hold();
+        later.set(next);
         return next;
     }
 
@@ -111,6 +119,10 @@ public final class LoopEar implements RenderListener {
 
     @Override
     public void rendered(Frame frame) {
+        Hold next = later.getAndSet(null);
+        if (next != null) {
+            hold.set(next);
+        }
         events.add(new Shown(frame, frame.film().copy()));
     }
 

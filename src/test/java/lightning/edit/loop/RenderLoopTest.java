@@ -62,7 +62,16 @@ class RenderLoopTest {
 
     private LoopEar.Shown go(Scene wanted) throws InterruptedException {
         loop.render(wanted);
-        return ear.next(LoopEar.Shown.class);
+        return finished();
+    }
+
+    /** The next picture with all its samples. */
+    private LoopEar.Shown finished() throws InterruptedException {
+        LoopEar.Shown shown = ear.next(LoopEar.Shown.class);
+        while (!shown.frame().finished()) {
+            shown = ear.next(LoopEar.Shown.class);
+        }
+        return shown;
     }
 
     @Test
@@ -393,6 +402,107 @@ class RenderLoopTest {
     void tilesOfAFirstPass_areToldBeforeThePicture(Antialias antialias) throws Exception {
         Scene sampled = scene.withPicture(scene.picture().withSampling(new Sampling(antialias, 2)));
         assertThatTilesAreThoseOf(go(sampled).frame().film());
+    }
+
+    private static Scene at(Scene scene, Antialias antialias) {
+        return scene.withPicture(scene.picture().withSampling(new Sampling(antialias, 2)));
+    }
+
+    @Test
+    void editOfAnAntialiasedPicture_showsTheCentresAndThenTheSamples() throws Exception {
+        go(at(scene, Antialias.EDGES));
+        loop.render(at(key(2), Antialias.EDGES));
+        LoopEar.Shown centers = ear.next(LoopEar.Shown.class);
+        assertThat(centers.frame().finished()).isFalse();
+        assertThat(centers.film().sameBits(stale(key(2), scene))).isTrue();
+        assertThat(centers.frame().promise().scenes().scene()).as("what it is equal to").isEqualTo(key(2));
+        LoopEar.Shown samples = ear.next(LoopEar.Shown.class);
+        assertThat(samples.frame().finished()).isTrue();
+        assertThat(samples.film().sameBits(stale(at(key(2), Antialias.EDGES), at(scene, Antialias.EDGES)))).isTrue();
+        assertThat(ear.next(WarmSaving.class).isOf(samples.frame().update())).isTrue();
+    }
+
+    @Test
+    void editWhileSamplesAreMade_isShownBeforeThemAndNobodyHearsOfACancelledWork() throws Exception {
+        go(at(scene, Antialias.EDGES));
+        ear.nextIs(LoopEar.Event.IDLE);
+        LoopEar.Hold centers = ear.holdNextTile();
+        loop.render(at(key(2), Antialias.EDGES));
+        centers.awaitReached();
+        LoopEar.Hold samples = ear.holdAfterNextPicture();
+        centers.release();
+        samples.awaitReached();
+        loop.render(at(key(3), Antialias.EDGES));
+        samples.release();
+        assertThat(ear.next(LoopEar.Shown.class).frame().scene()).isEqualTo(at(key(2), Antialias.EDGES));
+        Frame newer = ear.next(LoopEar.Shown.class).frame();
+        assertThat(newer.scene()).isEqualTo(at(key(3), Antialias.EDGES));
+        assertThat(newer.finished()).isFalse();
+        LoopEar.Shown last = ear.next(LoopEar.Shown.class);
+        assertThat(last.film().sameBits(stale(at(key(3), Antialias.EDGES), at(scene, Antialias.EDGES)))).isTrue();
+        assertThat(ear.events).doesNotContain(LoopEar.Event.CANCELLED);
+    }
+
+    @Test
+    void samplesThatAreCancelled_leaveTheCentresUntilTheNextGo() throws Exception {
+        Scene sampled = at(scene, Antialias.EDGES);
+        LoopEar.Hold samples = ear.holdAfterNextPicture();
+        loop.render(sampled);
+        samples.awaitReached();
+        loop.cancel();
+        samples.release();
+        ear.nextIs(LoopEar.Event.CANCELLED);
+        ear.nextIs(LoopEar.Event.IDLE);
+        loop.render(sampled);
+        assertThat(ear.next(LoopEar.Shown.class).frame().finished()).isFalse();
+        assertThat(ear.next(LoopEar.Shown.class).film().sameBits(reference(sampled))).isTrue();
+    }
+
+    @Test
+    void verificationOfCentres_makesTheSamplesFirst() throws Exception {
+        Scene sampled = at(scene, Antialias.EDGES);
+        LoopEar.Hold samples = ear.holdAfterNextPicture();
+        loop.render(sampled);
+        samples.awaitReached();
+        loop.cancel();
+        samples.release();
+        ear.nextIs(LoopEar.Event.IDLE);
+        loop.verify();
+        assertThat(finished().film().sameBits(reference(sampled))).isTrue();
+        assertThat(ear.next(Verification.class).promised().isNone()).isTrue();
+    }
+
+    @Test
+    void anotherAccuracyWhileSamplesAreMade_isOfTheFinishedPicture() throws Exception {
+        Scene sampled = at(scene, Antialias.EDGES);
+        LoopEar.Hold samples = ear.holdAfterNextPicture();
+        loop.render(sampled);
+        samples.awaitReached();
+        loop.reopen(OPTIONS.withAccuracy(Accuracy.RATIO), sampled);
+        samples.release();
+        assertThat(finished().film().sameBits(reference(sampled))).isTrue();
+        ear.nextIs(LoopEar.Event.IDLE);
+    }
+
+    @Test
+    void lookAtOneLight_isOfTheCentresWhileSamplesAreMade() throws Exception {
+        loop.setLook(Look.PLAIN.withLight(Optional.of("key")));
+        loop.render(at(scene, Antialias.EDGES));
+        LoopEar.Shown centers = ear.next(LoopEar.Shown.class);
+        assertThat(centers.frame().finished()).isFalse();
+        assertThat(centers.frame().seen().sameBits(reference(LightShare.scene(scene, "key")))).isTrue();
+        assertThat(finished().frame().look().label()).isEqualTo("Only key");
+    }
+
+    @Test
+    void hiddenEffects_areGoneFromTheCentresToo() throws Exception {
+        loop.setLook(Look.PLAIN.withEffects(ViewEffects.ALL.with(Effect.SHADOWS, false)));
+        loop.render(at(scene, Antialias.EDGES));
+        Frame centers = ear.next(LoopEar.Shown.class).frame();
+        assertThat(centers.finished()).isFalse();
+        assertThat(centers.seen().sameBits(without(centers.look().effects(), scene))).isTrue();
+        Frame last = finished().frame();
+        assertThat(last.seen().sameBits(without(last.look().effects(), at(scene, Antialias.EDGES)))).isTrue();
     }
 
     @Test

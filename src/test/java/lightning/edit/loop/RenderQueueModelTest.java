@@ -5,6 +5,7 @@ import static lightning.model.Schedules.law;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import lightning.edit.Desk;
 import lightning.model.Schedules;
 import lightning.relight.tile.Options;
@@ -145,6 +146,79 @@ class RenderQueueModelTest {
             taker.awaitRest();
             law(taker.finished().contains(new RenderQueue.Work.Reflections()), "the mirrors are still wanted");
             law(taker.shown() == FIRST, "the edit is rendered");
+            queue.close();
+            loop.end();
+        });
+    }
+
+    @Test
+    void samplesThatAnEditStops_giveWaySilentlyAndAreMadeAfterIt() {
+        explore(() -> {
+            var queue = new RenderQueue();
+            var asked = new CountDownLatch(1);
+            queue.finish();
+            var samples = new RenderQueue.Stop((_, _) -> {});
+            law(queue.take(samples) instanceof RenderQueue.Work.Finish, "samples that nothing comes before are made");
+            Schedules.Beside window = Schedules.beside(() -> {
+                queue.render(FIRST);
+                asked.countDown();
+            });
+            asked.await();
+            law(samples.isCancelled() && samples.gaveWay(), "samples give way, and nobody hears of it");
+            law(!queue.done(null), "the edit waits");
+            law(queue.take(new RenderQueue.Stop((_, _) -> {})) instanceof RenderQueue.Work.Render, "the edit comes first");
+            law(!queue.done(FIRST), "the samples are still wanted");
+            law(queue.take(new RenderQueue.Stop((_, _) -> {})) instanceof RenderQueue.Work.Finish, "they come after the edit");
+            law(queue.done(FIRST), "nothing is left");
+            window.end();
+        });
+    }
+
+    @Test
+    void samplesThatAreCancelledAfterTheyGaveWay_areToldAsCancelled() {
+        explore(() -> {
+            var queue = new RenderQueue();
+            queue.finish();
+            var samples = new RenderQueue.Stop((_, _) -> {});
+            queue.take(samples);
+            Schedules.Beside window = Schedules.beside(() -> {
+                queue.render(FIRST);
+                queue.cancel();
+            });
+            window.end();
+            law(samples.isCancelled() && !samples.gaveWay(), "who cancels hears of it");
+            law(queue.done(null), "nothing is begun again");
+        });
+    }
+
+    @Test
+    void samplesThatWait_comeAfterTheEditAndBeforeTheVerification() {
+        explore(() -> {
+            var queue = new RenderQueue();
+            queue.verify();
+            queue.finish();
+            queue.render(FIRST);
+            var taker = new Taker(queue);
+            Schedules.Beside loop = Schedules.beside(taker::run);
+            taker.awaitRest();
+            law(taker.finished().equals(List.of(new RenderQueue.Work.Render(FIRST), new RenderQueue.Work.Finish(),
+                    new RenderQueue.Work.Verify())), "what is seen first comes first");
+            queue.close();
+            loop.end();
+        });
+    }
+
+    @Test
+    void cancelledWhileSamplesAreMade_areNotMadeAgain() {
+        explore(() -> {
+            var queue = new RenderQueue();
+            var taker = new Taker(queue);
+            Schedules.Beside loop = Schedules.beside(taker::run);
+            queue.finish();
+            taker.awaitBegun();
+            queue.cancel();
+            taker.awaitRest();
+            law(!queue.isBusy(), "nothing is left to do");
             queue.close();
             loop.end();
         });

@@ -10,6 +10,8 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.Executor;
 import lightning.edit.Desk;
 import lightning.model.Schedules;
+import lightning.scene.Antialias;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -20,6 +22,9 @@ class RenderTurnsModelTest {
     private static final Scene FIRST = Desk.scene();
     private static final Scene SECOND = Desk.done(Desk.dial("intensity").set(FIRST, "key", 2));
     private static final Scene LARGER = FIRST.withPicture(FIRST.picture().withSize(80, 60));
+
+    private static final Scene SAMPLED = FIRST.withPicture(FIRST.picture().withSampling(new Sampling(Antialias.EDGES, 2)));
+    private static final Scene SAMPLED_TOO = SECOND.withPicture(SAMPLED.picture());
 
     /** The window's thread: runs what it is told, in turn, when it has time. */
     private static final class Window implements Executor {
@@ -47,31 +52,49 @@ class RenderTurnsModelTest {
         }
     }
 
-    /** A renderer of two tiles. */
+    /** A renderer of two tiles, and two more of finer samples where there are any. */
     private static final class Tiles implements RenderTurns.Hands {
         private final RenderListener listener;
+        private final RenderQueue queue;
         private final Scene broken;
         private Scene rendered;
+        private boolean finished = true;
         private boolean closed;
 
-        Tiles(RenderListener listener, Scene broken) {
+        Tiles(RenderListener listener, RenderQueue queue, Scene broken) {
             this.listener = listener;
+            this.queue = queue;
             this.broken = broken;
+        }
+
+        private void tiles(RenderQueue.Stop stop) {
+            for (int tile = 0; tile < 2; tile++) {
+                if (stop.isCancelled()) {
+                    throw new CancellationException();
+                }
+            }
+        }
+
+        private void show(Scene scene, boolean whole) {
+            rendered = scene;
+            finished = whole;
+            listener.rendered(new Frame(null, null, Look.PLAIN, scene, scene, null, null, whole));
         }
 
         @Override
         public void work(RenderQueue.Work work, RenderQueue.Stop stop) {
             if (work instanceof RenderQueue.Work.Render(Scene scene)) {
-                for (int tile = 0; tile < 2; tile++) {
-                    if (stop.isCancelled()) {
-                        throw new CancellationException();
-                    }
-                }
+                tiles(stop);
                 if (scene == broken) {
                     throw new IllegalStateException("broken");
                 }
-                rendered = scene;
-                listener.rendered(new Frame(null, null, Look.PLAIN, scene, scene, null, null));
+                show(scene, scene != SAMPLED && scene != SAMPLED_TOO);
+                if (!finished) {
+                    queue.finish();
+                }
+            } else if (work instanceof RenderQueue.Work.Finish && !finished) {
+                tiles(stop);
+                show(rendered, true);
             }
         }
 
@@ -100,6 +123,8 @@ class RenderTurnsModelTest {
         final Schedules.Beside loop;
         boolean inWork;
         boolean settled;
+        boolean cancelled;
+        boolean finished;
 
         Stage(Scene broken) {
             RenderListener canvas = new RenderListener() {
@@ -109,7 +134,7 @@ class RenderTurnsModelTest {
                 }
             };
             feed = new RenderFeed(window, canvas, this::hear);
-            tiles = new Tiles(feed, broken);
+            tiles = new Tiles(feed, queue, broken);
             loop = Schedules.beside(new RenderTurns(queue, tiles, feed)::run);
         }
 
@@ -117,6 +142,8 @@ class RenderTurnsModelTest {
         private void hear() {
             inWork = queue.isBusy();
             Frame now = feed.state().frame();
+            cancelled |= feed.state().cancelled();
+            finished = now != null && now.finished();
             if (now != null && (shown.isEmpty() || shown.getLast() != now.scene())) {
                 shown.add(now.scene());
             }
@@ -186,6 +213,24 @@ class RenderTurnsModelTest {
             stage.settle();
             law(stage.problems.size() == 1, "a failure is told once");
             law(stage.shown.equals(List.of(SECOND)), "the loop lives on");
+            stage.close();
+        });
+    }
+
+    @Test
+    void editsOfAnAntialiasedPicture_endWithTheSamplesOfTheLast() {
+        explore(() -> {
+            var stage = new Stage(null);
+            stage.render(SAMPLED);
+            if (!stage.window.isEmpty()) {
+                stage.window.runOne();
+            }
+            stage.render(SAMPLED_TOO);
+            stage.settle();
+            law(stage.shown.getLast() == SAMPLED_TOO, "the last edit is shown last");
+            law(stage.shown.lastIndexOf(SAMPLED) < stage.shown.indexOf(SAMPLED_TOO), "no older picture is shown after a newer one");
+            law(stage.finished, "the window comes to rest with all samples");
+            law(!stage.cancelled, "samples that give way to an edit are not told as cancelled");
             stage.close();
         });
     }

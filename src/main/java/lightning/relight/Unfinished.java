@@ -1,0 +1,75 @@
+package lightning.relight;
+
+import java.util.List;
+import lightning.cache.KnownLight;
+import lightning.cache.PixelCache;
+import lightning.relight.plan.Accuracy;
+import lightning.relight.plan.Dispatcher;
+import lightning.relight.plan.LevelPlan;
+import lightning.relight.plan.UpdatePlan;
+import lightning.relight.tile.Tally;
+import lightning.scene.Scene;
+
+/**
+ * What a picture of pixels' centres still lacks: its finer samples. They are not made of the samples of the centres' own updates,
+ * which may have been several, but at once of those of the last picture that had its samples.
+ *
+ * @param whole       that picture; null where there is none that serves, and samples are traced from nothing
+ * @param plan        of the first update since
+ * @param work        of all updates since
+ * @param nanoseconds likewise
+ */
+record Unfinished(PixelCache whole, UpdatePlan plan, Tally work, long nanoseconds) {
+    /** Nothing was done yet. */
+    Unfinished(PixelCache whole, UpdatePlan plan) {
+        this(whole, plan, Tally.NONE, 0);
+    }
+
+    Unfinished plus(Tally more, long time) {
+        return new Unfinished(whole, plan, work.plus(more), nanoseconds + time);
+    }
+
+    /**
+     * What an update to a scene goes on from: the centres known, or, where the samples could then not follow, the whole picture.
+     * They follow where both ways lead to layers that were computed for the same lights: a light that changed and then ceased to
+     * shine leaves older layers behind.
+     *
+     * @param centers the newest picture, of centres alone
+     * @param mirrors whether mirror images shall show the wanted scene too
+     */
+    PixelCache base(PixelCache centers, Scene wanted, boolean mirrors) {
+        if (whole == null || !(Dispatcher.plan(centers, wanted, mirrors, Accuracy.EXACT) instanceof UpdatePlan.Relight next)
+                || next.resampled() || !mirrorsFollow(centers, next, wanted)) {
+            return centers;
+        }
+        return switch (Dispatcher.plan(whole, wanted, mirrors, Accuracy.EXACT)) {
+            case UpdatePlan.Nothing _,UpdatePlan.FirstPass _ -> whole;
+            case UpdatePlan.Relight all -> leadAlike(centers, next, all) ? centers : whole;
+        };
+    }
+
+    /**
+     * Whether one update leads from the whole picture to mirrors that show what they do after an update of the centres. It does not
+     * where a change of depth made them anew between two edits that leave mirrors alone.
+     */
+    boolean mirrorsFollow(PixelCache centers, UpdatePlan.Relight next, Scene wanted) {
+        Scene mirrored = next.mirrors() == null ? centers.mirroredScene() : wanted;
+        return whole == null || mirrored.equals(wanted)
+                || mirrored.equals(whole.mirroredScene()) && whole.scene().picture().depth() == wanted.picture().depth();
+    }
+
+    /** What leads from that picture to these centres; of the first pass where there is none. */
+    UpdatePlan plan(PixelCache centers) {
+        return whole == null ? plan
+                : Dispatcher.plan(whole, centers.scene(), centers.mirroredScene().equals(centers.scene()), Accuracy.EXACT);
+    }
+
+    private boolean leadAlike(PixelCache centers, UpdatePlan.Relight next, UpdatePlan.Relight all) {
+        return next.top().after().equals(all.top().after())
+                && mirrored(centers, next.mirrors()).equals(mirrored(whole, all.mirrors()));
+    }
+
+    private static List<KnownLight> mirrored(PixelCache from, LevelPlan plan) {
+        return plan == null ? from.mirroredLights() : plan.after();
+    }
+}
