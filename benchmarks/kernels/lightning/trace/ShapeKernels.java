@@ -87,7 +87,7 @@ public class ShapeKernels {
     public RayPacket[] nearest() {
         for (RayPacket p : packets) {
             solid.begin(p);
-            solid.nearer(p, 0, 0, W);
+            solid.nearer(p, 0, -1 >>> -W);
             solid.write(p);
         }
         return packets;

@@ -91,7 +91,7 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
     private static boolean canForce(Effect effect) {
         return switch (effect) {
             case SHADOWS, SPECULAR, TEXTURES, REFLECTION, ATTENUATION, SPOT_CONE, DROPOFF, ANTIALIASING -> true;
-            case DIRECTIONAL_LIGHTS, POINT_LIGHTS, SPOT_LIGHTS, SPHERES, CONES, CYLINDERS, FRUSTUMS, PLANES -> false;
+            case DIRECTIONAL_LIGHTS, POINT_LIGHTS, SPOT_LIGHTS, SPHERES, CONES, CYLINDERS, FRUSTUMS, PLANES, MESHES -> false;
         };
     }
 }

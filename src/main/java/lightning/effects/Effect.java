@@ -39,7 +39,8 @@ public enum Effect {
     CONES("cones", Solid.Cone.class),
     CYLINDERS("cylinders", Solid.Cylinder.class),
     FRUSTUMS("frustums", Solid.Frustum.class),
-    PLANES("planes", Solid.Plane.class);
+    PLANES("planes", Solid.Plane.class),
+    MESHES("meshes", Solid.Triangles.class);
 
     private final String title;
     private final Function<Uses, Stream<String>> callers;

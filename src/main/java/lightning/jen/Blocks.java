@@ -28,6 +28,10 @@ import lightning.scene.World;
 
 /** The table of all blocks and their properties: the one place that knows what a file may say. */
 final class Blocks {
+    /** What a mesh says of the file that it is in. */
+    static final String FILE = "file";
+    static final String PART = "part";
+
     static final BlockType<Picture> PICTURE = new BlockType<>("picture", false, Optional.empty(), List.of(
             Property.<Picture>numbers("size", List.of(" width", " height"),
                     Value.of(Picture.DEFAULT.width(), Picture.DEFAULT.height()), 1, Limits.MAX_SIZE, "pixels",
@@ -53,16 +57,23 @@ final class Blocks {
     static final BlockType<Material> MATERIAL = new BlockType<>("material", true, Optional.empty(),
             Property.of(MaterialAttribute.ALL), (name, v, children) -> v.on(Material.of(name), MaterialAttribute.ALL));
 
-    private static final BlockType<Shape> SPHERE = shape(Solid.SPHERE, List.of(), v -> Solid.SPHERE);
+    private static final BlockType<Shape> SPHERE = shape(Solid.SPHERE.noun(), List.of(), v -> Solid.SPHERE);
     private static final BlockType<Shape> CONE =
-            shape(Solid.CONE, List.of(caps(s -> ((Solid.Cone) s).caps())), v -> new Solid.Cone(v.word("caps").equals("yes")));
+            shape(Solid.CONE.noun(), List.of(caps(s -> ((Solid.Cone) s).caps())), v -> new Solid.Cone(v.word("caps").equals("yes")));
     private static final BlockType<Shape> CYLINDER =
-            shape(Solid.CYLINDER, List.of(caps(s -> ((Solid.Cylinder) s).caps())), v -> new Solid.Cylinder(v.word("caps").equals("yes")));
-    private static final BlockType<Shape> FRUSTUM = shape(Solid.FRUSTUM, List.of(
+            shape(Solid.CYLINDER.noun(), List.of(caps(s -> ((Solid.Cylinder) s).caps())),
+                    v -> new Solid.Cylinder(v.word("caps").equals("yes")));
+    private static final BlockType<Shape> FRUSTUM = shape(Solid.FRUSTUM.noun(), List.of(
             Property.number("top", ((Solid.Frustum) Solid.FRUSTUM).top(), 0, Limits.MAX_TOP, "radius, that of the base is 1",
                     s -> ((Solid.Frustum) s.solid()).top()),
             caps(s -> ((Solid.Frustum) s).caps())), v -> new Solid.Frustum(v.number("top"), v.word("caps").equals("yes")));
-    private static final BlockType<Shape> PLANE = shape(Solid.PLANE, List.of(), v -> Solid.PLANE);
+    private static final BlockType<Shape> PLANE = shape(Solid.PLANE.noun(), List.of(), v -> Solid.PLANE);
+
+    private static final BlockType<Shape> MESH = shape("mesh", List.of(
+            Property.quoted(FILE, "a PLY, OBJ or glTF file", v -> FileName.check(FILE, ((Value.Quoted) v).file(), MeshFolder.NAME),
+                    s -> new Value.Quoted(((Solid.Triangles) s.solid()).file())),
+            Property.name(PART, new Value.Absent(), "a part of the file; all of it where none is named", Blocks::part)),
+            Values::triangles);
 
     static final BlockType<Group> GROUP = new BlockType<>("group", true, Optional.empty(), placed(),
             (name, v, children) -> new Group(name, placement(v), children));
@@ -72,12 +83,12 @@ final class Blocks {
             (name, v, children) -> v.on(Light.of(name, LightType.POINT), LightAttribute.ALL));
 
     private static final Map<String, BlockType<?>> BY_KEYWORD = Stream.of(PICTURE, CAMERA, WORLD, MATERIAL, SPHERE, CONE,
-            CYLINDER, FRUSTUM, PLANE, GROUP, LIGHT).collect(Collectors.toUnmodifiableMap(BlockType::keyword, b -> b));
+            CYLINDER, FRUSTUM, PLANE, MESH, GROUP, LIGHT).collect(Collectors.toUnmodifiableMap(BlockType::keyword, b -> b));
 
     /** The keywords of all blocks. */
     static final List<String> KEYWORDS = BY_KEYWORD.keySet().stream().sorted().toList();
     /** The keywords of the blocks that may stand in a group. */
-    static final List<String> NODES = Stream.of(SPHERE, CONE, CYLINDER, FRUSTUM, PLANE, GROUP).map(BlockType::keyword).toList();
+    static final List<String> NODES = Stream.of(SPHERE, CONE, CYLINDER, FRUSTUM, PLANE, MESH, GROUP).map(BlockType::keyword).toList();
 
     private Blocks() {}
 
@@ -93,14 +104,15 @@ final class Blocks {
             case Solid.Cylinder _ -> CYLINDER;
             case Solid.Frustum _ -> FRUSTUM;
             case Solid.Plane _ -> PLANE;
+            case Solid.Triangles _ -> MESH;
         };
     }
 
     /** @param own the properties of the solid itself */
-    private static BlockType<Shape> shape(Solid initial, List<Property<Shape>> own, Function<Values, Solid> solid) {
+    private static BlockType<Shape> shape(String noun, List<Property<Shape>> own, Function<Values, Solid> solid) {
         Property<Shape> material = Property.name("material", new Value.Name(Material.DEFAULT.name()),
                 "the name of a material", s -> new Value.Name(s.material()));
-        return new BlockType<>(initial.noun(), true, Optional.empty(),
+        return new BlockType<>(noun, true, Optional.empty(),
                 Stream.of(List.of(material), own, Blocks.<Shape>placed()).flatMap(List::stream).toList(),
                 (name, v, children) -> new Shape(solid.apply(v), name, v.name("material"), placement(v)));
     }
@@ -118,6 +130,11 @@ final class Blocks {
                 Property.<T>vector("scale", Value.of(Vec3.ONE), Limits.MAX_SCALE, "factors, none 0",
                         n -> Value.of(n.placement().scale()))
                         .also(v -> new Placement(Vec3.ZERO, Vec3.ZERO, vector(v))));
+    }
+
+    private static Value part(Shape mesh) {
+        String part = ((Solid.Triangles) mesh.solid()).part();
+        return part.isEmpty() ? new Value.Absent() : new Value.Name(part);
     }
 
     private static Placement placement(Values v) {

@@ -13,6 +13,10 @@ public final class JenLimits {
     public static final int TOKEN_LENGTH = 1000;
     /** Problems reported for one file; reading stops there. */
     public static final int PROBLEMS = 100;
+    /** Different mesh files of one scene. */
+    public static final int MESHES = 256;
+    /** Triangles of all mesh files of one scene together. */
+    public static final int TRIANGLES = 64_000_000;
     /** Different texture files of one scene. */
     public static final int TEXTURES = 256;
     /** Bytes of one texture file: 64 MiB. */

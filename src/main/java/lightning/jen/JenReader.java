@@ -14,7 +14,7 @@ public final class JenReader {
     private JenReader() {}
 
     /**
-     * Reads a scene file and its textures.
+     * Reads a scene file and the files that it names.
      *
      * @throws IOException  if the file cannot be read at all, or is a folder, a pipe or a device, which are not opened: a pipe
      *                      would wait for its other end, and some devices never end
@@ -46,7 +46,7 @@ public final class JenReader {
      * Reads a scene from a text.
      *
      * @param name   how problems call the text
-     * @param folder where its textures are looked for, as if the text were a file in it
+     * @param folder where the files that it names are looked for, as if the text were a file in it
      * @throws JenException if anything is wrong; holds all problems
      */
     public static JenDocument read(String text, String name, Path folder) throws JenException {
@@ -59,7 +59,7 @@ public final class JenReader {
     private static JenDocument read(Source source, Path folder, Problems problems) throws JenException {
         Tokens tokens = Lexer.tokens(source.text(), problems);
         List<Block> blocks = Parser.file(tokens, problems);
-        Optional<Scene> scene = new SceneBuilder(tokens, problems, new TextureFolder(folder)).build(blocks);
+        Optional<Scene> scene = new SceneBuilder(tokens, problems, folder).build(blocks);
         if (scene.isEmpty()) {
             throw new JenException(problems.in(source));
         }

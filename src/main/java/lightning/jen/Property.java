@@ -61,7 +61,7 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
             case Choice<V> c -> List.of(choice(a.name(), new Value.Word(c.text(a.initial())), c.words(),
                     t -> new Value.Word(c.text(a.of(t)))));
             case Kind.Texturing _ -> List.of(
-                    quoted(a.name(), "a PNG or JPEG file", v -> TextureName.check(((Value.Quoted) v).file()),
+                    quoted(a.name(), "a PNG or JPEG file", v -> FileName.check(a.name(), ((Value.Quoted) v).file(), TextureFolder.NAME),
                             t -> picture(a.of(t), map -> new Value.Quoted(map.file()))),
                     Property.<T>numbers(REPEAT, List.of(" u", " v"), Value.of(1, 1), -Limits.MAX_REPEAT, Limits.MAX_REPEAT,
                             "times, needs a texture", t -> picture(a.of(t), map -> Value.of(map.repeatU(), map.repeatV())))

@@ -6,7 +6,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -17,8 +16,6 @@ import lightning.scene.Material;
 import lightning.scene.Node;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
-import lightning.scene.Texture;
-import lightning.scene.TextureMap;
 import lightning.text.Quote;
 
 /**
@@ -28,7 +25,7 @@ import lightning.text.Quote;
  * shape, a group or a material, looked for in this order; {@code material:gold} means a material whatever else has
  * its name. A name in double quotes, {@code "key light".intensity=0.4}, is never one of the three words, and may hold a point and an
  * equals sign; {@link NameText} says how. The properties are those of the file, and {@code name} of everything but materials, {@code type} of lights, and
- * {@code texture=none} to take a texture away. The material {@code default} may be edited before it is written. A picture that
+ * {@code texture=none} to take a texture away. The material {@code default} may be edited before it is written. A picture or a mesh that
  * the scene has not read yet can be named where a folder is given, and is looked for as if the scene file were in it. Every method throws an
  * {@link IllegalArgumentException} whose message says in one sentence what is wrong.
  */
@@ -47,7 +44,7 @@ public final class PropertyEdit {
      *     property, or if the file could not say that value there
      */
     public static Scene apply(Scene scene, String assignment) {
-        return apply(scene, assignment, file -> texture(scene, file));
+        return apply(scene, assignment, new HeldFiles(scene, Optional.empty()));
     }
 
     /**
@@ -56,10 +53,10 @@ public final class PropertyEdit {
      * @param folder where pictures are looked for, as if the scene file were in it
      */
     public static Scene apply(Scene scene, String assignment, Path folder) {
-        return apply(scene, assignment, file -> texture(scene, file, folder));
+        return apply(scene, assignment, new HeldFiles(scene, Optional.of(folder)));
     }
 
-    private static Scene apply(Scene scene, String assignment, Function<String, Texture> textures) {
+    private static Scene apply(Scene scene, String assignment, SceneFiles files) {
         int name = target(assignment);
         int equals = assignment.indexOf('=', name);
         int point = name > 0 ? name : assignment.lastIndexOf('.', Math.max(equals, 0));
@@ -67,7 +64,7 @@ public final class PropertyEdit {
             throw new IllegalArgumentException("an edit must be written as NAME.PROPERTY=VALUE, was " + Quote.of(assignment));
         }
         return set(scene, assignment.substring(0, point).strip(), assignment.substring(point + 1, equals).strip(),
-                assignment.substring(equals + 1).strip(), textures);
+                assignment.substring(equals + 1).strip(), files);
     }
 
     /** The place behind a name in quotes that an assignment begins with; 0 where its name has none. */
@@ -83,7 +80,7 @@ public final class PropertyEdit {
      * @throws IllegalArgumentException as {@link #apply(Scene, String)}
      */
     public static Scene set(Scene scene, String target, String property, String value) {
-        return set(scene, target, property, value, file -> texture(scene, file));
+        return set(scene, target, property, value, new HeldFiles(scene, Optional.empty()));
     }
 
     /**
@@ -93,8 +90,9 @@ public final class PropertyEdit {
      * @throws IllegalArgumentException if there is no such material, or no such picture
      */
     public static Scene texture(Scene scene, String material, String file, Path folder) {
-        TextureName.check(file);
-        return set(scene, MATERIAL + NameText.of(material), "texture", new Value.Quoted(file).text(), f -> texture(scene, f, folder));
+        FileName.check("texture", file, TextureFolder.NAME);
+        return set(scene, MATERIAL + NameText.of(material), "texture", new Value.Quoted(file).text(),
+                new HeldFiles(scene, Optional.of(folder)));
     }
 
     /**
@@ -106,14 +104,14 @@ public final class PropertyEdit {
         return new TextureFolder(folder).names();
     }
 
-    private static Scene set(Scene scene, String target, String property, String value, Function<String, Texture> textures) {
+    private static Scene set(Scene scene, String target, String property, String value, SceneFiles files) {
         return switch (target) {
-            case "picture" -> scene.withPicture(edited(textures, Blocks.PICTURE, "", scene.picture(), property, value));
-            case "camera" -> scene.withCamera(edited(textures, Blocks.CAMERA, "", scene.camera(), property, value));
-            case "world" -> scene.withWorld(edited(textures, Blocks.WORLD, "", scene.world(), property, value));
+            case "picture" -> scene.withPicture(edited(files, Blocks.PICTURE, "", scene.picture(), property, value));
+            case "camera" -> scene.withCamera(edited(files, Blocks.CAMERA, "", scene.camera(), property, value));
+            case "world" -> scene.withWorld(edited(files, Blocks.WORLD, "", scene.world(), property, value));
             default -> target.startsWith(MATERIAL)
-                    ? setMaterial(scene, NameText.read(target.substring(MATERIAL.length())), property, value, textures)
-                    : setNamed(scene, NameText.read(target), property, value, textures);
+                    ? setMaterial(scene, NameText.read(target.substring(MATERIAL.length())), property, value, files)
+                    : setNamed(scene, NameText.read(target), property, value, files);
         };
     }
 
@@ -133,7 +131,7 @@ public final class PropertyEdit {
         if (blocks.size() != 1 || blocks.getFirst().type != Blocks.LIGHT) {
             throw new IllegalArgumentException("expected one light, as in 'fill point intensity=0.5', found " + Quote.of(text));
         }
-        Optional<Scene> added = new SceneBuilder(tokens, problems, new TextureFolder(Path.of(""))).build(blocks);
+        Optional<Scene> added = new SceneBuilder(tokens, problems, Path.of("")).build(blocks);
         throwIfAny(problems);
         return scene.withLights(Stream.concat(scene.lights().stream(), added.orElseThrow().lights().stream()).toList());
     }
@@ -170,18 +168,18 @@ public final class PropertyEdit {
                 + (words.length <= type + 1 ? "" : words[type + 1].replace('=', ' ')) + "\n}";
     }
 
-    private static Scene setNamed(Scene scene, String target, String property, String value, Function<String, Texture> textures) {
+    private static Scene setNamed(Scene scene, String target, String property, String value, SceneFiles files) {
         Optional<Light> light = scene.light(target);
         if (light.isPresent()) {
-            Light edited = edited(textures, Blocks.LIGHT, target, light.get(), property, value);
+            Light edited = edited(files, Blocks.LIGHT, target, light.get(), property, value);
             return scene.withLights(replaced(scene.lights(), l -> l == light.get() ? edited : l));
         }
         if (scene.stage().hasNode(target)) {
-            List<Node> nodes = replaced(scene.nodes(), n -> node(textures, n, target, property, value));
+            List<Node> nodes = replaced(scene.nodes(), n -> node(files, n, target, property, value));
             return scene.withNodes(nodes);
         }
         if (scene.material(target).isPresent()) {
-            return setMaterial(scene, target, property, value, textures);
+            return setMaterial(scene, target, property, value, files);
         }
         List<String> known = Stream.of(Stream.of("picture", "camera", "world"), scene.lights().stream().map(Light::name),
                 names(scene.nodes()), scene.materials().stream().map(Material::name)).flatMap(s -> s).filter(k -> !k.equals(target))
@@ -189,23 +187,23 @@ public final class PropertyEdit {
         throw new IllegalArgumentException("the scene has nothing named " + Quote.of(target) + Nearest.hint(target, known));
     }
 
-    private static Scene setMaterial(Scene scene, String name, String property, String value, Function<String, Texture> textures) {
+    private static Scene setMaterial(Scene scene, String name, String property, String value, SceneFiles files) {
         Material material = scene.materialsByName().get(name);
         if (material == null) {
             List<String> known = scene.materials().stream().map(Material::name).toList();
             throw new IllegalArgumentException("there is no material " + Quote.of(name) + Nearest.hint(name, known));
         }
-        return scene.withMaterial(edited(textures, Blocks.MATERIAL, name, material, property, value));
+        return scene.withMaterial(edited(files, Blocks.MATERIAL, name, material, property, value));
     }
 
-    private static Node node(Function<String, Texture> textures, Node node, String target, String property, String value) {
+    private static Node node(SceneFiles files, Node node, String target, String property, String value) {
         if (!node.name().equals(target)) {
             return node instanceof Group g ? new Group(g.name(), g.placement(),
-                    replaced(g.children(), n -> node(textures, n, target, property, value))) : node;
+                    replaced(g.children(), n -> node(files, n, target, property, value))) : node;
         }
         return switch (node) {
-            case Group g -> edited(textures, Blocks.GROUP, target, g, property, value);
-            case Shape s -> edited(textures, Blocks.of(s.solid()), target, s, property, value);
+            case Group g -> edited(files, Blocks.GROUP, target, g, property, value);
+            case Shape s -> edited(files, Blocks.of(s.solid()), target, s, property, value);
         };
     }
 
@@ -219,7 +217,7 @@ public final class PropertyEdit {
     }
 
     /** The record with one property set. */
-    private static <T> T edited(Function<String, Texture> textures, BlockType<T> type, String name, T record, String property,
+    private static <T> T edited(SceneFiles files, BlockType<T> type, String name, T record, String property,
             String value) {
         Map<String, Value> values = new HashMap<>(type.values(record));
         String newName = name;
@@ -236,7 +234,7 @@ public final class PropertyEdit {
         type.properties().forEach(p -> values.computeIfPresent(p.name(), (n, v) -> v instanceof Value.Absent ? p.initial() : v));
         List<Node> children = record instanceof Group g ? g.children() : List.of();
         try {
-            return type.builder().build(newName, new Values(values, textures), children);
+            return type.builder().build(newName, new Values(values, files), children);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException((name.isEmpty() ? type.keyword() : type.keyword() + " " + Quote.of(name)) + ": "
                     + e.getMessage(), e);
@@ -266,27 +264,6 @@ public final class PropertyEdit {
         }
         throwIfAny(problems);
         return block.entry(property).value();
-    }
-
-    /** A picture that the scene already holds: without a folder an edit reads no files. */
-    private static Texture texture(Scene scene, String file) {
-        return held(scene, file).orElseThrow(() -> new IllegalArgumentException(
-                "texture must be one that the scene already has, was " + Quote.of(file)));
-    }
-
-    private static Texture texture(Scene scene, String file, Path folder) {
-        return held(scene, file).orElseGet(() -> {
-            try {
-                return new TextureFolder(folder).load(file);
-            } catch (TextureFolder.UnusableException e) {
-                throw new IllegalArgumentException(e.getMessage(), e);
-            }
-        });
-    }
-
-    private static Optional<Texture> held(Scene scene, String file) {
-        return scene.materials().stream().flatMap(m -> m.texture().stream()).filter(t -> t.file().equals(file))
-                .map(TextureMap::image).findFirst();
     }
 
     private static void throwIfAny(Problems problems) {

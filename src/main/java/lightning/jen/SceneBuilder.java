@@ -1,5 +1,6 @@
 package lightning.jen;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
@@ -8,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import lightning.math.Vec3;
+import lightning.mesh.Mesh;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.Limits;
@@ -25,14 +27,17 @@ final class SceneBuilder {
     private final Tokens tokens;
     private final Problems problems;
     private final TextureFolder textures;
+    private final MeshFolder meshes;
     private final Map<String, Block> named = new HashMap<>();
     private final Set<String> materialNames = new LinkedHashSet<>();
     private int shapes;
 
-    SceneBuilder(Tokens tokens, Problems problems, TextureFolder textures) {
+    /** @param folder where files that the scene names are looked for, as if its own were in it */
+    SceneBuilder(Tokens tokens, Problems problems, Path folder) {
         this.tokens = tokens;
         this.problems = problems;
-        this.textures = textures;
+        textures = new TextureFolder(folder);
+        meshes = new MeshFolder(folder);
     }
 
     /** The scene, or nothing where there are problems. */
@@ -146,13 +151,14 @@ final class SceneBuilder {
                     block.title() + ": repeat needs a texture, found none");
         }
         Texture image = image(block);
+        Mesh mesh = mesh(block);
         if (!problems.isEmpty() && (type.named() && block.name.isEmpty()
                 || type.header().filter(p -> !values.containsKey(p.name())).isPresent()
-                || block.isWritten("texture") && image == null)) {
+                || block.isWritten("texture") && image == null || block.isWritten(Blocks.FILE) && mesh == null)) {
             return Optional.empty();
         }
         try {
-            return Optional.of(type.builder().build(block.name, new Values(values, file -> image), children));
+            return Optional.of(type.builder().build(block.name, new Values(values, new Loaded(image, mesh)), children));
         } catch (IllegalArgumentException e) {
             problem(block, block.title() + ": " + e.getMessage());
             return Optional.empty();
@@ -166,9 +172,36 @@ final class SceneBuilder {
         }
         try {
             return textures.load(((Value.Quoted) entry.value()).file());
-        } catch (TextureFolder.UnusableException e) {
+        } catch (UnusableFileException e) {
             problems.add(tokens.start(entry.from()), block.title() + ": " + e.getMessage());
             return null;
+        }
+    }
+
+    private Mesh mesh(Block block) {
+        Block.Entry file = block.entry(Blocks.FILE);
+        if (file == null) {
+            return null;
+        }
+        Block.Entry part = block.entry(Blocks.PART);
+        try {
+            return meshes.load(((Value.Quoted) file.value()).file(), part == null ? "" : ((Value.Name) part.value()).name());
+        } catch (UnusableFileException e) {
+            problems.add(tokens.start(file.from()), block.title() + ": " + e.getMessage());
+            return null;
+        }
+    }
+
+    /** What the files of one block hold. */
+    private record Loaded(Texture image, Mesh mesh) implements SceneFiles {
+        @Override
+        public Texture texture(String file) {
+            return image;
+        }
+
+        @Override
+        public Mesh mesh(String file, String part) {
+            return mesh;
         }
     }
 

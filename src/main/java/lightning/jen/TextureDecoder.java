@@ -34,10 +34,10 @@ final class TextureDecoder {
      *
      * @param name       what messages call it
      * @param pixelsLeft how many pixels the picture may have at most, beside {@link JenLimits#TEXTURE_PIXELS}
-     * @throws TextureFolder.UnusableException if it is no PNG or JPEG, too large or damaged
+     * @throws UnusableFileException if it is no PNG or JPEG, too large or damaged
      * @throws IOException if it cannot be read
      */
-    static Texture decode(String name, Path path, long pixelsLeft) throws IOException, TextureFolder.UnusableException {
+    static Texture decode(String name, Path path, long pixelsLeft) throws IOException, UnusableFileException {
         long bytes = Files.size(path);
         if (bytes > JenLimits.TEXTURE_BYTES) {
             throw unusable(name, "must have at most " + JenLimits.TEXTURE_BYTES + " bytes, has " + bytes);
@@ -58,7 +58,7 @@ final class TextureDecoder {
     }
 
     private static ImageReader reader(String name, ImageInputStream in)
-            throws IOException, TextureFolder.UnusableException {
+            throws IOException, UnusableFileException {
         Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
         while (readers.hasNext()) {
             ImageReader reader = readers.next();
@@ -71,7 +71,7 @@ final class TextureDecoder {
     }
 
     private static void checkSize(String name, int width, int height, long pixelsLeft)
-            throws TextureFolder.UnusableException {
+            throws UnusableFileException {
         if (width < 1 || height < 1 || width > JenLimits.TEXTURE_SIDE || height > JenLimits.TEXTURE_SIDE) {
             throw unusable(name, "must have from 1 to " + JenLimits.TEXTURE_SIDE + " pixels along each side, has "
                     + width + "×" + height);
@@ -86,8 +86,8 @@ final class TextureDecoder {
         }
     }
 
-    private static TextureFolder.UnusableException unusable(String name, String why) {
-        return new TextureFolder.UnusableException("texture " + Quote.of(name) + " " + why);
+    private static UnusableFileException unusable(String name, String why) {
+        return new UnusableFileException("texture " + Quote.of(name) + " " + why);
     }
 
     private static Texture texture(BufferedImage image) {

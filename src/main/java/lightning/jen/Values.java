@@ -3,21 +3,20 @@ package lightning.jen;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
 import lightning.math.Vec3;
 import lightning.scene.Attribute;
 import lightning.scene.Choice;
 import lightning.scene.Kind;
 import lightning.scene.Quantity;
-import lightning.scene.Texture;
+import lightning.scene.Solid;
 import lightning.scene.TextureMap;
 
 /**
  * All values of one block by property name, written or by default, in the types of the scene.
  *
- * @param textures finds the decoded picture of a file that the block names
+ * @param files finds what the files hold that the block names
  */
-record Values(Map<String, Value> all, Function<String, Texture> textures) {
+record Values(Map<String, Value> all, SceneFiles files) {
 
     /** The record with all of these attributes as the block has them. */
     <T> T on(T record, List<? extends Attribute<T, ?>> attributes) {
@@ -43,7 +42,7 @@ record Values(Map<String, Value> all, Function<String, Texture> textures) {
 
     private Optional<TextureMap> picture(String property) {
         return all.get(property) instanceof Value.Quoted(String file)
-                ? Optional.of(new TextureMap(file, number(Property.REPEAT, 0), number(Property.REPEAT, 1), textures.apply(file)))
+                ? Optional.of(new TextureMap(file, number(Property.REPEAT, 0), number(Property.REPEAT, 1), files.texture(file)))
                 : Optional.empty();
     }
 
@@ -51,6 +50,19 @@ record Values(Map<String, Value> all, Function<String, Texture> textures) {
     @SuppressWarnings("unchecked")
     private static <V> V unchecked(Optional<TextureMap> picture) {
         return (V) picture;
+    }
+
+    /**
+     * The triangles of the file that the block names.
+     *
+     * @throws IllegalArgumentException if it names none, or none that can be used
+     */
+    Solid.Triangles triangles() {
+        if (!(all.get(Blocks.FILE) instanceof Value.Quoted(String file))) {
+            throw new IllegalArgumentException("expected a " + Blocks.FILE + ", found none");
+        }
+        String part = all.get(Blocks.PART) instanceof Value.Name(String name) ? name : "";
+        return new Solid.Triangles(file, part, files.mesh(file, part));
     }
 
     double number(String property) {

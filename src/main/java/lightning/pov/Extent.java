@@ -21,23 +21,40 @@ record Extent(Vec3 center, double radius) {
         double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
         double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
         for (PlacedShape shape : shapes) {
-            double wide = wide(shape.shape().solid());
-            for (int corner = 0; corner < 8; corner++) {
-                Vec3 p = shape.toWorld().point(new Vec3(wide * ((corner & 1) * 2 - 1), (corner & 2) - 1, wide * ((corner & 4) / 2 - 1)));
-                double[] at = {p.x(), p.y(), p.z()};
-                for (int axis = 0; axis < 3; axis++) {
-                    low[axis] = Math.min(low[axis], at[axis]);
-                    high[axis] = Math.max(high[axis], at[axis]);
+            switch (shape.shape().solid()) {
+                case Solid.Canonical solid -> {
+                    double wide = wide(solid);
+                    for (int corner = 0; corner < 8; corner++) {
+                        include(shape.toWorld().point(
+                                new Vec3(wide * ((corner & 1) * 2 - 1), (corner & 2) - 1, wide * ((corner & 4) / 2 - 1))), low, high);
+                    }
+                }
+                case Solid.Triangles t -> {
+                    float[] v = t.mesh().positions();
+                    for (int i = 0; i < v.length; i += 3) {
+                        include(shape.toWorld().point(new Vec3(v[i], v[i + 1], v[i + 2])), low, high);
+                    }
                 }
             }
+        }
+        if (!(low[0] <= high[0])) {
+            return new Extent(scene.camera().to(), 1);
         }
         Vec3 from = new Vec3(low[0], low[1], low[2]);
         Vec3 to = new Vec3(high[0], high[1], high[2]);
         return new Extent(from.plus(to).times(0.5), to.minus(from).length() / 2);
     }
 
+    private static void include(Vec3 p, double[] low, double[] high) {
+        double[] at = {p.x(), p.y(), p.z()};
+        for (int axis = 0; axis < 3; axis++) {
+            low[axis] = Math.min(low[axis], at[axis]);
+            high[axis] = Math.max(high[axis], at[axis]);
+        }
+    }
+
     /** How far a solid reaches at most along x and z; along y it is 1. */
-    private static double wide(Solid solid) {
+    private static double wide(Solid.Canonical solid) {
         return switch (solid) {
             case Solid.Sphere _,Solid.Cone _,Solid.Cylinder _,Solid.Plane _ -> 1;
             case Solid.Frustum f -> Math.max(1, f.top());

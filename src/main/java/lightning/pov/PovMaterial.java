@@ -43,7 +43,8 @@ final class PovMaterial {
             lose("material " + m.name() + ": ambient is multiplied by the texture");
         }
         Rgb ambient = m.ambient().times(kept);
-        return "texture {\n    pigment { image_map { png \"" + image + "\" " + mapping(solid) + " interpolate 2 } "
+        return "texture {\n    pigment { " + (solid instanceof Solid.Triangles ? "uv_mapping " : "") + "image_map { png \"" + image + "\" "
+                + mapping(solid) + " interpolate 2 } "
                 + String.join(" ", placing(m, map, solid)) + " }\n    finish { ambient " + PovText.rgb(ambient) + " diffuse "
                 + diffuse * kept + " " + shine(m) + " }\n  }";
     }
@@ -54,13 +55,17 @@ final class PovMaterial {
             case Solid.Cone _ -> "map_type 2";
             case Solid.Cylinder _ -> "map_type 2";
             case Solid.Frustum _ -> "map_type 2";
-            case Solid.Plane _ -> "map_type 0";
+            case Solid.Plane _,Solid.Triangles _ -> "map_type 0";
         };
     }
 
     /** Puts POV-Ray's map, which lies in the xy plane or winds about y, where our texture coordinates are. */
     private List<String> placing(Material m, TextureMap map, Solid solid) {
         List<String> words = new ArrayList<>();
+        if (solid instanceof Solid.Triangles) {
+            words.add("scale <" + 1 / map.repeatU() + ", " + 1 / map.repeatV() + ", 1>");
+            return words;
+        }
         if (solid instanceof Solid.Plane) {
             words.add("scale <" + 1 / map.repeatU() + ", " + 1 / map.repeatV() + ", 1>");
             words.add("rotate <90, 0, 0> translate <-0.5, 0, -0.5>");
@@ -78,7 +83,7 @@ final class PovMaterial {
 
     private static boolean hasCaps(Solid solid) {
         return switch (solid) {
-            case Solid.Sphere _,Solid.Plane _ -> false;
+            case Solid.Sphere _,Solid.Plane _,Solid.Triangles _ -> false;
             case Solid.Cone c -> c.caps();
             case Solid.Cylinder c -> c.caps();
             case Solid.Frustum f -> f.caps();

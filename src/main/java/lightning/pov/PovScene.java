@@ -45,10 +45,12 @@ public final class PovScene {
                 .append("\n  adc_bailout 0\n  ambient_light rgb ").append(scene.world().ambience()).append("\n}\n");
         body.append("background { ").append(PovText.rgb(scene.world().background())).append(" }\n");
         body.append(camera(scene));
+        var meshes = new PovMesh(scene, losses);
+        body.append(meshes.declarations());
         var materials = new PovMaterial(losses);
         for (PlacedShape shape : scene.placedShapes()) {
             String image = shape.material().texture().map(t -> image(images, t, name)).orElse("");
-            body.append("// ").append(shape.shape().name()).append('\n').append(solid(shape.shape().solid())).append("\n  ")
+            body.append("// ").append(shape.shape().name()).append('\n').append(solid(shape.shape().solid(), meshes)).append("\n  ")
                     .append(materials.text(shape.material(), shape.shape().solid(), image)).append("\n  ")
                     .append(PovText.matrix(shape.toWorld())).append("\n}\n");
         }
@@ -77,14 +79,15 @@ public final class PovScene {
                 + PovText.vector(up) + "\n}\n";
     }
 
-    /** A canonical solid, left open for texture and placing. */
-    private static String solid(Solid solid) {
+    /** A solid, left open for texture and placing. */
+    private static String solid(Solid solid, PovMesh meshes) {
         return switch (solid) {
             case Solid.Sphere _ -> "sphere { <0, 0, 0>, 1";
             case Solid.Cone c -> "cone { <0, 0, 0>, 1, <0, 1, 0>, 0" + open(c.caps());
             case Solid.Cylinder c -> "cylinder { <0, 0, 0>, <0, 1, 0>, 1" + open(c.caps());
             case Solid.Frustum f -> "cone { <0, 0, 0>, 1, <0, 1, 0>, " + f.top() + open(f.caps());
             case Solid.Plane _ -> "polygon { 5, <-0.5, 0, -0.5>, <0.5, 0, -0.5>, <0.5, 0, 0.5>, <-0.5, 0, 0.5>, <-0.5, 0, -0.5>";
+            case Solid.Triangles t -> meshes.text(t);
         };
     }
 

@@ -8,6 +8,7 @@ import lightning.math.Vec3;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.trace.mesh.Facet;
 import lightning.trace.solid.Form;
 import lightning.trace.solid.Touch;
 
@@ -265,12 +266,13 @@ public final class Geometry {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
         Surface surface = new Surface();
-        surface.at(primitives, primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
+        int part = primitives.part(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+        surface.at(primitives, primitive, part, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
         int material = primitives.material[primitive];
         float[] diffuse = {materials.diffuse(material, 0), materials.diffuse(material, 1), materials.diffuse(material, 2)};
         float[] texel = {1, 1, 1};
         if (materials.isTextured(material)) {
-            primitives.texel(primitive, materials.texture(material), surface.ownX, surface.ownY, surface.ownZ, texel);
+            primitives.texel(primitive, part, materials.texture(material), surface.ownX, surface.ownY, surface.ownZ, new Facet(), texel);
             for (int c = 0; c < 3; c++) {
                 diffuse[c] *= texel[c];
             }

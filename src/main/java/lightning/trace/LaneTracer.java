@@ -55,6 +55,7 @@ public final class LaneTracer implements Tracer {
             packets.nearest(packet, live, candidates);
             System.arraycopy(packet.t, 0, rays.t, ray, live);
             System.arraycopy(packet.primitive, 0, rays.primitive, ray, live);
+            System.arraycopy(packet.part, 0, rays.part, ray, live);
         }
     }
 
@@ -67,6 +68,7 @@ public final class LaneTracer implements Tracer {
             System.arraycopy(rays.primitive, ray, packet.primitive, 0, live);
             packets.distances(packet, live);
             System.arraycopy(packet.t, 0, rays.t, ray, live);
+            System.arraycopy(packet.part, 0, rays.part, ray, live);
         }
     }
 
@@ -129,6 +131,7 @@ public final class LaneTracer implements Tracer {
             packet.dz[i] = rays.dz[ray];
             packet.t[i] = rays.t[ray];
             packet.primitive[i] = rays.primitive[ray];
+            packet.part[i] = rays.part[ray];
         }
         packets.surfaces(packet, live, surface);
     }

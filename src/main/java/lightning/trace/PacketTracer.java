@@ -2,7 +2,6 @@ package lightning.trace;
 
 import java.util.Arrays;
 import lightning.trace.solid.Form;
-import lightning.trace.solid.Lanes;
 
 /**
  * Traces packets of rays. Holds scratch memory: one for each thread.
@@ -105,7 +104,7 @@ public final class PacketTracer {
         int lanes = lanes(live);
         if (candidates.count <= BARE) {
             for (int c = 0; c < candidates.count; c++) {
-                solid.nearer(p, candidates.primitive[c], 0, RayPacket.WIDTH);
+                solid.nearer(p, candidates.primitive[c], lanes);
             }
         } else {
             box.enter(p);
@@ -198,13 +197,13 @@ public final class PacketTracer {
         if (mask == 0) {
             return 0;
         }
-        int blocked = solid.below(p, s, first(mask), end(mask)) & mask;
+        int blocked = solid.below(p, s, mask);
         lastOccluder = blocked != 0 ? s : lastOccluder;
         return blocked;
     }
 
     private boolean meet(RayPacket p, int s, int mask) {
-        boolean nearer = solid.nearer(p, s, first(mask), end(mask));
+        boolean nearer = solid.nearer(p, s, mask);
         if (nearer) {
             box.limit(p.t);
         }
@@ -213,15 +212,6 @@ public final class PacketTracer {
 
     private static int lanes(int live) {
         return -1 >>> -live;
-    }
-
-    /** The first lane of the vectors in which the mask has bits. */
-    private static int first(int mask) {
-        return (mask & -1 >>> -Lanes.COUNT) != 0 ? 0 : Lanes.COUNT;
-    }
-
-    private static int end(int mask) {
-        return mask >>> Lanes.COUNT != 0 ? RayPacket.WIDTH : Lanes.COUNT;
     }
 
     private static boolean forwards(RayPacket p, int lane, int axis) {
@@ -237,7 +227,7 @@ public final class PacketTracer {
         }
         while (left != 0) {
             int s = p.primitive[Integer.numberOfTrailingZeros(left)];
-            left &= ~solid.distances(p, s, left, first(left), end(left));
+            left &= ~solid.distances(p, s, left);
         }
     }
 

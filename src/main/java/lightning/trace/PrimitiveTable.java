@@ -7,6 +7,9 @@ import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.Stage;
 import lightning.scene.TextureMap;
+import lightning.trace.mesh.Facet;
+import lightning.trace.mesh.MeshProbe;
+import lightning.trace.mesh.MeshSolid;
 import lightning.trace.solid.Form;
 import lightning.trace.solid.Kind;
 import lightning.trace.solid.Touch;
@@ -14,9 +17,10 @@ import lightning.trace.solid.Touch;
 /**
  * All that rays of a scene can meet, as plain columns, in render space.
  *
- * <p>Primitive {@code s} is a canonical solid of kind {@link #kind}, a part of the shape with index {@code owner[s]}, of material
- * index {@code material[s]}. Its data begin at {@code data[at[s]]}, as {@link Form} has them: the map from render space to its own
- * space, and numbers of its own.
+ * <p>Primitive {@code s} is a canonical solid of kind {@link #kind} or a {@link #mesh}, a part of the shape with index
+ * {@code owner[s]}, of material index {@code material[s]}. Its data begin at {@code data[at[s]]}, as {@link Form} has them: the map
+ * from render space to its own space, and numbers of its own. What is met of a mesh is one of its triangles, the <em>part</em> of a
+ * hit; of a solid it is 0.
  */
 final class PrimitiveTable {
     /** The error of a way to a light as a share of the coordinates of its ends ({@link #off}). */
@@ -35,7 +39,10 @@ final class PrimitiveTable {
     /** Where the primitives stand, shared by the tables of all cameras. */
     final PrimitivePlaces places;
 
+    /** The ordinal of each solid's kind; {@link #MESH} for a mesh. */
     private final byte[] kind;
+    /** The mesh of each primitive that is one; null where none is. */
+    private final MeshSolid[] meshes;
     /** How far a point that was put on the primitive may lie off it because shape and camera are rounded, scene units. */
     private final double[] off;
     /** Whether the eye lies on the primitive. */
@@ -49,9 +56,13 @@ final class PrimitiveTable {
     /** The most that a point put on any primitive may lie off it because shape and camera are rounded, scene units. */
     private final double mostOff;
 
-    private PrimitiveTable(byte[] kind, int[] material, int[] owner, int[] at, double[] data, PrimitivePlaces places, Vec3 camera) {
+    private static final byte MESH = -1;
+
+    private PrimitiveTable(byte[] kind, MeshSolid[] meshes, int[] material, int[] owner, int[] at, double[] data, PrimitivePlaces places,
+            Vec3 camera) {
         count = kind.length;
         this.kind = kind;
+        this.meshes = meshes;
         this.material = material;
         this.owner = owner;
         this.at = at;
@@ -69,10 +80,9 @@ final class PrimitiveTable {
             Transform render = places.toRender(s, camera);
             Transform inverse = inverse(s, render);
             PrimitivePlaces.store(inverse, data, at[s]);
-            Form form = kind(s).form();
-            form.extent(data, at[s], render.m00(), render.m01(), render.m02(), render.t0(), bounds, 6 * s);
-            form.extent(data, at[s], render.m10(), render.m11(), render.m12(), render.t1(), bounds, 6 * s + 1);
-            form.extent(data, at[s], render.m20(), render.m21(), render.m22(), render.t2(), bounds, 6 * s + 2);
+            extent(s, render.m00(), render.m01(), render.m02(), render.t0(), bounds, 6 * s);
+            extent(s, render.m10(), render.m11(), render.m12(), render.t1(), bounds, 6 * s + 1);
+            extent(s, render.m20(), render.m21(), render.m22(), render.t2(), bounds, 6 * s + 2);
             double far = 0;
             for (int i = 6 * s; i < 6 * s + 6; i++) {
                 far = Math.max(far, Math.abs(bounds[i]));
@@ -97,13 +107,23 @@ final class PrimitiveTable {
         byte[] kind = new byte[count];
         int[] owner = new int[count];
         int[] at = new int[count];
+        MeshSolid[] meshes = null;
         int numbers = 0;
         for (int s = 0; s < count; s++) {
-            Solid solid = shapes.get(s).solid();
-            kind[s] = (byte) Kind.of(solid).ordinal();
             owner[s] = s;
             at[s] = numbers;
-            numbers += Form.MAP + Kind.numbers(solid).length;
+            switch (shapes.get(s).solid()) {
+                case Solid.Canonical solid -> {
+                    kind[s] = (byte) Kind.of(solid).ordinal();
+                    numbers += Form.MAP + Kind.numbers(solid).length;
+                }
+                case Solid.Triangles triangles -> {
+                    kind[s] = MESH;
+                    meshes = meshes == null ? new MeshSolid[count] : meshes;
+                    meshes[s] = new MeshSolid(triangles.mesh());
+                    numbers += Form.MAP;
+                }
+            }
         }
         double[] data = new double[numbers];
         PrimitivePlaces places = new PrimitivePlaces(count);
@@ -112,15 +132,17 @@ final class PrimitiveTable {
             int s = next[0]++;
             places.put(s, shape);
             PrimitivePlaces.store(shape.directionsBack(), data, at[s]);
-            double[] own = Kind.numbers(shape.shape().solid());
-            System.arraycopy(own, 0, data, at[s] + Form.MAP, own.length);
+            if (shape.shape().solid() instanceof Solid.Canonical solid) {
+                double[] own = Kind.numbers(solid);
+                System.arraycopy(own, 0, data, at[s] + Form.MAP, own.length);
+            }
         });
-        return new PrimitiveTable(kind, material, owner, at, data, places, camera);
+        return new PrimitiveTable(kind, meshes, material, owner, at, data, places, camera);
     }
 
     /** The same primitives seen from elsewhere. */
     PrimitiveTable from(Vec3 camera) {
-        return new PrimitiveTable(kind, material, owner, at, data.clone(), places, camera);
+        return new PrimitiveTable(kind, meshes, material, owner, at, data.clone(), places, camera);
     }
 
     /**
@@ -161,6 +183,20 @@ final class PrimitiveTable {
         return off[s];
     }
 
+    private void extent(int s, double mx, double my, double mz, double t, double[] bounds, int i) {
+        MeshSolid mesh = mesh(s);
+        if (mesh == null) {
+            kind(s).form().extent(data, at[s], mx, my, mz, t, bounds, i);
+        } else {
+            mesh.extent(mx, my, mz, t, bounds, i);
+        }
+    }
+
+    /** The mesh that primitive {@code s} is; null where it is a canonical solid. */
+    MeshSolid mesh(int s) {
+        return meshes == null ? null : meshes[s];
+    }
+
     /** How long a step of at most 1 along each axis of the scene can be in its own units. */
     double rate(int s) {
         return places.rate[s];
@@ -177,7 +213,8 @@ final class PrimitiveTable {
         double px = m[i] * x + m[i + 1] * y + m[i + 2] * z + m[i + 3];
         double py = m[i + 4] * x + m[i + 5] * y + m[i + 6] * z + m[i + 7];
         double pz = m[i + 8] * x + m[i + 9] * y + m[i + 10] * z + m[i + 11];
-        return kind(s).form().gap(m, i, px, py, pz, places.rate[s]);
+        MeshSolid mesh = mesh(s);
+        return mesh == null ? kind(s).form().gap(m, i, px, py, pz, places.rate[s]) : mesh.gap(px, py, pz) / places.rate[s];
     }
 
     /** Directions back, which stand in the data, and the translation by which the place of the shape becomes the origin. */
@@ -190,12 +227,24 @@ final class PrimitiveTable {
                 back.m20(), back.m21(), back.m22(), -origin.z());
     }
 
-    /** Writes the colour of a texture, linear RGB, at an own point of primitive {@code s} to {@code rgb[0…2]}. */
-    void texel(int s, TextureMap map, double x, double y, double z, float[] rgb) {
+    /**
+     * Writes the colour of a texture, linear RGB, at an own point of primitive {@code s} to {@code rgb[0…2]}.
+     *
+     * @param part  the part that was hit
+     * @param facet scratch memory
+     */
+    void texel(int s, int part, TextureMap map, double x, double y, double z, Facet facet, float[] rgb) {
+        MeshSolid mesh = mesh(s);
+        if (mesh != null) {
+            facet.at(mesh.mesh(), part, x, y, z);
+            TextureLookup.sample(map, facet.coordinate(0), facet.coordinate(1), rgb);
+            return;
+        }
         Form form = kind(s).form();
         TextureLookup.sample(map, form.u(data, at[s], x, y, z), form.v(data, at[s], x, y, z), rgb);
     }
 
+    /** The kind of a canonical solid. */
     Kind kind(int s) {
         return Kind.at(kind[s]);
     }
@@ -207,11 +256,69 @@ final class PrimitiveTable {
 
     /** The distance along the ray to primitive {@code s}, or {@code +∞}; a ray from the origin of render space is the eye's. */
     double distance(int s, double ox, double oy, double oz, double dx, double dy, double dz) {
-        return distance(s, ox, oy, oz, dx, dy, dz, underEye[s] && ox == 0 && oy == 0 && oz == 0 ? Touch.START : Touch.NEITHER);
+        return distance(s, ox, oy, oz, dx, dy, dz, touch(s, ox, oy, oz));
     }
 
-    /** The distance along a way of which an end may lie on primitive {@code s}, or {@code +∞}. */
+    private Touch touch(int s, double ox, double oy, double oz) {
+        return underEye[s] && ox == 0 && oy == 0 && oz == 0 ? Touch.START : Touch.NEITHER;
+    }
+
+    /** Hands a mesh and a ray, which is the eye's where it begins at the origin of render space, to a probe. */
+    void enter(MeshProbe probe, int s, double ox, double oy, double oz, double dx, double dy, double dz) {
+        enter(probe, s, ox, oy, oz, dx, dy, dz, touch(s, ox, oy, oz));
+    }
+
+    /** The same for a way that perhaps ends on the mesh. */
+    void enter(MeshProbe probe, int s, double ox, double oy, double oz, double dx, double dy, double dz, boolean ends) {
+        enter(probe, s, ox, oy, oz, dx, dy, dz, ends ? Touch.END : touch(s, ox, oy, oz));
+    }
+
+    /** The same for a way of which an end may lie on the mesh: it passes the triangles on which it may. */
+    void enter(MeshProbe probe, int s, double ox, double oy, double oz, double dx, double dy, double dz, Touch touch) {
+        double[] m = data;
+        int i = at[s];
+        double px = m[i] * ox + m[i + 1] * oy + m[i + 2] * oz + m[i + 3];
+        double py = m[i + 4] * ox + m[i + 5] * oy + m[i + 6] * oz + m[i + 7];
+        double pz = m[i + 8] * ox + m[i + 9] * oy + m[i + 10] * oz + m[i + 11];
+        double vx = m[i] * dx + m[i + 1] * dy + m[i + 2] * dz;
+        double vy = m[i + 4] * dx + m[i + 5] * dy + m[i + 6] * dz;
+        double vz = m[i + 8] * dx + m[i + 9] * dy + m[i + 10] * dz;
+        probe.enter(meshes[s], px, py, pz, vx, vy, vz);
+        switch (touch) {
+            case NEITHER -> {}
+            case START -> probe.pass(px, py, pz, places.rate[s] * offEye(s));
+            case END -> probe.pass(px + vx, py + vy, pz + vz, places.rate[s] * offLight(s, far(ox, oy, oz, dx, dy, dz)));
+        }
+    }
+
+    /** The sum of |x| + |y| + |z| at both ends of a way. */
+    private static double far(double ox, double oy, double oz, double dx, double dy, double dz) {
+        return Math.abs(ox + dx) + Math.abs(oy + dy) + Math.abs(oz + dz) + Math.abs(ox) + Math.abs(oy) + Math.abs(oz);
+    }
+
+    /** Asks all triangles of mesh {@code s}. */
+    private double distanceOfAll(int s, double ox, double oy, double oz, double dx, double dy, double dz, Touch touch) {
+        MeshProbe probe = new MeshProbe();
+        enter(probe, s, ox, oy, oz, dx, dy, dz, touch);
+        return probe.nearestOfAll();
+    }
+
+    /** The part of primitive {@code s} that a ray meets first; the primitive is met. */
+    int part(int s, double ox, double oy, double oz, double dx, double dy, double dz) {
+        if (mesh(s) == null) {
+            return 0;
+        }
+        MeshProbe probe = new MeshProbe();
+        enter(probe, s, ox, oy, oz, dx, dy, dz);
+        probe.nearestOfAll();
+        return probe.triangle();
+    }
+
+    /** The distance along a way of which an end may lie on primitive {@code s}, or {@code +∞}; every triangle of a mesh is asked. */
     double distance(int s, double ox, double oy, double oz, double dx, double dy, double dz, Touch touch) {
+        if (mesh(s) != null) {
+            return distanceOfAll(s, ox, oy, oz, dx, dy, dz, touch);
+        }
         double[] m = data;
         int i = at[s];
         double px = m[i] * ox + m[i + 1] * oy + m[i + 2] * oz + m[i + 3];
@@ -224,8 +331,7 @@ final class PrimitiveTable {
         if (touch == Touch.NEITHER) {
             return form.distance(m, i, px, py, pz, vx, vy, vz);
         }
-        double off = touch == Touch.START ? offEye(s) : offLight(s, Math.abs(ox + dx) + Math.abs(oy + dy) + Math.abs(oz + dz)
-                + Math.abs(ox) + Math.abs(oy) + Math.abs(oz));
+        double off = touch == Touch.START ? offEye(s) : offLight(s, far(ox, oy, oz, dx, dy, dz));
         double margin = 2 * form.tip(m, i) * places.rate[s] * off / Math.sqrt(vx * vx + vy * vy + vz * vz);
         return form.distance(m, i, px, py, pz, vx, vy, vz, touch, margin);
     }

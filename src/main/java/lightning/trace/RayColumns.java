@@ -25,6 +25,8 @@ public final class RayColumns {
     final double[] t = new double[MOST];
     /** The primitive of the nearest hit, −1 for a miss. */
     final int[] primitive = new int[MOST];
+    /** The part of it that was hit. */
+    final int[] part = new int[MOST];
 
     /** How many rays hit something. */
     int hits;

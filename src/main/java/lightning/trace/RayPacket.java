@@ -16,4 +16,6 @@ public final class RayPacket extends Rays {
     public final double[] t = new double[WIDTH];
     /** The primitive of the nearest hit, −1 for a miss. */
     public final int[] primitive = new int[WIDTH];
+    /** The part of it that was hit. */
+    public final int[] part = new int[WIDTH];
 }

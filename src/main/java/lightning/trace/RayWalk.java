@@ -1,5 +1,6 @@
 package lightning.trace;
 
+import lightning.trace.mesh.MeshProbe;
 import lightning.trace.solid.Form;
 import lightning.trace.solid.Touch;
 
@@ -11,6 +12,7 @@ final class RayWalk {
     private final Bvh bvh;
     private final PrimitiveTable primitives;
     private final BoxRay box = new BoxRay();
+    private final MeshProbe probe = new MeshProbe();
     private final int[] stack;
     private double ox;
     private double oy;
@@ -21,6 +23,7 @@ final class RayWalk {
     private WayEnd end = WayEnd.OPEN;
     private double best;
     private int found;
+    private int part;
     private int lastOccluder = -1;
 
     RayWalk(Bvh bvh) {
@@ -80,6 +83,14 @@ final class RayWalk {
         return found;
     }
 
+    /** The same where only primitive {@code s} can be met. */
+    int only(int s) {
+        best = Form.MISS;
+        found = -1;
+        meet(s);
+        return found;
+    }
+
     /** The same where only the candidates can be met. */
     int nearest(Candidates candidates) {
         if (candidates.tooMany) {
@@ -100,12 +111,25 @@ final class RayWalk {
         return best;
     }
 
+    /** The part of it that was met. */
+    int part() {
+        return part;
+    }
+
     private void meet(int s) {
-        double t = distance(s);
+        boolean mesh = primitives.mesh(s) != null;
+        double t = mesh ? meshDistance(s) : distance(s);
         if (t < best || t == best && s < found) {
             best = t;
             found = s;
+            part = mesh ? probe.triangle() : 0;
         }
+    }
+
+    /** The distance to mesh {@code s} where it is no farther than what was found. */
+    private double meshDistance(int s) {
+        enterMesh(s);
+        return probe.nearest(best);
     }
 
     /** Whether the way meets any primitive at a distance below {@code limit}. */
@@ -150,13 +174,24 @@ final class RayWalk {
     }
 
     private boolean isMet(int s, double limit) {
+        if (primitives.mesh(s) != null) {
+            enterMesh(s);
+            return probe.blocked(limit);
+        }
         return distance(s) < limit;
     }
 
     private double distance(int s) {
+        return endsOn(s) ? primitives.distance(s, ox, oy, oz, dx, dy, dz, Touch.END) : primitives.distance(s, ox, oy, oz, dx, dy, dz);
+    }
+
+    private void enterMesh(int s) {
+        primitives.enter(probe, s, ox, oy, oz, dx, dy, dz, endsOn(s));
+    }
+
+    private boolean endsOn(int s) {
         int index = end.indexOf(s);
-        return index >= 0 && end.touches(index, ox, oy, oz) ? primitives.distance(s, ox, oy, oz, dx, dy, dz, Touch.END)
-                : primitives.distance(s, ox, oy, oz, dx, dy, dz);
+        return index >= 0 && end.touches(index, ox, oy, oz);
     }
 
     private int root() {

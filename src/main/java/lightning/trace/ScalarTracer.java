@@ -34,6 +34,7 @@ public final class ScalarTracer implements Tracer {
             walk.enter(rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray], rays.dy[ray], rays.dz[ray]);
             rays.primitive[ray] = walk.nearest(candidates);
             rays.t[ray] = walk.distance();
+            rays.part[ray] = walk.part();
         }
     }
 
@@ -42,8 +43,10 @@ public final class ScalarTracer implements Tracer {
         for (int ray = 0; ray < rays.count; ray++) {
             int s = rays.primitive[ray];
             if (s >= 0) {
-                rays.t[ray] = primitives.distance(s, rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray], rays.dy[ray],
-                        rays.dz[ray]);
+                walk.enter(rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray], rays.dy[ray], rays.dz[ray]);
+                walk.only(s);
+                rays.t[ray] = walk.distance();
+                rays.part[ray] = walk.part();
             }
         }
     }
@@ -74,7 +77,8 @@ public final class ScalarTracer implements Tracer {
 
     private void surface(RayColumns rays, int row) {
         int ray = rays.order[row];
-        surface.at(primitives, rays.primitive[ray], rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray], rays.dy[ray],
+        surface.at(primitives, rays.primitive[ray], rays.part[ray], rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray],
+                rays.dy[ray],
                 rays.dz[ray], rays.t[ray]);
     }
 

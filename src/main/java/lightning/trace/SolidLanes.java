@@ -13,6 +13,7 @@ import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
+import lightning.trace.mesh.MeshProbe;
 import lightning.trace.solid.Form;
 import lightning.trace.solid.KindLanes;
 import lightning.trace.solid.Lanes;
@@ -21,8 +22,9 @@ import lightning.trace.solid.Touch;
 /**
  * One primitive against a packet: {@link PrimitiveTable#distance} in lanes, and what is done with the answer.
  *
- * <p>All methods work on the lanes {@code from … to − 1}, whole vectors. Lanes that the primitive's box has
- * rejected get the same answer as from the box: a miss, or a hit behind a nearer one.
+ * <p>Solids are asked for whole vectors of lanes, those in which the mask has bits. Lanes that the primitive's box has
+ * rejected get the same answer as from the box: a miss, or a hit behind a nearer one. Meshes are asked for one lane of the mask
+ * after the other.
  */
 final class SolidLanes {
     private static final VectorSpecies<Integer> INTS =
@@ -32,11 +34,21 @@ final class SolidLanes {
     /** The distances to the primitive in question. */
     private final double[] own = new double[RayPacket.WIDTH];
     private final KindLanes lanes = new KindLanes();
+    private final MeshProbe probe = new MeshProbe();
     /** The nearest primitive so far, as doubles to be compared and blended like the distances. */
     private final double[] found = new double[RayPacket.WIDTH];
 
     SolidLanes(PrimitiveTable primitives) {
         this.primitives = primitives;
+    }
+
+    /** The first lane of the vectors in which the mask has bits. */
+    private static int first(int mask) {
+        return (mask & -1 >>> -Lanes.COUNT) != 0 ? 0 : Lanes.COUNT;
+    }
+
+    private static int end(int mask) {
+        return mask >>> Lanes.COUNT != 0 ? RayPacket.WIDTH : Lanes.COUNT;
     }
 
     private void distances(RayPacket p, int s, int from, int to) {
@@ -65,8 +77,13 @@ final class SolidLanes {
         }
     }
 
-    /** Puts primitive {@code s} into the lanes where it is nearer than what they have; whether there is one. */
-    boolean nearer(RayPacket p, int s, int from, int to) {
+    /** Puts primitive {@code s} into the lanes of a mask, which is not 0, where it is nearer than what they have; whether there is one. */
+    boolean nearer(RayPacket p, int s, int mask) {
+        if (primitives.mesh(s) != null) {
+            return meshNearer(p, s, mask);
+        }
+        int from = first(mask);
+        int to = end(mask);
         distances(p, s, from, to);
         boolean any = false;
         for (int h = from; h < to; h += Lanes.COUNT) {
@@ -81,6 +98,22 @@ final class SolidLanes {
         return any;
     }
 
+    private boolean meshNearer(RayPacket p, int s, int mask) {
+        boolean any = false;
+        for (int left = mask; left != 0; left &= left - 1) {
+            int i = Integer.numberOfTrailingZeros(left);
+            primitives.enter(probe, s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]);
+            double t = probe.nearest(p.t[i]);
+            if (t < p.t[i] || t == p.t[i] && found[i] > s) {
+                p.t[i] = t;
+                p.part[i] = probe.triangle();
+                found[i] = s;
+                any = true;
+            }
+        }
+        return any;
+    }
+
     /** Writes what has been found to the packet's {@code primitive}. */
     void write(RayPacket p) {
         for (int h = 0; h < RayPacket.WIDTH; h += Lanes.COUNT) {
@@ -89,29 +122,64 @@ final class SolidLanes {
         }
     }
 
-    /** One bit for each lane that meets primitive {@code s} at a distance below its {@code limit}. */
-    int below(RayPacket p, int s, int from, int to) {
-        distances(p, s, from, to);
+    /** One bit for each lane of a mask, which is not 0, that meets primitive {@code s} at a distance below its {@code limit}. */
+    int below(RayPacket p, int s, int mask) {
         int index = p.end.indexOf(s);
+        if (primitives.mesh(s) != null) {
+            return meshBelow(p, s, index, mask);
+        }
+        int from = first(mask);
+        int to = end(mask);
+        distances(p, s, from, to);
         if (index >= 0) {
             distancesToLight(p, s, index, from, to);
         }
-        int mask = 0;
+        int met = 0;
         for (int h = from; h < to; h += Lanes.COUNT) {
             DoubleVector limit = fromArray(SPECIES, p.limit, h);
             VectorMask<Double> below = fromArray(SPECIES, own, h).compare(LT, limit);
-            mask |= (int) below.toLong() << h;
+            met |= (int) below.toLong() << h;
         }
-        return mask;
+        return met & mask;
     }
 
-    /** Writes {@code t} of those lanes of {@code mask} whose primitive is {@code s}; returns which they are. */
-    int distances(RayPacket p, int s, int mask, int from, int to) {
+    private int meshBelow(RayPacket p, int s, int index, int mask) {
+        int met = 0;
+        for (int left = mask; left != 0; left &= left - 1) {
+            int i = Integer.numberOfTrailingZeros(left);
+            boolean ends = index >= 0 && p.end.touches(index, p.ox[i], p.oy[i], p.oz[i]);
+            primitives.enter(probe, s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i], ends);
+            met |= (probe.blocked(p.limit[i]) ? 1 : 0) << i;
+        }
+        return met;
+    }
+
+    /** Writes {@code t} and {@code part} of those lanes of {@code mask} whose primitive is {@code s}; returns which they are. */
+    int distances(RayPacket p, int s, int mask) {
+        if (primitives.mesh(s) != null) {
+            return meshDistances(p, s, mask);
+        }
+        int from = first(mask);
+        int to = end(mask);
         distances(p, s, from, to);
         int done = 0;
         for (int i = from; i < to; i++) {
             if ((mask >>> i & 1) != 0 && p.primitive[i] == s) {
                 p.t[i] = own[i];
+                done |= 1 << i;
+            }
+        }
+        return done;
+    }
+
+    private int meshDistances(RayPacket p, int s, int mask) {
+        int done = 0;
+        for (int left = mask; left != 0; left &= left - 1) {
+            int i = Integer.numberOfTrailingZeros(left);
+            if (p.primitive[i] == s) {
+                primitives.enter(probe, s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]);
+                p.t[i] = probe.nearest(Form.MISS);
+                p.part[i] = probe.triangle();
                 done |= 1 << i;
             }
         }

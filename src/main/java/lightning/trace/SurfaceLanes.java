@@ -33,6 +33,7 @@ final class SurfaceLanes {
     private final double[] y = new double[RayPacket.WIDTH];
     private final double[] z = new double[RayPacket.WIDTH];
     private final PointLanes points = new PointLanes();
+    private final Surface surface = new Surface();
 
     SurfaceLanes(PrimitiveTable primitives) {
         this.primitives = primitives;
@@ -50,13 +51,33 @@ final class SurfaceLanes {
             for (int h = 0; h < RayPacket.WIDTH; h += Lanes.COUNT) {
                 VectorMask<Integer> same = IntVector.fromArray(INTS, p.primitive, h).compare(EQ, s);
                 int mask = (int) same.toLong();
-                if (mask != 0) {
+                if (mask != 0 && primitives.mesh(s) != null) {
+                    mesh(p, s, h, mask & left >>> h, out);
+                    left &= ~(mask << h);
+                } else if (mask != 0) {
                     left &= ~(mask << h);
                     ownPoints(s, h);
                     KindLanes.outward(primitives.kind(s), primitives.data, primitives.at[s], points, h);
                     store(p, s, h, mask, out);
                 }
             }
+        }
+    }
+
+    /** The surfaces of a mesh, one lane after the other. */
+    private void mesh(RayPacket p, int s, int h, int lanes, SurfacePacket out) {
+        for (int left = lanes; left != 0; left &= left - 1) {
+            int i = h + Integer.numberOfTrailingZeros(left);
+            surface.at(primitives, s, p.part[i], p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i], p.t[i]);
+            out.ownX[i] = surface.ownX;
+            out.ownY[i] = surface.ownY;
+            out.ownZ[i] = surface.ownZ;
+            out.px[i] = surface.px;
+            out.py[i] = surface.py;
+            out.pz[i] = surface.pz;
+            out.nx[i] = surface.nx;
+            out.ny[i] = surface.ny;
+            out.nz[i] = surface.nz;
         }
     }
 

@@ -87,8 +87,8 @@ class EffectsTest {
     }
 
     @Test
-    void bird_callsForAllButSeveralSamplesAndFrustums() throws Exception {
+    void bird_callsForAllButSeveralSamplesFrustumsAndMeshes() throws Exception {
         assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.ANTIALIASING,
-                Effect.FRUSTUMS);
+                Effect.FRUSTUMS, Effect.MESHES);
     }
 }

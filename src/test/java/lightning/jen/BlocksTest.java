@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import lightning.mesh.Mesh;
 import lightning.scene.Texture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -26,6 +27,19 @@ class BlocksTest {
         return types().flatMap(t -> t.properties().stream().filter(p -> p.form() == Property.Form.NUMBERS)
                 .flatMap(p -> java.util.stream.IntStream.range(0, p.count()).mapToObj(i -> new Case(t, p, i))));
     }
+
+    /** As if every file were there. */
+    private static final SceneFiles FILES = new SceneFiles() {
+        @Override
+        public Texture texture(String file) {
+            return new Texture(1, 1, new float[3]);
+        }
+
+        @Override
+        public Mesh mesh(String file, String part) {
+            return new Mesh(new float[0], new int[0], null, null, null);
+        }
+    };
 
     static Stream<BlockType<?>> types() {
         return Blocks.KEYWORDS.stream().map(k -> Blocks.of(k).orElseThrow());
@@ -73,18 +87,18 @@ class BlocksTest {
                 case Value.Word(String word) -> p.checkWord(word);
                 case Value.Name(String name) -> lightning.scene.Limits.name(name);
                 case Value.Quoted q -> p.checkTogether(q);
-                case Value.Absent a -> assertThat(p.name()).isEqualTo("texture");
+                case Value.Absent a -> assertThat(p.name()).isIn("texture", Blocks.FILE, Blocks.PART);
             }
         }));
     }
 
     @Test
     void initialBlocks_buildTheDefaultsOfTheScene() {
-        assertThat(Blocks.PICTURE.builder().build("", new Values(Blocks.PICTURE.initials(), f -> null), List.of()))
+        assertThat(Blocks.PICTURE.builder().build("", new Values(Blocks.PICTURE.initials(), FILES), List.of()))
                 .isEqualTo(lightning.scene.Picture.DEFAULT);
-        assertThat(Blocks.CAMERA.builder().build("", new Values(Blocks.CAMERA.initials(), f -> null), List.of()))
+        assertThat(Blocks.CAMERA.builder().build("", new Values(Blocks.CAMERA.initials(), FILES), List.of()))
                 .isEqualTo(lightning.scene.Camera.DEFAULT);
-        assertThat(Blocks.MATERIAL.builder().build("default", new Values(Blocks.MATERIAL.initials(), f -> null), List.of()))
+        assertThat(Blocks.MATERIAL.builder().build("default", new Values(Blocks.MATERIAL.initials(), FILES), List.of()))
                 .isEqualTo(lightning.scene.Material.DEFAULT);
     }
 
@@ -94,6 +108,7 @@ class BlocksTest {
         if (c.type == Blocks.MATERIAL) {
             values.put("texture", new Value.Quoted("a.png"));
         }
+        values.put(Blocks.FILE, new Value.Quoted("a.ply"));
         if (c.type == Blocks.CAMERA) {
             // So that no single number puts the view along the up direction.
             values.put("from", Value.of(3, 5, 10));
@@ -102,6 +117,6 @@ class BlocksTest {
         List<Double> numbers = new ArrayList<>(((Value.Numbers) values.get(c.property.name())).all());
         numbers.set(c.index, v);
         values.put(c.property.name(), new Value.Numbers(numbers));
-        return c.type.builder().build("name", new Values(values, f -> new Texture(1, 1, new float[3])), List.of());
+        return c.type.builder().build("name", new Values(values, FILES), List.of());
     }
 }

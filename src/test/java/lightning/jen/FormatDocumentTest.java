@@ -38,6 +38,7 @@ class FormatDocumentTest {
     @MethodSource("examples")
     void everyExample_isReadAndWrittenBack(String example) throws Exception {
         ImageIO.write(new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB), "png", folder.resolve("wood.png").toFile());
+        Files.writeString(folder.resolve("statue.ply"), MeshTextTest.TRIANGLE);
         String text = example.startsWith("jen") ? example : "jen 1\n" + example;
         JenDocument document = JenReader.read(text, "docs/jen-format.md", folder);
         assertThat(document.text()).isEqualTo(text);
@@ -68,7 +69,8 @@ class FormatDocumentTest {
 
     @Test
     void everyLimit_isStated() throws IOException {
-        for (int limit : List.of(JenLimits.TOKENS, JenLimits.TOKEN_LENGTH, JenLimits.PROBLEMS, JenLimits.TEXTURES,
+        for (int limit : List.of(JenLimits.MESHES, JenLimits.TRIANGLES, JenLimits.TOKENS, JenLimits.TOKEN_LENGTH, JenLimits.PROBLEMS,
+                JenLimits.TEXTURES,
                 JenLimits.TEXTURE_SIDE, Limits.MAX_LIGHTS, Limits.MAX_SHAPES, Limits.MAX_MATERIALS, Limits.MAX_NESTING)) {
             assertThat(page()).contains("| " + limit + " |");
         }

@@ -5,14 +5,23 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lightning.jen.JenReader;
 import lightning.math.Transform;
 import lightning.math.Vec3;
+import lightning.sample.Meshes;
 import lightning.sample.SceneArbitraries;
 import lightning.scene.Attenuation;
+import lightning.scene.Camera;
+import lightning.scene.Node;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.scene.World;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
@@ -65,6 +74,19 @@ class PovSceneTest {
     void nameOfTheFile_isInNoWayPartOfTheSyntax() throws Exception {
         PovScene pov = PovScene.of(JenReader.read(Path.of("scenes/bird.jen")).scene(), "a\"b\\c\nd");
         assertThat(pov.text()).doesNotContain("a\"b", "\\c");
+    }
+
+    @Test
+    void meshes_areDeclaredOnce() {
+        Solid.Triangles cube = Meshes.solid(Meshes.cube());
+        List<Node> nodes =
+                List.of(new Shape(cube, "one", "default", Placement.IDENTITY), new Shape(cube, "two", "default", Placement.IDENTITY),
+                        new Shape(Meshes.solid(Meshes.ball(3, 4, true)), "three", "default", Placement.IDENTITY));
+        PovScene pov = PovScene.of(new Scene(Picture.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(), nodes, List.of()), "x");
+        assertThat(pov.text()).containsOnlyOnce("#declare mesh_0 = mesh2 {\n  vertex_vectors { 8,\n    <-1.0,-1.0,-1.0>,")
+                .containsOnlyOnce("  face_indices { 12,\n    <0,2,1>,").containsOnlyOnce("normal_vectors { 10,")
+                .contains("// two\nobject { mesh_0\n", "// three\nobject { mesh_1\n");
+        assertThat(pov.losses()).isEmpty();
     }
 
     @Test

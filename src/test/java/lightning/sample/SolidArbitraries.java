@@ -7,13 +7,14 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 import net.jqwik.api.Tuple;
 
-/** Solids of all kinds, with and without caps; tops of frustums mostly ordinary, else from 10⁻¹² to 10⁶ or next to 1. */
+/** Solids of all kinds and meshes, with and without caps; tops of frustums mostly ordinary, else from 10⁻¹² to 10⁶ or next to 1. */
 public final class SolidArbitraries {
     private SolidArbitraries() {}
 
     public static Arbitrary<Solid> solids() {
         return Arbitraries.frequencyOf(
                 Tuple.of(4, Arbitraries.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER, Solid.PLANE)),
+                Tuple.of(3, Arbitraries.of(Meshes.some())),
                 Tuple.of(2, Arbitraries.of(new Solid.Cone(false), new Solid.Cylinder(false))),
                 Tuple.of(2, Combinators.combine(tops(), Arbitraries.of(true, false)).as(Solid.Frustum::new)));
     }

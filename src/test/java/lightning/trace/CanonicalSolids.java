@@ -11,27 +11,27 @@ import lightning.trace.solid.Kind;
 /** The solids of the tests, and distances to them in their own space, without a place in a scene. */
 final class CanonicalSolids {
     /** One of each kind. */
-    static final List<Solid> PLAIN = List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER, Solid.PLANE, Solid.FRUSTUM);
+    static final List<Solid.Canonical> PLAIN = List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER, Solid.PLANE, Solid.FRUSTUM);
     /** Those with an inside. */
-    static final List<Solid> CLOSED = Stream.concat(Stream.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER), frustums(true)).toList();
+    static final List<Solid.Canonical> CLOSED = Stream.concat(Stream.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER), frustums(true)).toList();
     /** Those whose inside is seen. */
-    static final List<Solid> OPEN =
+    static final List<Solid.Canonical> OPEN =
             Stream.concat(Stream.of(new Solid.Cone(false), new Solid.Cylinder(false)), frustums(false)).toList();
-    static final List<Solid> ALL = Stream.of(CLOSED.stream(), OPEN.stream(), Stream.of(Solid.PLANE)).flatMap(s -> s).toList();
+    static final List<Solid.Canonical> ALL = Stream.of(CLOSED.stream(), OPEN.stream(), Stream.of(Solid.PLANE)).flatMap(s -> s).toList();
 
     private CanonicalSolids() {}
 
-    private static Stream<Solid> frustums(boolean caps) {
+    private static Stream<Solid.Canonical> frustums(boolean caps) {
         return Stream.of(0.5, 1e-9, 1 - 0x1p-53, 1 + 1e-9, 3.0, 1000.0).map(top -> new Solid.Frustum(top, caps));
     }
 
     /** Those without sharp edges. */
-    static List<Solid> blunt() {
+    static List<Solid.Canonical> blunt() {
         return ALL.stream().filter(s -> top(s) < 10).toList();
     }
 
     /** Any solid, tops of frustums included that only few have. */
-    static Solid any(Random random) {
+    static Solid.Canonical any(Random random) {
         return switch (random.nextInt(7)) {
             case 0, 1, 2 -> PLAIN.get(random.nextInt(4));
             case 3 -> new Solid.Frustum(random.nextInt(4) == 0 ? 1 + Math.scalb(1.0, -random.nextInt(53))
@@ -41,7 +41,7 @@ final class CanonicalSolids {
         };
     }
 
-    static boolean isOpen(Solid solid) {
+    static boolean isOpen(Solid.Canonical solid) {
         return switch (solid) {
             case Solid.Sphere _,Solid.Plane _ -> false;
             case Solid.Cone c -> !c.caps();
@@ -51,7 +51,7 @@ final class CanonicalSolids {
     }
 
     /** The radius of a round solid at y = 1. */
-    static double top(Solid solid) {
+    static double top(Solid.Canonical solid) {
         return switch (solid) {
             case Solid.Sphere _,Solid.Plane _,Solid.Cylinder _ -> 1;
             case Solid.Cone _ -> 0;
@@ -60,7 +60,7 @@ final class CanonicalSolids {
     }
 
     /** A point well inside; the patch's is on it. */
-    static Vec3 middle(Solid solid) {
+    static Vec3 middle(Solid.Canonical solid) {
         return switch (solid) {
             case Solid.Sphere _ -> new Vec3(0.1, 0.2, -0.1);
             case Solid.Cone _ -> new Vec3(0.1, 0.3, 0.1);
@@ -70,7 +70,7 @@ final class CanonicalSolids {
         };
     }
 
-    private static double[] data(Solid solid) {
+    private static double[] data(Solid.Canonical solid) {
         double[] numbers = Kind.numbers(solid);
         double[] data = new double[Form.MAP + numbers.length];
         System.arraycopy(numbers, 0, data, Form.MAP, numbers.length);
@@ -78,13 +78,13 @@ final class CanonicalSolids {
     }
 
     /** Whether a point belongs to the round side. */
-    static boolean isSide(Solid solid, double x, double y, double z) {
+    static boolean isSide(Solid.Canonical solid, double x, double y, double z) {
         double[] out = new double[3];
         Kind.of(solid).form().outward(data(solid), 0, x, y, z, out);
         return out[0] != 0 || out[2] != 0;
     }
 
-    static double distance(Solid solid, double ox, double oy, double oz, double dx, double dy, double dz) {
+    static double distance(Solid.Canonical solid, double ox, double oy, double oz, double dx, double dy, double dz) {
         return Kind.of(solid).form().distance(data(solid), 0, ox, oy, oz, dx, dy, dz);
     }
 

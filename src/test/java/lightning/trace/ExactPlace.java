@@ -9,10 +9,10 @@ import lightning.scene.Placement;
 import lightning.scene.Solid;
 
 /** A shape in groups, of scales from 10⁻⁶ to 10⁶, and a camera, with numbers of many digits. */
-record ExactPlace(Solid solid, List<Placement> placements, Vec3 camera, ExactPlacement exact, Geometry geometry) {
+record ExactPlace(Solid.Canonical solid, List<Placement> placements, Vec3 camera, ExactPlacement exact, Geometry geometry) {
     private static final double[] SCALES = {1e-6, 1e-3, 0.37, 1, 1, 7, 1e3, 1e6};
 
-    static ExactPlace random(Solid solid, Random random) {
+    static ExactPlace random(Solid.Canonical solid, Random random) {
         while (true) {
             List<Placement> placements = new ArrayList<>();
             for (int g = random.nextInt(3); g >= 0; g--) {
@@ -37,7 +37,7 @@ record ExactPlace(Solid solid, List<Placement> placements, Vec3 camera, ExactPla
         }
     }
 
-    static ExactPlace at(Solid solid, List<Placement> placements, Vec3 camera) {
+    static ExactPlace at(Solid.Canonical solid, List<Placement> placements, Vec3 camera) {
         return new ExactPlace(solid, placements, camera, new ExactPlacement(placements),
                 new Geometry(TraceScenes.one(solid, placements, camera)));
     }

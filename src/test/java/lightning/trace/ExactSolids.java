@@ -53,7 +53,7 @@ final class ExactSolids {
      * @param t      what was computed, {@code +∞} for a miss
      * @param margin how much the solid may be grown or shrunk, own units
      */
-    static String complaint(Solid solid, BigDecimal[] o, BigDecimal[] d, double t, double margin) {
+    static String complaint(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, double t, double margin) {
         if (CanonicalSolids.isOpen(solid)) {
             return openComplaint(solid, o, d, t, new BigDecimal(margin));
         }
@@ -79,7 +79,7 @@ final class ExactSolids {
     }
 
     /** The same for a side alone, which is crossed between the ends of the shrunk interval and those of the grown one. */
-    private static String openComplaint(Solid solid, BigDecimal[] o, BigDecimal[] d, double t, BigDecimal margin) {
+    private static String openComplaint(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, double t, BigDecimal margin) {
         Interval grown = side(solid, o, d, margin);
         Interval shrunk = side(solid, o, d, margin.negate());
         Interval rims = rims(o, d, margin.negate());
@@ -102,7 +102,7 @@ final class ExactSolids {
     }
 
     /** Where a ray is inside the solid grown by a margin. */
-    static Interval inside(Solid solid, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
+    static Interval inside(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
         if (solid instanceof Solid.Sphere) {
             BigDecimal radius = BigDecimal.ONE.add(grow);
             return between(dot(d, d), dot(o, d).negate(), dot(o, o).subtract(square(radius)));
@@ -111,7 +111,7 @@ final class ExactSolids {
     }
 
     /** Where a ray is within the endless side of a round solid, grown by a margin at a right angle to it or, up to a cone, along x and z. */
-    static Interval side(Solid solid, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
+    static Interval side(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
         BigDecimal lean = BigDecimal.ONE.subtract(new BigDecimal(CanonicalSolids.top(solid)));
         BigDecimal base = BigDecimal.ONE.add(grow.multiply(lean.abs().max(BigDecimal.ONE)));
         return solid instanceof Solid.Cylinder
@@ -121,7 +121,7 @@ final class ExactSolids {
     }
 
     /** Where a ray is inside what {@link lightning.trace.solid.Form} takes as convex: the solid or, without caps, its endless side. */
-    static Interval convex(Solid solid, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
+    static Interval convex(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
         return CanonicalSolids.isOpen(solid) ? side(solid, o, d, grow) : inside(solid, o, d, grow);
     }
 

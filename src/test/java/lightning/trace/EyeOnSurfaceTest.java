@@ -25,7 +25,7 @@ class EyeOnSurfaceTest {
 
     @ParameterizedTest
     @MethodSource("lightning.trace.CanonicalSolids#blunt")
-    void surfaceUnderTheEye_hidesNothing(Solid solid) {
+    void surfaceUnderTheEye_hidesNothing(Solid.Canonical solid) {
         Random random = new Random(CanonicalSolids.ALL.indexOf(solid));
         for (int n = 0; n < PLACES; n++) {
             ExactPlace any = ExactPlace.random(solid, random);

@@ -9,14 +9,14 @@ enum HardRay {
     /** From anywhere, up to 10⁸ away, to any point about the solid. */
     FROM_AFAR {
         @Override
-        Ray make(Solid solid, Random random) {
+        Ray make(Solid.Canonical solid, Random random) {
             return towards(inBox(solid, random), direction(random), distance(random));
         }
     },
     /** Across the silhouette, nearer and nearer to it. */
     TANGENT {
         @Override
-        Ray make(Solid solid, Random random) {
+        Ray make(Solid.Canonical solid, Random random) {
             Vec3 p = onSurface(solid, random);
             Vec3 n = normal(solid, p);
             Vec3 along = n.cross(direction(random)).normalized();
@@ -27,7 +27,7 @@ enum HardRay {
     /** Along the axes, with zeros of both signs. */
     ALONG_AN_AXIS {
         @Override
-        Ray make(Solid solid, Random random) {
+        Ray make(Solid.Canonical solid, Random random) {
             double[] d = {random.nextBoolean() ? 0.0 : -0.0, random.nextBoolean() ? 0.0 : -0.0, random.nextBoolean() ? 0.0 : -0.0};
             d[random.nextInt(3)] = sign(random);
             Vec3 to = random.nextBoolean() ? inBox(solid, random) : onSurface(solid, random);
@@ -37,7 +37,7 @@ enum HardRay {
     /** Almost along the axis, inside and outside. */
     ALMOST_PARALLEL {
         @Override
-        Ray make(Solid solid, Random random) {
+        Ray make(Solid.Canonical solid, Random random) {
             double tilt = Math.scalb(1.0, -random.nextInt(120));
             Vec3 d = new Vec3(tilt * (random.nextDouble() - 0.5), sign(random), tilt * (random.nextDouble() - 0.5));
             double r = random.nextInt(3) == 0 ? 1 + sign(random) * Math.scalb(random.nextDouble(), -random.nextInt(56))
@@ -48,7 +48,7 @@ enum HardRay {
     /** Through the apex or past it. */
     THROUGH_THE_APEX {
         @Override
-        Ray make(Solid solid, Random random) {
+        Ray make(Solid.Canonical solid, Random random) {
             double past = random.nextInt(3) == 0 ? 0 : Math.scalb(1.0, -random.nextInt(60));
             return towards(Vec3.Y.plus(direction(random).times(past)), direction(random), distance(random));
         }
@@ -56,7 +56,7 @@ enum HardRay {
     /** Along a generator of the side, on it, beside it, and tilted against it. */
     ALONG_A_GENERATOR {
         @Override
-        Ray make(Solid solid, Random random) {
+        Ray make(Solid.Canonical solid, Random random) {
             Vec3 foot = random.nextBoolean() ? new Vec3(0, 0, sign(random)) : ring(random);
             Vec3 d = onTop(solid, foot).minus(foot);
             double tilt = random.nextInt(3) == 0 ? 0 : Math.scalb(1.0, -random.nextInt(60));
@@ -68,7 +68,7 @@ enum HardRay {
     /** Where cap and side meet. */
     NEAR_A_RIM {
         @Override
-        Ray make(Solid solid, Random random) {
+        Ray make(Solid.Canonical solid, Random random) {
             double past = random.nextInt(4) == 0 ? 0 : Math.scalb(1.0, -random.nextInt(60));
             Vec3 foot = ring(random);
             Vec3 p = (random.nextBoolean() ? foot : onRim(solid, foot)).plus(direction(random).times(past));
@@ -78,7 +78,7 @@ enum HardRay {
     /** In the plane of a cap, or of the patch, and almost. */
     IN_THE_PLANE {
         @Override
-        Ray make(Solid solid, Random random) {
+        Ray make(Solid.Canonical solid, Random random) {
             double tilt = random.nextBoolean() ? 0 : Math.scalb(1.0, -random.nextInt(120));
             double above = random.nextBoolean() ? 0 : sign(random) * Math.scalb(1.0, -random.nextInt(60));
             Vec3 d = ring(random).plus(new Vec3(0, tilt * sign(random), 0));
@@ -88,29 +88,29 @@ enum HardRay {
     /** From the surface itself, in all directions. */
     FROM_THE_SURFACE {
         @Override
-        Ray make(Solid solid, Random random) {
+        Ray make(Solid.Canonical solid, Random random) {
             return new Ray(onSurface(solid, random), direction(random));
         }
     },
     /** From inside. */
     FROM_WITHIN {
         @Override
-        Ray make(Solid solid, Random random) {
+        Ray make(Solid.Canonical solid, Random random) {
             return new Ray(onSurface(solid, random).times(0.999 * random.nextDouble()), direction(random));
         }
     };
 
     /** A ray with a direction of length 1. */
-    abstract Ray make(Solid solid, Random random);
+    abstract Ray make(Solid.Canonical solid, Random random);
 
     /** The same with a direction of any length that tracers promise to take. */
-    Ray unnormalised(Solid solid, Random random) {
+    Ray unnormalised(Solid.Canonical solid, Random random) {
         Ray ray = make(solid, random);
         return new Ray(ray.origin(), ray.direction().times(Math.pow(10, 60 * random.nextDouble() - 30)));
     }
 
     /** Where the side's generator from a point of the base's rim ends. */
-    private static Vec3 onTop(Solid solid, Vec3 foot) {
+    private static Vec3 onTop(Solid.Canonical solid, Vec3 foot) {
         return switch (solid) {
             case Solid.Sphere _,Solid.Plane _,Solid.Cone _,Solid.Cylinder _ -> Vec3.Y;
             case Solid.Frustum f -> foot.times(f.top()).plus(Vec3.Y);
@@ -118,14 +118,14 @@ enum HardRay {
     }
 
     /** The point of the upper rim over one of the base's. */
-    private static Vec3 onRim(Solid solid, Vec3 foot) {
+    private static Vec3 onRim(Solid.Canonical solid, Vec3 foot) {
         return switch (solid) {
             case Solid.Sphere _,Solid.Plane _,Solid.Cone _,Solid.Cylinder _ -> foot.plus(Vec3.Y);
             case Solid.Frustum f -> foot.times(f.top()).plus(Vec3.Y);
         };
     }
 
-    static Vec3 onSurface(Solid solid, Random random) {
+    static Vec3 onSurface(Solid.Canonical solid, Random random) {
         Vec3 ring = ring(random);
         double h = random.nextDouble();
         double r = Math.sqrt(random.nextDouble());
@@ -144,7 +144,7 @@ enum HardRay {
         };
     }
 
-    private static Vec3 normal(Solid solid, Vec3 p) {
+    private static Vec3 normal(Solid.Canonical solid, Vec3 p) {
         Vec3 out = new Vec3(p.x(), 0, p.z());
         return switch (solid) {
             case Solid.Sphere _ -> p;
@@ -160,7 +160,7 @@ enum HardRay {
         return new Ray(to.minus(d.times(distance)), d);
     }
 
-    private static Vec3 inBox(Solid solid, Random random) {
+    private static Vec3 inBox(Solid.Canonical solid, Random random) {
         double wide = Math.max(1, CanonicalSolids.top(solid));
         return new Vec3(wide * (2.4 * random.nextDouble() - 1.2), 2.4 * random.nextDouble() - 1.2,
                 wide * (2.4 * random.nextDouble() - 1.2));

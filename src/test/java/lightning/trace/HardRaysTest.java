@@ -27,10 +27,10 @@ class HardRaysTest {
     /** How many of them, of the distance from the ray's origin to the shape's, an answer may be off. */
     private static final double ULPS = 8;
     private static final int RAYS = 10;
-    static final List<Solid> TEXTBOOK = List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER);
+    static final List<Solid.Canonical> TEXTBOOK = List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER);
 
     @Provide
-    Arbitrary<Solid> solids() {
+    Arbitrary<Solid.Canonical> solids() {
         return Arbitraries.of(Stream.concat(CanonicalSolids.CLOSED.stream(), CanonicalSolids.OPEN.stream()).toList());
     }
 
@@ -42,7 +42,7 @@ class HardRaysTest {
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
-    void canonicalSolid_isMetWhereItIs(@ForAll HardRay hard, @ForAll("solids") Solid solid, @ForAll Random random) {
+    void canonicalSolid_isMetWhereItIs(@ForAll HardRay hard, @ForAll("solids") Solid.Canonical solid, @ForAll Random random) {
         for (int n = 0; n < RAYS; n++) {
             Ray ray = hard.unnormalised(solid, random);
             Vec3 o = ray.origin();
@@ -52,7 +52,7 @@ class HardRaysTest {
         }
     }
 
-    private static String complaint(Solid solid, Ray ray, double t) {
+    private static String complaint(Solid.Canonical solid, Ray ray, double t) {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
         double margin = ULPS * ULP * Math.max(1, o.length());
@@ -62,7 +62,7 @@ class HardRaysTest {
     /** The contrast, and the proof that these rays tell good formulas from bad ones. */
     @ParameterizedTest
     @FieldSource("TEXTBOOK")
-    void textbookFormulas_failOnEveryKindOfSolid(Solid solid) {
+    void textbookFormulas_failOnEveryKindOfSolid(Solid.Canonical solid) {
         Random random = new Random(1);
         int wrong = 0;
         for (int n = 0; n < 1000; n++) {
@@ -75,7 +75,7 @@ class HardRaysTest {
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
-    void placedSolid_isMetWhereItIs(@ForAll HardRay hard, @ForAll("solids") Solid solid, @ForAll("scales") Vec3 scale,
+    void placedSolid_isMetWhereItIs(@ForAll HardRay hard, @ForAll("solids") Solid.Canonical solid, @ForAll("scales") Vec3 scale,
             @ForAll Random random) {
         Vec3 at = HardRay.direction(random).times(random.nextInt(3) == 0 ? 0 : Math.pow(10, 8 * random.nextDouble()));
         Vec3 camera = random.nextBoolean() ? Vec3.ZERO : at.plus(HardRay.direction(random).times(scale.maxAbs()));

@@ -21,7 +21,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * each shape and place.
  */
 class LeavingRaysTest {
-    private static final List<Solid> SOLIDS = List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER, Solid.PLANE, Solid.FRUSTUM,
+    private static final List<Solid.Canonical> SOLIDS = List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER, Solid.PLANE, Solid.FRUSTUM,
             new Solid.Frustum(2, true));
 
     private static final int POINTS = Integer.getInteger("lightning.points", 10_000);
@@ -79,7 +79,7 @@ class LeavingRaysTest {
     @ParameterizedTest
     @MethodSource("rooms")
     void raysFromPointsSeenFromWithin_stayWithin(Vec3 scale) {
-        for (Solid solid : List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER, Solid.FRUSTUM)) {
+        for (Solid.Canonical solid : List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER, Solid.FRUSTUM)) {
             for (double turn : new double[] {0, 37}) {
                 Vec3 rotate = new Vec3(turn, 2 * turn, -turn);
                 Vec3 camera = new Placement(Vec3.ZERO, rotate, scale).transform().point(CanonicalSolids.middle(solid));
@@ -101,7 +101,7 @@ class LeavingRaysTest {
     @ParameterizedTest
     @ValueSource(doubles = {1e3, 1e7, 1e10})
     void raysFromPointsSeenInAFarMirror_leave(double far) {
-        for (Solid solid : SOLIDS) {
+        for (Solid.Canonical solid : SOLIDS) {
             Placement placement = new Placement(new Vec3(0.5, -1, -2), new Vec3(37, 74, -37), Vec3.ONE);
             look(solid, placement, new Vec3(far, 0.6 * far, -0.8 * far),
                     (geometry, from, normal) -> acne += geometry.distance(0, new Ray(from, away(normal))) < Form.MISS ? 1 : 0);
@@ -132,7 +132,7 @@ class LeavingRaysTest {
     }
 
     private void lookFromOutside(Vec3 scale, Vec3 at) {
-        for (Solid solid : SOLIDS) {
+        for (Solid.Canonical solid : SOLIDS) {
             for (double turn : new double[] {0, 37}) {
                 Placement placement = new Placement(new Vec3(at.x() * scale.x(), at.y() * scale.y(), at.z() * scale.z()),
                         new Vec3(turn, 2 * turn, -turn), scale);
@@ -150,7 +150,7 @@ class LeavingRaysTest {
     }
 
     /** Looks from a point at points of the shape. */
-    private void look(Solid solid, Placement placement, Vec3 eye, Leaver leaver) {
+    private void look(Solid.Canonical solid, Placement placement, Vec3 eye, Leaver leaver) {
         Geometry geometry = new Geometry(TraceScenes.one(solid, placement, Vec3.ZERO, new Vec3(0, 0, -1)));
         Transform map = placement.transform();
         for (int n = 0; n < POINTS; n++) {

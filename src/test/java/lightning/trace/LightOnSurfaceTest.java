@@ -23,7 +23,7 @@ class LightOnSurfaceTest {
     private int clear;
     private int open;
 
-    static Vec3 lightOn(Solid solid, Random random) {
+    static Vec3 lightOn(Solid.Canonical solid, Random random) {
         if (CanonicalSolids.isOpen(solid)) {
             return random.nextInt(4) == 0 ? new Vec3(1, 0, 0) : HardRay.onSurface(solid, random);
         }
@@ -42,7 +42,7 @@ class LightOnSurfaceTest {
 
     @ParameterizedTest
     @MethodSource("lightning.trace.CanonicalSolids#blunt")
-    void surfaceUnderTheLight_doesNotComeBetween(Solid solid) {
+    void surfaceUnderTheLight_doesNotComeBetween(Solid.Canonical solid) {
         Random random = new Random(CanonicalSolids.ALL.indexOf(solid));
         for (int n = 0; n < PLACES; n++) {
             ExactPlace place = ExactPlace.random(solid, random);
@@ -67,7 +67,7 @@ class LightOnSurfaceTest {
     /** Well off the surface, the surface is one like any other. */
     @ParameterizedTest
     @MethodSource("lightning.trace.CanonicalSolids#blunt")
-    void surfaceBesideTheLight_doesComeBetween(Solid solid) {
+    void surfaceBesideTheLight_doesComeBetween(Solid.Canonical solid) {
         Random random = new Random(CanonicalSolids.ALL.indexOf(solid));
         for (int n = 0; n < PLACES; n++) {
             ExactPlace place = ExactPlace.random(solid, random);
@@ -131,7 +131,7 @@ class LightOnSurfaceTest {
         assertThat(new PacketTracer(place.geometry()).blocked(p, RayPacket.WIDTH)).isEqualTo(answer ? -1 >>> -RayPacket.WIDTH : 0);
     }
 
-    private static int onSurface(Solid solid, BigDecimal[] row, BigDecimal[] light, double error) {
+    private static int onSurface(Solid.Canonical solid, BigDecimal[] row, BigDecimal[] light, double error) {
         if (solid.equals(Solid.PLANE)) {
             return -1;
         }
@@ -155,7 +155,7 @@ class LightOnSurfaceTest {
                 && (!open || ExactSolids.isBetweenRims(row, d, grown.in(), core.in(), error)) ? 1 : 0;
     }
 
-    private static int offSurface(Solid solid, BigDecimal[] row, BigDecimal[] light, double error) {
+    private static int offSurface(Solid.Canonical solid, BigDecimal[] row, BigDecimal[] light, double error) {
         BigDecimal[] d = minus(light, row);
         if (solid.equals(Solid.PLANE)) {
             return throughThePatch(ExactPlace.doubles(row), ExactPlace.doubles(light), error);
@@ -174,7 +174,7 @@ class LightOnSurfaceTest {
         return enters || within && grown.out().compareTo(BigDecimal.ONE) < 0 ? 1 : 0;
     }
 
-    private static int throughTheSide(Solid solid, BigDecimal[] row, BigDecimal[] d, double error) {
+    private static int throughTheSide(Solid.Canonical solid, BigDecimal[] row, BigDecimal[] d, double error) {
         ExactSolids.Interval grown = ExactSolids.side(solid, row, d, new BigDecimal(error));
         ExactSolids.Interval shrunk = ExactSolids.side(solid, row, d, new BigDecimal(-error));
         if (grown.isEmpty()) {

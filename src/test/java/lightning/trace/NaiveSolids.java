@@ -10,7 +10,7 @@ import lightning.trace.solid.Form;
 final class NaiveSolids {
     private NaiveSolids() {}
 
-    static double distance(Solid solid, double ox, double oy, double oz, double dx, double dy, double dz) {
+    static double distance(Solid.Canonical solid, double ox, double oy, double oz, double dx, double dy, double dz) {
         return switch (solid) {
             case Solid.Sphere _ -> sphere(ox, oy, oz, dx, dy, dz);
             case Solid.Cone _ -> cone(ox, oy, oz, dx, dy, dz);

@@ -58,7 +58,7 @@ final class NumericsPictures {
     }
 
     /** Parallel rays against one canonical solid, shaded by its normal. */
-    private static double fromAfar(Solid solid, double[] x, double distance, Vec3 d, boolean naive) {
+    private static double fromAfar(Solid.Canonical solid, double[] x, double distance, Vec3 d, boolean naive) {
         Vec3 right = new Vec3(1, 0, 0);
         Vec3 up = right.cross(d);
         Vec3 middle = solid.equals(Solid.SPHERE) ? Vec3.ZERO : new Vec3(0, 0.4, 0);
@@ -69,7 +69,7 @@ final class NumericsPictures {
             return 0.02;
         }
         Surface surface = new Surface();
-        surface.at(geometry.primitives(), 0, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
+        surface.at(geometry.primitives(), 0, 0, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
         return 0.1 + Math.max(0, TO_LIGHT.dot(new Vec3(surface.nx, surface.ny, surface.nz)));
     }
 

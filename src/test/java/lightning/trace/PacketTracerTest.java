@@ -89,7 +89,8 @@ class PacketTracerTest {
             for (int i = 0; i < live; i++) {
                 assertThat(bits(p.t[i])).isEqualTo(bits(t[i]));
                 if (p.primitive[i] >= 0) {
-                    surface.at(geometry.primitives(), p.primitive[i], p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i], t[i]);
+                    surface.at(geometry.primitives(), p.primitive[i], p.part[i], p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i],
+                            t[i]);
                     assertThat(new long[] {bits(out.ownX[i]), bits(out.ownY[i]), bits(out.ownZ[i]), bits(out.px[i]), bits(out.py[i]),
                         bits(out.pz[i]), bits(out.nx[i]), bits(out.ny[i]), bits(out.nz[i])})
                             .as("%s shape %s", TraceRays.ray(p, i), geometry.shape(p.primitive[i]))

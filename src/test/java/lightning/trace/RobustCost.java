@@ -83,7 +83,7 @@ final class RobustCost {
         return sorted[sorted.length / 2];
     }
 
-    private static double[][] rays(Solid solid) {
+    private static double[][] rays(Solid.Canonical solid) {
         Random random = new Random(CanonicalSolids.PLAIN.indexOf(solid));
         double[][] rays = new double[CASES][];
         for (int i = 0; i < CASES; i++) {

@@ -137,8 +137,8 @@ class SolidsTest {
 
     @Test
     void frustumFromTheSide_isMetWhereItsRadiusGoesFromOneToItsTop() {
-        Solid narrow = new Solid.Frustum(0.5, true);
-        Solid wide = new Solid.Frustum(3, true);
+        Solid.Canonical narrow = new Solid.Frustum(0.5, true);
+        Solid.Canonical wide = new Solid.Frustum(3, true);
         assertThat(CanonicalSolids.distance(narrow, 3, 0.5, 0, -1, 0, 0)).isEqualTo(2.25);
         assertThat(CanonicalSolids.distance(narrow, 3, 1, 0, -1, 0, 0)).isEqualTo(2.5);
         assertThat(CanonicalSolids.distance(narrow, 3, 1.01, 0, -1, 0, 0)).isEqualTo(MISS);
@@ -163,7 +163,7 @@ class SolidsTest {
 
     @Test
     void openCylinder_isSeenThroughAndMetFromWithin() {
-        Solid tube = new Solid.Cylinder(false);
+        Solid.Canonical tube = new Solid.Cylinder(false);
         assertThat(CanonicalSolids.distance(tube, 0, 3, 0, 0, -1, 0)).isEqualTo(MISS);
         assertThat(CanonicalSolids.distance(tube, 0, 0.5, 0, 0, 1, 0)).isEqualTo(MISS);
         assertThat(CanonicalSolids.distance(tube, 0, 0.5, 0, 1, 0, 0)).isEqualTo(1);
@@ -173,7 +173,7 @@ class SolidsTest {
 
     @Test
     void openCone_isMetFromBelowOnItsInside() {
-        Solid hat = new Solid.Cone(false);
+        Solid.Canonical hat = new Solid.Cone(false);
         assertThat(CanonicalSolids.distance(hat, 0.5, -1, 0, 0, 1, 0)).isEqualTo(1.5);
         assertThat(CanonicalSolids.distance(hat, 1.5, -1, 0, 0, 1, 0)).isEqualTo(MISS);
     }

@@ -65,7 +65,7 @@ class SurfaceTest {
     void normal_alwaysFacesTheRay() {
         Random random = new Random(1);
         for (int n = 0; n < 50_000; n++) {
-            Solid solid = CanonicalSolids.ALL.get(n % CanonicalSolids.ALL.size());
+            Solid.Canonical solid = CanonicalSolids.ALL.get(n % CanonicalSolids.ALL.size());
             Ray ray = HardRay.values()[random.nextInt(HardRay.values().length)].make(solid, random);
             Geometry geometry = new Geometry(TraceScenes.one(solid, Placement.IDENTITY, Vec3.ZERO, new Vec3(0, 0, -1)));
             if (geometry.distance(0, ray) < Form.MISS) {
@@ -113,7 +113,7 @@ class SurfaceTest {
         Placement placement = new Placement(new Vec3(0, 0, -far), Vec3.ZERO, new Vec3(size, size, size));
         PrimitiveTable table = new Geometry(TraceScenes.one(Solid.SPHERE, placement, Vec3.ZERO, new Vec3(0, 0, -1))).primitives();
         Surface surface = new Surface();
-        surface.at(table, 0, 0, far, 0, 0, -1, -1, far);
+        surface.at(table, 0, 0, 0, far, 0, 0, -1, -1, far);
         assertThat(new Vec3(surface.nx, surface.ny, surface.nz).minus(new Vec3(0, H, H)).maxAbs()).isLessThan(1e-7);
     }
 

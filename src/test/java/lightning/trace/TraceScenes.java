@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import lightning.math.Vec3;
+import lightning.sample.Meshes;
 import lightning.scene.Camera;
 import lightning.scene.Group;
 import lightning.scene.Material;
@@ -140,7 +141,7 @@ final class TraceScenes {
             Vec3 at = vector(random, Math.pow(10, random.nextInt(6) - 1)).plus(new Vec3(moved, 0, -moved));
             Vec3 turn = random.nextInt(3) == 0 ? new Vec3(90 * random.nextInt(4), 90 * random.nextInt(4), 0) : vector(random, 180);
             Vec3 scale = new Vec3(scale(random), scale(random), scale(random));
-            Solid solid = CanonicalSolids.any(random);
+            Solid solid = random.nextInt(5) == 0 ? Meshes.some().get(random.nextInt(7)) : CanonicalSolids.any(random);
             for (int copy = random.nextInt(8) == 0 ? 2 : 1; copy > 0; copy--) {
                 s.add(solid, at, turn, scale);
             }

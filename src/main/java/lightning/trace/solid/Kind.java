@@ -2,7 +2,7 @@ package lightning.trace.solid;
 
 import lightning.scene.Solid;
 
-/** The kinds of solids that rays can meet: a closed set. */
+/** The kinds of canonical solids that rays can meet: a closed set. */
 public enum Kind {
     SPHERE(new Sphere()),
     CYLINDER(new Cylinder()),
@@ -24,7 +24,7 @@ public enum Kind {
         return ALL[ordinal];
     }
 
-    public static Kind of(Solid solid) {
+    public static Kind of(Solid.Canonical solid) {
         return switch (solid) {
             case Solid.Sphere _ -> SPHERE;
             case Solid.Cone _ -> FRUSTUM;
@@ -35,7 +35,7 @@ public enum Kind {
     }
 
     /** The numbers of a solid of its own, as its {@link Form} expects them behind its map. */
-    public static double[] numbers(Solid solid) {
+    public static double[] numbers(Solid.Canonical solid) {
         return switch (solid) {
             case Solid.Sphere _ -> NONE;
             case Solid.Cone c -> round(0, c.caps());

@@ -1,0 +1,61 @@
+package lightning.jen;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import lightning.mesh.Mesh;
+import lightning.scene.Group;
+import lightning.scene.Node;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
+import lightning.text.Quote;
+
+/**
+ * The files that a scene already holds, and others of a folder.
+ *
+ * @param folder where other files are looked for, as if the scene file were in it; empty where none is read
+ */
+record HeldFiles(Scene scene, Optional<Path> folder) implements SceneFiles {
+    @Override
+    public Texture texture(String file) {
+        Optional<Texture> held = scene.materials().stream().flatMap(m -> m.texture().stream()).filter(t -> t.file().equals(file))
+                .map(TextureMap::image).findFirst();
+        return held.orElseGet(() -> read("texture", file, f -> new TextureFolder(f).load(file)));
+    }
+
+    @Override
+    public Mesh mesh(String file, String part) {
+        Mesh held = held(scene.nodes(), file, part);
+        return held != null ? held : read("file", file, f -> new MeshFolder(f).load(file, part));
+    }
+
+    private static Mesh held(List<Node> nodes, String file, String part) {
+        for (Node node : nodes) {
+            Mesh held = switch (node) {
+                case Group g -> held(g.children(), file, part);
+                case Shape s -> s.solid() instanceof Solid.Triangles t && t.file().equals(file) && t.part().equals(part) ? t.mesh() : null;
+            };
+            if (held != null) {
+                return held;
+            }
+        }
+        return null;
+    }
+
+    private interface Reader<T> {
+        T read(Path folder) throws UnusableFileException;
+    }
+
+    private <T> T read(String property, String file, Reader<T> reader) {
+        Path from = folder.orElseThrow(() -> new IllegalArgumentException(
+                property + " must be one that the scene already has, was " + Quote.of(file)));
+        try {
+            return reader.read(from);
+        } catch (UnusableFileException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
+    }
+}

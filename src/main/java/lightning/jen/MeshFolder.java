@@ -1,0 +1,91 @@
+package lightning.jen;
+
+import java.io.IOException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import lightning.mesh.Mesh;
+import lightning.mesh.MeshException;
+import lightning.mesh.Part;
+import lightning.mesh.file.MeshFiles;
+import lightning.text.Quote;
+import lightning.work.Progress;
+
+/**
+ * Finds the meshes of one scene: beside its file or in {@code meshes/} ({@link FileFolders}). Each file is read once, and what
+ * several shapes show is one mesh.
+ */
+final class MeshFolder {
+    static final String NAME = "meshes";
+
+    private final FileFolders folders;
+    private final Map<Path, List<Part>> read = new HashMap<>();
+    private final Map<Path, Mesh> joined = new HashMap<>();
+    private long triangles;
+
+    /** @param scene the folder that holds the scene file */
+    MeshFolder(Path scene) {
+        folders = new FileFolders(scene, "mesh file", NAME);
+    }
+
+    /**
+     * A mesh.
+     *
+     * @param part the name of a part of the file; empty for all that it holds
+     * @throws UnusableFileException if there is no such file inside the folders, if a link leads out of them, if it is none that can
+     *                               be read, beyond {@link JenLimits} or has no such part
+     */
+    Mesh load(String file, String part) throws UnusableFileException {
+        try {
+            Path path = folders.find(file);
+            List<Part> parts = read.get(path);
+            if (parts == null) {
+                parts = read(file, path);
+                read.put(path, parts);
+            }
+            return part.isEmpty() ? whole(path, parts) : named(file, part, parts);
+        } catch (IOException | InvalidPathException | SecurityException e) {
+            throw new UnusableFileException("mesh file " + Quote.of(file) + " cannot be read: " + e.getMessage());
+        } catch (IllegalArgumentException | MeshException e) {
+            throw new UnusableFileException(e.getMessage());
+        }
+    }
+
+    private List<Part> read(String file, Path path) throws UnusableFileException, IOException, MeshException {
+        if (read.size() == JenLimits.MESHES) {
+            throw new UnusableFileException("a scene may have at most " + JenLimits.MESHES + " mesh files, found another, "
+                    + Quote.of(file));
+        }
+        List<Part> parts = MeshFiles.read(path, Progress.NONE);
+        triangles += parts.stream().mapToLong(p -> p.mesh().triangleCount()).sum();
+        if (triangles > JenLimits.TRIANGLES) {
+            throw new UnusableFileException("mesh file " + Quote.of(file) + " is one too many: all meshes together must have at most "
+                    + JenLimits.TRIANGLES + " triangles");
+        }
+        return parts;
+    }
+
+    private Mesh whole(Path path, List<Part> parts) throws UnusableFileException {
+        if (parts.size() == 1) {
+            return parts.getFirst().mesh();
+        }
+        Mesh known = joined.get(path);
+        if (known == null) {
+            known = MeshUnion.of(parts.stream().map(Part::mesh).toList());
+            joined.put(path, known);
+        }
+        return known;
+    }
+
+    private static Mesh named(String file, String part, List<Part> parts) throws UnusableFileException {
+        for (Part p : parts) {
+            if (p.name().equals(part)) {
+                return p.mesh();
+            }
+        }
+        throw new UnusableFileException("mesh file " + Quote.of(file) + " has no part " + Quote.of(part)
+                + Nearest.hint(part, parts.stream().map(Part::name).toList()));
+    }
+}

@@ -1,0 +1,175 @@
+package lightning.trace;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Random;
+import java.util.stream.Stream;
+import lightning.math.Vec3;
+import lightning.mesh.Mesh;
+import lightning.sample.Meshes;
+import lightning.scene.Camera;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.scene.World;
+import lightning.trace.solid.Form;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What is seen of meshes: beside the solids that they stand for, and by the rules of smooth normals. */
+class MeshSurfaceTest {
+    private static final int SIDE = 96;
+
+    private final Random random = new Random(1);
+
+    private static Scene scene(Solid solid, Placement placement) {
+        return new Scene(new Picture(SIDE, SIDE, 1), new Camera(new Vec3(2, 3, 6), new Vec3(0, 0.2, 0), Vec3.Y, 30), World.DEFAULT,
+                List.of(),
+                List.of(new Shape(solid, "s", "default", placement)), List.of());
+    }
+
+    static Stream<Arguments> pairs() {
+        return Stream.of(Arguments.of(Meshes.ball(120, 180, true), Solid.SPHERE, 0.03),
+                Arguments.of(Meshes.ball(120, 180, false), Solid.SPHERE, 0.03),
+                Arguments.of(Meshes.cone(400), Solid.CONE, 0.03));
+    }
+
+    @ParameterizedTest
+    @MethodSource("pairs")
+    void meshOfASolid_hasItsOutlineWithinAPixelAndItsNormalsWithinAFacet(Mesh mesh, Solid solid, double facet) {
+        Placement placement = new Placement(new Vec3(0.1, -0.2, 0.3), new Vec3(20, 30, 40), new Vec3(1, 1.3, 0.8));
+        Scene scene = scene(Meshes.solid(mesh), placement);
+        Geometry triangles = new Geometry(scene);
+        Geometry exact = new Geometry(scene(solid, placement));
+        Eye eye = new Eye(scene);
+        boolean[] seen = new boolean[SIDE * SIDE];
+        for (int i = 0; i < seen.length; i++) {
+            seen[i] = exact.nearest(eye.through(i % SIDE, i / SIDE)) == 0;
+        }
+        int both = 0;
+        int bent = 0;
+        for (int i = 0; i < seen.length; i++) {
+            Ray ray = eye.through(i % SIDE, i / SIDE);
+            boolean met = triangles.nearest(ray) == 0;
+            if (met != seen[i]) {
+                assertThat(isRim(seen, i)).as("pixel %s", i).isTrue();
+            } else if (met) {
+                both++;
+                SurfacePoint a = triangles.surface(0, ray);
+                SurfacePoint b = exact.surface(0, ray);
+                double cosine = a.nx() * b.nx() + a.ny() * b.ny() + a.nz() * b.nz();
+                bent += cosine > Math.cos(2 * facet) ? 0 : 1;
+                assertThat(new Vec3(a.px() - b.px(), a.py() - b.py(), a.pz() - b.pz()).length()).isLessThan(0.2);
+            }
+        }
+        assertThat(both).isGreaterThan(500);
+        // At a rim or an edge a ray may meet another side.
+        assertThat(bent).isLessThan(both / 50);
+    }
+
+    private static boolean isRim(boolean[] seen, int i) {
+        for (int dy = -1; dy <= 1; dy++) {
+            for (int dx = -1; dx <= 1; dx++) {
+                if (seen[i + dy * SIDE + dx] != seen[i]) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Scales, places and turns. */
+    static Stream<Arguments> places() {
+        return Stream.of(Arguments.of(Vec3.ONE, new Vec3(0, 0, -10)), Arguments.of(Vec3.ONE, new Vec3(300, -200, 500)),
+                Arguments.of(new Vec3(1e6, 1e6, 1e6), new Vec3(3, 1, -2)), Arguments.of(new Vec3(1e-6, 1e-6, 1e-6), new Vec3(3, 1, -2)),
+                Arguments.of(new Vec3(1e6, 1, 1), new Vec3(1e-5, 5, -8)), Arguments.of(new Vec3(1, 1e-3, 1), new Vec3(1, -2e3, 3)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("places")
+    void raysThatLeaveAFlatConvexMesh_meetItNoMore(Vec3 scale, Vec3 at) {
+        Vec3 place = new Vec3(at.x() * scale.x(), at.y() * scale.y(), at.z() * scale.z());
+        int rays = 0;
+        int acne = 0;
+        for (Mesh mesh : List.of(Meshes.cube(), Meshes.ball(7, 9, false), Meshes.cone(6))) {
+            Placement placement = new Placement(place, new Vec3(37, 74, -37), scale);
+            Geometry geometry = new Geometry(TraceScenes.one(Meshes.solid(mesh), placement, Vec3.ZERO, new Vec3(0, 0, -1)));
+            for (int n = 0; n < 3000; n++) {
+                int v = 3 * random.nextInt(mesh.vertexCount());
+                double inwards = random.nextInt(3) == 0 ? 1 : random.nextDouble();
+                Vec3 aim = placement.transform()
+                        .point(new Vec3(mesh.positions()[v], mesh.positions()[v + 1], mesh.positions()[v + 2]).times(inwards)
+                                .plus(HardRay.direction(random).normalized().times(0.3 * random.nextDouble())));
+                Ray ray = new Ray(Vec3.ZERO, aim.normalized());
+                if (geometry.nearest(ray) == 0) {
+                    SurfacePoint p = geometry.surface(0, ray);
+                    Vec3 normal = new Vec3(p.nx(), p.ny(), p.nz());
+                    assertThat(normal.dot(ray.direction())).isLessThanOrEqualTo(1e-7);
+                    Ray leaving = new Ray(new Vec3(p.px(), p.py(), p.pz()), away(normal));
+                    acne += geometry.distance(0, leaving) < Form.MISS ? 1 : 0;
+                    rays++;
+                }
+            }
+        }
+        assertThat(rays).isGreaterThan(1000);
+        assertThat(acne).as("acne among %s rays", rays).isZero();
+    }
+
+    private Vec3 away(Vec3 normal) {
+        Vec3 d = HardRay.direction(random).normalized();
+        double cosine = d.dot(normal);
+        double lift = random.nextBoolean() ? Math.abs(cosine) : Math.scalb(1.0, -random.nextInt(22));
+        Vec3 away = d.minus(normal.times(cosine)).normalized().plus(normal.times(lift));
+        return away.dot(normal) > 0 ? away : normal;
+    }
+
+    /** Light falls on a coarse round body up to where its round normals turn away from it, and no facet shades another. */
+    @Test
+    void smoothRoundMesh_throwsNoShadowOnItself() {
+        Geometry smooth = new Geometry(scene(Meshes.solid(Meshes.ball(8, 12, true)), Placement.IDENTITY));
+        Eye eye = new Eye(scene(Solid.SPHERE, Placement.IDENTITY));
+        int lit = 0;
+        int shaded = 0;
+        for (int n = 0; n < 20_000; n++) {
+            Ray ray = eye.through(random.nextInt(SIDE), random.nextInt(SIDE));
+            if (smooth.nearest(ray) == 0) {
+                SurfacePoint p = smooth.surface(0, ray);
+                Vec3 light = away(new Vec3(p.nx(), p.ny(), p.nz())).normalized();
+                lit++;
+                shaded += smooth.blocked(new Ray(new Vec3(p.px(), p.py(), p.pz()), light), Form.MISS) ? 1 : 0;
+            }
+        }
+        assertThat(lit).isGreaterThan(3000);
+        assertThat((double) shaded / lit).isEqualTo(0, within(0.01));
+    }
+
+    @Test
+    void bentNormals_faceTheViewerAndMirrorUpwards() {
+        for (Mesh mesh : List.of(Meshes.ball(3, 4, true), Meshes.ball(5, 8, true), Meshes.soup(60, 3), Meshes.soup(60, 6))) {
+            Geometry geometry =
+                    new Geometry(scene(Meshes.solid(mesh), new Placement(Vec3.ZERO, new Vec3(10, 20, 30), new Vec3(1, 0.5, 2))));
+            Geometry flat = new Geometry(scene(Meshes.solid(new Mesh(mesh.positions(), mesh.triangles(), null, null, null)),
+                    new Placement(Vec3.ZERO, new Vec3(10, 20, 30), new Vec3(1, 0.5, 2))));
+            for (int n = 0; n < 3000; n++) {
+                Ray ray = new Ray(HardRay.direction(random).times(3), HardRay.direction(random).normalized());
+                if (geometry.nearest(ray) == 0) {
+                    SurfacePoint p = geometry.surface(0, ray);
+                    SurfacePoint g = flat.surface(0, ray);
+                    Vec3 v = ray.direction().normalized().negated();
+                    Vec3 normal = new Vec3(p.nx(), p.ny(), p.nz());
+                    Vec3 face = new Vec3(g.nx(), g.ny(), g.nz());
+                    Vec3 mirrored = normal.times(2 * normal.dot(v)).minus(v);
+                    assertThat(normal.length()).isEqualTo(1, within(1e-6));
+                    assertThat(normal.dot(v)).isGreaterThan(-1e-6);
+                    assertThat(mirrored.dot(face)).isGreaterThan(Math.min(0x1p-7, v.dot(face)) - 1e-3);
+                }
+            }
+        }
+    }
+}
