@@ -74,7 +74,7 @@ public final class Stage {
 
     /** How many shapes there are, those in groups included. */
     public int shapeCount() {
-        return tree.shapes;
+        return tree.shapes.size();
     }
 
     /** Whether a shape or a group has the name. */
@@ -89,7 +89,7 @@ public final class Stage {
 
     /** All shapes, in the order of the file, with materials and groups resolved. */
     public List<PlacedShape> placedShapes() {
-        List<PlacedShape> placed = new ArrayList<>(tree.shapes);
+        List<PlacedShape> placed = new ArrayList<>(tree.shapes.size());
         place(placed::add);
         return placed;
     }
@@ -101,18 +101,7 @@ public final class Stage {
 
     /** All shapes, in the order of the file, as they stand there. */
     public List<Shape> shapes() {
-        List<Shape> shapes = new ArrayList<>(tree.shapes);
-        collect(tree.nodes, shapes);
-        return shapes;
-    }
-
-    private static void collect(List<Node> nodes, List<Shape> shapes) {
-        for (Node node : nodes) {
-            switch (node) {
-                case Group g -> collect(g.children(), shapes);
-                case Shape s -> shapes.add(s);
-            }
-        }
+        return tree.shapes;
     }
 
     private void place(List<Node> nodes, Transform outer, Transform back, PlacementError outerError, Consumer<PlacedShape> to) {
@@ -142,7 +131,8 @@ public final class Stage {
         final List<Node> nodes;
         /** Of all nodes, sorted: a table of hashes would be slow where a file chose names that collide. */
         final String[] names;
-        final int shapes;
+        /** All shapes in the order of the file; the nodes themselves where none is a group. */
+        final List<Shape> shapes;
         /** For each material in use a shape that has it. */
         private final Map<String, String> users = new HashMap<>();
 
@@ -153,7 +143,7 @@ public final class Stage {
         private Tree(List<Node> nodes) {
             this.nodes = nodes;
             List<String> found = new ArrayList<>();
-            shapes = Limits.range("the number of shapes", check(nodes, found, 0, 1, 1), 0, Limits.MAX_SHAPES);
+            int count = Limits.range("the number of shapes", check(nodes, found, 0, 1, 1), 0, Limits.MAX_SHAPES);
             names = found.toArray(String[]::new);
             Arrays.parallelSort(names);
             for (int i = 1; i < names.length; i++) {
@@ -161,6 +151,23 @@ public final class Stage {
                     throw new IllegalArgumentException("shape " + Quote.of(names[i]) + ": the name is already taken");
                 }
             }
+            shapes = count == names.length ? allShapes(nodes) : List.copyOf(collect(nodes, new ArrayList<>(count)));
+        }
+
+        /** Nobody writes to the list: it is immutable. */
+        @SuppressWarnings("unchecked")
+        private static List<Shape> allShapes(List<? extends Node> nodes) {
+            return (List<Shape>) nodes;
+        }
+
+        private static List<Shape> collect(List<Node> nodes, List<Shape> shapes) {
+            for (Node node : nodes) {
+                switch (node) {
+                    case Group g -> collect(g.children(), shapes);
+                    case Shape s -> shapes.add(s);
+                }
+            }
+            return shapes;
         }
 
         /** Returns how many shapes there are. */

@@ -12,36 +12,41 @@ import lightning.math.Vec3;
  */
 final class Bvh {
     final PrimitiveTable primitives;
-    /** The box of each primitive, {@code float[6 * count]}. */
-    final float[] primitiveBoxes;
+    /** Where the box of each primitive begins in {@link #boxes}; one that is alone has the only one there. */
+    final int[] leaf;
     final int[] child;
     final float[] boxes;
     final byte[] axis;
     /** Pushed at most this many at a time when one child of every node is put aside. */
     final int depth;
 
-    Bvh(PrimitiveTable primitives) {
-        this.primitives = primitives;
-        primitiveBoxes = primitives.boxes;
-        BvhBuilder built = new BvhBuilder(primitiveBoxes);
+    Bvh(PrimitiveTable.Boxed boxed) {
+        primitives = boxed.primitives();
+        BvhBuilder built = new BvhBuilder(boxed.boxes());
         child = built.child;
-        boxes = built.boxes;
+        boxes = primitives.count == 1 ? boxed.boxes() : built.boxes;
         axis = built.axis;
         depth = built.depth;
+        leaf = new int[primitives.count];
+        for (int c = 0; c < child.length; c++) {
+            if (child[c] < 0) {
+                leaf[~child[c]] = 6 * c;
+            }
+        }
     }
 
     /** The tree of the same primitives seen from elsewhere: its form with their boxes. */
-    Bvh(PrimitiveTable primitives, Bvh form) {
-        this.primitives = primitives;
-        primitiveBoxes = primitives.boxes;
+    Bvh(PrimitiveTable.Boxed boxed, Bvh form) {
+        primitives = boxed.primitives();
         child = form.child;
+        leaf = form.leaf;
         axis = form.axis;
         depth = form.depth;
-        boxes = new float[form.boxes.length];
+        boxes = primitives.count == 1 ? boxed.boxes() : new float[form.boxes.length];
         // Children come after their node, so that from the last on all are there.
         for (int c = child.length - 1; c >= 0; c--) {
             if (child[c] < 0) {
-                System.arraycopy(primitiveBoxes, 6 * ~child[c], boxes, 6 * c, 6);
+                System.arraycopy(boxed.boxes(), 6 * ~child[c], boxes, 6 * c, 6);
             } else {
                 BvhBuilder.empty(boxes, 6 * c);
                 BvhBuilder.grow(boxes, 6 * c, boxes, 12 * child[c]);

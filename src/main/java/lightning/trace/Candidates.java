@@ -27,7 +27,10 @@ public final class Candidates {
         c.count = bvh.primitives.count;
         c.primitive = new int[c.count];
         Arrays.setAll(c.primitive, s -> s);
-        c.boxes = bvh.primitiveBoxes.clone();
+        c.boxes = new float[6 * c.count];
+        for (int s = 0; s < c.count; s++) {
+            System.arraycopy(bvh.boxes, bvh.leaf[s], c.boxes, 6 * s, 6);
+        }
         c.masks = new int[c.count];
         return c;
     }
@@ -50,7 +53,7 @@ public final class Candidates {
         }
         int top = 0;
         if (bvh.primitives.count == 1) {
-            add(bvh, 0, beam.touches(bvh.primitiveBoxes, 0));
+            add(bvh, 0, beam.touches(bvh.boxes, bvh.leaf[0]));
         } else if (bvh.primitives.count > 1) {
             stack[top++] = 0;
         }
@@ -88,7 +91,7 @@ public final class Candidates {
         }
         since[at] = time;
         primitive[at] = s;
-        System.arraycopy(bvh.primitiveBoxes, 6 * s, boxes, 6 * at, 6);
+        System.arraycopy(bvh.boxes, bvh.leaf[s], boxes, 6 * at, 6);
     }
 
     /** Leaves out the primitives of all materials but one; does nothing where there are too many. */

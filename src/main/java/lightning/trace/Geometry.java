@@ -43,8 +43,8 @@ public final class Geometry {
         names = MaterialTable.names(shapes);
         this.mirrors = mirrors;
         materials = new MaterialTable(names, scene, mirrors);
-        primitives = PrimitiveTable.of(scene.stage(), materialOf(), scene.camera().origin());
-        bvh = new Bvh(primitives);
+        bvh = new Bvh(PrimitiveTable.of(scene.stage(), materialOf(), scene.camera().origin()));
+        primitives = bvh.primitives;
     }
 
     private Geometry(Geometry shared, Scene scene) {
@@ -64,8 +64,8 @@ public final class Geometry {
         names = shared.names;
         this.mirrors = mirrors;
         materials = new MaterialTable(names, scene, mirrors);
-        primitives = shared.primitives.from(scene.camera().origin());
-        bvh = new Bvh(primitives, shared.bvh);
+        bvh = new Bvh(shared.primitives.from(scene.camera().origin()), shared.bvh);
+        primitives = bvh.primitives;
     }
 
     private int[] materialOf() {

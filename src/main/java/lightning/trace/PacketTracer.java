@@ -85,7 +85,7 @@ public final class PacketTracer {
                 next = stack[--top];
                 mask = stackMask[top];
                 // The boxes of an inner node's children are tested anyway.
-                mask = next < 0 ? (int) box.hits(bvh.primitiveBoxes, 6 * ~next) & mask : mask;
+                mask = next < 0 ? (int) box.hits(bvh.boxes, bvh.leaf[~next]) & mask : mask;
             } while (mask == 0);
         }
     }
@@ -138,7 +138,7 @@ public final class PacketTracer {
         int open = lanes(live);
         int lanes = open;
         if (lastOccluder >= 0) {
-            open &= ~blockedBy(p, lastOccluder, (int) box.hits(bvh.primitiveBoxes, 6 * lastOccluder) & open);
+            open &= ~blockedBy(p, lastOccluder, (int) box.hits(bvh.boxes, bvh.leaf[lastOccluder]) & open);
         }
         int top = 0;
         stack[top] = 0;

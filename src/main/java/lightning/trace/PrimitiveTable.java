@@ -3,6 +3,7 @@ package lightning.trace;
 import java.util.List;
 import lightning.math.Transform;
 import lightning.math.Vec3;
+import lightning.scene.PlacedShape;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.Stage;
@@ -33,11 +34,8 @@ final class PrimitiveTable {
     final double[] data;
     /** A bound on the error of a hit point on the primitive that its distance from the camera causes, scene units. */
     final double[] error;
-    /** The box of each primitive, as {@link PrimitiveBoxes} makes it. */
-    final float[] boxes;
-
-    /** Where the primitives stand, shared by the tables of all cameras. */
-    final PrimitivePlaces places;
+    /** Where the primitives stand. Placed shapes are made anew for each camera: kept, each would take 112 bytes. */
+    final Stage stage;
 
     /** The ordinal of each solid's kind; {@link #MESH} for a mesh. */
     private final byte[] kind;
@@ -58,8 +56,16 @@ final class PrimitiveTable {
 
     private static final byte MESH = -1;
 
-    private PrimitiveTable(byte[] kind, MeshSolid[] meshes, int[] material, int[] owner, int[] at, double[] data, PrimitivePlaces places,
-            Vec3 camera) {
+    /**
+     * Primitives with their boxes, which the tree keeps.
+     *
+     * @param boxes as {@link PrimitiveBoxes} makes them
+     */
+    record Boxed(PrimitiveTable primitives, float[] boxes) {}
+
+    /** Writes to {@code bounds} and {@code slack} what {@link PrimitiveBoxes} wants. */
+    private PrimitiveTable(byte[] kind, MeshSolid[] meshes, int[] material, int[] owner, int[] at, double[] data, Stage stage, Vec3 camera,
+            double[] bounds, double[] slack) {
         count = kind.length;
         this.kind = kind;
         this.meshes = meshes;
@@ -67,19 +73,19 @@ final class PrimitiveTable {
         this.owner = owner;
         this.at = at;
         this.data = data;
-        this.places = places;
+        this.stage = stage;
         error = new double[count];
         off = new double[count];
         size = new double[count];
         underEye = new boolean[count];
-        double[] bounds = new double[6 * count];
-        double[] slack = new double[count];
-        double largest = 0;
-        double most = 0;
-        for (int s = 0; s < count; s++) {
-            Transform render = places.toRender(s, camera);
-            Transform inverse = inverse(s, render);
-            PrimitivePlaces.store(inverse, data, at[s]);
+        double[] extremes = new double[2];
+        int[] next = {0};
+        stage.place(shape -> {
+            int s = next[0]++;
+            Transform render = render(shape.toWorld(), camera);
+            Vec3 place = new Vec3(render.t0(), render.t1(), render.t2());
+            Transform inverse = inverse(shape.directionsBack(), place);
+            store(inverse, data, at[s]);
             extent(s, render.m00(), render.m01(), render.m02(), render.t0(), bounds, 6 * s);
             extent(s, render.m10(), render.m11(), render.m12(), render.t1(), bounds, 6 * s + 1);
             extent(s, render.m20(), render.m21(), render.m22(), render.t2(), bounds, 6 * s + 2);
@@ -89,19 +95,19 @@ final class PrimitiveTable {
             }
             error[s] = far * Surface.ERROR;
             slack[s] = Slack.of(render, inverse, far);
-            largest = Math.max(largest, far);
-            off(s, bounds, new Vec3(render.t0(), render.t1(), render.t2()), camera);
+            extremes[0] = Math.max(extremes[0], far);
+            Vec3 reach = reach(shape.directionsBack().absolute());
+            off(s, shape, reach, bounds, place, camera);
             underEye[s] = gap(s, 0, 0, 0) <= off[s];
-            most = Math.max(most, off[s]);
-        }
-        boxes = PrimitiveBoxes.of(bounds, slack);
-        farthest = largest;
+            extremes[1] = Math.max(extremes[1], off[s]);
+        });
+        farthest = extremes[0];
         reach = 4 * farthest;
-        mostOff = most;
+        mostOff = extremes[1];
     }
 
     /** @param material the material index of each shape */
-    static PrimitiveTable of(Stage stage, int[] material, Vec3 camera) {
+    static Boxed of(Stage stage, int[] material, Vec3 camera) {
         List<Shape> shapes = stage.shapes();
         int count = shapes.size();
         byte[] kind = new byte[count];
@@ -126,23 +132,26 @@ final class PrimitiveTable {
             }
         }
         double[] data = new double[numbers];
-        PrimitivePlaces places = new PrimitivePlaces(count);
-        int[] next = {0};
-        stage.place(shape -> {
-            int s = next[0]++;
-            places.put(s, shape);
-            PrimitivePlaces.store(shape.directionsBack(), data, at[s]);
-            if (shape.shape().solid() instanceof Solid.Canonical solid) {
+        for (int s = 0; s < count; s++) {
+            if (shapes.get(s).solid() instanceof Solid.Canonical solid) {
                 double[] own = Kind.numbers(solid);
                 System.arraycopy(own, 0, data, at[s] + Form.MAP, own.length);
             }
-        });
-        return new PrimitiveTable(kind, meshes, material, owner, at, data, places, camera);
+        }
+        return boxed(kind, meshes, material, owner, at, data, stage, camera);
+    }
+
+    private static Boxed boxed(byte[] kind, MeshSolid[] meshes, int[] material, int[] owner, int[] at, double[] data, Stage stage,
+            Vec3 camera) {
+        double[] bounds = new double[6 * kind.length];
+        double[] slack = new double[kind.length];
+        PrimitiveTable table = new PrimitiveTable(kind, meshes, material, owner, at, data, stage, camera, bounds, slack);
+        return new Boxed(table, PrimitiveBoxes.of(bounds, slack));
     }
 
     /** The same primitives seen from elsewhere. */
-    PrimitiveTable from(Vec3 camera) {
-        return new PrimitiveTable(kind, meshes, material, owner, at, data.clone(), places, camera);
+    Boxed from(Vec3 camera) {
+        return boxed(kind, meshes, material, owner, at, data.clone(), stage, camera);
     }
 
     /**
@@ -157,11 +166,11 @@ final class PrimitiveTable {
      * its map, and 8 units in the last place of its length in what its {@link Form} finds, 16u·(|p| + |place|) and 16u in own units.
      * As |place| ≤ |x| + size, all of it is less than 64u of |x|, |p| and the size.
      */
-    private void off(int s, double[] bounds, Vec3 place, Vec3 camera) {
+    private void off(int s, PlacedShape shape, Vec3 reach, double[] bounds, Vec3 place, Vec3 camera) {
         int b = 6 * s;
         size[s] = Math.max(new Vec3(bounds[b], bounds[b + 1], bounds[b + 2]).minus(place).maxAbs(),
                 new Vec3(bounds[b + 3], bounds[b + 4], bounds[b + 5]).minus(place).maxAbs());
-        off[s] = places.error(s, size[s]) + 0x1p-51 * (size[s] + place.maxAbs() + camera.maxAbs());
+        off[s] = turned(shape, reach) * size[s] + shape.error().place() + 0x1p-51 * (size[s] + place.maxAbs() + camera.maxAbs());
     }
 
     /**
@@ -199,7 +208,11 @@ final class PrimitiveTable {
 
     /** How long a step of at most 1 along each axis of the scene can be in its own units. */
     double rate(int s) {
-        return places.rate[s];
+        double[] m = data;
+        int i = at[s];
+        return new Vec3(Math.abs(m[i]) + Math.abs(m[i + 1]) + Math.abs(m[i + 2]),
+                Math.abs(m[i + 4]) + Math.abs(m[i + 5]) + Math.abs(m[i + 6]),
+                Math.abs(m[i + 8]) + Math.abs(m[i + 9]) + Math.abs(m[i + 10])).length();
     }
 
     /**
@@ -214,17 +227,47 @@ final class PrimitiveTable {
         double py = m[i + 4] * x + m[i + 5] * y + m[i + 6] * z + m[i + 7];
         double pz = m[i + 8] * x + m[i + 9] * y + m[i + 10] * z + m[i + 11];
         MeshSolid mesh = mesh(s);
-        return mesh == null ? kind(s).form().gap(m, i, px, py, pz, places.rate[s]) : mesh.gap(px, py, pz) / places.rate[s];
+        return mesh == null ? kind(s).form().gap(m, i, px, py, pz, rate(s)) : mesh.gap(px, py, pz) / rate(s);
     }
 
-    /** Directions back, which stand in the data, and the translation by which the place of the shape becomes the origin. */
-    private Transform inverse(int s, Transform render) {
-        double[] m = data;
-        int i = at[s];
-        Transform back = new Transform(m[i], m[i + 1], m[i + 2], 0, m[i + 4], m[i + 5], m[i + 6], 0, m[i + 8], m[i + 9], m[i + 10], 0);
-        Vec3 origin = back.vector(new Vec3(render.t0(), render.t1(), render.t2()));
+    /** How far a number of the map of directions back may be off, as a share of the row that it is in. */
+    private static double turned(PlacedShape shape, Vec3 reach) {
+        Vec3 error = reach(shape.error().directionsBack());
+        return Math.max(Math.max(error.x() / reach.x(), error.y() / reach.y()), error.z() / reach.z());
+    }
+
+    /** The sum of each row of a map without its translation, none of whose numbers is below 0. */
+    private static Vec3 reach(Transform m) {
+        return new Vec3(m.m00() + m.m01() + m.m02(), m.m10() + m.m11() + m.m12(), m.m20() + m.m21() + m.m22());
+    }
+
+    /** A map to the scene as one to the space whose origin is the camera. */
+    private static Transform render(Transform m, Vec3 camera) {
+        return new Transform(m.m00(), m.m01(), m.m02(), m.t0() - camera.x(), m.m10(), m.m11(), m.m12(), m.t1() - camera.y(),
+                m.m20(), m.m21(), m.m22(), m.t2() - camera.z());
+    }
+
+    /** Directions back, and the translation by which the place of the shape becomes the origin. */
+    private static Transform inverse(Transform back, Vec3 place) {
+        Vec3 origin = back.vector(place);
         return new Transform(back.m00(), back.m01(), back.m02(), -origin.x(), back.m10(), back.m11(), back.m12(), -origin.y(),
                 back.m20(), back.m21(), back.m22(), -origin.z());
+    }
+
+    /** Writes a map row by row to {@code to[i … i + 11]}. */
+    private static void store(Transform m, double[] to, int i) {
+        to[i] = m.m00();
+        to[i + 1] = m.m01();
+        to[i + 2] = m.m02();
+        to[i + 3] = m.t0();
+        to[i + 4] = m.m10();
+        to[i + 5] = m.m11();
+        to[i + 6] = m.m12();
+        to[i + 7] = m.t1();
+        to[i + 8] = m.m20();
+        to[i + 9] = m.m21();
+        to[i + 10] = m.m22();
+        to[i + 11] = m.t2();
     }
 
     /**
@@ -286,8 +329,8 @@ final class PrimitiveTable {
         probe.enter(meshes[s], px, py, pz, vx, vy, vz);
         switch (touch) {
             case NEITHER -> {}
-            case START -> probe.pass(px, py, pz, places.rate[s] * offEye(s));
-            case END -> probe.pass(px + vx, py + vy, pz + vz, places.rate[s] * offLight(s, far(ox, oy, oz, dx, dy, dz)));
+            case START -> probe.pass(px, py, pz, rate(s) * offEye(s));
+            case END -> probe.pass(px + vx, py + vy, pz + vz, rate(s) * offLight(s, far(ox, oy, oz, dx, dy, dz)));
         }
     }
 
@@ -332,7 +375,7 @@ final class PrimitiveTable {
             return form.distance(m, i, px, py, pz, vx, vy, vz);
         }
         double off = touch == Touch.START ? offEye(s) : offLight(s, far(ox, oy, oz, dx, dy, dz));
-        double margin = 2 * form.tip(m, i) * places.rate[s] * off / Math.sqrt(vx * vx + vy * vy + vz * vz);
+        double margin = 2 * form.tip(m, i) * rate(s) * off / Math.sqrt(vx * vx + vy * vy + vz * vz);
         return form.distance(m, i, px, py, pz, vx, vy, vz, touch, margin);
     }
 }

@@ -134,7 +134,7 @@ final class RayWalk {
 
     /** Whether the way meets any primitive at a distance below {@code limit}. */
     boolean blocked(double limit) {
-        if (lastOccluder >= 0 && box.hits(bvh.primitiveBoxes, 6 * lastOccluder, limit) && isMet(lastOccluder, limit)) {
+        if (lastOccluder >= 0 && box.hits(bvh.boxes, bvh.leaf[lastOccluder], limit) && isMet(lastOccluder, limit)) {
             return true;
         }
         int top = 0;

@@ -76,7 +76,7 @@ public final class WayEnd {
             int s = asked[i];
             double off = primitives.offLight(s, sum(point));
             double lies = (primitives.gap(s, point.x(), point.y(), point.z()) - off) / PrimitiveTable.WAY;
-            if (lies <= primitives.reach && holds(bvh.primitiveBoxes, 6 * s, point, off + PrimitiveTable.WAY * primitives.reach)) {
+            if (lies <= primitives.reach && holds(bvh.boxes, bvh.leaf[s], point, off + PrimitiveTable.WAY * primitives.reach)) {
                 primitive[kept] = s;
                 from[kept++] = lies;
             }

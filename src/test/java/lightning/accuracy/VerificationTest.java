@@ -148,10 +148,8 @@ class VerificationTest {
     private static void empty(Geometry geometry) throws ReflectiveOperationException {
         var tree = Geometry.class.getDeclaredField("bvh");
         tree.setAccessible(true);
-        for (String name : List.of("boxes", "primitiveBoxes")) {
-            var boxes = tree.getType().getDeclaredField(name);
-            boxes.setAccessible(true);
-            Arrays.fill((float[]) boxes.get(tree.get(geometry)), Float.NaN);
-        }
+        var boxes = tree.getType().getDeclaredField("boxes");
+        boxes.setAccessible(true);
+        Arrays.fill((float[]) boxes.get(tree.get(geometry)), Float.NaN);
     }
 }

@@ -3,6 +3,7 @@ package lightning.trace;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
+import java.util.Arrays;
 import java.util.Random;
 import lightning.math.Vec3;
 import lightning.scene.Camera;
@@ -69,11 +70,14 @@ class BvhTest {
         Geometry here = new Geometry(scene);
         Camera camera = scene.camera();
         Vec3 from = camera.from().plus(new Vec3(by, -by / 3, 1));
-        Geometry there =
-                here.forScene(scene.withCamera(new Camera(from, from.plus(new Vec3(0.3, 1, 2)), camera.up(), camera.fov())),
-                        MaterialTable.MIRRORS);
+        Scene moved = scene.withCamera(new Camera(from, from.plus(new Vec3(0.3, 1, 2)), camera.up(), camera.fov()));
+        Geometry there = here.forScene(moved, MaterialTable.MIRRORS);
+        Geometry built = new Geometry(moved);
         assertThat(there.bvh().child).isSameAs(here.bvh().child);
         assertCovered(there.bvh());
+        for (int s = 0; s < shapes; s++) {
+            assertThat(box(there, s)).isEqualTo(box(built, s));
+        }
         TraceRays rays = new TraceRays(there, seed);
         rays.fill(p);
         for (int i = 0; i < RayPacket.WIDTH; i++) {
@@ -124,15 +128,19 @@ class BvhTest {
         assertCovered(new Geometry(TraceScenes.cloud(300, 2)).bvh());
     }
 
+    private static float[] box(Geometry geometry, int s) {
+        int at = geometry.bvh().leaf[s];
+        return Arrays.copyOfRange(geometry.bvh().boxes, at, at + 6);
+    }
+
     private static void assertCovered(Bvh bvh) {
         for (int i = 0; i < bvh.child.length; i++) {
             int c = bvh.child[i];
-            for (int inner = 0; inner < (c < 0 ? 1 : 2); inner++) {
-                float[] box = c < 0 ? bvh.primitiveBoxes : bvh.boxes;
-                int at = c < 0 ? 6 * ~c : 12 * c + 6 * inner;
+            for (int inner = 0; c >= 0 && inner < 2; inner++) {
+                int at = 12 * c + 6 * inner;
                 for (int a = 0; a < 3; a++) {
-                    assertThat(bvh.boxes[6 * i + a]).isLessThanOrEqualTo(box[at + a]);
-                    assertThat(bvh.boxes[6 * i + 3 + a]).isGreaterThanOrEqualTo(box[at + 3 + a]);
+                    assertThat(bvh.boxes[6 * i + a]).isLessThanOrEqualTo(bvh.boxes[at + a]);
+                    assertThat(bvh.boxes[6 * i + 3 + a]).isGreaterThanOrEqualTo(bvh.boxes[at + 3 + a]);
                 }
             }
         }
@@ -145,7 +153,7 @@ class BvhTest {
         Ray ray = new Ray(Vec3.ZERO, geometry.toRenderSpace(Vec3.ZERO));
         assertThat(geometry.nearest(ray)).isZero();
         PacketTracer tracer = new PacketTracer(geometry);
-        java.util.Arrays.fill(p.dz, -1);
+        Arrays.fill(p.dz, -1);
         tracer.nearest(p, RayPacket.WIDTH);
         assertThat(p.primitive).containsOnly(0);
     }
@@ -156,8 +164,8 @@ class BvhTest {
         float[] boxes = new float[6 * 120];
         for (int s = 0; s < 120; s++) {
             float at = (float) Math.pow(2, s - 60);
-            java.util.Arrays.fill(boxes, 6 * s, 6 * s + 3, at);
-            java.util.Arrays.fill(boxes, 6 * s + 3, 6 * s + 6, at * 1.01f);
+            Arrays.fill(boxes, 6 * s, 6 * s + 3, at);
+            Arrays.fill(boxes, 6 * s + 3, 6 * s + 6, at * 1.01f);
         }
         assertThat(new BvhBuilder(boxes).depth).isLessThan(70);
     }

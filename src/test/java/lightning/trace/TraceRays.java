@@ -78,7 +78,7 @@ final class TraceRays {
     /** A point in, on, or at the edge of a shape. */
     private Vec3 somewhere() {
         int s = random.nextInt(geometry.primitiveCount());
-        Transform toWorld = geometry.primitives().places.toRender(s, Vec3.ZERO);
+        Transform toWorld = geometry.primitives().stage.placedShapes().get(s).toWorld();
         double angle = random.nextInt(4) == 0 ? Math.PI / 2 * random.nextInt(5) : random.nextDouble() * 2 * Math.PI;
         double c = Math.cos(angle);
         double z = Math.sin(angle);

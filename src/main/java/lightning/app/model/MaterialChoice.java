@@ -1,6 +1,5 @@
 package lightning.app.model;
 
-import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -9,9 +8,7 @@ import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
 import lightning.edit.MaterialEdits;
-import lightning.scene.Group;
 import lightning.scene.Material;
-import lightning.scene.Node;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.text.Quote;
@@ -77,23 +74,12 @@ public final class MaterialChoice {
     /** The scene's materials in its order, and the one of shapes that name none. */
     public static List<String> names(Scene scene) {
         Set<String> names = new LinkedHashSet<>(scene.materials().stream().map(Material::name).toList());
-        shapes(scene.nodes()).stream().map(Shape::material).filter(scene.materialsByName()::containsKey).forEach(names::add);
+        scene.stage().shapes().stream().map(Shape::material).filter(scene.materialsByName()::containsKey).forEach(names::add);
         return List.copyOf(names);
     }
 
     /** The names of the shapes that have a material, in the order of the scene. */
     public static List<String> shapesOf(Scene scene, String material) {
-        return shapes(scene.nodes()).stream().filter(s -> s.material().equals(material)).map(Shape::name).toList();
-    }
-
-    private static List<Shape> shapes(List<Node> nodes) {
-        List<Shape> shapes = new ArrayList<>();
-        for (Node node : nodes) {
-            switch (node) {
-                case Group g -> shapes.addAll(shapes(g.children()));
-                case Shape s -> shapes.add(s);
-            }
-        }
-        return shapes;
+        return scene.stage().shapes().stream().filter(s -> s.material().equals(material)).map(Shape::name).toList();
     }
 }
