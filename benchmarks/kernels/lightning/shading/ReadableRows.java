@@ -69,7 +69,7 @@ final class ReadableRows {
         for (int r = 0; r < rows.runs; r++) {
             for (int i = rows.runStart(r); i < rows.runEnd[r]; i++) {
                 for (int c = 0; c < 3; c++) {
-                    Agreement.require(composed[c][i], color(kernels, rows.runMaterial[r], i, c), "colour of row", i);
+                    Agreement.require(composed[c][rows.parent[i]], color(kernels, rows.runMaterial[r], i, c), "colour of row", i);
                 }
             }
         }

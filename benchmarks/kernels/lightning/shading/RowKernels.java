@@ -48,6 +48,7 @@ public class RowKernels {
     private Scene read;
     private HitRows rows;
     private Composer composer;
+    private final float[][] colors = new float[3][ROWS];
     private LightKernel light;
     private RatioKernel ratio;
     private Luminaire[] lights;
@@ -135,13 +136,13 @@ public class RowKernels {
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public Object compose() {
-        composer.compose(rows, lights, layers, null, read.world(), mirrored);
-        return composer;
+        composer.compose(rows, lights, layers, null, read.world(), mirrored, colors);
+        return colors;
     }
 
     float[][] composed() {
         compose();
-        return new float[][] {composer.red(), composer.green(), composer.blue()};
+        return colors;
     }
 
     /** The falloff column of a spot light: attenuation and dropoff. */

@@ -1,5 +1,6 @@
 package lightning.cache;
 
+import java.util.Arrays;
 import lightning.shading.EdgeCodes;
 import lightning.trace.HitRows;
 
@@ -28,6 +29,11 @@ public final class CachedTile {
         this.mirrored = mirrored;
         this.film = film;
         this.codes = codes;
+    }
+
+    /** What is kept of Cr of a first level's rows: copies of its red, green and blue columns, just long enough. */
+    public static float[][] mirrored(HitRows rows, float[][] cr) {
+        return Arrays.stream(cr).map(column -> Arrays.copyOf(column, HitRows.padded(rows.reflective))).toArray(float[][]::new);
     }
 
     /** The largest value of its colours, linear. */

@@ -115,13 +115,12 @@ final class TileTracer {
         int deepest = mirrors(coded);
         float[][] cr = mirrors.composer.unfollowed(levels[deepest]);
         for (int k = deepest; k > 0 && !progress.isCancelled(); k--) {
-            compose(mirrors, k, coded, cr, progress);
-            cr = mirrors.composer.followed(levels[k - 1], levels[k], mirrors.world);
+            float[][] above = mirrors.composer.followed(levels[k - 1], mirrors.world);
+            compose(mirrors, k, coded, cr, above, progress);
+            cr = above;
         }
-        compose(eye, 0, coded, cr, progress);
-        if (!progress.isCancelled()) {
-            eye.composer.toFilm(levels[0], eye.world, colors[0], colors[1], colors[2]);
-        }
+        eye.composer.background(levels[0], eye.world, colors);
+        compose(eye, 0, coded, cr, colors, progress);
     }
 
     /** Follows the mirrors; returns the deepest level that was reached. */
@@ -142,7 +141,7 @@ final class TileTracer {
         return deepest;
     }
 
-    private void compose(Side side, int level, boolean coded, float[][] cr, Progress progress) {
+    private void compose(Side side, int level, boolean coded, float[][] cr, float[][] to, Progress progress) {
         columns.reset();
         for (int l = 0; l < side.lights.length && !progress.isCancelled(); l++) {
             LightRows layer = side.lights[l].isDark() ? null : side.kernel.full(levels[level], side.lights[l].lamp(), columns);
@@ -152,7 +151,7 @@ final class TileTracer {
             }
         }
         if (!progress.isCancelled()) {
-            side.composer.level(levels[level], side.lights, layers, null, side.world, cr);
+            side.composer.level(levels[level], side.lights, layers, null, side.world, cr, to);
         }
     }
 

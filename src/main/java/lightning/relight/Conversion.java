@@ -1,7 +1,6 @@
 package lightning.relight;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.cache.CachedTile;
@@ -145,13 +144,9 @@ record Conversion(PixelCache cache, Options to) {
                 rowsComposed += levels[k].rows().count;
             }
             float[][] scratch = painter.mirrored(levels, mirrors.shining(), mirrors.scene().world());
-            float[][] cr = scratch == null ? null : copyOf(scratch, levels[0].rows().reflective);
+            float[][] cr = scratch == null ? null : CachedTile.mirrored(levels[0].rows(), scratch);
             return new CachedTile(levels, old.hitShapes, cr, painter.film(levels[0], top.shining(), top.scene().world(), cr),
                     old.codes);
-        }
-
-        private static float[][] copyOf(float[][] columns, int rows) {
-            return new float[][] {Arrays.copyOf(columns[0], rows), Arrays.copyOf(columns[1], rows), Arrays.copyOf(columns[2], rows)};
         }
 
         Tally work() {

@@ -1,93 +1,183 @@
 package lightning.shading;
 
+import java.util.ArrayList;
+import java.util.List;
+
 /**
  * Sums the lights' contributions over the rows of a tile, as the tree of {@link LightingEquation#sum}.
  * Holds scratch columns: one for each thread.
  *
  * <p>A light that lights no row of the tile, or has no weight, adds +0 to sums that are never negative,
  * so that leaving it out changes no bit. A result is valid until the next call.
+ *
+ * <p>Where each half of the tree is a chain of lights, as it is with up to six, all of them are added at once. Else the sum over
+ * the left half is computed before, and is one that is known.
  */
 final class LightSum {
-    /** Enough for the depth of a tree over the most lights that a scene may have. */
-    private static final int DEPTH = 12;
-
-    private final SumRows[] sums = new SumRows[DEPTH];
+    private final Sums kernel;
+    private final Addends diffuse = new Addends();
+    private final Addends specular = new Addends();
+    /** The lights of two chains, one behind the other. */
+    private final int[] chain = new int[Addends.MOST_LIGHTS];
+    /** Sums of branches; those before {@link #used} are in use. */
+    private final List<SumRows> scratch = new ArrayList<>();
+    private int used;
+    private int rows;
+    private Luminaire[] lights;
+    private LightLayer[] layers;
 
     LightSum(Sums kernel) {
-        java.util.Arrays.setAll(sums, _ -> new SumRows(kernel, Terms.ROWS));
+        this.kernel = kernel;
     }
 
-    /** The sum over all lights, or null where none adds anything. */
-    SumRows of(int rows, Luminaire[] lights, LightLayer[] layers) {
-        return of(rows, lights, layers, 0, lights.length, 0);
-    }
-
-    private static boolean isActive(Luminaire light, LightLayer layer) {
-        return !light.isDark() && layer.lit() > 0;
-    }
-
-    /** The sum of lights {@code from … to} in the scratch columns of a depth of the tree, or null. */
-    private SumRows of(int rows, Luminaire[] lights, LightLayer[] layers, int from, int to, int depth) {
-        if (to - from < 2) {
-            if (from == to || !isActive(lights[from], layers[from])) {
-                return null;
-            }
-            sums[depth].set(rows, lights[from], layers[from]);
-            return sums[depth];
-        }
-        int middle = (from + to) >>> 1;
-        SumRows left = of(rows, lights, layers, from, middle, depth);
-        if (left == null) {
-            return of(rows, lights, layers, middle, to, depth);
-        }
-        if (to - middle == 1) {
-            if (isActive(lights[middle], layers[middle])) {
-                left.add(rows, lights[middle], layers[middle]);
-            }
-            return left;
-        }
-        SumRows right = of(rows, lights, layers, middle, to, depth + 1);
-        if (right != null) {
-            left.add(rows, right);
-        }
-        return left;
+    /** The sum over all lights. */
+    SumRows of(int count, Luminaire[] all, LightLayer[] theirs) {
+        begin(count, all, theirs);
+        gather(0, all.length);
+        return sum();
     }
 
     /** The same sum where the branches beside one light's way to the root are known. */
-    SumRows of(int rows, Luminaire[] lights, LightLayer[] layers, BranchSums branches) {
-        SumRows sum = sums[0];
-        int light = branches.key().light();
-        boolean any = isActive(lights[light], layers[light]);
-        if (any) {
-            sum.set(rows, lights[light], layers[light]);
-        }
+    SumRows of(int count, Luminaire[] all, LightLayer[] theirs, BranchSums branches) {
+        begin(count, all, theirs);
+        gather(branches.key().light(), branches.key().light() + 1);
         for (SumRows branch : branches.fromLeaf()) {
-            if (branch != null) {
-                if (any) {
-                    sum.add(rows, branch);
-                } else {
-                    sum.copy(rows, branch);
-                }
-                any = true;
-            }
+            add(branch);
         }
-        return any ? sum : null;
+        return sum();
     }
 
     /** Computes the sums of all branches beside a light's way to the root. */
-    BranchSums branches(int rows, Luminaire[] lights, LightLayer[] layers, BranchSums.Key key) {
-        SumRows[] fromLeaf = new SumRows[DEPTH];
-        int at = DEPTH;
+    BranchSums branches(int count, Luminaire[] all, LightLayer[] theirs, BranchSums.Key key) {
+        begin(count, all, theirs);
+        List<SumRows> fromRoot = new ArrayList<>();
         int from = 0;
-        int to = lights.length;
+        int to = all.length;
         while (to - from > 1) {
             int middle = (from + to) >>> 1;
             boolean left = key.light() < middle;
-            SumRows beside = of(rows, lights, layers, left ? middle : from, left ? to : middle, 0);
-            fromLeaf[--at] = beside == null ? null : beside.compact(rows);
+            SumRows beside = sum(left ? middle : from, left ? to : middle);
+            fromRoot.add(beside == null ? null : beside.compact(count));
+            used = 0;
             from = left ? from : middle;
             to = left ? middle : to;
         }
-        return new BranchSums(key, java.util.Arrays.copyOfRange(fromLeaf, at, DEPTH));
+        return new BranchSums(key, fromRoot.reversed().toArray(SumRows[]::new));
+    }
+
+    private void begin(int count, Luminaire[] all, LightLayer[] theirs) {
+        rows = count;
+        lights = all;
+        layers = theirs;
+        used = 0;
+        diffuse.clear();
+        specular.clear();
+    }
+
+    private boolean isActive(int light) {
+        return !lights[light].isDark() && layers[light].lit() > 0;
+    }
+
+    /** Tells of lights {@code from … to − 1}. */
+    private void gather(int from, int to) {
+        int middle = (from + to) >>> 1;
+        int left = chain(from, middle, 0);
+        int right = left < 0 ? -1 : chain(middle, to, left);
+        if (right >= 0) {
+            lights(0, left);
+            diffuse.second();
+            specular.second();
+            lights(left, left + right);
+        } else if (to - from == 1) {
+            RatioRows layer = (RatioRows) layers[from];
+            diffuse.sum(layer.diffuse);
+            if (layer.specular != null) {
+                specular.sum(layer.specular);
+            }
+        } else {
+            SumRows known = sum(from, middle);
+            gather(middle, to);
+            add(known);
+        }
+    }
+
+    /**
+     * Lists those of lights {@code from … to − 1} that add anything, from place {@code at} on, so that the tree's sum is each
+     * added to those before; how many, or −1 where there is no such order, no place, or one whose contribution is kept.
+     */
+    private int chain(int from, int to, int at) {
+        if (to - from < 2) {
+            if (from == to || !isActive(from)) {
+                return 0;
+            }
+            if (at == Addends.MOST_LIGHTS || !(layers[from] instanceof LightRows)) {
+                return -1;
+            }
+            chain[at] = from;
+            return 1;
+        }
+        int middle = (from + to) >>> 1;
+        int left = chain(from, middle, at);
+        int right = left < 0 ? -1 : chain(middle, to, at + left);
+        if (right < 0 || left > 1 && right > 1) {
+            return -1;
+        }
+        if (left == 1 && right > 1) {
+            int single = chain[at];
+            System.arraycopy(chain, at + 1, chain, at, right);
+            chain[at + right] = single;
+        }
+        return left + right;
+    }
+
+    private void lights(int from, int to) {
+        for (int i = from; i < to; i++) {
+            Luminaire light = lights[chain[i]];
+            LightRows layer = (LightRows) layers[chain[i]];
+            diffuse.light(light, layer.cosine, layer.falloff);
+            if (layer.specular != null) {
+                specular.light(light, layer.specular, layer.falloff);
+            }
+        }
+    }
+
+    private void add(SumRows known) {
+        if (known == null) {
+            return;
+        }
+        diffuse.sum(known.diffuse);
+        if (known.hasSpecular) {
+            specular.sum(known.specular);
+        }
+    }
+
+    /** The sum over lights {@code from … to − 1} in scratch columns that are in use then, or null where none adds anything. */
+    private SumRows sum(int from, int to) {
+        int free = used;
+        gather(from, to);
+        if (diffuse.isEmpty()) {
+            return null;
+        }
+        // What it is made of stands in columns that are free afterwards.
+        SumRows sum = sum();
+        scratch.set(used, scratch.set(free, sum));
+        used = free + 1;
+        diffuse.clear();
+        specular.clear();
+        return sum;
+    }
+
+    /** The sum of what was told of, in the scratch columns that are free next. */
+    private SumRows sum() {
+        if (used == scratch.size()) {
+            scratch.add(SumRows.scratch());
+        }
+        SumRows sum = scratch.get(used);
+        kernel.sum(rows, diffuse, sum.diffuse);
+        sum.hasSpecular = !specular.isEmpty();
+        if (sum.hasSpecular) {
+            kernel.sum(rows, specular, sum.specular);
+        }
+        return sum;
     }
 }

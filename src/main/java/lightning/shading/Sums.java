@@ -1,36 +1,27 @@
 package lightning.shading;
 
+import lightning.trace.HitRows;
+
 /**
  * Adds lights' contributions over the rows of a tile and closes the {@link LightingEquation}. Columns are as long as
- * {@link lightning.trace.HitRows#padded}, so that loops may run over the end.
+ * {@link HitRows#padded}, so that loops may run over the end.
  */
 public interface Sums {
-    /** Writes {@link LightingEquation#contribution} of a light in three channels. */
-    void set(int rows, Luminaire light, float[] term, float[] falloff, float[] red, float[] green, float[] blue);
-
-    /** Adds {@link LightingEquation#contribution} of a light in three channels. */
-    void add(int rows, Luminaire light, float[] term, float[] falloff, float[] red, float[] green, float[] blue);
-
-    /** Adds one column to another. */
-    void add(int rows, float[] from, float[] to);
+    /** Writes a sum: red, green and blue columns. */
+    void sum(int rows, Addends addends, float[][] to);
 
     /**
-     * One channel of the rows {@code from … to − 1}, which are of one material: {@link LightingEquation#color} with absent terms
-     * left out, which changes no bit, because they would add +0 or multiply by 1.
-     */
-    void close(int from, int to, Channel channel, float[] out);
-
-    /**
-     * One channel of what a material shows.
+     * Writes {@link LightingEquation#color} of the rows of a run. Where there is no specular term and no mirror image, it is
+     * left out, which changes no bit, because it would add +0 or multiply by 1. Rows before and behind the run may get any colour.
+     * All that has colours is red, green and blue columns.
      *
-     * @param emitted  k<sub>ambient</sub> times the ambience
-     * @param kd       k<sub>diffuse</sub> before the texture
-     * @param ks       k<sub>specular</sub>; 0 where {@code specular} is null
-     * @param kr       k<sub>reflective</sub>
-     * @param texture  the texels; null where the material has no texture
-     * @param diffuse  the lights' sum
-     * @param specular the lights' sum; null where nothing is specular
-     * @param mirrored Cr; unread where {@code kr} is 0
+     * @param shade    that of the run's material
+     * @param ambience that of the scene
+     * @param diffuse  the lights' diffuse sum
+     * @param specular their specular sum; null where there is none, or none is shown
+     * @param mirrored Cr; unread where the material mirrors nothing
+     * @param to       gets the colours
      */
-    record Channel(float emitted, float kd, float ks, float kr, float[] texture, float[] diffuse, float[] specular, float[] mirrored) {}
+    void close(HitRows rows, int run, Shade shade, float ambience, float[][] diffuse, float[][] specular, float[][] mirrored,
+            float[][] to);
 }

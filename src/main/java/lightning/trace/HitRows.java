@@ -183,6 +183,16 @@ public final class HitRows {
         return Element.FLOAT.length(rows);
     }
 
+    /** The texels' red, green or blue for channel 0, 1, 2; null where the tile has none. */
+    public float[] texel(int channel) {
+        return switch (channel) {
+            case 0 -> texelRed;
+            case 1 -> texelGreen;
+            case 2 -> texelBlue;
+            default -> throw new IllegalArgumentException("channel " + channel);
+        };
+    }
+
     /** The columns that these rows have. */
     ColumnSet<Column> columns() {
         return columns;

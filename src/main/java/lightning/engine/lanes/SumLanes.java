@@ -1,71 +1,95 @@
 package lightning.engine.lanes;
 
 import jdk.incubator.vector.FloatVector;
-import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
-import lightning.shading.Luminaire;
+import lightning.shading.Addends;
+import lightning.shading.Shade;
 import lightning.shading.Sums;
+import lightning.trace.HitRows;
 
-/** {@link Sums} in lanes. Plain loops with three stores were not vectorised and took eight times as long. */
+/**
+ * {@link Sums} in lanes: rows are gone over in whole, aligned lanes. Kernels are short, because in longer ones vectors become
+ * objects.
+ */
 final class SumLanes implements Sums {
     private static final VectorSpecies<Float> F = FloatVector.SPECIES_PREFERRED;
 
+    private final Touch touch = new Touch();
+
     @Override
-    public void set(int rows, Luminaire light, float[] term, float[] falloff, float[] red, float[] green, float[] blue) {
-        float r = light.red();
-        float g = light.green();
-        float b = light.blue();
+    public void sum(int rows, Addends a, float[][] to) {
+        touch.addends(rows, a);
         for (int i = 0; i < rows; i += F.length()) {
-            FloatVector faded = FloatVector.fromArray(F, term, i).mul(FloatVector.fromArray(F, falloff, i));
-            faded.mul(r).intoArray(red, i);
-            faded.mul(g).intoArray(green, i);
-            faded.mul(b).intoArray(blue, i);
+            FloatVector r = FloatVector.zero(F);
+            FloatVector g = r;
+            FloatVector b = r;
+            for (int l = 0; l < a.first; l++) {
+                FloatVector faded = FloatVector.fromArray(F, a.term[l], i).mul(FloatVector.fromArray(F, a.falloff[l], i));
+                r = r.add(faded.mul(a.red[l]));
+                g = g.add(faded.mul(a.green[l]));
+                b = b.add(faded.mul(a.blue[l]));
+            }
+            if (a.first < a.lights) {
+                FloatVector r2 = FloatVector.zero(F);
+                FloatVector g2 = r2;
+                FloatVector b2 = r2;
+                for (int l = a.first; l < a.lights; l++) {
+                    FloatVector faded = FloatVector.fromArray(F, a.term[l], i).mul(FloatVector.fromArray(F, a.falloff[l], i));
+                    r2 = r2.add(faded.mul(a.red[l]));
+                    g2 = g2.add(faded.mul(a.green[l]));
+                    b2 = b2.add(faded.mul(a.blue[l]));
+                }
+                r = r.add(r2);
+                g = g.add(g2);
+                b = b.add(b2);
+            }
+            for (int s = 0; s < a.sums; s++) {
+                r = r.add(FloatVector.fromArray(F, a.sumRed[s], i));
+                g = g.add(FloatVector.fromArray(F, a.sumGreen[s], i));
+                b = b.add(FloatVector.fromArray(F, a.sumBlue[s], i));
+            }
+            r.intoArray(to[0], i);
+            g.intoArray(to[1], i);
+            b.intoArray(to[2], i);
         }
     }
 
     @Override
-    public void add(int rows, Luminaire light, float[] term, float[] falloff, float[] red, float[] green, float[] blue) {
-        float r = light.red();
-        float g = light.green();
-        float b = light.blue();
-        for (int i = 0; i < rows; i += F.length()) {
-            FloatVector faded = FloatVector.fromArray(F, term, i).mul(FloatVector.fromArray(F, falloff, i));
-            FloatVector.fromArray(F, red, i).add(faded.mul(r)).intoArray(red, i);
-            FloatVector.fromArray(F, green, i).add(faded.mul(g)).intoArray(green, i);
-            FloatVector.fromArray(F, blue, i).add(faded.mul(b)).intoArray(blue, i);
+    public void close(HitRows rows, int run, Shade shade, float ambience, float[][] diffuse, float[][] specular, float[][] mirrored,
+            float[][] to) {
+        int start = rows.runStart(run) & -F.length();
+        int end = rows.runEnd[run];
+        for (int c = 0; c < 3; c++) {
+            float[] texel = shade.textured() ? rows.texel(c) : null;
+            float[] image = shade.mirrors() ? mirrored[c] : null;
+            touch.column(texel, start, end);
+            touch.column(image, start, end);
+            close(start, end, shade, c, shade.ambient()[c] * ambience, diffuse[c], specular == null ? null : specular[c], texel, image,
+                    to[c]);
         }
     }
 
-    @Override
-    public void add(int rows, float[] from, float[] to) {
-        for (int i = 0; i < rows; i += F.length()) {
-            FloatVector.fromArray(F, to, i).add(FloatVector.fromArray(F, from, i)).intoArray(to, i);
-        }
-    }
-
-    @Override
-    public void close(int from, int to, Channel c, float[] out) {
-        float[] texture = c.texture();
-        float emitted = c.emitted();
-        float kd = c.kd();
-        float ks = c.ks();
-        float kr = c.kr();
-        for (int i = from; i < to; i += F.length()) {
-            VectorMask<Float> in = F.indexInRange(i, to);
-            FloatVector light = FloatVector.fromArray(F, c.diffuse(), i, in);
+    /** One channel. */
+    private static void close(int start, int end, Shade shade, int channel, float emitted, float[] diffuse, float[] specular,
+            float[] texel, float[] image, float[] to) {
+        float kd = shade.diffuse()[channel];
+        float ks = shade.specular()[channel];
+        float kr = shade.reflective()[channel];
+        for (int i = start; i < end; i += F.length()) {
+            FloatVector light = FloatVector.fromArray(F, diffuse, i);
             // kd·texel first, as where a point carries its diffuse colour.
-            light = texture == null ? light.mul(kd) : light.mul(FloatVector.fromArray(F, texture, i, in).mul(kd));
+            light = texel == null ? light.mul(kd) : light.mul(FloatVector.fromArray(F, texel, i).mul(kd));
             FloatVector color = light.add(emitted);
-            if (kr != 0) {
+            if (image != null) {
                 color = color.mul(1 - kr);
             }
-            if (ks != 0) {
-                color = color.add(FloatVector.fromArray(F, c.specular(), i, in).mul(ks));
+            if (specular != null) {
+                color = color.add(FloatVector.fromArray(F, specular, i).mul(ks));
             }
-            if (kr != 0) {
-                color = color.add(FloatVector.fromArray(F, c.mirrored(), i, in).mul(kr));
+            if (image != null) {
+                color = color.add(FloatVector.fromArray(F, image, i).mul(kr));
             }
-            color.intoArray(out, i, in);
+            color.intoArray(to, i);
         }
     }
 }

@@ -1,58 +1,59 @@
 package lightning.engine.scalar;
 
-import lightning.shading.Luminaire;
+import lightning.shading.Addends;
+import lightning.shading.Shade;
 import lightning.shading.Sums;
+import lightning.trace.HitRows;
 
 /** {@link Sums} in plain loops. */
 final class ScalarSums implements Sums {
     @Override
-    public void set(int rows, Luminaire light, float[] term, float[] falloff, float[] red, float[] green, float[] blue) {
-        float r = light.red();
-        float g = light.green();
-        float b = light.blue();
+    public void sum(int rows, Addends addends, float[][] to) {
+        sum(rows, addends, addends.red, addends.sumRed, to[0]);
+        sum(rows, addends, addends.green, addends.sumGreen, to[1]);
+        sum(rows, addends, addends.blue, addends.sumBlue, to[2]);
+    }
+
+    /** One channel. */
+    private static void sum(int rows, Addends addends, float[] weight, float[][] sums, float[] to) {
         for (int i = 0; i < rows; i++) {
-            float faded = term[i] * falloff[i];
-            red[i] = faded * r;
-            green[i] = faded * g;
-            blue[i] = faded * b;
+            float sum = chain(i, addends, weight, 0, addends.first) + chain(i, addends, weight, addends.first, addends.lights);
+            for (int s = 0; s < addends.sums; s++) {
+                sum += sums[s][i];
+            }
+            to[i] = sum;
         }
     }
 
-    @Override
-    public void add(int rows, Luminaire light, float[] term, float[] falloff, float[] red, float[] green, float[] blue) {
-        float r = light.red();
-        float g = light.green();
-        float b = light.blue();
-        for (int i = 0; i < rows; i++) {
-            float faded = term[i] * falloff[i];
-            red[i] += faded * r;
-            green[i] += faded * g;
-            blue[i] += faded * b;
+    private static float chain(int i, Addends addends, float[] weight, int from, int to) {
+        float sum = 0;
+        for (int l = from; l < to; l++) {
+            sum += addends.term[l][i] * addends.falloff[l][i] * weight[l];
         }
+        return sum;
     }
 
     @Override
-    public void add(int rows, float[] from, float[] to) {
-        for (int i = 0; i < rows; i++) {
-            to[i] += from[i];
-        }
-    }
-
-    @Override
-    public void close(int from, int to, Channel c, float[] out) {
-        for (int i = from; i < to; i++) {
-            float kd = c.texture() == null ? c.kd() : c.texture()[i] * c.kd();
-            float color = c.diffuse()[i] * kd + c.emitted();
-            if (c.kr() != 0) {
-                color *= 1 - c.kr();
+    public void close(HitRows rows, int run, Shade shade, float ambience, float[][] diffuse, float[][] specular, float[][] mirrored,
+            float[][] to) {
+        for (int c = 0; c < 3; c++) {
+            float emitted = shade.ambient()[c] * ambience;
+            float kd = shade.diffuse()[c];
+            float kr = shade.reflective()[c];
+            float[] texel = rows.texel(c);
+            for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
+                float color = diffuse[c][i] * (shade.textured() ? texel[i] * kd : kd) + emitted;
+                if (shade.mirrors()) {
+                    color *= 1 - kr;
+                }
+                if (specular != null) {
+                    color += specular[c][i] * shade.specular()[c];
+                }
+                if (shade.mirrors()) {
+                    color += mirrored[c][i] * kr;
+                }
+                to[c][i] = color;
             }
-            if (c.ks() != 0) {
-                color += c.specular()[i] * c.ks();
-            }
-            if (c.kr() != 0) {
-                color += c.mirrored()[i] * c.kr();
-            }
-            out[i] = color;
         }
     }
 }

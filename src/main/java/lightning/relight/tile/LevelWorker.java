@@ -160,13 +160,17 @@ final class LevelWorker {
         }
     }
 
-    /** Composes a level; gives it back with the sums that are kept for the next time, if any are. */
-    TileLevel compose(TileLevel level, LevelJob update, float[][] cr) {
+    /**
+     * Composes a level; gives it back with the sums that are kept for the next time, if any are.
+     *
+     * @param to gets the colours
+     */
+    TileLevel compose(TileLevel level, LevelJob update, float[][] cr, float[][] to) {
         rowsComposed += level.rows().count;
         BranchSums sums = update == null || update.key() == null ? null
                 : level.branches() != null ? level.branches()
                 : composer.branches(level.rows(), shown.lights(), level.layers(), update.key());
-        composer.level(level.rows(), shown.lights(), level.layers(), sums, shown.scene().world(), cr);
+        composer.level(level.rows(), shown.lights(), level.layers(), sums, shown.scene().world(), cr, to);
         bytesMoved += bytesRead(level, update == null ? null : update.key(), sums);
         return sums == level.branches() ? level : level.with(sums);
     }

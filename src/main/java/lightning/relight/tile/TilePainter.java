@@ -34,8 +34,9 @@ public final class TilePainter {
         }
         float[][] cr = mirror.unfollowed(levels[levels.length - 1].rows());
         for (int k = levels.length - 1; k > 0; k--) {
-            mirror.level(levels[k].rows(), lights, levels[k].layers(), null, world, cr);
-            cr = mirror.followed(levels[k - 1].rows(), levels[k].rows(), world);
+            float[][] above = mirror.followed(levels[k - 1].rows(), world);
+            mirror.level(levels[k].rows(), lights, levels[k].layers(), null, world, cr, above);
+            cr = above;
         }
         return cr;
     }
@@ -43,8 +44,8 @@ public final class TilePainter {
     /** The tile of the film: red, green, blue, {@code float[1024]} each. */
     public float[][] film(TileLevel top, Luminaire[] lights, World world, float[][] cr) {
         float[][] pixels = new float[3][Film.TILE_PIXELS];
-        eye.level(top.rows(), lights, top.layers(), null, world, cr);
-        eye.toFilm(top.rows(), world, pixels[0], pixels[1], pixels[2]);
+        eye.background(top.rows(), world, pixels);
+        eye.level(top.rows(), lights, top.layers(), null, world, cr, pixels);
         return pixels;
     }
 }

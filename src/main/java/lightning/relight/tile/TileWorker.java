@@ -163,9 +163,9 @@ final class TileWorker {
         float[][] pixels = film;
         if (pixels == null) {
             pixels = new float[3][Film.TILE_PIXELS];
-            levels[0] = eye.compose(top, job.top(), mirrors.cr);
+            eye.composer.background(top.rows(), job.scene().world(), pixels);
+            levels[0] = eye.compose(top, job.top(), mirrors.cr, pixels);
             filmBytes += 12L * Film.TILE_PIXELS;
-            eye.composer.toFilm(top.rows(), job.scene().world(), pixels[0], pixels[1], pixels[2]);
         }
         return new CachedTile(levels, mirrors.hitShapes, mirrors.cr, pixels, codes);
     }
@@ -256,7 +256,7 @@ final class TileWorker {
         codeMirrors(coded, levels, k);
         levels = Arrays.copyOf(levels, k + 1);
         changed |= k + 1 < old.levels.length;
-        return changed ? new Mirrors(levels, old.hitShapes, copyOf(cr(levels, k), top.rows().reflective))
+        return changed ? new Mirrors(levels, old.hitShapes, CachedTile.mirrored(top.rows(), cr(levels, k)))
                 : new Mirrors(levels, old.hitShapes, old.mirrored);
     }
 
@@ -293,7 +293,7 @@ final class TileWorker {
             return new Mirrors(from, known, null);
         }
         codeMirrors(coded, levels, deepest);
-        float[][] cr = copyOf(cr(levels, deepest), top.reflective);
+        float[][] cr = CachedTile.mirrored(top, cr(levels, deepest));
         return job.keepsRows()
                 ? new Mirrors(Arrays.copyOf(levels, deepest + 1), new int[0][], cr)
                 : new Mirrors(Arrays.copyOf(levels, 1), Arrays.copyOf(shapes, deepest), cr);
@@ -303,13 +303,10 @@ final class TileWorker {
     private float[][] cr(TileLevel[] levels, int deepest) {
         float[][] cr = mirror().composer.unfollowed(levels[deepest].rows());
         for (int k = deepest; k > 0; k--) {
-            levels[k] = mirror().compose(levels[k], job.keepsRows() ? job.mirrors() : null, cr);
-            cr = mirror().composer.followed(levels[k - 1].rows(), levels[k].rows(), job.mirrored().scene().world());
+            float[][] above = mirror().composer.followed(levels[k - 1].rows(), job.mirrored().scene().world());
+            levels[k] = mirror().compose(levels[k], job.keepsRows() ? job.mirrors() : null, cr, above);
+            cr = above;
         }
         return cr;
-    }
-
-    private static float[][] copyOf(float[][] cr, int rows) {
-        return new float[][] {Arrays.copyOf(cr[0], rows), Arrays.copyOf(cr[1], rows), Arrays.copyOf(cr[2], rows)};
     }
 }

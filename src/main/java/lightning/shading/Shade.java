@@ -1,0 +1,28 @@
+package lightning.shading;
+
+import lightning.trace.MaterialTable;
+
+/**
+ * What a material shows of the light that falls on it, as the {@link LightingEquation} needs it: red, green, blue each.
+ *
+ * @param ambient    k<sub>ambient</sub> before the scene's ambience
+ * @param diffuse    k<sub>diffuse</sub> before the texture
+ * @param specular   k<sub>specular</sub>
+ * @param reflective k<sub>reflective</sub>
+ * @param textured   whether its rows' texels are factors of k<sub>diffuse</sub>
+ * @param shines     whether k<sub>specular</sub> is above 0 in any channel
+ * @param mirrors    whether k<sub>reflective</sub> is above 0 in any channel
+ */
+public record Shade(float[] ambient, float[] diffuse, float[] specular, float[] reflective, boolean textured, boolean shines,
+        boolean mirrors) {
+    // Arrays in a record: written once by their maker, never after.
+
+    /** That of material {@code m}. */
+    static Shade of(MaterialTable t, int m) {
+        float[] reflective = {t.reflective(m, 0), t.reflective(m, 1), t.reflective(m, 2)};
+        return new Shade(new float[] {t.ambient(m, 0), t.ambient(m, 1), t.ambient(m, 2)},
+                new float[] {t.diffuse(m, 0), t.diffuse(m, 1), t.diffuse(m, 2)},
+                new float[] {t.specular(m, 0), t.specular(m, 1), t.specular(m, 2)}, reflective, t.isTextured(m), t.isSpecular(m),
+                reflective[0] > 0 || reflective[1] > 0 || reflective[2] > 0);
+    }
+}
