@@ -1,6 +1,7 @@
 package lightning.cache;
 
 import java.util.Arrays;
+import lightning.image.Film;
 import lightning.shading.EdgeCodes;
 import lightning.trace.HitRows;
 
@@ -18,7 +19,10 @@ public final class CachedTile {
     public final int[][] hitShapes;
     /** Cr of level 0's reflective rows: red, green, blue columns; null where it has none. */
     public final float[][] mirrored;
-    /** The colours of the pixels' centres or of the samples: red, green, blue, {@code float[1024]} each. */
+    /**
+     * The colours of the pixels' centres or of the samples: red, green, blue, {@code float[1024]} each. Null for samples at accuracy
+     * exact: of those the pixels that they make are kept.
+     */
     public final float[][] film;
     /** What anti-aliasing sees of the pixels' centres; null where it does not look for edges. */
     public final EdgeCodes codes;
@@ -36,10 +40,10 @@ public final class CachedTile {
         return Arrays.stream(cr).map(column -> Arrays.copyOf(column, HitRows.padded(rows.reflective))).toArray(float[][]::new);
     }
 
-    /** The largest value of its colours, linear. */
+    /** The largest value of the colours that are kept, linear. */
     float brightest() {
         float brightest = 0;
-        for (float[] channel : film) {
+        for (float[] channel : film == null ? new float[0][] : film) {
             for (float value : channel) {
                 brightest = Math.max(brightest, value);
             }
@@ -62,6 +66,16 @@ public final class CachedTile {
             bytes += 4L * shapes.length;
         }
         return bytes + (mirrored == null ? 0 : 12L * mirrored[0].length) + (codes == null ? 0 : codes.bytes());
+    }
+
+    /** The bytes of the colours that are kept. */
+    public long colorBytes() {
+        return film == null ? 0 : 3L * Float.BYTES * Film.TILE_PIXELS;
+    }
+
+    /** The same without its colours. */
+    CachedTile withoutColors() {
+        return new CachedTile(levels, hitShapes, mirrored, null, codes);
     }
 
     /** The hit rows of all levels. */

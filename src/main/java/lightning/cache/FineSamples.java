@@ -13,15 +13,6 @@ import lightning.shading.SampleMean;
 public record FineSamples(short[] pixels, CachedTile[] blocks) {
     // Arrays in a record: written once by their maker, never after.
 
-    /** Whether these are the same samples in the same colours. */
-    boolean isAlike(FineSamples o) {
-        boolean alike = pixels == o.pixels;
-        for (int b = 0; alike && b < blocks.length; b++) {
-            alike = blocks[b].film == o.blocks[b].film;
-        }
-        return alike;
-    }
-
     /** Makes the pixels of their samples, whose colours {@code colors} tells for each block. */
     void write(Function<CachedTile, float[][]> colors, int perPixel, float[][] film) {
         int together = SampleMean.pixelsTogether(perPixel);

@@ -13,12 +13,12 @@ import lightning.image.Film;
 public record FineTile(FineSamples shapes, FineSamples lights, float[][] film) {
 
     /**
-     * The tile that samples and centres make.
+     * The tile that samples, which have their colours, and centres make.
      *
      * @param center   the centres of the tile's pixels, or null where all have several samples
      * @param perPixel how many samples
      */
-    public static FineTile of(CachedTile center, FineSamples shapes, FineSamples lights, int perPixel) {
+    private static FineTile of(CachedTile center, FineSamples shapes, FineSamples lights, int perPixel) {
         FineTile tile = new FineTile(shapes, lights, null);
         return new FineTile(shapes, lights, tile.film(center, t -> t.film, perPixel));
     }
@@ -37,12 +37,12 @@ public record FineTile(FineSamples shapes, FineSamples lights, float[][] film) {
         return film;
     }
 
-    /** Whether the other has the same samples in the same colours. */
-    public boolean isAlike(FineTile o) {
-        return shapes.isAlike(o.shapes) && lights.isAlike(o.lights);
+    /** The same tile, whose samples keep no colours. */
+    public FineTile withoutColors() {
+        return new FineTile(shapes.map(CachedTile::withoutColors), lights.map(CachedTile::withoutColors), film);
     }
 
-    /** The same tile with its rows changed; {@code center} is changed already. */
+    /** The same tile with its rows changed, which have colours then; {@code center} is changed already. */
     public FineTile map(CachedTile center, Function<CachedTile, CachedTile> change, int perPixel) {
         return of(center, shapes.map(change), lights.map(change), perPixel);
     }

@@ -124,13 +124,18 @@ public final class PixelCache {
         return new Film(scene().picture().width(), scene().picture().height(), red, green, blue);
     }
 
-    /** The largest value of all centres and samples, linear. */
+    /** The largest value of all centres and samples whose colours are kept, linear. */
     public float brightest() {
         float brightest = 0;
         for (CachedTile tile : all()) {
             brightest = Math.max(brightest, tile.brightest());
         }
         return brightest;
+    }
+
+    /** The bytes of the colours of all centres and samples, as far as they are kept; those of the film are left out. */
+    public long colorBytes() {
+        return all().stream().mapToLong(CachedTile::colorBytes).sum();
     }
 
     /** The bytes of all rows; colours are left out. */

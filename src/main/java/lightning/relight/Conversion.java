@@ -10,6 +10,7 @@ import lightning.cache.PixelCache;
 import lightning.cache.TileLevel;
 import lightning.engine.Crew;
 import lightning.engine.Engine;
+import lightning.relight.plan.Accuracy;
 import lightning.relight.plan.LayerPlan;
 import lightning.relight.plan.LevelPlan;
 import lightning.relight.plan.LightUpdate;
@@ -78,7 +79,8 @@ record Conversion(PixelCache cache, Options to) {
                 tiles[i] = center;
             }
             if (fine.length > 0) {
-                fine[i] = cache.fine(i).map(center, block -> threads.get(worker).forTile(i).convert(block, top, mirrors), perPixel);
+                FineTile tile = cache.fine(i).map(center, block -> threads.get(worker).forTile(i).convert(block, top, mirrors), perPixel);
+                fine[i] = to.accuracy() == Accuracy.EXACT ? tile.withoutColors() : tile;
             }
         }, progress);
         Tally work = threads.stream().flatMap(crew -> crew.all().stream()).map(Tiles::work).reduce(Tally.NONE, Tally::plus);

@@ -3,7 +3,6 @@ package lightning.relight;
 import java.util.Arrays;
 import lightning.cache.CachedTile;
 import lightning.cache.PixelCache;
-import lightning.image.Film;
 import lightning.relight.tile.Options;
 import lightning.scene.Antialias;
 import lightning.scene.Limits;
@@ -87,7 +86,7 @@ final class Forecast {
         }
 
         private static long bytes(CachedTile tile) {
-            return tile.bytes() + MemoryNeed.COLOR * Film.TILE_PIXELS;
+            return tile.bytes() + tile.colorBytes();
         }
 
         double center() {

@@ -6,6 +6,7 @@ import java.util.List;
 import lightning.cache.PixelCache;
 import lightning.column.ColumnKind;
 import lightning.image.Film;
+import lightning.relight.plan.Accuracy;
 import lightning.relight.tile.MirrorStorage;
 import lightning.relight.tile.Options;
 import lightning.scene.Antialias;
@@ -52,13 +53,16 @@ public final class MemoryNeed {
             case EDGES -> 1L + sampling.perPixel();
             case EVERY -> sampling.perPixel();
         };
-        return pixels(picture) * (samples * (row + mirrored + COLOR) + codes(sampling) + (sampling.isFine() ? COLOR : 0));
+        // Samples keep their colours at accuracy ratio alone.
+        long colored = options.accuracy() == Accuracy.RATIO ? samples : sampling.antialias() == Antialias.EVERY ? 0 : 1;
+        return pixels(picture)
+                * (samples * (row + mirrored) + colored * COLOR + codes(sampling) + (sampling.isFine() ? COLOR : 0));
     }
 
     /** The bytes that a kept picture takes: columns, colours and film. */
     public static long of(PixelCache cache) {
         Picture picture = cache.scene().picture();
-        return cache.bytes() + cache.all().size() * COLOR * Film.TILE_PIXELS + (picture.sampling().isFine() ? COLOR * pixels(picture) : 0);
+        return cache.bytes() + cache.colorBytes() + (picture.sampling().isFine() ? COLOR * pixels(picture) : 0);
     }
 
     /** The pixels of whole tiles. */

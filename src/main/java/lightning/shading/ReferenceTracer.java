@@ -80,8 +80,11 @@ public final class ReferenceTracer {
                 samples[c][s] = color[c];
             }
         }
-        return new float[] {SampleMean.of(samples[0], 0, grid * grid), SampleMean.of(samples[1], 0, grid * grid),
-            SampleMean.of(samples[2], 0, grid * grid)};
+        return new float[] {mean(samples[0]), mean(samples[1]), mean(samples[2])};
+    }
+
+    private static float mean(float[] samples) {
+        return LightingEquation.sum(samples, 0, samples.length) / samples.length;
     }
 
     /** The colour that a ray brings; {@code depth} more mirrors may be followed. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Random;
 import lightning.image.Film;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
@@ -64,5 +65,16 @@ class SampleMeanTest {
         float[] samples = new float[grid * grid];
         java.util.Arrays.fill(samples, value);
         assertThat(SampleMean.of(samples, 0, samples.length)).isCloseTo(value, within(value * 14 * 0x1p-24f));
+    }
+
+    @Property
+    void mean_isOfTheTreeInWhichTheEquationAdds(@ForAll @IntRange(min = 1, max = 64) int count, @ForAll @IntRange(max = 3) int from,
+            @ForAll long seed) {
+        Random random = new Random(seed);
+        float[] samples = new float[from + count];
+        for (int i = 0; i < samples.length; i++) {
+            samples[i] = random.nextFloat();
+        }
+        assertThat(SampleMean.of(samples, from, count)).isEqualTo(LightingEquation.sum(samples, from, from + count) / count);
     }
 }

@@ -47,14 +47,16 @@ final class FineWorker {
      */
     FineTile tile(int tile, CachedTile center, CachedTile oldCenter, FineTile old) {
         boolean stay = old != null && (!job.coding() || edges.alike(tile, known));
-        FineSamples shapes = samples(tile, stay ? old.shapes().pixels() : shapePixels(tile), old == null ? null : old.shapes());
-        FineSamples lights = samples(tile, stay ? old.lights().pixels() : lightPixels(tile), old == null ? null : old.lights());
-        if (job.progress().isCancelled()) {
-            return null;
-        }
-        FineTile now = new FineTile(shapes, lights, old == null ? null : old.film());
-        boolean same = old != null && (center == null || center.film == oldCenter.film) && now.isAlike(old);
-        return same ? now : FineTile.of(center, shapes, lights, job.sampling().perPixel());
+        short[] shapePixels = stay ? old.shapes().pixels() : shapePixels(tile);
+        short[] lightPixels = stay ? old.lights().pixels() : lightPixels(tile);
+        FineSamples oldShapes = old != null && Arrays.equals(shapePixels, old.shapes().pixels()) ? old.shapes() : null;
+        FineSamples oldLights = old != null && Arrays.equals(lightPixels, old.lights().pixels()) ? old.lights() : null;
+        boolean same = oldShapes != null && oldLights != null && (center == null || center.film == oldCenter.film);
+        int perPixel = job.sampling().perPixel();
+        SampledFilm film = same ? SampledFilm.from(old, perPixel) : SampledFilm.over(center, old, perPixel);
+        FineSamples shapes = samples(tile, shapePixels, oldShapes, film);
+        FineSamples lights = samples(tile, lightPixels, oldLights, film);
+        return job.progress().isCancelled() ? null : new FineTile(shapes, lights, film.film());
     }
 
     private short[] shapePixels(int tile) {
@@ -66,16 +68,23 @@ final class FineWorker {
         return job.sampling().antialias() == Antialias.EDGES ? edges.lightEdges(tile) : NO_PIXELS;
     }
 
-    private FineSamples samples(int tile, short[] pixels, FineSamples old) {
+    /** @param old the samples of the same pixels before, or null */
+    private FineSamples samples(int tile, short[] pixels, FineSamples old, SampledFilm film) {
         int together = SampleMean.pixelsTogether(job.sampling().perPixel());
-        boolean same = old != null && Arrays.equals(pixels, old.pixels());
         TileWorker worker = crew.forTile(tile);
         CachedTile[] blocks = new CachedTile[(pixels.length + together - 1) / together];
         for (int b = 0; b < blocks.length && !job.progress().isCancelled(); b++) {
-            var places = new SamplePlaces(tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE, pixels, b * together,
-                    Math.min(pixels.length, (b + 1) * together), job.sampling().grid());
-            blocks[b] = same ? worker.relight(places, old.blocks()[b]) : worker.fine(places);
+            int from = b * together;
+            int to = Math.min(pixels.length, from + together);
+            var places = new SamplePlaces(tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE, pixels, from, to,
+                    job.sampling().grid());
+            blocks[b] = old == null ? worker.fine(places) : worker.relight(places, old.blocks()[b]);
+            if (worker.recolored()) {
+                film.write(pixels, from, to, worker.colors());
+            } else {
+                film.keep(pixels, from, to);
+            }
         }
-        return new FineSamples(same ? old.pixels() : pixels, blocks);
+        return new FineSamples(old == null ? pixels : old.pixels(), blocks);
     }
 }

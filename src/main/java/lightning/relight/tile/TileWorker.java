@@ -5,6 +5,7 @@ import lightning.cache.CachedTile;
 import lightning.cache.TileLevel;
 import lightning.engine.Engine;
 import lightning.image.Film;
+import lightning.relight.plan.Accuracy;
 import lightning.relight.plan.MaterialUpdate;
 import lightning.scene.Antialias;
 import lightning.shading.EdgeCoder;
@@ -26,6 +27,12 @@ final class TileWorker {
     private LevelWorker mirror;
     /** Made when anti-aliasing asks for it first. */
     private EdgeCoder coder;
+    /** Where samples are composed whose colours are not kept; made when it is needed first. */
+    private float[][] samples;
+    /** The colours composed last. */
+    private float[][] colors;
+    /** Whether the last tile or block was composed. */
+    private boolean recolored;
     private long eyeRays;
     private long mirroredRays;
     private long filmBytes;
@@ -63,20 +70,31 @@ final class TileWorker {
         int y0 = tile / job.tilesX() * Film.TILE;
         eyeRays += (long) Math.min(Film.TILE, job.scene().picture().width() - x0)
                 * Math.min(Film.TILE, job.scene().picture().height() - y0);
-        return traced(eye.visibility.eye(x0, y0, Film.TILE, rows(job.coding())), job.coding());
+        return traced(eye.visibility.eye(x0, y0, Film.TILE, rows(job.coding())), job.coding(), false);
     }
 
     /** Traces finer samples; null where the work was cancelled. */
     CachedTile fine(SamplePlaces places) {
         eyeRays += places.count();
-        return traced(eye.visibility.fine(places, HitRows::new), false);
+        return traced(eye.visibility.fine(places, HitRows::new), false, true);
     }
 
-    private CachedTile traced(HitRows rows, boolean coded) {
+    /** Whether the samples made last have other colours than before. */
+    boolean recolored() {
+        return recolored;
+    }
+
+    /** The colours of the samples made last, where those are others than before: red, green and blue, valid until the next call. */
+    float[][] colors() {
+        return colors;
+    }
+
+    private CachedTile traced(HitRows rows, boolean coded, boolean fine) {
         TileLevel top = eye.lit(rows);
         begin(coded, top);
         Mirrors mirrors = traced(new TileLevel[] {top}, new int[0][], coded);
-        return job.progress().isCancelled() ? null : finish(top, mirrors, null, coded ? coder.codes() : null);
+        return job.progress().isCancelled() ? null
+                : finish(top, mirrors, false, null, coded ? coder.codes() : null, fine);
     }
 
     private static TileVisibility.Allocator rows(boolean coded) {
@@ -88,7 +106,8 @@ final class TileWorker {
         SamplePlaces places = SamplePlaces.centers(tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE);
         boolean seeksEdges = job.sampling().antialias() == Antialias.EDGES;
         boolean codes = old.codes != null;
-        return relight(places, seeksEdges == codes ? old : seeksEdges ? withCodes(places, old) : withoutCodes(old), seeksEdges);
+        return relight(places, seeksEdges == codes ? old : seeksEdges ? withCodes(places, old) : withoutCodes(old), seeksEdges,
+                false);
     }
 
     /**
@@ -116,11 +135,14 @@ final class TileWorker {
 
     /** Updates finer samples as planned; null where the work was cancelled. */
     CachedTile relight(SamplePlaces places, CachedTile old) {
-        return relight(places, old, false);
+        return relight(places, old, false, true);
     }
 
-    /** @param codes whether anti-aliasing looks at these rows */
-    private CachedTile relight(SamplePlaces places, CachedTile old, boolean codes) {
+    /**
+     * @param codes whether anti-aliasing looks at these rows
+     * @param fine  whether they are finer samples
+     */
+    private CachedTile relight(SamplePlaces places, CachedTile old, boolean codes, boolean fine) {
         TileLevel known = old.levels[0];
         MaterialUpdate materials = job.top().plan().materials();
         RowSplice order = materials.mirrors().isIn(known.rows())
@@ -140,7 +162,7 @@ final class TileWorker {
         }
         boolean same = order == null && mirrors.cr == old.mirrored && !job.top().recolors(sorted, top.layers());
         EdgeCodes seen = !coded ? old.codes : (mirrorsStay ? coder.codes(old.codes) : coder.codes()).or(old.codes);
-        return finish(top, mirrors, same ? old.film : null, seen);
+        return finish(top, mirrors, same, old.film, seen, fine);
     }
 
     private void begin(boolean coded, TileLevel top) {
@@ -157,17 +179,29 @@ final class TileWorker {
         }
     }
 
-    private CachedTile finish(TileLevel top, Mirrors mirrors, float[][] film, EdgeCodes codes) {
+    /**
+     * Composes the first level, unless its colours are those of before, and puts the tile together.
+     *
+     * @param film the colours of before
+     * @param fine whether the rows are finer samples, whose colours only accuracy ratio keeps, to bound its errors
+     */
+    private CachedTile finish(TileLevel top, Mirrors mirrors, boolean same, float[][] film, EdgeCodes codes, boolean fine) {
         TileLevel[] levels = mirrors.levels.clone();
         levels[0] = top;
-        float[][] pixels = film;
-        if (pixels == null) {
-            pixels = new float[3][Film.TILE_PIXELS];
-            eye.composer.background(top.rows(), job.scene().world(), pixels);
-            levels[0] = eye.compose(top, job.top(), mirrors.cr, pixels);
-            filmBytes += 12L * Film.TILE_PIXELS;
+        boolean kept = !fine || job.options().accuracy() == Accuracy.RATIO;
+        if (!same) {
+            colors = kept ? new float[3][Film.TILE_PIXELS] : samples();
+            eye.composer.background(top.rows(), job.scene().world(), colors);
+            levels[0] = eye.compose(top, job.top(), mirrors.cr, colors);
+            filmBytes += kept ? 12L * Film.TILE_PIXELS : 0;
         }
-        return new CachedTile(levels, mirrors.hitShapes, mirrors.cr, pixels, codes);
+        recolored = !same;
+        return new CachedTile(levels, mirrors.hitShapes, mirrors.cr, !kept ? null : same ? film : colors, codes);
+    }
+
+    private float[][] samples() {
+        samples = samples == null ? new float[3][Film.TILE_PIXELS] : samples;
+        return samples;
     }
 
     /**
