@@ -43,7 +43,7 @@ final class Architecture {
             row("jen", "text math file mesh mesh.file scene work"),
             row("image", "text math file"),
             row("trace.solid", "scene"),
-            row("trace.mesh", "mesh"),
+            row("trace.mesh", "mesh trace.solid"),
             row("trace", "math column mesh scene trace.solid trace.mesh"),
             row("shading", "math column scene effects image trace"),
             row("engine", "trace shading"),

@@ -8,11 +8,13 @@ import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LT;
 import static lightning.trace.solid.Lanes.SPECIES;
 
+import java.util.Arrays;
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
+import lightning.trace.mesh.MeshPackets;
 import lightning.trace.mesh.MeshProbe;
 import lightning.trace.solid.Form;
 import lightning.trace.solid.KindLanes;
@@ -23,8 +25,8 @@ import lightning.trace.solid.Touch;
  * One primitive against a packet: {@link PrimitiveTable#distance} in lanes, and what is done with the answer.
  *
  * <p>Solids are asked for whole vectors of lanes, those in which the mask has bits. Lanes that the primitive's box has
- * rejected get the same answer as from the box: a miss, or a hit behind a nearer one. Meshes are asked for one lane of the mask
- * after the other.
+ * rejected get the same answer as from the box: a miss, or a hit behind a nearer one. Meshes are asked for the lanes of the mask
+ * alone; where a ray begins or ends on the mesh, one after the other.
  */
 final class SolidLanes {
     private static final VectorSpecies<Integer> INTS =
@@ -35,11 +37,14 @@ final class SolidLanes {
     private final double[] own = new double[RayPacket.WIDTH];
     private final KindLanes lanes = new KindLanes();
     private final MeshProbe probe = new MeshProbe();
+    private final MeshPackets packets = new MeshPackets();
+    private final double[] unlimited = new double[RayPacket.WIDTH];
     /** The nearest primitive so far, as doubles to be compared and blended like the distances. */
     private final double[] found = new double[RayPacket.WIDTH];
 
     SolidLanes(PrimitiveTable primitives) {
         this.primitives = primitives;
+        Arrays.fill(unlimited, Form.MISS);
     }
 
     /** The first lane of the vectors in which the mask has bits. */
@@ -99,19 +104,36 @@ final class SolidLanes {
     }
 
     private boolean meshNearer(RayPacket p, int s, int mask) {
+        if (primitives.isUnderEye(s)) {
+            return meshNearerInTurn(p, s, mask);
+        }
+        boolean any = false;
+        int met = packets.nearest(primitives.mesh(s), primitives.data, primitives.at[s], p, mask, p.t);
+        for (int left = met; left != 0; left &= left - 1) {
+            int i = Integer.numberOfTrailingZeros(left);
+            any |= take(p, s, i, packets.distance(i), packets.triangle(i));
+        }
+        return any;
+    }
+
+    private boolean meshNearerInTurn(RayPacket p, int s, int mask) {
         boolean any = false;
         for (int left = mask; left != 0; left &= left - 1) {
             int i = Integer.numberOfTrailingZeros(left);
             primitives.enter(probe, s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]);
-            double t = probe.nearest(p.t[i]);
-            if (t < p.t[i] || t == p.t[i] && found[i] > s) {
-                p.t[i] = t;
-                p.part[i] = probe.triangle();
-                found[i] = s;
-                any = true;
-            }
+            any |= take(p, s, i, probe.nearest(p.t[i]), probe.triangle());
         }
         return any;
+    }
+
+    private boolean take(RayPacket p, int s, int i, double t, int part) {
+        boolean nearer = t < p.t[i] || t == p.t[i] && found[i] > s;
+        if (nearer) {
+            p.t[i] = t;
+            p.part[i] = part;
+            found[i] = s;
+        }
+        return nearer;
     }
 
     /** Writes what has been found to the packet's {@code primitive}. */
@@ -144,6 +166,9 @@ final class SolidLanes {
     }
 
     private int meshBelow(RayPacket p, int s, int index, int mask) {
+        if (index < 0 && !primitives.isUnderEye(s)) {
+            return packets.blocked(primitives.mesh(s), primitives.data, primitives.at[s], p, mask, p.limit);
+        }
         int met = 0;
         for (int left = mask; left != 0; left &= left - 1) {
             int i = Integer.numberOfTrailingZeros(left);
@@ -176,12 +201,22 @@ final class SolidLanes {
         int done = 0;
         for (int left = mask; left != 0; left &= left - 1) {
             int i = Integer.numberOfTrailingZeros(left);
-            if (p.primitive[i] == s) {
+            done |= (p.primitive[i] == s ? 1 : 0) << i;
+        }
+        if (primitives.isUnderEye(s)) {
+            for (int left = done; left != 0; left &= left - 1) {
+                int i = Integer.numberOfTrailingZeros(left);
                 primitives.enter(probe, s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]);
                 p.t[i] = probe.nearest(Form.MISS);
                 p.part[i] = probe.triangle();
-                done |= 1 << i;
             }
+            return done;
+        }
+        int met = packets.nearest(primitives.mesh(s), primitives.data, primitives.at[s], p, done, unlimited);
+        for (int left = met; left != 0; left &= left - 1) {
+            int i = Integer.numberOfTrailingZeros(left);
+            p.t[i] = packets.distance(i);
+            p.part[i] = packets.triangle(i);
         }
         return done;
     }

@@ -25,9 +25,9 @@ final class MeshRay {
     /** The distance to what a ray does not meet. */
     static final double MISS = Double.POSITIVE_INFINITY;
     /** 16u. */
-    private static final double PAD = 0x1p-49;
+    static final double PAD = 0x1p-49;
     /** Finite, so that a ray within a box's plane makes no NaN. */
-    private static final double STEEPEST = 0x1p900;
+    static final double STEEPEST = 0x1p900;
 
     private double ox;
     private double oy;
@@ -39,6 +39,7 @@ final class MeshRay {
     private double highX;
     private double highY;
     private double highZ;
+    private double pad;
     private double inverseX;
     private double inverseY;
     private double inverseZ;
@@ -69,7 +70,7 @@ final class MeshRay {
         ox = x;
         oy = y;
         oz = z;
-        double pad = PAD * (Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))) + reach);
+        pad = PAD * (Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))) + reach);
         lowX = x + pad;
         lowY = y + pad;
         lowZ = z + pad;
@@ -141,22 +142,38 @@ final class MeshRay {
         return t > 0 ? within(t, v, a, b, c, step) : MISS;
     }
 
-    /** Puts a distance into the interval in which the wide ray crosses the triangle's box. */
     private double within(double t, float[] v, int a, int b, int c, int step) {
-        double enters = 0;
-        double leaves = MISS;
-        for (int axis = 0; axis < 3; axis++) {
-            int k = axis * step;
-            float least = Math.min(v[a + k], Math.min(v[b + k], v[c + k]));
-            float most = Math.max(v[a + k], Math.max(v[b + k], v[c + k]));
-            double p = (least - of(axis, lowX, lowY, lowZ)) * of(axis, inverseX, inverseY, inverseZ);
-            double q = (most - of(axis, highX, highY, highZ)) * of(axis, inverseX, inverseY, inverseZ);
-            enters = Math.max(enters, Math.min(p, q));
-            leaves = Math.min(leaves, Math.max(p, q));
-        }
+        double put = put(t, v, a, b, c, step, ox, oy, oz, pad, inverseX, inverseY, inverseZ);
+        return put < MISS && free >= 0 && gap(v, a, b, c, step, freeX, freeY, freeZ) <= free ? MISS : put;
+    }
+
+    /** Puts a distance into the interval in which a ray, made wide, crosses the triangle's box; {@code +∞} where that is behind it. */
+    static double put(double t, float[] v, int a, int b, int c, int step, double ox, double oy, double oz, double pad,
+            double inverseX, double inverseY, double inverseZ) {
+        double p = (least(v[a], v[b], v[c]) - (ox + pad)) * inverseX;
+        double q = (most(v[a], v[b], v[c]) - (ox - pad)) * inverseX;
+        double enters = p < q ? p : q;
+        double leaves = p < q ? q : p;
+        p = (least(v[a + step], v[b + step], v[c + step]) - (oy + pad)) * inverseY;
+        q = (most(v[a + step], v[b + step], v[c + step]) - (oy - pad)) * inverseY;
+        enters = Math.max(enters, p < q ? p : q);
+        leaves = Math.min(leaves, p < q ? q : p);
+        p = (least(v[a + 2 * step], v[b + 2 * step], v[c + 2 * step]) - (oz + pad)) * inverseZ;
+        q = (most(v[a + 2 * step], v[b + 2 * step], v[c + 2 * step]) - (oz - pad)) * inverseZ;
+        enters = Math.max(Math.max(enters, p < q ? p : q), 0);
+        leaves = Math.min(leaves, p < q ? q : p);
         double put = t < enters ? enters : t > leaves ? leaves : t;
-        boolean met = enters <= leaves && put > 0 && put < MISS;
-        return met && !(free >= 0 && gap(v, a, b, c, step, freeX, freeY, freeZ) <= free) ? put : MISS;
+        return enters <= leaves && put > 0 && put < MISS ? put : MISS;
+    }
+
+    private static float least(float a, float b, float c) {
+        float least = a < b ? a : b;
+        return least < c ? least : c;
+    }
+
+    private static float most(float a, float b, float c) {
+        float most = a > b ? a : b;
+        return most > c ? most : c;
     }
 
     /** Whether the wide ray may meet the box of child {@code i} at a distance up to {@code limit}; writes {@link #in}. */
