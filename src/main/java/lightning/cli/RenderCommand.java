@@ -1,6 +1,7 @@
 package lightning.cli;
 
 import java.util.concurrent.Callable;
+import lightning.engine.choice.Engines;
 import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
 import lightning.relight.MemoryNeed;
@@ -35,7 +36,8 @@ final class RenderCommand implements Callable<Integer> {
     @Mixin
     private ThreadsOption threads;
     @Option(names = "--traditional",
-            description = "Trace without keeping anything for later edits: the yardstick of every saving. The picture is the same.")
+            description = {"Trace without keeping anything for later edits. The picture is the same. Its time is that of code which Java",
+                "still compiles, and no yardstick: bench and relight warm up first."})
     private boolean traditional;
 
     RenderCommand(Console console) {
@@ -75,7 +77,7 @@ final class RenderCommand implements Callable<Integer> {
 
     private void write(Scene scene, Film film, String what, double milliseconds, TraceCounts rays) throws Exception {
         output.write(film, console);
-        console.line("%s: %s of %d x %d pixels, depth %d, in %.1f ms: %d eye rays, %d mirrored, %d shadow rays", output.file(), what,
-                film.width(), film.height(), scene.picture().depth(), milliseconds, rays.eye(), rays.mirrored(), rays.shadow());
+        console.line("%s: %s of %d x %d pixels, depth %d, in %.1f ms%s: %d eye rays, %d mirrored, %d shadow rays", output.file(), what,
+                film.width(), film.height(), scene.picture().depth(), milliseconds, Engines.areFastest() ? "" : " from cold", rays.eye(), rays.mirrored(), rays.shadow());
     }
 }

@@ -123,6 +123,12 @@ class RenderCommandTest {
                 .contains("48 x 32 pixels, depth 2", "1536 eye rays", "shadow rays");
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"--threads=1", "--traditional"})
+    void time_isToldToBeOneFromCold(String option) {
+        assertThat(Cli.run("render", scene, "-o", folder.resolve("a.png"), option).isDone().out()).contains(" ms from cold: ");
+    }
+
     /** 2⁻⁴⁰ of it is below white everywhere, 2⁴⁰ of it above wherever there is any light. */
     @Test
     void report_tellsWhatTheDisplayCutsOff() {
