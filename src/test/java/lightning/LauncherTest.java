@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -17,6 +18,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The launcher script, with scripts in place of Java that say what they were called with. */
@@ -112,6 +114,21 @@ class LauncherTest {
     void withoutOptionsOfTheUsersOwn_javaIsStartedOnce() throws Exception {
         Path java = java("25", "echo started");
         assertThat(run(Map.of("JAVA_HOME", java), "", launcher).out()).isEqualTo("started\n");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"java.base jdk.incubator.vector, true", "jdk.incubator.vector java.base, true", "java.base java.desktop, false",
+        "java.base jdk.incubator.vectors, false"})
+    void vectorModule_isAskedForWhereThisJavaHasIt(String modules, boolean asked) throws Exception {
+        Path java = java("25", "printf '[%s]' \"$@\"");
+        Files.writeString(java.resolve("release"), "MODULES=\"" + modules + "\"\n", StandardOpenOption.APPEND);
+        assertThat(run(Map.of("JAVA_HOME", java), "", launcher).out().contains("[--add-modules=jdk.incubator.vector]")).isEqualTo(asked);
+    }
+
+    @Test
+    void javaThatDoesNotTellItsModules_isAskedForTheVectorModule() throws Exception {
+        Path java = java("25", "printf '[%s]' \"$@\"");
+        assertThat(run(Map.of("JAVA_HOME", java), "", launcher).out()).contains("[--add-modules=jdk.incubator.vector]");
     }
 
     @Test
