@@ -78,6 +78,7 @@ final class RenderCommand implements Callable<Integer> {
     private void write(Scene scene, Film film, String what, double milliseconds, TraceCounts rays) throws Exception {
         output.write(film, console);
         console.line("%s: %s of %d x %d pixels, depth %d, in %.1f ms%s: %d eye rays, %d mirrored, %d shadow rays", output.file(), what,
-                film.width(), film.height(), scene.picture().depth(), milliseconds, Engines.areFastest() ? "" : " from cold", rays.eye(), rays.mirrored(), rays.shadow());
+                film.width(), film.height(), scene.picture().depth(), milliseconds, Engines.areFastest() ? "" : " from cold", rays.eye(),
+                rays.mirrored(), rays.shadow());
     }
 }
