@@ -52,7 +52,7 @@ public final class ScenePicker {
         Vec3 eye = view.camera().from();
         Ray ray = new Ray(geometry.toRenderSpace(eye), canvas.direction(view, place.x(), place.y()));
         // The eye may lie outside the scene's box, where the tree of boxes promises nothing.
-        int shape = geometry.nearestOfAll(ray);
+        int shape = geometry.nearestInTurn(ray);
         if (shape < 0) {
             return Optional.empty();
         }

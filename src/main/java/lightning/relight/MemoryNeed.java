@@ -17,6 +17,7 @@ import lightning.scene.Scene;
 import lightning.shading.LightRows;
 import lightning.shading.RatioRows;
 import lightning.trace.HitRows.Part;
+import lightning.trace.MeshMemory;
 
 /**
  * How much memory a picture takes, before any work begins: by the formula of docs/architecture.md, where every ray hits and every
@@ -83,23 +84,29 @@ public final class MemoryNeed {
      * Refuses a picture that does not fit.
      *
      * @param scene as the view shows it
-     * @throws PictureTooLarge if its first pass takes more than {@link Options#memory}; the message says what would fit
+     * @throws PictureTooLarge if its first pass takes more than {@link Options#memory}, less what the scene's meshes and their trees
+     *                         take; the message says what would fit
      */
     public static void check(Scene scene, Options options) {
-        if (most(scene, options) <= options.memory()) {
+        long memory = options.memory() - MeshMemory.bytes(scene);
+        long most = most(scene, options);
+        if (most <= memory) {
             return;
+        }
+        if (memory <= 0) {
+            throw new PictureTooLarge(most, memory, List.of());
         }
         Forecast forecast = Forecast.of(scene, options);
         long need = forecast.bytes(scene.picture());
-        if (need > options.memory()) {
+        if (need > memory) {
             List<PictureTooLarge.Way> ways = new ArrayList<>();
-            size(scene, forecast, need, options.memory(), ways);
-            samples(scene.picture(), forecast, options.memory(), ways);
+            size(scene, forecast, need, memory, ways);
+            samples(scene.picture(), forecast, memory, ways);
             Options shapes = options.withStorage(MirrorStorage.HIT_SHAPES);
-            if (options.storage() == MirrorStorage.FULL_ROWS && Forecast.of(scene, shapes).bytes(scene.picture()) <= options.memory()) {
+            if (options.storage() == MirrorStorage.FULL_ROWS && Forecast.of(scene, shapes).bytes(scene.picture()) <= memory) {
                 ways.add(new PictureTooLarge.Way.Shapes());
             }
-            throw new PictureTooLarge(need, options.memory(), ways);
+            throw new PictureTooLarge(need, memory, ways);
         }
     }
 

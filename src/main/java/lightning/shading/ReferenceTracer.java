@@ -94,7 +94,7 @@ public final class ReferenceTracer {
             Rgb background = scene.world().background();
             return new float[] {(float) background.r(), (float) background.g(), (float) background.b()};
         }
-        SurfacePoint at = geometry.surface(primitive, ray);
+        SurfacePoint at = geometry.surfaceOfAll(primitive, ray);
         int material = at.material();
         float[] mirrored = {0, 0, 0};
         if (materials.isReflective(material) && depth > 0) {
@@ -162,7 +162,7 @@ public final class ReferenceTracer {
         if (primitive < 0) {
             return;
         }
-        SurfacePoint at = geometry.surface(primitive, ray);
+        SurfacePoint at = geometry.surfaceOfAll(primitive, ray);
         int hit = HitCode.of(geometry.owner(primitive), at.nx(), at.ny(), at.nz());
         sums[0] += HitCode.seen(materials.isTextured(at.material())
                 ? HitCode.textured(hit, at.texel()[0], at.texel()[1], at.texel()[2]) : hit, level);

@@ -72,7 +72,8 @@ final class Bvh {
         return walk.nearest(1);
     }
 
-    private RayWalk walk(Ray ray) {
+    /** A walk that has taken a ray. */
+    RayWalk walk(Ray ray) {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
         RayWalk walk = new RayWalk(this);

@@ -171,7 +171,7 @@ public final class Geometry {
     }
 
     /**
-     * The primitive that a ray meets first: every one is asked, none is skipped.
+     * The primitive that a ray meets first: every one is asked, and every triangle of a mesh, none is skipped.
      *
      * @return its index, or −1
      */
@@ -186,6 +186,11 @@ public final class Geometry {
             }
         }
         return nearest;
+    }
+
+    /** The same, where meshes are asked by their trees: these serve rays from anywhere, which the tree of primitives does not. */
+    public int nearestInTurn(Ray ray) {
+        return bvh.walk(ray).nearestInTurn();
     }
 
     /** The same by the tree of boxes; origins are the camera or lie within the box of the scene. */
@@ -254,19 +259,32 @@ public final class Geometry {
     }
 
     /**
-     * What a ray meets on a primitive.
+     * What a ray meets on a primitive; a mesh is asked by its tree.
      *
      * @throws IllegalArgumentException if the ray misses the primitive
      */
     public SurfacePoint surface(int primitive, Ray ray) {
+        RayWalk walk = bvh.walk(ray);
+        return walk.only(primitive) < 0 ? missed(primitive) : surface(primitive, walk.part(), ray, walk.distance());
+    }
+
+    /** The same; every triangle of a mesh is asked. */
+    public SurfacePoint surfaceOfAll(int primitive, Ray ray) {
         double t = distance(primitive, ray);
-        if (t == Form.MISS) {
-            throw new IllegalArgumentException("the ray misses primitive " + primitive);
-        }
+        Vec3 o = ray.origin();
+        Vec3 d = ray.direction();
+        return t == Form.MISS ? missed(primitive)
+                : surface(primitive, primitives.part(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z()), ray, t);
+    }
+
+    private static SurfacePoint missed(int primitive) {
+        throw new IllegalArgumentException("the ray misses primitive " + primitive);
+    }
+
+    private SurfacePoint surface(int primitive, int part, Ray ray, double t) {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
         Surface surface = new Surface();
-        int part = primitives.part(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
         surface.at(primitives, primitive, part, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
         int material = primitives.material[primitive];
         float[] diffuse = {materials.diffuse(material, 0), materials.diffuse(material, 1), materials.diffuse(material, 2)};

@@ -83,6 +83,16 @@ final class RayWalk {
         return found;
     }
 
+    /** The same by asking every primitive. */
+    int nearestInTurn() {
+        best = Form.MISS;
+        found = -1;
+        for (int s = 0; s < primitives.count; s++) {
+            meet(s);
+        }
+        return found;
+    }
+
     /** The same where only primitive {@code s} can be met. */
     int only(int s) {
         best = Form.MISS;

@@ -7,6 +7,8 @@ import static org.assertj.core.data.Percentage.withPercentage;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -16,11 +18,17 @@ import lightning.jen.JenReader;
 import lightning.relight.plan.Accuracy;
 import lightning.relight.tile.MirrorStorage;
 import lightning.relight.tile.Options;
+import lightning.sample.Meshes;
 import lightning.scene.Antialias;
 import lightning.scene.Camera;
+import lightning.scene.Node;
 import lightning.scene.Picture;
+import lightning.scene.Placement;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.trace.MeshMemory;
 import lightning.work.Progress;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -96,6 +104,21 @@ class MemoryNeedTest {
             assertThat(samples.find()).isTrue();
             MemoryNeed.check(balls(1920, 1080, Antialias.EVERY, Integer.parseInt(samples.group(1))), options);
         });
+    }
+
+    @Test
+    void meshes_leaveLessMemoryForThePicture() throws Exception {
+        Scene balls = balls(64, 64, Antialias.OFF, 2);
+        Solid.Triangles mesh = Meshes.solid(Meshes.ball(30, 40, true));
+        List<Node> nodes = new ArrayList<>(balls.nodes());
+        nodes.add(new Shape(mesh, "mesh", "default", Placement.IDENTITY));
+        nodes.add(new Shape(mesh, "again", "default", Placement.IDENTITY));
+        Scene scene = balls.withNodes(nodes);
+        long each = 130L * mesh.mesh().triangleCount();
+        long picture = MemoryNeed.most(scene, OPTIONS);
+        assertThatCode(() -> MemoryNeed.check(scene, OPTIONS.withMemory(picture + each + each))).doesNotThrowAnyException();
+        assertThatThrownBy(() -> MemoryNeed.check(scene, OPTIONS.withMemory(each / 2))).isInstanceOf(PictureTooLarge.class);
+        assertThat(MeshMemory.bytes(scene)).isBetween(112L * mesh.mesh().triangleCount(), each + each / 10);
     }
 
     @Test
