@@ -2,6 +2,7 @@ package lightning.mesh;
 
 import java.util.Arrays;
 import java.util.Locale;
+import lightning.text.Decimal;
 
 /**
  * Triangles over shared vertices. Its arrays are handed out as they are and never written after construction, by anyone.
@@ -11,11 +12,11 @@ import java.util.Locale;
  */
 public final class Mesh {
     /** Positions, either sign, as those of a scene. */
-    public static final float MAX_COORDINATE = 1e12f;
+    public static final double MAX_COORDINATE = 1e12;
     /** Texture coordinates, either sign: beyond it a float no longer tells neighbouring pixels apart. */
-    public static final float MAX_TEXTURE_COORDINATE = 1e6f;
+    public static final double MAX_TEXTURE_COORDINATE = 1e6;
     /** Linear colours. */
-    public static final float MAX_COLOR = 1e6f;
+    public static final double MAX_COLOR = 1e6;
     /** How far the square of a normal's length may be from 1; rounding to float takes less than 1e-6. */
     private static final double UNIT = 1e-5;
 
@@ -121,12 +122,12 @@ public final class Mesh {
         }
     }
 
-    private static void checkRange(String what, float[] numbers, int each, float min, float max) {
+    private static void checkRange(String what, float[] numbers, int each, double min, double max) {
         for (int i = 0; i < numbers.length; i++) {
             if (!(numbers[i] >= min && numbers[i] <= max)) {
                 throw new IllegalArgumentException(
                         String.format(Locale.ROOT, "vertex %d: each number of its %s must be from %s to %s, was %s",
-                                i / each, what, text(min), text(max), text(numbers[i])));
+                                i / each, what, Decimal.text(min), Decimal.text(max), text(numbers[i])));
             }
         }
     }
@@ -154,6 +155,6 @@ public final class Mesh {
     }
 
     private static String text(float v) {
-        return v == Math.rint(v) && Math.abs(v) < 1e7 ? Long.toString((long) v) : Float.toString(v).replace(".0E", "E").replace('E', 'e');
+        return Decimal.text(Double.parseDouble(Float.toString(v)));
     }
 }

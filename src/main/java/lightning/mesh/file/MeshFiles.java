@@ -9,15 +9,16 @@ import lightning.mesh.ByteSource;
 import lightning.mesh.MeshException;
 import lightning.mesh.Notes;
 import lightning.mesh.Part;
+import lightning.mesh.obj.ObjReader;
 import lightning.mesh.ply.PlyReader;
 import lightning.work.Progress;
 
-/** Reads files of meshes: PLY. What a file is, its content says. */
+/** Reads files of meshes: PLY and OBJ. What a file is, its content says, or its name where the content has no mark. */
 public final class MeshFiles {
     /** The name of the one mesh in a file that names none. */
     public static final String ONLY_PART = "mesh";
     /** How the names of such files end. */
-    public static final List<String> ENDINGS = List.of(".ply");
+    public static final List<String> ENDINGS = List.of(".ply", ".obj");
 
     private MeshFiles() {}
 
@@ -25,6 +26,10 @@ public final class MeshFiles {
     public static boolean isNamedSo(String file) {
         String name = file.toLowerCase(Locale.ROOT);
         return ENDINGS.stream().anyMatch(name::endsWith);
+    }
+
+    private static boolean isNamed(Path file, String ending) {
+        return file.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(ending);
     }
 
     /**
@@ -41,7 +46,10 @@ public final class MeshFiles {
             if (PlyReader.isPly(source)) {
                 return List.of(new Part(ONLY_PART, PlyReader.read(source, new Notes())));
             }
-            throw source.problem("", "must be a PLY file, found another kind");
+            if (isNamed(file, ".obj")) {
+                return ObjReader.read(source, new Notes()).parts().stream().map(part -> new Part(part.name(), part.mesh())).toList();
+            }
+            throw source.problem("", "must be a PLY or an OBJ file, found another kind");
         }
     }
 }

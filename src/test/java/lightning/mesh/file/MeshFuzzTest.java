@@ -52,6 +52,26 @@ class MeshFuzzTest {
             5 0 1 2 -1 3
             """;
 
+    private static final String OBJ = """
+            mtllib a.mtl
+            o house
+            v 0 0 0
+            v 1 0 0 1 0.5 0
+            v 1 1 0
+            v 0 1 0
+            vt 0 0
+            vt 1 1
+            vn 0 0 1
+            usemtl red
+            f 1/1/1 2/2/1 3/1/1 4/2/1
+            s 1
+            g roof
+            f -1 -2 -3
+            f 1 2 3
+            s off
+            f 2 3 4
+            """;
+
     @TempDir
     private Path folder;
 
@@ -62,6 +82,17 @@ class MeshFuzzTest {
         assertReadOrRefused("a.ply", pool, "end_header", "element x 2147483647\n", "property list uint double y\n",
                 "format binary_big_endian 1.0\n",
                 "1000000000", "-1", "nan", "\n", "\r", " ", "\u0000\u0000\u0000\u0000", "ÿÿÿ\u007f", "1e999", "\u001B[31m");
+    }
+
+    @Test
+    @Timeout(300)
+    void objWithMistakes_isReadOrRefused() throws IOException {
+        List<byte[]> pool =
+                Stream.of(OBJ, OBJ.replace(" 1/1/1", " 1//1").replace("\n", "\r\n")).map(text -> text.getBytes(StandardCharsets.UTF_8))
+                        .toList();
+        assertReadOrRefused("a.obj", pool, "\n", "\\\n", "f ", "s 7\n", "-9", "/", "//", "1e300", "nan", "\no \u0007\n", "g g\n", "#",
+                "99999999999",
+                "v 0 0 0\n", "\u001B[31m", " ".repeat(50));
     }
 
     private void assertReadOrRefused(String name, List<byte[]> pool, String... hostile) throws IOException {
