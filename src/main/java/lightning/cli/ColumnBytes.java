@@ -1,5 +1,7 @@
 package lightning.cli;
 
+import java.util.EnumMap;
+import java.util.Map;
 import lightning.cache.CachedTile;
 import lightning.cache.PixelCache;
 import lightning.cache.TileLevel;
@@ -12,50 +14,34 @@ import lightning.trace.HitRows;
  *
  * @param rows      hit rows of all levels
  * @param layerRows rows of all layers: a row counts once for each light
- * @param geometry  point, normal, view direction and place in the picture
- * @param textures  diffuse colours of textured rows
+ * @param hits      the columns of hit rows, by what they come and go with
+ * @param layers    the columns of the lights' layers
  * @param mirrored  colours of mirror images, and the shapes that mirrored rays hit
- * @param states    state of each row and light
- * @param cosines   likewise the cosine
- * @param speculars likewise the specular term
- * @param falloffs  likewise attenuation times spot coefficient
  * @param all       everything, as the cache itself counts
  */
-record ColumnBytes(long rows, long layerRows, long geometry, long textures, long mirrored, long states, long cosines,
-        long speculars, long falloffs, long all) {
-    /** The bytes of a term of a light's layer, for each row. */
-    static final long TERM = Float.BYTES;
-    /** The bytes of a colour, for each row. */
-    static final long COLOR = 3L * Float.BYTES;
-
+record ColumnBytes(long rows, long layerRows, Map<HitRows.Part, Long> hits, Map<LightRows.Column, Long> layers, long mirrored, long all) {
     static ColumnBytes of(PixelCache cache) {
         long layerRows = 0;
-        long textures = 0;
-        long geometry = 0;
-        long states = 0;
-        long cosines = 0;
-        long speculars = 0;
-        long falloffs = 0;
         long levels = 0;
+        Map<HitRows.Part, Long> hits = new EnumMap<>(HitRows.Part.class);
+        Map<LightRows.Column, Long> layers = new EnumMap<>(LightRows.Column.class);
         for (CachedTile tile : cache.all()) {
             for (TileLevel level : tile.levels) {
                 HitRows rows = level.rows();
-                long texture = rows.bytes(HitRows.Part.TEXEL);
-                textures += texture;
-                geometry += rows.bytes() - texture;
                 levels += level.bytes();
+                for (HitRows.Part part : HitRows.Part.values()) {
+                    hits.merge(part, rows.bytes(part), Long::sum);
+                }
                 for (LightLayer layer : level.layers()) {
                     if (layer instanceof LightRows l) {
                         layerRows += rows.count;
-                        states += l.bytes(LightRows.Column.STATE);
-                        cosines += l.bytes(LightRows.Column.COSINE);
-                        speculars += l.bytes(LightRows.Column.SPECULAR);
-                        falloffs += l.bytes(LightRows.Column.FALLOFF);
+                        for (LightRows.Column column : LightRows.Column.values()) {
+                            layers.merge(column, l.bytes(column), Long::sum);
+                        }
                     }
                 }
             }
         }
-        return new ColumnBytes(cache.rowCount(), layerRows, geometry, textures, cache.bytes() - levels, states, cosines, speculars,
-                falloffs, cache.bytes());
+        return new ColumnBytes(cache.rowCount(), layerRows, hits, layers, cache.bytes() - levels, cache.bytes());
     }
 }

@@ -13,6 +13,8 @@ import lightning.relight.MemoryNeed;
 import lightning.relight.Renderer;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
+import lightning.shading.LightRows;
+import lightning.trace.HitRows;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -106,14 +108,27 @@ final class EffectsCommand implements Callable<Integer> {
         int depth = cache.all().stream().mapToInt(tile -> tile.levels.length - 1).max().orElse(0);
         console.line("%d rows; the deepest mirrored ray that any pixel needs is in mirror %d of %d", bytes.rows(), depth,
                 cache.scene().picture().depth());
-        column("point, normal, view, place", bytes.geometry(), bytes);
-        column("texture colours", bytes.textures(), bytes);
+        bytes.hits().forEach((part, n) -> column(title(part), n, bytes));
         column("mirror images", bytes.mirrored(), bytes);
-        column("states of the lights", bytes.states(), bytes);
-        column("cosines", bytes.cosines(), bytes);
-        column("specular terms", bytes.speculars(), bytes);
-        column("falloffs", bytes.falloffs(), bytes);
+        bytes.layers().forEach((column, n) -> column(title(column), n, bytes));
         column("in all", bytes.all(), bytes);
+    }
+
+    private static String title(HitRows.Part part) {
+        return switch (part) {
+            case HIT -> "point, normal, view, place";
+            case TEXEL -> "texture colours";
+            case CODE -> "what edges are told by";
+        };
+    }
+
+    private static String title(LightRows.Column column) {
+        return switch (column) {
+            case STATE -> "states of the lights";
+            case COSINE -> "cosines";
+            case SPECULAR -> "specular terms";
+            case FALLOFF -> "falloffs";
+        };
     }
 
     private void column(String title, long bytes, ColumnBytes all) {
