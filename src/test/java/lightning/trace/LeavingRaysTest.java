@@ -24,6 +24,12 @@ class LeavingRaysTest {
     private static final List<Solid.Canonical> SOLIDS = List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER, Solid.PLANE, Solid.FRUSTUM,
             new Solid.Frustum(2, true));
 
+    /** Their sides are walls. */
+    private static final List<Solid.Canonical> OPEN = List.of(new Solid.Cylinder(false), new Solid.Cone(false),
+            new Solid.Frustum(0.5, false), new Solid.Frustum(2, false));
+    /** Points nearer to a rim or the axis, own units, are left out: what is met there may be another part of the wall. */
+    private static final double NARROW = 0.05;
+
     private static final int POINTS = Integer.getInteger("lightning.points", 10_000);
 
     /** Scales and where the camera sees the shape, in units of the scale: a float holds the points of all of these. */
@@ -36,6 +42,11 @@ class LeavingRaysTest {
                 Arguments.of(new Vec3(1e6, 1, 1), new Vec3(1e-5, 5, -8)),
                 Arguments.of(new Vec3(1, 1e-3, 1), new Vec3(1, -2e3, 3)),
                 Arguments.of(new Vec3(2, 2, 2), new Vec3(6, -2, -5)));
+    }
+
+    /** Those whose walls are round, so that a ray outwards is one along the normal, or leans as the wall does. */
+    static Stream<Arguments> roundPlaces() {
+        return places().filter(p -> ((Vec3) p.get()[0]).x() == ((Vec3) p.get()[0]).z());
     }
 
     /** Rooms: their points, and the wedges at their rims, are held by floats too. */
@@ -92,6 +103,47 @@ class LeavingRaysTest {
         }
         assertThat(acne).as("acne among %s rays, %s", rays, scale).isLessThanOrEqualTo((int) (rays / 1_000_000));
         assertThat(leaks).as("leaks among %s rays, %s", rays, scale).isLessThanOrEqualTo((int) (rays / 1_000_000));
+    }
+
+    /**
+     * A side without caps has two faces. Outwards from the outer one is nothing; across the wall it is met at once, from either face;
+     * inwards from the inner one only what stands opposite is met.
+     */
+    @ParameterizedTest
+    @MethodSource("roundPlaces")
+    void raysFromEitherFaceOfAWall_meetItWhereTheyCrossItAlone(Vec3 scale, Vec3 at) {
+        int[] faces = new int[2];
+        for (Solid.Canonical solid : OPEN) {
+            for (double turn : new double[] {0, 37}) {
+                Placement placement = new Placement(new Vec3(at.x() * scale.x(), at.y() * scale.y(), at.z() * scale.z()),
+                        new Vec3(turn, 2 * turn, -turn), scale);
+                look(solid, placement, Vec3.ZERO, (geometry, from, normal) -> leaveWall(placement, geometry, from, normal, faces));
+            }
+        }
+        assertThat(faces[0]).as("points on outer faces").isGreaterThan(POINTS);
+        assertThat(faces[1]).as("points on inner faces").isGreaterThan(POINTS / 10);
+        assertThat(acne).as("acne among %s rays, %s", rays, scale).isZero();
+        assertThat(leaks).as("leaks among %s rays, %s", rays, scale).isZero();
+    }
+
+    private void leaveWall(Placement placement, Geometry geometry, Vec3 from, Vec3 normal, int[] faces) {
+        Vec3 own = placement.directionsBack().vector(from.minus(placement.at()));
+        double ring = Math.hypot(own.x(), own.z());
+        if (own.y() < NARROW || own.y() > 1 - NARROW || ring < NARROW) {
+            return;
+        }
+        Vec3 outwards = placement.transform().vector(new Vec3(own.x() / ring, 0, own.z() / ring));
+        double out = geometry.distance(0, new Ray(from, outwards));
+        double in = geometry.distance(0, new Ray(from, outwards.negated()));
+        if (normal.dot(outwards) > 0) {
+            faces[0]++;
+            acne += out < Form.MISS ? 1 : 0;
+            leaks += in < ring ? 0 : 1;
+        } else {
+            faces[1]++;
+            acne += in > ring ? 0 : 1;
+            leaks += out < ring ? 0 : 1;
+        }
     }
 
     /**
