@@ -71,7 +71,7 @@ final class Architecture {
             row("app.measure", DESK),
             row("app", DESK + " edit.motion app.property app.traced app.preview app.animation app.measure"),
             row("pov", "math file mesh scene image"),
-            row("bench", ENGINE + " file accuracy pov"),
+            row("bench", ENGINE + " file jen accuracy pov"),
             row("bench.report", ENGINE + " file accuracy bench"),
             row("cli", ENGINE + " file jen accuracy pov bench bench.report"));
 

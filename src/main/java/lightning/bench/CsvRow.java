@@ -11,9 +11,9 @@ import lightning.text.Decimal;
  * One measurement. A text that a spreadsheet would compute has an apostrophe before it. What a kind of measurement does not have is NaN, 0 or empty.
  *
  * @param kind  {@code first-pass}, {@code full-trace}, {@code edit}, {@code peer}, {@code effect} (by how much it makes the first pass longer),
- *              {@code growth}, {@code drift}, or of whole processes from cold {@code cold} (ours) and {@code cold-peer}, with the
+ *              {@code growth}, {@code drift}, {@code editing}, or of whole processes from cold {@code cold} (ours) and {@code cold-peer}, with the
  *              processor time of each as {@code …-processor}
- * @param edit  the edit's name; of growth, what grows and the edit
+ * @param edit  the edit's name; of growth, what grows and the edit; of editing, what was done
  * @param value the varying value; of growth and drift, how many pixels, lights, …, edits
  * @param grade the grade of accuracy, which the file calls a level
  * @param n     how many samples the median and the quartiles are of
@@ -54,6 +54,7 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
             rows.add(growth(growth, point, "full-trace", point.fullTrace()));
             point.edits().forEach(edit -> rows.add(growth(growth, point, edit.edit(), edit.time())));
         }));
+        results.editing().forEach(editing -> editing(rows, editing));
         results.drift().forEach(drift -> drift.points().forEach(point -> rows.add(drift(drift, point))));
         return rows;
     }
@@ -89,6 +90,18 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
     private static CsvRow growth(Growth growth, GrowthPoint point, String edit, Samples time) {
         return row("growth", growth.scene(), 0, 0, growth.along() + ": " + edit, Long.toString(point.at()), "", time, NONE, NONE,
                 NO_WORK, NO_ERROR);
+    }
+
+    private static void editing(List<CsvRow> rows, Editing e) {
+        rows.add(editing(e, "load", e.load()));
+        rows.add(editing(e, "tree", e.tree()));
+        rows.add(editing(e, "new scene", e.newScene()));
+        rows.add(editing(e, "plan", e.plan()));
+        rows.add(editing(e, "first hover", e.hover()));
+    }
+
+    private static CsvRow editing(Editing e, String what, Samples time) {
+        return row("editing", e.shapes() + " shapes, " + e.lights() + " lights", 0, 0, what, "", "", time, NONE, NONE, NO_WORK, NO_ERROR);
     }
 
     private static CsvRow drift(Drift drift, DriftPoint point) {

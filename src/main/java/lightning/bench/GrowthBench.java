@@ -44,9 +44,10 @@ final class GrowthBench {
             parts.add(part("pixels", pixels.pixels(), pixels, "generated, 100 shapes, 4 lights, depth 2", pace,
                     () -> GeneratedScenes.of(settings.seed(), pixels, SHAPES, LIGHTS, DEPTH)));
         }
-        curve(parts, "lights", settings.quick() ? new int[] {1, 4, 16} : new int[] {1, 2, 4, 8, 16, 32, 64}, pace,
+        curve(parts, "lights", settings.quick() ? new int[] {1, 4, 16} : new int[] {1, 2, 4, 8, 16, 32, 64, 256, 1000}, pace,
                 "generated, 100 shapes, depth 2", n -> GeneratedScenes.of(settings.seed(), size, SHAPES, n, DEPTH));
-        curve(parts, "shapes", settings.quick() ? new int[] {1, 10, 100, 1000} : new int[] {1, 10, 100, 1000, 10_000, 100_000}, pace,
+        curve(parts, "shapes", settings.quick() ? new int[] {1, 10, 100, 1000} : new int[] {1, 10, 100, 1000, 10_000, 100_000, 1_000_000},
+                pace,
                 "generated, 4 lights, depth 2", n -> GeneratedScenes.of(settings.seed(), size, n, LIGHTS, DEPTH));
         curve(parts, "depth", settings.quick() ? new int[] {0, 2, 4} : IntStream.rangeClosed(0, 10).toArray(), pace,
                 "generated, 100 shapes, 4 lights", n -> GeneratedScenes.of(settings.seed(), size, SHAPES, LIGHTS, n));

@@ -87,6 +87,9 @@ public final class Harness {
             groups.add(new Group(new GrowthBench(settings, ledger, best).parts(paces.getFirst()), () -> {}));
             groups.add(new Group(List.of(drift(paces.getFirst())), () -> {}));
         }
+        if (settings.editing()) {
+            groups.add(new Group(new EditingBench(settings, ledger).parts(), () -> {}));
+        }
         predictedMs = groups.stream().flatMap(g -> g.parts().stream()).mapToDouble(Part::predictedMs).sum();
         run = new Run(Instant.now().truncatedTo(ChronoUnit.SECONDS).toString(), Here.commit(), arguments, Here.machine(), settings.seed(),
                 settings.threads(), settings.repetitions(), settings.quick(), predictedMs / 1e3, 0, false, best / 1e6,

@@ -67,6 +67,7 @@ final class Ledger {
     private final List<Page> pages = new ArrayList<>();
     private final List<Drift> drifts = new ArrayList<>();
     private final Map<String, Growth> growths = new LinkedHashMap<>();
+    private final List<Editing> editing = new ArrayList<>();
     private final List<Failure> problems = new ArrayList<>();
 
     Page page(NamedScene scene, PictureSize size) {
@@ -84,12 +85,16 @@ final class Ledger {
         growths.put(along, new Growth(along, scene, points));
     }
 
+    void editing(Editing measured) {
+        editing.add(measured);
+    }
+
     void problem(Failure problem) {
         problems.add(problem);
     }
 
     /** Everything, as a run's results. */
     Results results(Run run) {
-        return new Results(run, pages.stream().map(Page::result).toList(), drifts, List.copyOf(growths.values()), problems);
+        return new Results(run, pages.stream().map(Page::result).toList(), drifts, List.copyOf(growths.values()), editing, problems);
     }
 }

@@ -9,13 +9,16 @@ import java.util.List;
  * @param scenes   one for each scene and size, in the order in which they were measured
  * @param drift    what becomes of pictures after many edits
  * @param growth   how times grow, one curve for each thing that grows
+ * @param editing  what editing large scenes costs below the editor
  * @param problems what could not be measured
  */
-public record Results(Run run, List<SceneResult> scenes, List<Drift> drift, List<Growth> growth, List<Failure> problems) {
+public record Results(Run run, List<SceneResult> scenes, List<Drift> drift, List<Growth> growth, List<Editing> editing,
+        List<Failure> problems) {
     public Results {
         scenes = List.copyOf(scenes);
         drift = List.copyOf(drift);
         growth = List.copyOf(growth);
+        editing = List.copyOf(editing);
         problems = List.copyOf(problems);
     }
 }

@@ -30,9 +30,9 @@ import picocli.CommandLine.Spec;
         description = {
             "Makes the paper's edits, and a few more, on every scene, each with three values, at each grade of accuracy, from",
             "half the resolution to the full trace, and measures time and error of each. Also measures the first pass, how times",
-            "grow with pixels, lights, shapes and mirror bounces, how errors drift over 10 000 edits, the bandwidth of memory, and",
-            "POV-Ray where it is installed, and whole processes that begin cold. Works are measured in turns; no picture is timed",
-            "before it was compared.",
+            "grow with pixels, lights, shapes and mirror bounces, what editing costs with up to a million shapes, how errors drift",
+            "over 10 000 edits, the bandwidth of memory, and POV-Ray where it is installed, and whole processes that begin cold. Works",
+            "are measured in turns; no picture is timed before it was compared.",
             "",
             "Writes report.html (a page with charts and pictures, which needs no network), results.json (everything, with every",
             "sample), results.csv (a row for each measurement) and pictures into the folder. A run that is cancelled keeps what it",
@@ -65,6 +65,10 @@ final class BenchCommand implements Callable<Integer> {
     @Option(names = "--cold", description = {"Whole processes that begin cold, in turns with POV-Ray's where it is installed, and nothing",
         "else but the first pass."})
     private boolean cold;
+    @Option(names = "--editing",
+            description = {"What editing costs with up to a million shapes and a thousand lights, below the editor's window,",
+                "and nothing else."})
+    private boolean editing;
     @Option(names = "--size", paramLabel = "WxH", converter = Size.Converter.class,
             description = "Pixels, more than once for several sizes; 300x300 and 1920x1080 without it.")
     private List<Size> sizes = List.of();
@@ -136,6 +140,9 @@ final class BenchCommand implements Callable<Integer> {
         }
         if (cold) {
             settings = settings.coldAlone();
+        }
+        if (editing) {
+            settings = settings.editingAlone();
         }
         if (processes != null) {
             settings = settings.withProcesses(processes);

@@ -7,6 +7,7 @@ import java.util.function.ToDoubleFunction;
 import lightning.accuracy.Grade;
 import lightning.bench.DriftPoint;
 import lightning.bench.EditResult;
+import lightning.bench.Editing;
 import lightning.bench.FirstPass;
 import lightning.bench.Results;
 import lightning.bench.RungResult;
@@ -96,11 +97,19 @@ final class BenchTable {
                                         scene.cold().rival().process().median() / 1e3));
             }
         }
+        results.editing().forEach(e -> console.line("%s", editing(e)));
         results.drift().forEach(drift -> drift.points().stream().reduce((_, last) -> last).ifPresent(last -> drift.points().stream()
                 .filter(point -> point.edits() == last.edits()).forEach(point -> console.line("%s", drift(point)))));
         results.problems().forEach(problem -> console.line("PROBLEM %s: %s", problem.where(), problem.what()));
         console.line("memory: %.0f GB/s; took %.0f s, predicted were %.0f", results.run().triadGBs(), results.run().actualSeconds(),
                 results.run().predictedSeconds());
+    }
+
+    private static String editing(Editing e) {
+        return Console.text("%d shapes, %d lights: load %.0f ms, tree %.0f ms, new scene %.3f ms, plan %.3f ms, first hover %.2f ms%s",
+                e.shapes(), e.lights(), e.load().median(), e.tree().median(), e.newScene().median(), e.plan().median(),
+                e.hover().median(), Double.isNaN(e.documentBytes()) ? ""
+                        : Console.text("; %.0f + %.0f bytes a shape", e.documentBytes(), e.treeBytes()));
     }
 
     private static String drift(DriftPoint point) {

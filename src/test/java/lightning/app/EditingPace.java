@@ -27,23 +27,18 @@ import lightning.math.Vec3;
 import lightning.relight.Renderer;
 import lightning.relight.tile.Options;
 import lightning.scene.Camera;
-import lightning.scene.Light;
 import lightning.scene.Scene;
-import lightning.shading.PixelExplainer;
-import lightning.trace.Geometry;
 import lightning.work.Progress;
 
 /**
  * What editing costs in a scene of any size, in the real editor: a line of figures for each. Arguments are the number of shapes
- * and the number of lights. Processor time is of the window's thread alone, so that other work on the machine counts little.
+ * and the number of lights. Processor time is of the window's thread alone, so that other work on the machine counts little. What
+ * lies below the window {@code lightning bench --editing} measures.
  */
 public final class EditingPace {
     private static final int SAMPLES = 41;
     private static final int WARM_UPS = 40;
     private static final long REST_MS = 120;
-    private static final int SIZE = 300;
-    /** With fewer, what they take is lost in what the program takes. */
-    private static final int MANY = 10_000;
 
     private final int shapes;
     private final int lights;
@@ -62,25 +57,8 @@ public final class EditingPace {
 
     private void run() throws Exception {
         Path file = Files.writeString(folder.resolve("scene.jen"), text());
-        long text = Files.size(file);
-        long before = used();
-        long start = System.nanoTime();
         OpenDocument document = OpenDocument.open(file);
-        say("load, cold", since(start), "ms");
-        if (shapes >= MANY) {
-            say("heap beside the text", (double) (used() - before - text) / shapes, "bytes a shape");
-        }
         Scene scene = document.scene();
-        Light first = scene.lights().getFirst();
-        say("new scene of an edit", median(i -> timed(() -> scene.withLight(first.withIntensity(1 + WARM_UPS + i)))), "ms");
-        long built = System.nanoTime();
-        var geometry = new Geometry(scene);
-        say("tree, cold", since(built), "ms");
-        var explainer = new PixelExplainer(scene, geometry);
-        say("first hover after an edit", median(i -> {
-            Scene edited = scene.withLight(first.withPosition(first.position().plus(new Vec3(0.01 * i, 0, 0))));
-            return timed(() -> explainer.forScene(edited, geometry).pixel(SIZE / 2, SIZE / 2));
-        }), "ms");
         if (lights <= 10) {
             orbit(scene);
         }
@@ -165,12 +143,6 @@ public final class EditingPace {
 
     private static double median(double[] values) {
         return Arrays.stream(values).sorted().toArray()[values.length / 2];
-    }
-
-    private static long used() {
-        System.gc();
-        Runtime runtime = Runtime.getRuntime();
-        return runtime.totalMemory() - runtime.freeMemory();
     }
 
     /** Balls that fill a tenth of a block over a floor, under lights of all types. */

@@ -30,7 +30,7 @@ class HarnessTest {
     private final NamedScene scene = new NamedScene("generated", GeneratedScenes.of(1, SMALL, 8, 3, 1), null);
 
     private static Settings settings(int values, int figure, PictureSize... sizes) {
-        return new Settings(List.of(sizes), figure, values, true, 1, 0, 2, 5, false, false, false, 0, true);
+        return new Settings(List.of(sizes), figure, values, true, 1, 0, 2, 5, false, false, false, false, 0, true);
     }
 
     private Harness harness(Settings settings) {
@@ -214,6 +214,17 @@ class HarnessTest {
         });
         assertThat(heard).isSorted();
         assertThat(heard.getLast()).isBetween(990, 1000);
+    }
+
+    @Test
+    void editingAlone_tellsWhatLargeScenesCostAndNothingElse() throws Exception {
+        Results results = run(settings(1, 0, SMALL).editingAlone());
+        assertThat(results.scenes()).isEmpty();
+        assertThat(results.growth()).isEmpty();
+        assertThat(results.editing()).extracting(Editing::shapes).containsExactly(10, 1000);
+        assertThat(results.editing()).extracting(Editing::lights).containsExactly(10, 100);
+        assertThat(results.editing()).allSatisfy(e -> assertThat(List.of(e.load(), e.tree(), e.newScene(), e.plan(), e.hover()))
+                .allSatisfy(time -> assertThat(time.median()).isPositive()));
     }
 
     @Test

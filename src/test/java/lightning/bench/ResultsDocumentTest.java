@@ -26,6 +26,7 @@ class ResultsDocumentTest {
     private static final Path KEPT_EFFECTS = Path.of("benchmarks", "results", "effects.json");
     /** Kept once {@code benchmarks/run} has measured it. */
     private static final Path KEPT_COLD = Path.of("benchmarks", "results", "cold.json");
+    private static final Path KEPT_EDITING = Path.of("benchmarks", "results", "editing.json");
     private static final Pattern TABLE = Pattern.compile("(<!-- table: (.+?) -->\n)(.*?)(<!-- end -->)", Pattern.DOTALL);
     /** A measured figure: one with a fraction, or of percent or milliseconds. */
     private static final Pattern MEASURED = Pattern.compile("(?<![\\w.×§])(\\d+\\.\\d+(?:e-?\\d+)?|\\d+(?= %| ms))");
@@ -40,11 +41,13 @@ class ResultsDocumentTest {
         Tables tables = new Tables(ResultsFile.readJson(KEPT));
         Tables every = new Tables(together(ResultsFile.readJson(KEPT), ResultsFile.readJson(KEPT_EFFECTS)));
         Tables cold = Files.exists(KEPT_COLD) ? new Tables(ResultsFile.readJson(KEPT_COLD)) : tables;
+        Tables editing = new Tables(ResultsFile.readJson(KEPT_EDITING));
         String text = Files.readString(DOCUMENT);
         String wanted = TABLE.matcher(text).replaceAll(m -> {
             Tables made = switch (m.group(2)) {
                 case "scenes", "effects in use", "effects absent" -> every;
                 case "cold" -> cold;
+                case "editing" -> editing;
                 default -> tables;
             };
             return Matcher.quoteReplacement(m.group(1) + made.of(m.group(2)) + m.group(4));
@@ -60,7 +63,7 @@ class ResultsDocumentTest {
     private static Results together(Results all, Results effectsAlone) {
         List<SceneResult> scenes = new ArrayList<>(all.scenes());
         scenes.addAll(effectsAlone.scenes());
-        return new Results(all.run(), scenes, all.drift(), all.growth(), all.problems());
+        return new Results(all.run(), scenes, all.drift(), all.growth(), all.editing(), all.problems());
     }
 
     @Test

@@ -37,6 +37,7 @@ public final class Report {
             SceneSection.write(body, "scene-" + (i + 1), results.scenes().get(i), book);
         }
         CurveSections.write(body, results);
+        EditingTable.write(body, results);
         RunSection.writeMethod(body, results.run());
         Markup page = new Markup();
         page.open("html", "xmlns", "http://www.w3.org/1999/xhtml", "lang", "en").open("head");

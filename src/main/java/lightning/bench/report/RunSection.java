@@ -50,6 +50,9 @@ final class RunSection {
         if (!results.growth().isEmpty()) {
             page.leaf("a", "Growth", "href", "#growth");
         }
+        if (!results.editing().isEmpty()) {
+            page.leaf("a", "Editing", "href", "#editing");
+        }
         page.leaf("a", "How it was measured", "href", "#method");
         page.close();
     }

@@ -29,7 +29,8 @@ public final class Tables {
 
     /** The names of all tables. */
     public static List<String> names() {
-        return List.of("run", "scenes", "savings", "ladder", "composing", "drift", "growth", "effects in use", "effects absent", "peer",
+        return List.of("run", "scenes", "savings", "ladder", "composing", "drift", "growth", "editing", "effects in use", "effects absent",
+                "peer",
                 "cold");
     }
 
@@ -47,6 +48,7 @@ public final class Tables {
             case "composing" -> floors();
             case "drift" -> drift();
             case "growth" -> growth();
+            case "editing" -> editing();
             case "effects in use" -> effects(true);
             case "effects absent" -> effects(false);
             case "peer" -> peers();
@@ -127,6 +129,14 @@ public final class Tables {
 
     private static String edit(Growth growth, GrowthPoint point, String edit) {
         return point.edits().stream().filter(e -> e.edit().equals(edit)).map(e -> number(e.time().median())).findFirst().orElse("–");
+    }
+
+    private String editing() {
+        return table(List.of("shapes", "lights", "load ms", "tree ms", "new scene ms", "plan ms", "first hover ms",
+                "document, bytes a shape", "primitives and tree, bytes a shape"),
+                results.editing().stream().map(e -> List.of(Integer.toString(e.shapes()), Integer.toString(e.lights()), median(e.load()),
+                        median(e.tree()), median(e.newScene()), median(e.plan()), median(e.hover()), number(e.documentBytes()),
+                        number(e.treeBytes()))));
     }
 
     private String effects(boolean inUse) {

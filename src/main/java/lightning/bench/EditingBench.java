@@ -1,0 +1,145 @@
+package lightning.bench;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.function.IntFunction;
+import lightning.accuracy.Timing;
+import lightning.jen.JenDocument;
+import lightning.jen.JenException;
+import lightning.jen.JenReader;
+import lightning.jen.JenWriter;
+import lightning.math.Vec3;
+import lightning.relight.Renderer;
+import lightning.relight.tile.Options;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+import lightning.shading.PixelExplainer;
+import lightning.trace.Geometry;
+import lightning.work.Progress;
+
+/**
+ * Measures what editing costs in generated scenes of up to a million shapes and a thousand lights, below the editor: reading, the
+ * new scene of an edit, its plan, a hover, and the heap that all takes. Pictures are small: what an edit traces is not asked here.
+ */
+final class EditingBench {
+    private static final PictureSize SIZE = new PictureSize(64, 48);
+    private static final int DEPTH = 2;
+    /** What takes less than milliseconds has so many samples for each repetition, and as many more before them. */
+    private static final int SHORT = 8;
+    /** Fewer shapes take less than all else in the heap. */
+    private static final int MANY = 10_000;
+    /** More shapes are read and put into a tree once. */
+    private static final int ONCE = 100_000;
+    /** Milliseconds for each shape, as often as it is read, and for each light. */
+    private static final double SHAPE_MS = 0.02;
+    private static final double LIGHT_MS = 4;
+
+    private final Settings settings;
+    private final Ledger ledger;
+
+    private record Point(int shapes, int lights) {}
+
+    EditingBench(Settings settings, Ledger ledger) {
+        this.settings = settings;
+        this.ledger = ledger;
+    }
+
+    /** What is to be measured: a part for each scene. */
+    List<Part> parts() {
+        List<Point> points = settings.quick() ? List.of(new Point(10, 10), new Point(1000, 100))
+                : List.of(new Point(10, 10), new Point(10, 1000), new Point(100_000, 10), new Point(100_000, 1000),
+                        new Point(1_000_000, 10), new Point(1_000_000, 1000));
+        return points.stream().map(this::part).toList();
+    }
+
+    private Part part(Point point) {
+        String where = "editing " + point.shapes() + " shapes under " + point.lights() + " lights";
+        double predictedMs = SHAPE_MS * point.shapes() * (1 + longSamples(point.shapes())) + LIGHT_MS * point.lights() + 500;
+        return new Part(where, predictedMs, progress -> ledger.editing(measure(point, progress)));
+    }
+
+    private int longSamples(int shapes) {
+        return shapes > ONCE ? 1 : settings.repetitions();
+    }
+
+    private Editing measure(Point point, Progress progress) {
+        String text = JenWriter.write(GeneratedScenes.of(settings.seed(), SIZE, point.shapes(), point.lights(), DEPTH));
+        int times = longSamples(point.shapes());
+        Samples load = samples(times, progress, _ -> timed(() -> read(text)));
+        long before = used();
+        Scene scene = read(text).scene();
+        long read = used();
+        Samples tree = samples(times, progress, _ -> timed(() -> new Geometry(scene)));
+        long rest = used();
+        Geometry geometry = new Geometry(scene);
+        long built = used();
+        boolean many = point.shapes() >= MANY;
+        Light first = scene.lights().getFirst();
+        Samples newScene = shortSamples(progress, i -> timed(() -> scene.withLight(first.withIntensity(2 + i))));
+        var explainer = new PixelExplainer(scene, geometry);
+        explainer.pixel(SIZE.width() / 2, SIZE.height() / 2);
+        Samples hover = shortSamples(progress, i -> {
+            Scene moved = scene.withLight(first.withPosition(first.position().plus(new Vec3(0.01 * (i + 1), 0, 0))));
+            return timed(() -> explainer.forScene(moved, geometry).pixel(SIZE.width() / 2, SIZE.height() / 2));
+        });
+        return new Editing(point.shapes(), point.lights(), load, tree, newScene, plan(scene, geometry, progress), hover,
+                many ? (double) (read - before) / point.shapes() : Double.NaN,
+                many ? (double) (built - rest) / point.shapes() : Double.NaN);
+    }
+
+    private Samples plan(Scene scene, Geometry geometry, Progress progress) {
+        try (var renderer = new Renderer(Options.DEFAULT.withThreads(settings.threads()))) {
+            renderer.share(geometry);
+            renderer.render(scene, progress.silent());
+            Light first = scene.lights().getFirst();
+            return shortSamples(progress, i -> {
+                Scene edited = scene.withLight(first.withIntensity(2 + i));
+                return timed(() -> renderer.plan(edited));
+            });
+        }
+    }
+
+    private Samples shortSamples(Progress progress, IntFunction<Double> sample) {
+        int times = SHORT * settings.repetitions();
+        if (settings.isWarm()) {
+            samples(times, progress, i -> sample.apply(times + i));
+        }
+        return samples(times, progress, sample);
+    }
+
+    private static Samples samples(int times, Progress progress, IntFunction<Double> sample) {
+        List<Double> ms = new ArrayList<>();
+        for (int i = 0; i < times; i++) {
+            if (progress.isCancelled()) {
+                throw new CancellationException("cancelled after " + i + " of " + times + " samples");
+            }
+            ms.add(sample.apply(i));
+        }
+        return Samples.of(new Timing(ms));
+    }
+
+    private static double timed(Runnable work) {
+        long start = System.nanoTime();
+        work.run();
+        return (System.nanoTime() - start) / 1e6;
+    }
+
+    private static JenDocument read(String text) {
+        try {
+            return JenReader.read(text, "generated", Path.of(""));
+        } catch (JenException e) {
+            throw new IllegalStateException("a written scene must be read", e);
+        }
+    }
+
+    /** Bytes of heap in use once what is not is gone. */
+    private static long used() {
+        // The second takes what the first has found to be finalizable or referenced softly.
+        System.gc();
+        System.gc();
+        Runtime runtime = Runtime.getRuntime();
+        return runtime.totalMemory() - runtime.freeMemory();
+    }
+}
