@@ -23,7 +23,7 @@ public final class ByteSource implements AutoCloseable {
     private final Progress progress;
     private final long size;
     private final byte[] block = new byte[BLOCK];
-    private final ByteBuffer numbers = ByteBuffer.wrap(block);
+    private final ByteBuffer numbers = ByteBuffer.wrap(block).order(ByteOrder.LITTLE_ENDIAN);
     /** How many bytes of the file stand before those in the block. */
     private long before;
     private int at;

@@ -5,6 +5,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
+import lightning.gltf.GltfFile;
+import lightning.gltf.GltfMeshes;
 import lightning.mesh.ByteSource;
 import lightning.mesh.MeshException;
 import lightning.mesh.Notes;
@@ -13,12 +15,12 @@ import lightning.mesh.obj.ObjReader;
 import lightning.mesh.ply.PlyReader;
 import lightning.work.Progress;
 
-/** Reads files of meshes: PLY and OBJ. What a file is, its content says, or its name where the content has no mark. */
+/** Reads files of meshes: PLY, OBJ and glTF. What a file is, its content says, or its name where the content has no mark. */
 public final class MeshFiles {
     /** The name of the one mesh in a file that names none. */
     public static final String ONLY_PART = "mesh";
     /** How the names of such files end. */
-    public static final List<String> ENDINGS = List.of(".ply", ".obj");
+    public static final List<String> ENDINGS = List.of(".ply", ".obj", ".gltf", ".glb");
 
     private MeshFiles() {}
 
@@ -46,10 +48,14 @@ public final class MeshFiles {
             if (PlyReader.isPly(source)) {
                 return List.of(new Part(ONLY_PART, PlyReader.read(source, new Notes())));
             }
+            if (GltfFile.isGltf(source)) {
+                return GltfMeshes.read(GltfFile.read(source, progress), new Notes()).stream()
+                        .map(part -> new Part(part.name(), part.triangles())).toList();
+            }
             if (isNamed(file, ".obj")) {
                 return ObjReader.read(source, new Notes()).parts().stream().map(part -> new Part(part.name(), part.mesh())).toList();
             }
-            throw source.problem("", "must be a PLY or an OBJ file, found another kind");
+            throw source.problem("", "must be a PLY, OBJ or glTF file, found another kind");
         }
     }
 }

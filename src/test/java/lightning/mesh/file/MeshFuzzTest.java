@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
+import lightning.gltf.Gltf;
 import lightning.mesh.MeshException;
 import lightning.mesh.Part;
 import lightning.mesh.ply.PlyText;
@@ -93,6 +94,16 @@ class MeshFuzzTest {
         assertReadOrRefused("a.obj", pool, "\n", "\\\n", "f ", "s 7\n", "-9", "/", "//", "1e300", "nan", "\no \u0007\n", "g g\n", "#",
                 "99999999999",
                 "v 0 0 0\n", "\u001B[31m", " ".repeat(50));
+    }
+
+    @Test
+    @Timeout(300)
+    void gltfWithMistakes_isReadOrRefused() throws IOException {
+        List<byte[]> pool = List.of(Gltf.text(Gltf.SQUARE_JSON, Gltf.SQUARE), Gltf.binary(Gltf.SQUARE_JSON, Gltf.SQUARE));
+        assertReadOrRefused("a.gltf", pool, "{", "}", "[", "]", "\"", ",", "-1", "99999999999", "1e999", "null", "5121",
+                "\"count\": 60000000,",
+                "\"byteStride\": 4,", "\"mode\": 5,", "\"sparse\": {\"count\": 1},", "\u0000\u0000\u0000\u0000", "\u001B[31m",
+                "[[[[[[".repeat(50));
     }
 
     private void assertReadOrRefused(String name, List<byte[]> pool, String... hostile) throws IOException {
