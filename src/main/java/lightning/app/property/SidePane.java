@@ -1,5 +1,6 @@
 package lightning.app.property;
 
+import java.util.function.Supplier;
 import javafx.scene.Node;
 import javafx.scene.control.Tab;
 import javafx.scene.control.TabPane;
@@ -13,17 +14,23 @@ public final class SidePane extends TabPane {
         setAccessibleText("Properties");
         getStyleClass().addAll("dense", "side");
         setTabClosingPolicy(TabClosingPolicy.UNAVAILABLE);
-        Tab light = tab("Light", "light-tab", new PropertyPane(model));
-        Tab material = tab("Material", "material-tab", new MaterialPane(model));
+        Tab light = tab("Light", "light-tab", () -> new PropertyPane(model));
+        Tab material = tab("Material", "material-tab", () -> new MaterialPane(model));
         getTabs().setAll(light, material);
         var inFront = model.materials().inFrontProperty();
         inFront.subscribe(on -> getSelectionModel().select(on ? material : light));
         getSelectionModel().selectedItemProperty().subscribe(now -> inFront.set(now == material));
     }
 
-    private static Tab tab(String title, String id, Node content) {
-        var tab = new Tab(title, content);
+    /** @param content made when the tab is first in front: each is a third of all that is in the window */
+    private static Tab tab(String title, String id, Supplier<Node> content) {
+        var tab = new Tab(title);
         tab.setId(id);
+        tab.selectedProperty().subscribe(inFront -> {
+            if (inFront && tab.getContent() == null) {
+                tab.setContent(content.get());
+            }
+        });
         return tab;
     }
 }

@@ -135,7 +135,10 @@ class MaterialPaneTest extends EditorDesk {
     @Test
     void texture_isReadBesideTheSceneRepeatedAndTakenAway() throws IOException {
         picture("dots.png");
-        robot.interact(() -> model().materials().choose("matt"));
+        robot.interact(() -> {
+            model().materials().choose("matt");
+            model().materials().inFrontProperty().set(true);
+        });
         assertThat(robot.lookup("#repeat-u .number-field").query().isDisabled()).isTrue();
         type("texture", "dots.png");
         waitFor("it is read", () -> material("matt").texture().isPresent());
