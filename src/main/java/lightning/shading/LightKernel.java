@@ -135,7 +135,11 @@ public final class LightKernel {
         if (looked == 0 && !(falloff && before.lit > 0)) {
             return before;
         }
-        aim(rows, lamp);
+        if (looked > 0 || lamp.type().hasCone()) {
+            aim(rows, lamp);
+        } else {
+            terms.measure(rows, lamp);
+        }
         LightRows moved = looked == 0 ? before : moveCone(rows, lamp, before, cone, columns);
         // The falloff is written for lit rows; those of them that were looked at are counted already.
         rowsTouched += looked + (falloff && !cone.looksAt(LightRows.LIT) ? before.lit : 0);

@@ -16,6 +16,9 @@ public interface Terms {
     /** As {@link LightingEquation#at}. */
     void aim(HitRows rows, Lamp lamp);
 
+    /** Measures the distances to a point light: all that its falloffs need of aiming. */
+    void measure(HitRows rows, Lamp lamp);
+
     /** Computes the cosines from the axis of the cone of the light that was aimed at. */
     void aimCone(HitRows rows, Lamp lamp);
 
@@ -41,7 +44,7 @@ public interface Terms {
      */
     void speculars(HitRows rows, int from, int to, int[] which, double shininess, float[] column);
 
-    /** Writes {@link LightingEquation#falloff} of all rows of a point or spot light, whose cone was aimed. */
+    /** Writes {@link LightingEquation#falloff} of all rows: of a point light that was measured, or of a spot light whose cone was aimed. */
     void falloffs(HitRows rows, Lamp lamp, float[] to);
 
     /** Writes the falloff before it is rounded to float. */

@@ -49,6 +49,19 @@ final class LightLanes implements Terms {
         }
     }
 
+    @Override
+    public void measure(HitRows rows, Lamp lamp) {
+        double x = lamp.source().x();
+        double y = lamp.source().y();
+        double z = lamp.source().z();
+        for (int i = 0; i < rows.count; i += LANES) {
+            DoubleVector vx = DoubleVector.broadcast(D, x).sub(load(rows.px, i));
+            DoubleVector vy = DoubleVector.broadcast(D, y).sub(load(rows.py, i));
+            DoubleVector vz = DoubleVector.broadcast(D, z).sub(load(rows.pz, i));
+            vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).lanewise(VectorOperators.SQRT).intoArray(distance, i);
+        }
+    }
+
     private void aimAtPoint(HitRows rows, double x, double y, double z) {
         for (int i = 0; i < rows.count; i += LANES) {
             DoubleVector vx = DoubleVector.broadcast(D, x).sub(load(rows.px, i));
@@ -180,15 +193,24 @@ final class LightLanes implements Terms {
         if (first >= last) {
             return;
         }
+        mirrorCosines(rows, first, last);
+        PowerLanes.of(power, first, last, shininess);
+        round(first, last);
+        for (int b = first / RowBits.WIDTH; b * RowBits.WIDTH < last; b++) {
+            merge(b, which[b] & RowBits.within(b, from, to), column);
+        }
+    }
+
+    private void mirrorCosines(HitRows rows, int first, int last) {
         for (int i = first; i < last; i += LANES) {
             mirrorCosine(rows, i);
         }
-        PowerLanes.of(power, first, last, shininess);
+    }
+
+    /** Apart from other loops: in one method with them vectors become objects. */
+    private void round(int first, int last) {
         for (int i = first; i < last; i += LANES) {
             store(DoubleVector.fromArray(D, power, i), specular, i);
-        }
-        for (int b = first / RowBits.WIDTH; b * RowBits.WIDTH < last; b++) {
-            merge(b, which[b] & RowBits.within(b, from, to), column);
         }
     }
 

@@ -45,6 +45,16 @@ final class ScalarTerms implements Terms {
     }
 
     @Override
+    public void measure(HitRows rows, Lamp lamp) {
+        for (int i = 0; i < rows.count; i++) {
+            double vx = lamp.source().x() - rows.px[i];
+            double vy = lamp.source().y() - rows.py[i];
+            double vz = lamp.source().z() - rows.pz[i];
+            distance[i] = Math.sqrt(vx * vx + vy * vy + vz * vz);
+        }
+    }
+
+    @Override
     public void aimCone(HitRows rows, Lamp lamp) {
         for (int i = 0; i < rows.count; i++) {
             double c = -(lx[i] * lamp.axis().x() + ly[i] * lamp.axis().y() + lz[i] * lamp.axis().z());
