@@ -38,7 +38,7 @@ final class Architecture {
             row("mesh", "text file work"),
             row("mesh.ply", "text math mesh"),
             row("mesh.obj", "text math mesh"),
-            row("gltf", "text mesh work"),
+            row("gltf", "text math mesh work"),
             row("mesh.file", "mesh mesh.ply mesh.obj gltf work"),
             row("scene", "text math mesh"),
             row("effects", "text math scene"),
@@ -71,10 +71,11 @@ final class Architecture {
             row("app.animation", DESK + " edit.motion"),
             row("app.measure", DESK),
             row("app", DESK + " edit.motion app.property app.traced app.preview app.animation app.measure"),
+            row("exchange", "text math file mesh mesh.ply mesh.obj gltf mesh.file scene jen work"),
             row("pov", "math file mesh scene image"),
             row("bench", ENGINE + " file jen accuracy pov"),
             row("bench.report", ENGINE + " file accuracy bench"),
-            row("cli", ENGINE + " file jen accuracy pov bench bench.report"));
+            row("cli", ENGINE + " file jen accuracy mesh exchange pov bench bench.report"));
 
     /** @param known the packages that it may import, beside itself */
     private record Row(String name, Set<String> known) {

@@ -48,6 +48,7 @@ public final class Lightning {
                 .addSubcommand(new RenderCommand(console))
                 .addSubcommand(new RelightCommand(console))
                 .addSubcommand(new ExplainCommand(console))
+                .addSubcommand(new ImportCommand(console))
                 .addSubcommand(new ExportCommand(console))
                 .addSubcommand(new EffectsCommand(console))
                 .addSubcommand(new TourCommand(console))

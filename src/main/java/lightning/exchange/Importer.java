@@ -1,0 +1,51 @@
+package lightning.exchange;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.concurrent.CancellationException;
+import lightning.gltf.GltfFile;
+import lightning.mesh.ByteSource;
+import lightning.mesh.MeshException;
+import lightning.mesh.file.MeshFiles;
+import lightning.mesh.ply.PlyReader;
+import lightning.work.Progress;
+
+/** Makes scenes of the files of other programs: glTF, OBJ and PLY. */
+public final class Importer {
+    private Importer() {}
+
+    /** Whether a file is one of them by its name. */
+    public static boolean isNamedSo(String file) {
+        return MeshFiles.isNamedSo(file);
+    }
+
+    /**
+     * Reads a file and all that belongs to it; writes nothing.
+     *
+     * @param to       where the scene will lie, and beside it what it needs
+     * @param units    what the numbers of the file's lights are, where it has lights
+     * @param progress hears how many KiB of a file are read
+     * @throws MeshException         if anything is wrong with it
+     * @throws IOException           if it cannot be read
+     * @throws CancellationException if {@code progress} asked to stop
+     */
+    public static Import read(Path file, Path to, LightUnits units, Progress progress) throws IOException, MeshException {
+        boolean ply;
+        boolean gltf;
+        try (ByteSource source = ByteSource.open(file, Progress.NONE)) {
+            ply = PlyReader.isPly(source);
+            gltf = GltfFile.isGltf(source);
+        }
+        if (ply) {
+            return ObjImport.ply(file, to, progress);
+        }
+        if (gltf) {
+            return GltfImport.read(file, to, units, progress);
+        }
+        if (file.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(".obj")) {
+            return ObjImport.obj(file, to, progress);
+        }
+        throw new MeshException(file, "", "must be a glTF, OBJ or PLY file, found another kind");
+    }
+}

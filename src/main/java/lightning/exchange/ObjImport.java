@@ -1,0 +1,124 @@
+package lightning.exchange;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import lightning.math.Rgb;
+import lightning.math.Transform;
+import lightning.mesh.ByteSource;
+import lightning.mesh.Mesh;
+import lightning.mesh.MeshException;
+import lightning.mesh.file.MeshFiles;
+import lightning.mesh.obj.MtlMaterial;
+import lightning.mesh.obj.MtlReader;
+import lightning.mesh.obj.ObjFile;
+import lightning.mesh.obj.ObjReader;
+import lightning.mesh.ply.PlyReader;
+import lightning.scene.Limits;
+import lightning.scene.Material;
+import lightning.scene.Placement;
+import lightning.work.Progress;
+
+/** Makes scenes of files that hold meshes alone: OBJ with the materials beside it, and PLY. */
+final class ObjImport {
+    private final Pieces pieces;
+    private final Path source;
+    private final Progress progress;
+    private final Map<String, MtlMaterial> found = new HashMap<>();
+    private final Map<String, String> names = new HashMap<>();
+
+    private ObjImport(Path source, Path to, Progress progress) {
+        this.source = source;
+        this.progress = progress;
+        pieces = new Pieces(source, to);
+    }
+
+    static Import ply(Path source, Path to, Progress progress) throws IOException, MeshException {
+        var made = new ObjImport(source, to, progress);
+        try (ByteSource bytes = ByteSource.open(source, progress)) {
+            Mesh mesh = PlyReader.read(bytes, made.pieces.notes);
+            made.add(MeshFiles.ONLY_PART, Material.DEFAULT.name(), mesh);
+        }
+        return made.pieces.finish();
+    }
+
+    static Import obj(Path source, Path to, Progress progress) throws IOException, MeshException {
+        return new ObjImport(source, to, progress).obj();
+    }
+
+    private Import obj() throws IOException, MeshException {
+        ObjFile file;
+        try (ByteSource bytes = ByteSource.open(source, progress)) {
+            file = ObjReader.read(bytes, pieces.notes);
+        }
+        for (String library : file.libraries()) {
+            library(library);
+        }
+        for (ObjFile.ObjPart part : file.parts()) {
+            add(part.name(), material(part.material()), part.mesh());
+        }
+        return pieces.finish();
+    }
+
+    private void add(String part, String material, Mesh mesh) {
+        pieces.notes.add("colors of vertices, not shown yet", mesh.colors() == null ? 0 : 1);
+        pieces.nodes.add(pieces.shape(part, pieces.name(source), part, mesh, material, Placement.IDENTITY, Transform.IDENTITY));
+    }
+
+    private void library(String name) throws IOException, MeshException {
+        Optional<Path> file = beside(name);
+        if (file.isEmpty()) {
+            pieces.notes.add("files of materials that are not there");
+            return;
+        }
+        try (ByteSource bytes = ByteSource.open(file.get(), progress)) {
+            MtlReader.read(bytes, pieces.notes).forEach(found::putIfAbsent);
+        }
+    }
+
+    /** A file in the folder of this one, or in one inside it. */
+    private Optional<Path> beside(String name) throws IOException {
+        try {
+            Path folder = source.toRealPath().getParent();
+            Path file = folder.resolve(name.replace('\\', '/')).normalize();
+            return Files.isRegularFile(file) && file.toRealPath().startsWith(folder) ? Optional.of(file) : Optional.empty();
+        } catch (InvalidPathException e) {
+            return Optional.empty();
+        }
+    }
+
+    private String material(String name) throws IOException {
+        if (name.isEmpty()) {
+            return Material.DEFAULT.name();
+        }
+        String known = names.get(name);
+        if (known == null) {
+            MtlMaterial m = found.get(name);
+            pieces.notes.add("materials that are not there", m == null ? 1 : 0);
+            known = pieces.material(name, m == null ? Material.DEFAULT : made(m));
+            names.put(name, known);
+        }
+        return known;
+    }
+
+    private Material made(MtlMaterial m) throws IOException {
+        Rgb specular = pieces.color(m.specular(), 1, "specular colors of materials");
+        Material made =
+                Material.of("material").withDiffuse(pieces.color(m.diffuse(), 1, "diffuse colors of materials")).withSpecular(specular)
+                        .withShininess(Pieces.clamp(m.shininess(), Limits.MAX_SHININESS))
+                        .withAmbient(pieces.color(m.emission(), Limits.MAX_EMISSION, "emission of materials"))
+                        .withReflective(m.mirrors() ? specular : Rgb.BLACK);
+        if (m.texture().isPresent()) {
+            Optional<Path> picture = beside(m.texture().get());
+            if (picture.isPresent() && Pieces.isPicture(picture.get())) {
+                return made.withTexture(Pieces.texture(pieces.name(picture.get())));
+            }
+            pieces.notes.add("textures that are not there, or no PNG or JPEG");
+        }
+        return made;
+    }
+}

@@ -1,0 +1,17 @@
+package lightning.gltf;
+
+import lightning.math.Rgb;
+
+/**
+ * A material of a glTF file, by what of it acts without pictures.
+ *
+ * @param base       linear colour, times the picture where there is one
+ * @param metallic   0 … 1
+ * @param roughness  0 … 1
+ * @param reflection the share of light that it mirrors when seen head on, where it is no metal
+ * @param emission   linear, strength included
+ * @param unlit      whether it shows its base colour, whatever light there is
+ * @param image      the number of the base colour's image; −1 for none
+ */
+public record GltfMaterial(String name, Rgb base, double metallic, double roughness, Rgb reflection, Rgb emission, boolean unlit,
+        int image) {}

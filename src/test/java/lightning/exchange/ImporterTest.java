@@ -1,0 +1,156 @@
+package lightning.exchange;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.CancellationException;
+import lightning.gltf.Gltf;
+import lightning.jen.JenException;
+import lightning.jen.JenReader;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.mesh.MeshException;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.PlacedShape;
+import lightning.scene.Scene;
+import lightning.work.Progress;
+import org.assertj.core.data.Offset;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Files of other programs become scenes that can be read and shown. */
+class ImporterTest {
+    private static final String SCENE = Gltf.SQUARE_JSON.replace("'nodes': [{'mesh': 0, 'name': 'floor'}]", """
+            'nodes': [{'name': 'set', 'translation': [0, 0, 5], 'scale': [2, 2, 2], 'children': [1, 2, 3, 4]},
+              {'mesh': 0, 'name': 'floor', 'rotation': [-0.70710678, 0, 0, 0.70710678]}, {'mesh': 0, 'name': 'floor'},
+              {'name': 'bulb', 'translation': [0, 1, 0], 'extensions': {'KHR_lights_punctual': {'light': 0}}},
+              {'name': 'eye', 'camera': 0, 'translation': [0, 0, 4]}],
+             'extensions': {'KHR_lights_punctual': {'lights': [{'type': 'point', 'intensity': 683, 'range': 3}]}},
+             'cameras': [{'perspective': {'yfov': 1}}], 'skins': [{}],
+             'materials': [{'name': 'red', 'pbrMetallicRoughness': {'baseColorFactor': [1, 0, 0, 1], 'metallicFactor': 0}}]""")
+            .replace("'indices': 3", "'indices': 3, 'material': 0");
+    @TempDir
+    private Path folder;
+    private Path from;
+    private Path to;
+
+    @BeforeEach
+    void makeFolders() throws IOException {
+        from = Files.createDirectory(folder.resolve("from"));
+        to = Files.createDirectory(folder.resolve("to")).resolve("a.jen");
+    }
+
+    @Test
+    void nodes_standWhereTheFileSays() throws Exception {
+        Scene scene = imported(Files.write(from.resolve("a.glb"), Gltf.binary(SCENE, Gltf.SQUARE)));
+        assertThat(scene.placedShapes()).extracting(s -> s.shape().name()).containsExactly("floor", "floor 2");
+        PlacedShape lying = scene.placedShapes().getFirst();
+        assertNear(lying.toWorld().point(new Vec3(1, 1, 0)), new Vec3(2, 0, 3));
+        assertThat(lying.material().diffuse()).isEqualTo(new Rgb(1, 0, 0));
+    }
+
+    @Test
+    void cameraAndLight_areThoseOfTheFile() throws Exception {
+        Scene scene = imported(Files.write(from.resolve("a.glb"), Gltf.binary(SCENE, Gltf.SQUARE)));
+        assertNear(scene.camera().from(), new Vec3(0, 0, 13));
+        assertThat(scene.camera().fov()).isCloseTo(Math.toDegrees(1), Offset.offset(1e-9));
+        Light bulb = scene.light("bulb").orElseThrow();
+        assertThat(bulb.type()).isEqualTo(LightType.POINT);
+        assertNear(bulb.position(), new Vec3(0, 2, 5));
+        // 683 candela are a watt per steradian, which on white at distance 1 is 1 / π.
+        assertThat(bulb.intensity() / bulb.attenuation().quadratic()).isCloseTo(1 / Math.PI, Offset.offset(1e-12));
+    }
+
+    @Test
+    void whatIsLeftOut_isToldAndCounted() throws Exception {
+        Import read = read(Files.write(from.resolve("a.glb"), Gltf.binary(SCENE, Gltf.SQUARE)));
+        assertThat(read.notes()).containsEntry("skins", 1).containsEntry("ranges of lights", 1);
+        assertThat(read.text())
+                .startsWith("jen 1\n# imported from a.glb\n# light units: the file's numbers were taken as candela and lux\n");
+    }
+
+    @Test
+    void filesElsewhere_areCopied_andNothingIsReplaced() throws Exception {
+        Path file = Files.write(from.resolve("a.gltf"), new String(Gltf.text(SCENE, new byte[0])).replace(
+                "data:application/octet-stream;base64,", "my%20data.bin").getBytes());
+        Files.write(from.resolve("my data.bin"), Gltf.SQUARE);
+        imported(file);
+        assertThat(to.resolveSibling("my data.bin")).hasSameBinaryContentAs(from.resolve("my data.bin"));
+        Files.write(to.resolveSibling("a.gltf"), new byte[1]);
+        assertThatExceptionOfType(IOException.class).isThrownBy(() -> read(file).write())
+                .withMessageContaining("a.gltf: is there already and holds something else");
+        assertThat(to.resolveSibling("a.gltf")).hasSize(1);
+    }
+
+    @Test
+    void objWithMaterials_isAScene() throws Exception {
+        Files.writeString(from.resolve("b.mtl"), "newmtl red\nKd 1 0 0\nKs 0.5 0.5 0.5\nNs 20\nillum 3\n");
+        Scene scene = imported(Files.writeString(from.resolve("b.obj"),
+                "mtllib b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\no one\nusemtl red\nf 1 2 3\no two\nf 1 3 2\nusemtl blue\nf 1 2 3\n"));
+        assertThat(scene.placedShapes()).extracting(s -> s.shape().name()).containsExactly("one", "two (red)", "two (blue)");
+        assertThat(scene.placedShapes().getFirst().material().reflective()).isEqualTo(Rgb.grey(0.5));
+        assertThat(scene.lights()).as("one is made up").hasSize(1);
+    }
+
+    @Test
+    void fileBesideTheScene_isNotCopied() throws Exception {
+        Path file = Files.writeString(to.resolveSibling("c.ply"), """
+                ply
+                format ascii 1.0
+                element vertex 3
+                property float x
+                property float y
+                property float z
+                element face 1
+                property list uchar int vertex_indices
+                end_header
+                0 0 0 1 0 0 0 1 0 3 0 1 2
+                """);
+        assertThat(imported(file).placedShapes()).hasSize(1);
+        try (var files = Files.list(to.getParent())) {
+            assertThat(files).hasSize(2);
+        }
+    }
+
+    @Test
+    void nodeInsideItself_isRefused() throws IOException {
+        Path file = Files.write(from.resolve("a.glb"),
+                Gltf.binary(SCENE.replace("'children': [1, 2, 3, 4]", "'children': [1, 0]"), Gltf.SQUARE));
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file))
+                .withMessageEndingWith("nodes[0].children[1]: must be a node that stands nowhere else, was 0");
+    }
+
+    @Test
+    void cancelledImport_writesNothing() throws IOException {
+        Path file = Files.write(from.resolve("a.glb"), Gltf.binary(SCENE, Gltf.SQUARE));
+        Progress stop = new Progress() {
+            @Override
+            public void tiles(int done, int total) {}
+
+            @Override
+            public boolean isCancelled() {
+                return true;
+            }
+        };
+        assertThatExceptionOfType(CancellationException.class).isThrownBy(() -> Importer.read(file, to, LightUnits.CANDELA, stop));
+        assertThat(to.getParent()).isEmptyDirectory();
+    }
+
+    private static void assertNear(Vec3 actual, Vec3 expected) {
+        assertThat(actual.minus(expected).maxAbs()).as("%s, expected %s", actual, expected).isLessThan(1e-6);
+    }
+
+    private Import read(Path file) throws IOException, MeshException {
+        return Importer.read(file, to, LightUnits.CANDELA, Progress.NONE);
+    }
+
+    private Scene imported(Path file) throws IOException, MeshException, JenException {
+        read(file).write();
+        return JenReader.read(to).scene();
+    }
+}
