@@ -1,0 +1,99 @@
+package lightning.bodies;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import lightning.math.Vec3;
+
+/** The bodies of the scenes, by the names of their files. */
+final class Bodies {
+    private Bodies() {}
+
+    static Map<String, Skin> all() {
+        var all = new LinkedHashMap<String, Skin>();
+        all.put("vase", new Skin(96, 80, true, vase().turned()));
+        all.put("twist", new Skin(144, 72, true, twist().fluted(7, 0.09, 0.22)));
+        all.put("bowl", new Skin(96, 48, true, bowl().turned()));
+        all.put("pear", new Skin(48, 48, true, Bodies::pear));
+        all.put("candlestick", new Skin(64, 96, true, candlestick().turned()));
+        all.put("shell", new Skin(40, 240, true, Bodies::shell));
+        all.put("knot", new Skin(32, 480, true, Bodies::knot));
+        all.put("column", new Skin(192, 64, true, column().fluted(24, 0.03, 0)));
+        all.put("fir", new Skin(44, 72, true, Bodies::fir));
+        all.put("land", new Skin(150, 150, false, Land::at));
+        return all;
+    }
+
+    /** Up the outside, over the rim and down the inside. */
+    private static Profile vase() {
+        return new Profile(0, 0, 0.34, 0, 0.36, 0.03, 0.3, 0.1, 0.46, 0.45, 0.58, 0.9, 0.5, 1.35, 0.25, 1.7, 0.2, 1.95, 0.3, 2.15, 0.31,
+                2.17, 0.29, 2.16, 0.18, 1.95, 0.22, 1.7, 0.46, 1.35, 0.54, 0.9, 0.3, 0.3, 0, 0.2);
+    }
+
+    private static Profile twist() {
+        return new Profile(0, 0, 0.3, 0, 0.34, 0.04, 0.42, 0.35, 0.38, 0.75, 0.24, 1.05, 0.26, 1.3, 0.36, 1.5, 0.345, 1.51, 0.24, 1.3,
+                0.21, 1.05, 0.3, 0.6, 0, 0.3);
+    }
+
+    private static Profile bowl() {
+        return new Profile(0, 0, 0.38, 0, 0.4, 0.05, 0.36, 0.1, 0.7, 0.3, 0.98, 0.62, 1, 0.64, 0.97, 0.63, 0.66, 0.34, 0.3, 0.17, 0, 0.15);
+    }
+
+    private static Profile candlestick() {
+        return new Profile(0, 0, 0.42, 0, 0.44, 0.05, 0.36, 0.1, 0.15, 0.16, 0.1, 0.25, 0.19, 0.34, 0.2, 0.4, 0.1, 0.48, 0.075, 0.7, 0.1,
+                0.95, 0.16, 1.05, 0.1, 1.15, 0.11, 1.2, 0.22, 1.27, 0.23, 1.3, 0.12, 1.29, 0.11, 1.25, 0, 1.24);
+    }
+
+    /** A shaft with a base and a capital, four units high. */
+    private static Profile column() {
+        return new Profile(0, 0, 0.5, 0, 0.52, 0.08, 0.46, 0.16, 0.48, 0.22, 0.4, 0.28, 0.37, 0.4, 0.375, 1.4, 0.36, 2.4, 0.32, 3.4, 0.33,
+                3.5, 0.31, 3.54, 0.33, 3.6, 0.48, 3.8, 0.5, 3.86, 0.5, 4, 0, 4);
+    }
+
+    /** Leans a little, and bulges more to one side. */
+    private static Vec3 pear(double u, double v) {
+        double round = Math.PI * Math.clamp(v, 0, 1);
+        double r = 0.42 * Math.sin(round) * (1 + 0.32 * Math.cos(round) + 0.1 * Math.cos(3 * round));
+        double y = 0.5 - 0.55 * Math.cos(round) - 0.06 * Math.exp(-6 * round);
+        double angle = 2 * Math.PI * (u - Math.floor(u));
+        double bulge = 1 + 0.05 * Math.cos(angle + 1) * Math.sin(round);
+        return new Vec3(r * bulge * Math.cos(angle) + 0.08 * y * y, y, -r * bulge * Math.sin(angle));
+    }
+
+    /** A snail's: a growing ring that climbs as it goes round. */
+    private static Vec3 shell(double u, double v) {
+        double size = Math.exp(3.4 * (v - 1));
+        double round = 2 * Math.PI * 4.2 * v;
+        double angle = 2 * Math.PI * (u - Math.floor(u));
+        double ridge = 1 + 0.03 * Math.cos(30 * Math.PI * v * 4.2 / 2);
+        double r = size * (0.5 + 0.42 * ridge * Math.cos(angle));
+        double y = 2.1 * (1 - size) + size * (0.5 + 0.52 * ridge * Math.sin(angle));
+        return new Vec3(r * Math.cos(round), y, -r * Math.sin(round));
+    }
+
+    /** The trefoil, on its torus, as a tube. */
+    private static Vec3 knot(double u, double v) {
+        double t = 2 * Math.PI * (v - Math.floor(v));
+        Vec3 centre = trefoil(t);
+        Vec3 ahead = trefoil(t + 1e-4).minus(trefoil(t - 1e-4)).normalized();
+        Vec3 aside = ahead.cross(new Vec3(Math.cos(2 * t), 0, -Math.sin(2 * t))).normalized();
+        Vec3 out = aside.cross(ahead);
+        double angle = 2 * Math.PI * (u - Math.floor(u));
+        return centre.plus(out.times(0.24 * Math.cos(angle))).plus(aside.times(-0.24 * Math.sin(angle)));
+    }
+
+    private static Vec3 trefoil(double t) {
+        double r = 1 + 0.45 * Math.cos(3 * t);
+        return new Vec3(r * Math.cos(2 * t), 0.45 * Math.sin(3 * t), -r * Math.sin(2 * t));
+    }
+
+    /** Whorls of boughs that hang: one unit high, its trunk hidden. */
+    private static Vec3 fir(double u, double v) {
+        double angle = 2 * Math.PI * (u - Math.floor(u));
+        double whorls = 9 * v;
+        double whorl = whorls - Math.floor(whorls);
+        double boughs = 1 + 0.22 * Math.cos(11 * angle + 2.4 * Math.floor(whorls));
+        double r = 0.3 * (1 - 0.96 * v) * (1 - 0.55 * whorl) * boughs;
+        double y = 0.04 + 0.96 * v - 0.05 * (1 - whorl) * (1 - v);
+        return new Vec3(r * Math.cos(angle), y, -r * Math.sin(angle));
+    }
+}

@@ -1,0 +1,20 @@
+package lightning.bodies;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+
+/** Writes all meshes of the scenes, and the landscape. */
+public final class Carving {
+    private Carving() {}
+
+    /** @param args the folder of the scenes */
+    public static void main(String[] args) throws IOException {
+        Path meshes = Files.createDirectories(Path.of(args[0], "meshes"));
+        for (Map.Entry<String, Skin> body : Bodies.all().entrySet()) {
+            body.getValue().write(meshes.resolve(body.getKey() + ".ply"));
+        }
+        Files.writeString(Path.of(args[0], "landscape.jen"), Landscape.text());
+    }
+}
