@@ -52,22 +52,22 @@ final class Bodies {
     /** Leans a little, and bulges more to one side. */
     private static Vec3 pear(double u, double v) {
         double round = Math.PI * Math.clamp(v, 0, 1);
-        double r = 0.42 * Math.sin(round) * (1 + 0.32 * Math.cos(round) + 0.1 * Math.cos(3 * round));
-        double y = 0.5 - 0.55 * Math.cos(round) - 0.06 * Math.exp(-6 * round);
+        double r = 0.42 * StrictMath.sin(round) * (1 + 0.32 * StrictMath.cos(round) + 0.1 * StrictMath.cos(3 * round));
+        double y = 0.5 - 0.55 * StrictMath.cos(round) - 0.06 * StrictMath.exp(-6 * round);
         double angle = 2 * Math.PI * (u - Math.floor(u));
-        double bulge = 1 + 0.05 * Math.cos(angle + 1) * Math.sin(round);
-        return new Vec3(r * bulge * Math.cos(angle) + 0.08 * y * y, y, -r * bulge * Math.sin(angle));
+        double bulge = 1 + 0.05 * StrictMath.cos(angle + 1) * StrictMath.sin(round);
+        return new Vec3(r * bulge * StrictMath.cos(angle) + 0.08 * y * y, y, -r * bulge * StrictMath.sin(angle));
     }
 
     /** A snail's: a growing ring that climbs as it goes round. */
     private static Vec3 shell(double u, double v) {
-        double size = Math.exp(3.4 * (v - 1));
+        double size = StrictMath.exp(3.4 * (v - 1));
         double round = 2 * Math.PI * 4.2 * v;
         double angle = 2 * Math.PI * (u - Math.floor(u));
-        double ridge = 1 + 0.03 * Math.cos(30 * Math.PI * v * 4.2 / 2);
-        double r = size * (0.5 + 0.42 * ridge * Math.cos(angle));
-        double y = 2.1 * (1 - size) + size * (0.5 + 0.52 * ridge * Math.sin(angle));
-        return new Vec3(r * Math.cos(round), y, -r * Math.sin(round));
+        double ridge = 1 + 0.03 * StrictMath.cos(30 * Math.PI * v * 4.2 / 2);
+        double r = size * (0.5 + 0.42 * ridge * StrictMath.cos(angle));
+        double y = 2.1 * (1 - size) + size * (0.5 + 0.52 * ridge * StrictMath.sin(angle));
+        return new Vec3(r * StrictMath.cos(round), y, -r * StrictMath.sin(round));
     }
 
     /** The trefoil, on its torus, as a tube. */
@@ -75,15 +75,15 @@ final class Bodies {
         double t = 2 * Math.PI * (v - Math.floor(v));
         Vec3 centre = trefoil(t);
         Vec3 ahead = trefoil(t + 1e-4).minus(trefoil(t - 1e-4)).normalized();
-        Vec3 aside = ahead.cross(new Vec3(Math.cos(2 * t), 0, -Math.sin(2 * t))).normalized();
+        Vec3 aside = ahead.cross(new Vec3(StrictMath.cos(2 * t), 0, -StrictMath.sin(2 * t))).normalized();
         Vec3 out = aside.cross(ahead);
         double angle = 2 * Math.PI * (u - Math.floor(u));
-        return centre.plus(out.times(0.24 * Math.cos(angle))).plus(aside.times(-0.24 * Math.sin(angle)));
+        return centre.plus(out.times(0.24 * StrictMath.cos(angle))).plus(aside.times(-0.24 * StrictMath.sin(angle)));
     }
 
     private static Vec3 trefoil(double t) {
-        double r = 1 + 0.45 * Math.cos(3 * t);
-        return new Vec3(r * Math.cos(2 * t), 0.45 * Math.sin(3 * t), -r * Math.sin(2 * t));
+        double r = 1 + 0.45 * StrictMath.cos(3 * t);
+        return new Vec3(r * StrictMath.cos(2 * t), 0.45 * StrictMath.sin(3 * t), -r * StrictMath.sin(2 * t));
     }
 
     /** Whorls of boughs that hang: one unit high, its trunk hidden. */
@@ -91,9 +91,9 @@ final class Bodies {
         double angle = 2 * Math.PI * (u - Math.floor(u));
         double whorls = 9 * v;
         double whorl = whorls - Math.floor(whorls);
-        double boughs = 1 + 0.22 * Math.cos(11 * angle + 2.4 * Math.floor(whorls));
+        double boughs = 1 + 0.22 * StrictMath.cos(11 * angle + 2.4 * Math.floor(whorls));
         double r = 0.3 * (1 - 0.96 * v) * (1 - 0.55 * whorl) * boughs;
         double y = 0.04 + 0.96 * v - 0.05 * (1 - whorl) * (1 - v);
-        return new Vec3(r * Math.cos(angle), y, -r * Math.sin(angle));
+        return new Vec3(r * StrictMath.cos(angle), y, -r * StrictMath.sin(angle));
     }
 }

@@ -46,6 +46,12 @@ final class Landscape {
               color 0.8 0.76 0.9  intensity 0.12
               direction 0.1 -0.25 -1
             }
+            # Where the clouds have a gap, a beam of it reaches the other shore.
+            light gap spot {
+              color 1 0.84 0.6  intensity 1.5
+              at -14 16 -2  direction 13 -15.5 -2.5
+              angle 11  dropoff 12
+            }
             # A camp by the water.
             light fire point {
               color 1 0.5 0.16  intensity 2.2
@@ -67,12 +73,13 @@ final class Landscape {
             double x = 26 * (random.nextDouble() - 0.5);
             double z = 15 - 27 * random.nextDouble();
             double y = Land.height(x, z);
-            double slope = Math.hypot(Land.height(x + 0.2, z) - y, Land.height(x, z + 0.2) - y) / 0.2;
+            double slope = StrictMath.hypot(Land.height(x + 0.2, z) - y, Land.height(x, z + 0.2) - y) / 0.2;
             double size = 0.9 + 0.9 * random.nextDouble();
             int turn = random.nextInt(360);
             boolean beforeTheEye = z > 9 && Math.abs(x - 1.5) < 0.42 * (17.5 - z) + 0.3 && Math.abs(x - 1) < 2.6;
             if (y > 0.12 && y < 2.6 && slope < 0.85 && !beforeTheEye) {
-                text.append(String.format(Locale.ROOT, "mesh fir_%-3d { material needles  file \"fir.ply\"  at %s  rotate 0 %d 0  scale %.2f %.2f %.2f }%n",
+                text.append(String.format(Locale.ROOT,
+                        "mesh fir_%-3d { material needles  file \"fir.ply\"  at %s  rotate 0 %d 0  scale %.2f %.2f %.2f }%n",
                         ++planted, place(x, y - 0.06, z), turn, size, 1.25 * size, size));
             }
         }

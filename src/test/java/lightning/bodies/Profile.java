@@ -1,7 +1,7 @@
 package lightning.bodies;
 
-import lightning.math.Vec3;
 import lightning.bodies.Skin.Form;
+import lightning.math.Vec3;
 
 /**
  * A curve through points in the half plane of radius and height, by Catmull and Rom's splines (1974): what a lathe follows.
@@ -23,8 +23,8 @@ record Profile(double... points) {
     Form fluted(int petals, double depth, double turns) {
         return (u, v) -> {
             double angle = 2 * Math.PI * (u - Math.floor(u));
-            double r = at(v, 0) * (1 + depth * Math.cos(petals * angle + 2 * Math.PI * petals * turns * v));
-            return new Vec3(r * Math.cos(angle), at(v, 1), -r * Math.sin(angle));
+            double r = at(v, 0) * (1 + depth * StrictMath.cos(petals * angle + 2 * Math.PI * petals * turns * v));
+            return new Vec3(r * StrictMath.cos(angle), at(v, 1), -r * StrictMath.sin(angle));
         };
     }
 
