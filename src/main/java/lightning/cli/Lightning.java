@@ -50,6 +50,7 @@ public final class Lightning {
                 .addSubcommand(new ExplainCommand(console))
                 .addSubcommand(new ImportCommand(console))
                 .addSubcommand(new ExportCommand(console))
+                .addSubcommand(new ExportLightsCommand(console))
                 .addSubcommand(new EffectsCommand(console))
                 .addSubcommand(new TourCommand(console))
                 .addSubcommand(new BenchCommand(console))

@@ -36,12 +36,14 @@ public final class GltfFile {
 
     private final Path path;
     private final Json root;
+    private final boolean isBinary;
     private final byte[] binary;
     private final Progress progress;
 
-    private GltfFile(Path path, JsonNode root, byte[] binary, Progress progress) {
+    private GltfFile(Path path, JsonNode root, boolean isBinary, byte[] binary, Progress progress) {
         this.path = path;
         this.root = new Json(path, "", root);
+        this.isBinary = isBinary;
         this.binary = binary;
         this.progress = progress;
     }
@@ -69,9 +71,13 @@ public final class GltfFile {
 
     /** @see #read(Path, Progress) */
     public static GltfFile read(ByteSource source, Progress progress) throws IOException, MeshException {
+        return read(source, progress, JSON);
+    }
+
+    private static GltfFile read(ByteSource source, Progress progress, JsonMapper json) throws IOException, MeshException {
         try {
-            GltfFile file = source.startsWith(MAGIC) ? binary(source, progress)
-                    : new GltfFile(source.file(), parse(source, source.bytes((int) source.left())), null, progress);
+            GltfFile file = source.startsWith(MAGIC) ? binary(source, progress, json)
+                    : new GltfFile(source.file(), parse(source, source.bytes((int) source.left()), json), false, null, progress);
             file.check();
             return file;
         } catch (EOFException e) {
@@ -79,16 +85,23 @@ public final class GltfFile {
         }
     }
 
-    private static GltfFile binary(ByteSource source, Progress progress) throws IOException, MeshException {
+    /** Reads a file with another reader of JSON, as one that keeps all digits. */
+    static GltfFile readExactly(Path path, Progress progress, JsonMapper json) throws IOException, MeshException {
+        try (ByteSource source = ByteSource.open(path, progress)) {
+            return read(source, progress, json);
+        }
+    }
+
+    private static GltfFile binary(ByteSource source, Progress progress, JsonMapper mapper) throws IOException, MeshException {
         source.int32();
         int version = source.int32();
         if (version != 2) {
             throw source.problem("version", "must be 2, was " + Integer.toUnsignedString(version));
         }
         source.int32();
-        JsonNode json = parse(source, chunk(source, JSON_CHUNK, "JSON"));
+        JsonNode json = parse(source, chunk(source, JSON_CHUNK, "JSON"), mapper);
         byte[] data = source.left() >= 8 ? chunk(source, BINARY_CHUNK, "BIN") : null;
-        return new GltfFile(source.file(), json, data, progress);
+        return new GltfFile(source.file(), json, true, data, progress);
     }
 
     private static byte[] chunk(ByteSource source, int type, String name) throws IOException, MeshException {
@@ -103,9 +116,9 @@ public final class GltfFile {
         return source.bytes((int) length);
     }
 
-    private static JsonNode parse(ByteSource source, byte[] json) throws MeshException {
+    private static JsonNode parse(ByteSource source, byte[] json, JsonMapper mapper) throws MeshException {
         try {
-            JsonNode root = JSON.readTree(json);
+            JsonNode root = mapper.readTree(json);
             if (!root.isObject()) {
                 throw source.problem("", "must be an object of JSON");
             }
@@ -156,6 +169,11 @@ public final class GltfFile {
 
     Progress progress() {
         return progress;
+    }
+
+    /** Whether it is a {@code .glb}. */
+    boolean isBinary() {
+        return isBinary;
     }
 
     /** The binary data beside the JSON, or null. */

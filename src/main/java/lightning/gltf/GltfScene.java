@@ -67,7 +67,7 @@ public final class GltfScene {
         Json mesh = node.get("mesh");
         Json camera = node.get("camera");
         Json light = node.get("extensions").get(LIGHTS).get("light");
-        return new GltfNode(node.get("name").text().orElse(""), local(node), mesh.isThere() ? mesh.index(file.array("meshes")) : -1,
+        return new GltfNode(index, node.get("name").text().orElse(""), local(node), mesh.isThere() ? mesh.index(file.array("meshes")) : -1,
                 camera.isThere() ? camera.index(file.array("cameras")) : -1, light.isThere() ? light.index(lightArray()) : -1,
                 nodes(node.get("children"), nesting + 1));
     }

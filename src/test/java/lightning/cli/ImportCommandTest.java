@@ -4,10 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import lightning.gltf.Gltf;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** import, as its users see it. */
+/** import and export-lights, as their users see them. */
 class ImportCommandTest {
     private static final String TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n";
     @TempDir
@@ -19,6 +20,19 @@ class ImportCommandTest {
         assertThat(done.out()).contains("a.jen: written; 1 shapes, 0 materials, 1 lights");
         assertThat(done.err()).contains("left out or not the same: lines (1)");
         Cli.run("check", folder.resolve("a.jen")).isDone();
+    }
+
+    @Test
+    void lights_areTakenBackIntoACopy() throws Exception {
+        Path scene = Cli.scene(folder);
+        Path gltf = Files.write(folder.resolve("a.gltf"), Gltf.text(Gltf.SQUARE_JSON, Gltf.SQUARE));
+        Cli done = Cli.run("export-lights", scene, "--into", gltf, "-o", folder.resolve("b.gltf")).isDone();
+        assertThat(done.out()).contains("b.gltf: written; 3 lights");
+        assertThat(done.err()).contains("not the same there: lights that do not fall off with the square of the distance");
+        assertThat(Files.readString(folder.resolve("b.gltf"))).contains("KHR_lights_punctual", "\"lamp\"", "\"sun\"", "\"stage\"");
+        Cli.run("export-lights", scene, "--into", gltf, "-o", gltf).isRefusedSaying("is the file to copy, which stays as it is");
+        Cli.run("export-lights", scene, "--into", scene, "-o", folder.resolve("c.gltf")).isRefusedSaying("a.jen: line 1, column");
+        Cli.run("export-lights", scene, "-o", folder.resolve("c.gltf")).isRefusedSaying("the file's name must end in .json");
     }
 
     @Test

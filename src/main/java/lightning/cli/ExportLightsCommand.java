@@ -1,0 +1,70 @@
+package lightning.cli;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import lightning.exchange.LightUnits;
+import lightning.exchange.LightsBack;
+import lightning.file.SafeFile;
+import lightning.mesh.MeshException;
+import lightning.scene.Scene;
+import lightning.work.Progress;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** Takes a scene's lights to other programs. */
+@Command(name = "export-lights", header = "Write a scene's lights into a glTF file, or as plain JSON.", abbreviateSynopsis = true,
+        description = {
+            "With --into, writes a copy of a glTF file with the scene's lights in place of its own, and nothing else touched. Without,",
+            "writes all that the scene says of its lights as JSON. What glTF cannot say is listed and counted."},
+        footer = {
+            "Example:",
+            "  lightning export-lights house.jen --into house.glb -o relit.glb"})
+final class ExportLightsCommand implements Callable<Integer> {
+    private final Console console;
+
+    @Mixin
+    private SceneFile input;
+    @Option(names = "--into", paramLabel = "FILE", description = "The .gltf or .glb file to copy, which is not changed.")
+    private Path into;
+    @Option(names = {"-o", "--output"}, paramLabel = "FILE", required = true, description = "The file to write.")
+    private Path output;
+    @Option(names = "--light-units", paramLabel = "UNITS", defaultValue = "candela",
+            description = "What the numbers of the glTF file's lights shall be: candela (and lux), unitless or watts. "
+                    + "Default: ${DEFAULT-VALUE}.")
+    private LightUnits units;
+
+    ExportLightsCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() throws Exception {
+        String ending = into == null ? ".json" : into.toString().toLowerCase(Locale.ROOT).endsWith(".glb") ? ".glb" : ".gltf";
+        if (!output.toString().toLowerCase(Locale.ROOT).endsWith(ending)) {
+            throw new BadInput(Console.text("%s: the file's name must end in %s", output, ending));
+        }
+        if (into != null && !Files.exists(into)) {
+            throw new BadInput(Console.text("%s: there is no such file", into));
+        }
+        if (into != null && Files.exists(output) && Files.isSameFile(into, output)) {
+            throw new BadInput(Console.text("%s: is the file to copy, which stays as it is; choose another name", output));
+        }
+        PictureOutput.checkFile(output);
+        Scene scene = input.read().scene();
+        LightsBack lights;
+        try {
+            lights = into == null ? LightsBack.json(scene) : LightsBack.into(into, scene, units, Progress.NONE);
+        } catch (MeshException e) {
+            throw new BadInput(e.getMessage());
+        }
+        SafeFile.write(output, out -> out.write(lights.bytes()));
+        lights.notes().entrySet().stream().sorted(Map.Entry.comparingByKey())
+                .forEach(note -> console.remark("%s: not the same there: %s (%d)", output, note.getKey(), note.getValue()));
+        console.line("%s: written; %d lights", output, scene.lights().size());
+        return ExitCode.DONE;
+    }
+}
