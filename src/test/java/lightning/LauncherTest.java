@@ -47,6 +47,7 @@ class LauncherTest {
         Files.writeString(launcher, withoutInstalledJava);
         assertThat(launcher.toFile().setExecutable(true)).isTrue();
         Files.copy(Path.of("src/main/launcher/java.options"), launcher.resolveSibling("java.options"));
+        Files.copy(Path.of("src/main/launcher/render.options"), launcher.resolveSibling("render.options"));
         Files.copy(Path.of("src/main/launcher/make-archive"), launcher.resolveSibling("make-archive"));
     }
 
@@ -108,6 +109,22 @@ class LauncherTest {
                 .redirectErrorStream(true).start();
         assertThat(new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8)).doesNotContain("Unrecognized", "warning");
         assertThat(java.waitFor()).isZero();
+    }
+
+    @Test
+    void optionsOfARender_areTakenByJava() throws Exception {
+        Process java = new ProcessBuilder(realJava().resolve("bin/java").toString(), "@src/main/launcher/render.options", "-version")
+                .redirectErrorStream(true).start();
+        assertThat(new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8)).doesNotContain("Unrecognized", "warning");
+        assertThat(java.waitFor()).isZero();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"render, true", "relight, false", "scene.jen, false"})
+    void optionsOfARender_areGivenToARenderAlone(String command, boolean given) throws Exception {
+        Path java = java("25", "printf '[%s]' \"$@\"");
+        assertThat(run(Map.of("JAVA_HOME", java), "", launcher, command).out().contains("[-XX:Tier4BackEdgeThreshold=800000]"))
+                .isEqualTo(given);
     }
 
     @Test

@@ -2,6 +2,7 @@ package lightning.engine.choice;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -28,7 +29,7 @@ class NarrowVectorsTest {
         line.addAll(Arrays.asList(options.split(" ")));
         line.addAll(List.of("-Xmx200m", "-cp", System.getProperty("java.class.path"), Narrow.class.getName()));
         Process java = new ProcessBuilder(line).redirectErrorStream(true).start();
-        assertThat(new String(java.getInputStream().readAllBytes())).endsWith(Narrow.WANTED);
+        assertThat(new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8)).endsWith(Narrow.WANTED);
         assertThat(java.waitFor()).isZero();
     }
 
