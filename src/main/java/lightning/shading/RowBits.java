@@ -45,16 +45,16 @@ public final class RowBits {
     /** How many of rows {@code from … to − 1} are in the set. */
     static int count(int[] bits, int from, int to) {
         int count = 0;
-        for (int i = from; i < to; i++) {
-            count += contains(bits, i) ? 1 : 0;
+        for (int b = from / WIDTH; b * WIDTH < to; b++) {
+            count += Integer.bitCount(bits[b] & within(b, from, to));
         }
         return count;
     }
 
     /** Takes rows {@code from … to − 1} out of the set. */
     static void remove(int[] bits, int from, int to) {
-        for (int i = from; i < to; i++) {
-            bits[i / WIDTH] &= ~(1 << i % WIDTH);
+        for (int b = from / WIDTH; b * WIDTH < to; b++) {
+            bits[b] &= ~within(b, from, to);
         }
     }
 

@@ -12,6 +12,7 @@ final class TermColumns {
     private final MaterialTable materials;
     private final Terms terms;
     private final Demands demands;
+    private final int[] kept = RowBits.room();
     private final int[] fresh = RowBits.room();
 
     TermColumns(MaterialTable materials, Terms terms, Demands demands) {
@@ -37,10 +38,21 @@ final class TermColumns {
             return null;
         }
         float[] column = columns.floats(rows.count);
-        Arrays.fill(column, 0, rows.count, 0);
+        int[] asked = lit;
+        if (known == null) {
+            Arrays.fill(column, 0, rows.count, 0);
+        } else {
+            asked = fresh;
+            for (int b = 0; b < RowBits.words(rows.count); b++) {
+                kept[b] = lit[b] & known[b];
+                fresh[b] = lit[b] & ~known[b];
+            }
+            terms.select(before, kept, rows.count, column);
+        }
         for (int r = 0; r < rows.runs; r++) {
-            if (isSpecular(rows.runMaterial[r])) {
-                run(rows, r, lit, known, before, column);
+            int material = rows.runMaterial[r];
+            if (isSpecular(material)) {
+                terms.speculars(rows, rows.runStart(r), rows.runEnd[r], asked, materials.shininess(material), column);
             }
         }
         return column;
@@ -58,24 +70,6 @@ final class TermColumns {
 
     boolean isSpecular(int material) {
         return demands.isSpecular(materials, material);
-    }
-
-    private void run(HitRows rows, int r, int[] lit, int[] known, float[] before, float[] column) {
-        int from = rows.runStart(r);
-        int to = rows.runEnd[r];
-        int[] asked = lit;
-        if (known != null) {
-            for (int i = from; i < to; i++) {
-                if (RowBits.contains(known, i) && RowBits.contains(lit, i)) {
-                    column[i] = before[i];
-                }
-            }
-            for (int b = from / RowBits.WIDTH; b * RowBits.WIDTH < to; b++) {
-                fresh[b] = lit[b] & ~known[b];
-            }
-            asked = fresh;
-        }
-        terms.speculars(rows, from, to, asked, materials.shininess(rows.runMaterial[r]), column);
     }
 
     /** The falloff of all rows, lit or not; null where it is 1 everywhere. */
