@@ -17,6 +17,7 @@ import lightning.app.preview.PreviewPane;
 import lightning.app.property.LightListPane;
 import lightning.app.property.SidePane;
 import lightning.edit.Command;
+import lightning.exchange.Importer;
 
 /** Everything inside the editor's frame: traced picture, preview, and beside them the lights and their properties. */
 public final class EditorWindow implements AutoCloseable {
@@ -58,8 +59,9 @@ public final class EditorWindow implements AutoCloseable {
         return frame.getScene().getWindow();
     }
 
+    /** A scene, or a file of which one can be made. */
     private static boolean isScene(File file) {
-        return file.getName().endsWith(".jen");
+        return file.getName().endsWith(".jen") || Importer.isNamedSo(file.getName());
     }
 
     private void dragOver(DragEvent e) {

@@ -2,6 +2,7 @@ package lightning.exchange;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import lightning.gltf.GltfFile;
@@ -13,6 +14,9 @@ import lightning.work.Progress;
 
 /** Makes scenes of the files of other programs: glTF, OBJ and PLY. */
 public final class Importer {
+    /** How the names of such files end. */
+    public static final List<String> ENDINGS = MeshFiles.ENDINGS;
+
     private Importer() {}
 
     /** Whether a file is one of them by its name. */

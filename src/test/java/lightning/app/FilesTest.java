@@ -158,6 +158,29 @@ class FilesTest extends EditorDesk {
     }
 
     @Test
+    void droppedMesh_becomesASceneBesideIt_andAnotherIsAskedFor() throws IOException {
+        Path mesh = Files.writeString(folder.resolve("tri.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n");
+        robot.interact(() -> editor.window().drop(List.of(mesh.toFile())));
+        waitFor("it is open", () -> model().document().name().equals("tri.jen"));
+        waitFor("it tells", () -> text("message").startsWith("Imported tri.obj; 3 kinds of things are left out"));
+        String first = Files.readString(folder.resolve("tri.jen"));
+        answer = folder.resolve("again.jen");
+        robot.interact(() -> editor.window().drop(List.of(mesh.toFile())));
+        waitFor("the other is open", () -> model().document().name().equals("again.jen"));
+        assertThat(Files.readString(folder.resolve("tri.jen"))).isEqualTo(first);
+    }
+
+    @Test
+    void brokenMesh_isToldAndTheOpenSceneStays() throws IOException {
+        answer = Files.writeString(folder.resolve("bad.obj"), "v 0 0 0\nf 1 2 3\n");
+        begin(Command.LOAD_FILE);
+        waitFor("it tells", () -> says("bad.obj could not be opened"));
+        assertThat(model().document().name()).isEqualTo("desk.jen");
+        assertThat(folder.resolve("bad.jen")).doesNotExist();
+        robot.type(javafx.scene.input.KeyCode.ESCAPE);
+    }
+
+    @Test
     void recentScene_isOpenedFromTheMenu() throws IOException {
         answer = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
         begin(Command.LOAD_FILE);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
@@ -76,8 +77,8 @@ class ImporterTest {
 
     @Test
     void filesElsewhere_areCopied_andNothingIsReplaced() throws Exception {
-        Path file = Files.write(from.resolve("a.gltf"), new String(Gltf.text(SCENE, new byte[0])).replace(
-                "data:application/octet-stream;base64,", "my%20data.bin").getBytes());
+        Path file = Files.write(from.resolve("a.gltf"), new String(Gltf.text(SCENE, new byte[0]), StandardCharsets.UTF_8).replace(
+                "data:application/octet-stream;base64,", "my%20data.bin").getBytes(StandardCharsets.UTF_8));
         Files.write(from.resolve("my data.bin"), Gltf.SQUARE);
         imported(file);
         assertThat(to.resolveSibling("my data.bin")).hasSameBinaryContentAs(from.resolve("my data.bin"));

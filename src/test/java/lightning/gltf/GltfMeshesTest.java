@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -33,7 +34,9 @@ class GltfMeshesTest {
         assertThat(mesh.coordinates()).as("v upwards").containsExactly(0, 1, 1, 1, 1, 0, 0, 0);
         assertThat(read("a.gltf", Gltf.text(Gltf.SQUARE_JSON, Gltf.SQUARE)).getFirst().triangles()).isEqualTo(mesh);
         Files.write(folder.resolve("my data.bin"), Gltf.SQUARE);
-        assertThat(read("a.gltf", json("'buffers': [{", "'buffers': [{'uri': 'my%20data.bin', ").replace('\'', '"').getBytes()).getFirst()
+        assertThat(read("a.gltf",
+                json("'buffers': [{", "'buffers': [{'uri': 'my%20data.bin', ").replace('\'', '"').getBytes(StandardCharsets.UTF_8))
+                .getFirst()
                 .triangles()).isEqualTo(mesh);
         assertThat(notes.counts()).isEmpty();
     }

@@ -8,9 +8,13 @@ import javafx.scene.control.MenuItem;
 import lightning.app.model.EditorModel;
 import lightning.app.model.Preferences;
 import lightning.edit.Command;
+import lightning.edit.FileThread;
 import lightning.edit.OpenDocument;
 import lightning.edit.Recovery;
 import lightning.edit.loop.Frame;
+import lightning.exchange.Import;
+import lightning.exchange.Importer;
+import lightning.exchange.LightUnits;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
 import lightning.scene.Scene;
@@ -47,9 +51,50 @@ public final class FileActions {
     }
 
     private void read(Path file) {
+        if (Importer.isNamedSo(file.getFileName().toString())) {
+            bringIn(file);
+        } else {
+            read(file, () -> OpenDocument.open(file));
+        }
+    }
+
+    /** Makes a scene beside a file of another program and opens it; asks where if one is there already. */
+    private void bringIn(Path file) {
+        String name = file.getFileName().toString();
+        Path proposal = file.resolveSibling(name.substring(0, name.lastIndexOf('.')) + ".jen");
+        model.files().beside(() -> Files.exists(proposal), there -> {
+            if (!there) {
+                bringIn(file, proposal);
+            } else {
+                prompt.sceneToWrite(proposal).ifPresent(chosen -> {
+                    if (chosen.getFileName().toString().endsWith(".jen")) {
+                        bringIn(file, chosen);
+                    } else {
+                        Path named = chosen.resolveSibling(chosen.getFileName() + ".jen");
+                        notices.unlessThere(model.files(), named, () -> bringIn(file, named));
+                    }
+                });
+            }
+        }, why -> notices.failed(Quote.path(file.getFileName()) + " could not be imported", why));
+    }
+
+    private void bringIn(Path file, Path to) {
+        read(file, () -> {
+            Import made = Importer.read(file, to, LightUnits.CANDELA, new ReadingLine(model, file));
+            made.write();
+            int kinds = made.notes().size();
+            String told = "Imported " + Quote.path(file.getFileName())
+                    + (kinds == 0 ? "" : "; " + kinds + (kinds == 1 ? " kind of thing is" : " kinds of things are")
+                            + " left out or not the same: " + String.join(", ", made.notes().keySet().stream().sorted().toList()));
+            model.files().window().execute(() -> model.say(told));
+            return OpenDocument.open(to);
+        });
+    }
+
+    private void read(Path file, FileThread.Work<OpenDocument> work) {
         Scene left = model.document().scene();
         model.setReading(file);
-        model.files().beside(() -> OpenDocument.open(file), opened -> whileWanted(file, () -> {
+        model.files().beside(work, opened -> whileWanted(file, () -> {
             if (model.document().scene() == left) {
                 open(opened);
             } else {

@@ -4,12 +4,14 @@ import java.io.File;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import javafx.stage.FileChooser;
 import javafx.stage.Window;
+import lightning.exchange.Importer;
 
 /** Asks which file. */
 public interface FilePrompt {
-    /** A scene to open; empty where the artist thought better of it. */
+    /** A scene, or a file of which one can be made, to open; empty where the artist thought better of it. */
     Optional<Path> scene(Path folder);
 
     /** Where to write a scene. */
@@ -21,10 +23,12 @@ public interface FilePrompt {
     /** The system's own windows. */
     static FilePrompt of(Window owner) {
         var scenes = new FileChooser.ExtensionFilter("Scenes (*.jen)", "*.jen");
+        var files = new FileChooser.ExtensionFilter("Scenes, glTF, OBJ, PLY",
+                Stream.concat(Stream.of(".jen"), Importer.ENDINGS.stream()).map(ending -> "*" + ending).toList());
         return new FilePrompt() {
             @Override
             public Optional<Path> scene(Path folder) {
-                return path(chooser("Load File", folder, scenes), c -> c.showOpenDialog(owner));
+                return path(chooser("Load File", folder, files), c -> c.showOpenDialog(owner));
             }
 
             @Override

@@ -59,7 +59,7 @@ public final class EditorModel implements AutoCloseable {
     private final LookThrough lookThrough;
     /** What an open animation shows in place of the document; null where none is open. */
     private Scene staged;
-    private Path reading;
+    private volatile Path reading;
 
     /**
      * Takes a document and starts to trace it.
@@ -360,7 +360,7 @@ public final class EditorModel implements AutoCloseable {
         refresh();
     }
 
-    /** What is being read; null where nothing is. */
+    /** What is being read; null where nothing is. Any thread may ask. */
     public Path reading() {
         return reading;
     }

@@ -1,0 +1,36 @@
+package lightning.app.command;
+
+import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicInteger;
+import lightning.app.model.EditorModel;
+import lightning.text.Quote;
+import lightning.work.Progress;
+
+/** Tells in the status line how much of a file is read; stops the reading when nobody waits for it any more. Any thread may call. */
+final class ReadingLine implements Progress {
+    private final EditorModel model;
+    private final Path file;
+    private final AtomicInteger told = new AtomicInteger(-1);
+
+    ReadingLine(EditorModel model, Path file) {
+        this.model = model;
+        this.file = file;
+    }
+
+    @Override
+    public void tiles(int done, int total) {
+        int percent = total == 0 ? 100 : (int) (100L * done / total);
+        if (told.getAndSet(percent) != percent) {
+            model.files().window().execute(() -> {
+                if (model.reading() == file) {
+                    model.say("Reading " + Quote.path(file.getFileName()) + ": " + percent + " %");
+                }
+            });
+        }
+    }
+
+    @Override
+    public boolean isCancelled() {
+        return model.reading() != file;
+    }
+}
