@@ -19,6 +19,8 @@ public final class Mesh {
     public static final double MAX_COLOR = 1e6;
     /** How far the square of a normal's length may be from 1; rounding to float takes less than 1e-6. */
     private static final double UNIT = 1e-5;
+    /** How many coordinates tell meshes of one size apart in tables. */
+    private static final int HASHED = 64;
 
     private final float[] positions;
     private final int[] triangles;
@@ -107,7 +109,12 @@ public final class Mesh {
 
     @Override
     public int hashCode() {
-        return 31 * positions.length + triangles.length;
+        int hash = 31 * positions.length + triangles.length;
+        // A few of the numbers: meshes of one size are many, and a mesh has millions.
+        for (int i = 0; i < positions.length; i += positions.length / HASHED + 1) {
+            hash = 31 * hash + Float.floatToIntBits(positions[i]);
+        }
+        return hash;
     }
 
     @Override

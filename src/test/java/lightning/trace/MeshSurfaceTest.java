@@ -4,17 +4,21 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
 import lightning.math.Vec3;
 import lightning.mesh.Mesh;
 import lightning.sample.Meshes;
 import lightning.scene.Camera;
+import lightning.scene.Material;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
 import lightning.scene.World;
 import lightning.trace.solid.Form;
 import org.junit.jupiter.api.Test;
@@ -147,6 +151,33 @@ class MeshSurfaceTest {
         }
         assertThat(lit).isGreaterThan(3000);
         assertThat((double) shaded / lit).isEqualTo(0, within(0.01));
+    }
+
+    /** The unit square as two triangles with the coordinates of the plane, under the same texture. */
+    @Test
+    void textureOfAMesh_liesWhereItsCoordinatesPutIt() {
+        float[] v = {-0.5f, 0, -0.5f, 0.5f, 0, -0.5f, -0.5f, 0, 0.5f, 0.5f, 0, 0.5f};
+        Mesh square = new Mesh(v, new int[] {0, 2, 1, 1, 2, 3}, null, new float[] {0, 0, 1, 0, 0, 1, 1, 1}, null);
+        float[] rgb = new float[3 * 7 * 5];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = random.nextFloat();
+        }
+        Material painted = Material.of("default").withTexture(Optional.of(new TextureMap("a.png", 2, -3, new Texture(7, 5, rgb))));
+        Placement placement = new Placement(Vec3.ZERO, new Vec3(10, 20, 30), new Vec3(4, 1, 4));
+        Geometry mesh = new Geometry(scene(Meshes.solid(square), placement).withMaterials(List.of(painted)));
+        Geometry plane = new Geometry(scene(Solid.PLANE, placement).withMaterials(List.of(painted)));
+        Eye eye = new Eye(scene(Solid.PLANE, placement));
+        int seen = 0;
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            Ray ray = eye.through(i % SIDE, i / SIDE);
+            if (mesh.nearest(ray) == 0 && plane.nearest(ray) == 0) {
+                seen++;
+                for (int c = 0; c < 3; c++) {
+                    assertThat(mesh.surface(0, ray).texel()[c]).isEqualTo(plane.surface(0, ray).texel()[c], within(1e-4f));
+                }
+            }
+        }
+        assertThat(seen).isGreaterThan(1000);
     }
 
     @Test

@@ -93,6 +93,41 @@ class MeshProbeTest {
         assertThat(lost).as("of %s rays", rays).isZero();
     }
 
+    /** Seen from its side a triangle is a line, and how near its vertices are to the ray is noise; the point met is by it all the same. */
+    @Test
+    void trianglesSeenFromTheirSide_areMetWithinTheirBoxes() {
+        int met = 0;
+        for (int n = 0; n < 30_000; n++) {
+            float[] v = new float[9];
+            for (int k = 0; k < 9; k++) {
+                v[k] = (float) random.nextGaussian();
+            }
+            MeshSolid solid = new MeshSolid(new Mesh(v, new int[] {0, 1, 2}, null, null, null));
+            double[] from = inPlane(v, 5 * random.nextGaussian(), 5 * random.nextGaussian());
+            double near = random.nextInt(2) * Math.pow(10, -6 * random.nextDouble());
+            double[] to = inPlane(v, near, near * random.nextDouble());
+            probe.enter(solid, from[0], from[1], from[2], to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+            double t = probe.nearest(Double.POSITIVE_INFINITY);
+            if (t < Double.POSITIVE_INFINITY) {
+                met++;
+                for (int a = 0; a < 3; a++) {
+                    double x = from[a] + t * (to[a] - from[a]);
+                    assertThat(x).isBetween(Math.min(v[a], Math.min(v[3 + a], v[6 + a])) - 1e-12,
+                            Math.max(v[a], Math.max(v[3 + a], v[6 + a])) + 1e-12);
+                }
+            }
+        }
+        assertThat(met).isGreaterThan(3000);
+    }
+
+    private static double[] inPlane(float[] v, double along, double across) {
+        double[] p = new double[3];
+        for (int a = 0; a < 3; a++) {
+            p[a] = v[a] + along * ((double) v[3 + a] - v[a]) + across * ((double) v[6 + a] - v[a]);
+        }
+        return p;
+    }
+
     @Test
     void amongTrianglesAtOneDistance_theLowestIsMet() {
         Mesh ball = Meshes.ball(4, 5, false);
