@@ -5,6 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Locale;
 import lightning.file.SafeFile;
 import lightning.math.Vec3;
 
@@ -38,7 +39,7 @@ record Skin(int across, int along, boolean ring, Form form) {
     /** Writes a binary PLY file with normals at the vertices, counter-clockwise where u × v leads outwards. */
     void write(Path file) throws IOException {
         int vertices = columns() * (along + 1);
-        byte[] header = """
+        byte[] header = String.format(Locale.ROOT, """
                 ply
                 format binary_little_endian 1.0
                 element vertex %d
@@ -51,7 +52,7 @@ record Skin(int across, int along, boolean ring, Form form) {
                 element face %d
                 property list uchar int vertex_indices
                 end_header
-                """.formatted(vertices, across * along).getBytes(StandardCharsets.US_ASCII);
+                """, vertices, across * along).getBytes(StandardCharsets.US_ASCII);
         ByteBuffer bytes = ByteBuffer.allocate(header.length + 24 * vertices + 17 * across * along).order(ByteOrder.LITTLE_ENDIAN);
         bytes.put(header);
         for (int j = 0; j <= along; j++) {
