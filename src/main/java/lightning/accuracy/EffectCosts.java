@@ -53,7 +53,7 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
 
     /** The effects that could be measured if there were more memory. */
     public List<Effect> tooLarge() {
-        return effects.stream().filter(cost -> !cost.measured() && (cost.inUse() || canForce(cost.effect()))).map(EffectCost::effect)
+        return effects.stream().filter(cost -> !cost.measured() && (cost.inUse() || cost.effect().isForcible())).map(EffectCost::effect)
                 .toList();
     }
 
@@ -85,13 +85,6 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
     }
 
     private static boolean canMeasure(Effect effect, Effects effects) {
-        return effects.has(effect) || canForce(effect);
-    }
-
-    private static boolean canForce(Effect effect) {
-        return switch (effect) {
-            case SHADOWS, SPECULAR, TEXTURES, REFLECTION, ATTENUATION, SPOT_CONE, DROPOFF, ANTIALIASING -> true;
-            case DIRECTIONAL_LIGHTS, POINT_LIGHTS, SPOT_LIGHTS, SPHERES, CONES, CYLINDERS, FRUSTUMS, PLANES, MESHES -> false;
-        };
+        return effects.has(effect) || effect.isForcible();
     }
 }

@@ -46,30 +46,42 @@ public enum Effect {
     private final Function<Uses, Stream<String>> callers;
     private final UnaryOperator<Scene> without;
     private final UnaryOperator<Scene> forced;
+    private final boolean forcible;
 
     Effect(String title, Function<Uses, Stream<String>> callers, UnaryOperator<Scene> without) {
         this(title, callers, without, UnaryOperator.identity());
     }
 
     Effect(String title, Function<Uses, Stream<String>> callers, UnaryOperator<Scene> without, UnaryOperator<Scene> forced) {
+        this(title, callers, without, forced, true);
+    }
+
+    Effect(String title, Function<Uses, Stream<String>> callers, UnaryOperator<Scene> without, UnaryOperator<Scene> forced,
+            boolean forcible) {
         this.title = title;
         this.callers = callers;
         this.without = without;
         this.forced = forced;
+        this.forcible = forcible;
     }
 
     Effect(String title, LightType type) {
         this(title, uses -> uses.lights(l -> l.type() == type),
-                scene -> Without.lights(scene, l -> l.type() == type ? l.withOn(false) : l));
+                scene -> Without.lights(scene, l -> l.type() == type ? l.withOn(false) : l), UnaryOperator.identity(), false);
     }
 
     Effect(String title, Class<? extends Solid> type) {
-        this(title, uses -> uses.shapes(type), scene -> Without.shapes(scene, type));
+        this(title, uses -> uses.shapes(type), scene -> Without.shapes(scene, type), UnaryOperator.identity(), false);
     }
 
     /** For people, lower case, in the plural where there is one. */
     public String title() {
         return title;
+    }
+
+    /** Whether its work can be done where nothing calls for it; that of a light or a shape which is not there cannot. */
+    public boolean isForcible() {
+        return forcible;
     }
 
     /** The names of the lights, materials or shapes that call for it, in the order of the scene, perhaps repeatedly. */

@@ -23,7 +23,7 @@ record Extent(Vec3 center, double radius) {
         for (PlacedShape shape : shapes) {
             switch (shape.shape().solid()) {
                 case Solid.Canonical solid -> {
-                    double wide = wide(solid);
+                    double wide = PovSolid.of(solid).wide();
                     for (int corner = 0; corner < 8; corner++) {
                         include(shape.toWorld().point(
                                 new Vec3(wide * ((corner & 1) * 2 - 1), (corner & 2) - 1, wide * ((corner & 4) / 2 - 1))), low, high);
@@ -51,13 +51,5 @@ record Extent(Vec3 center, double radius) {
             low[axis] = Math.min(low[axis], at[axis]);
             high[axis] = Math.max(high[axis], at[axis]);
         }
-    }
-
-    /** How far a solid reaches at most along x and z; along y it is 1. */
-    private static double wide(Solid.Canonical solid) {
-        return switch (solid) {
-            case Solid.Sphere _,Solid.Cone _,Solid.Cylinder _,Solid.Plane _ -> 1;
-            case Solid.Frustum f -> Math.max(1, f.top());
-        };
     }
 }

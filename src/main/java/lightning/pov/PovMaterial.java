@@ -51,11 +51,8 @@ final class PovMaterial {
 
     private static String mapping(Solid solid) {
         return switch (solid) {
-            case Solid.Sphere _ -> "map_type 1";
-            case Solid.Cone _ -> "map_type 2";
-            case Solid.Cylinder _ -> "map_type 2";
-            case Solid.Frustum _ -> "map_type 2";
-            case Solid.Plane _,Solid.Triangles _ -> "map_type 0";
+            case Solid.Canonical c -> PovSolid.of(c).mapping();
+            case Solid.Triangles _ -> "map_type 0";
         };
     }
 
@@ -83,10 +80,8 @@ final class PovMaterial {
 
     private static boolean hasCaps(Solid solid) {
         return switch (solid) {
-            case Solid.Sphere _,Solid.Plane _,Solid.Triangles _ -> false;
-            case Solid.Cone c -> c.caps();
-            case Solid.Cylinder c -> c.caps();
-            case Solid.Frustum f -> f.caps();
+            case Solid.Canonical c -> PovSolid.of(c).caps();
+            case Solid.Triangles _ -> false;
         };
     }
 

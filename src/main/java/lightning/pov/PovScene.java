@@ -82,17 +82,9 @@ public final class PovScene {
     /** A solid, left open for texture and placing. */
     private static String solid(Solid solid, PovMesh meshes) {
         return switch (solid) {
-            case Solid.Sphere _ -> "sphere { <0, 0, 0>, 1";
-            case Solid.Cone c -> "cone { <0, 0, 0>, 1, <0, 1, 0>, 0" + open(c.caps());
-            case Solid.Cylinder c -> "cylinder { <0, 0, 0>, <0, 1, 0>, 1" + open(c.caps());
-            case Solid.Frustum f -> "cone { <0, 0, 0>, 1, <0, 1, 0>, " + f.top() + open(f.caps());
-            case Solid.Plane _ -> "polygon { 5, <-0.5, 0, -0.5>, <0.5, 0, -0.5>, <0.5, 0, 0.5>, <-0.5, 0, 0.5>, <-0.5, 0, -0.5>";
+            case Solid.Canonical c -> PovSolid.of(c).text();
             case Solid.Triangles t -> meshes.text(t);
         };
-    }
-
-    private static String open(boolean caps) {
-        return caps ? "" : " open";
     }
 
     private static String image(Map<String, Texture> images, TextureMap map, String name) {
