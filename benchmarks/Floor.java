@@ -1,0 +1,75 @@
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import lightning.accuracy.Bandwidth;
+import lightning.accuracy.PaperCase;
+import lightning.accuracy.PaperCases;
+import lightning.cache.PixelCache;
+import lightning.engine.choice.Engines;
+import lightning.fulltrace.TraditionalTracer;
+import lightning.jen.JenReader;
+import lightning.relight.Renderer;
+import lightning.relight.Update;
+import lightning.relight.plan.Reflections;
+import lightning.relight.tile.Options;
+import lightning.scene.Picture;
+import lightning.scene.Scene;
+import lightning.work.Progress;
+import lightning.work.Workers;
+
+/**
+ * How far edits are from the floor, for {@code benchmarks/floor}: one thread's processor time beside the time that its memory
+ * needs for the bytes that the edit reads and writes.
+ */
+final class Floor {
+    private static final double WARM_UP_MS = 1500;
+    private static final double MEASURED_MS = 1000;
+    private static final int LEAST = 7;
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+
+    public static void main(String[] args) throws Exception {
+        Engines.use(Engines.FASTEST);
+        Scene read = JenReader.read(Path.of(args[0])).scene();
+        Scene scene = read.withPicture(new Picture(Integer.parseInt(args[1]), Integer.parseInt(args[2]), read.picture().depth()));
+        try (var renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1)); var alone = new Workers(1)) {
+            double bytesPerMs = Bandwidth.triad(alone, 15).stream().mapToDouble(d -> d).max().orElseThrow();
+            System.out.printf(Locale.ROOT, "%s at %sx%s; memory: %.1f GB/s%n%-20s %9s %9s %9s %9s%n", Path.of(args[0]).getFileName(),
+                    args[1],
+                    args[2], bytesPerMs / 1e6, "edit", "floor, ms", "takes, ms", "times", "saves, %");
+            TraditionalTracer tracer = new TraditionalTracer(scene);
+            double full = median(() -> {}, () -> tracer.trace(alone, Progress.NONE));
+            for (PaperCase edit : PaperCases.of(scene)) {
+                List<Scene> scenes = edit.scenes();
+                renderer.render(scenes.get(scenes.size() - 2), Progress.NONE);
+                PixelCache kept = renderer.cache();
+                Update[] update = new Update[1];
+                double ms = median(() -> renderer.restore(kept), () -> update[0] = renderer.render(edit.after(), Progress.NONE));
+                double floor = update[0].bytesMoved() / bytesPerMs;
+                System.out.printf(Locale.ROOT, "%-20s %9.3f %9.3f %9.2f %9.1f%n", edit.name(), floor, ms, ms / floor,
+                        100 * (1 - ms / full));
+            }
+        }
+    }
+
+    private static double median(Runnable before, Runnable timed) {
+        spend(before, timed, WARM_UP_MS);
+        double[] times = spend(before, timed, MEASURED_MS);
+        return times[times.length / 2];
+    }
+
+    private static double[] spend(Runnable before, Runnable timed, double milliseconds) {
+        double[] times = new double[0];
+        for (double sum = 0; sum < milliseconds || times.length < LEAST; sum += times[times.length - 1]) {
+            before.run();
+            long start = THREADS.getCurrentThreadCpuTime();
+            timed.run();
+            times = Arrays.copyOf(times, times.length + 1);
+            times[times.length - 1] = Math.max((THREADS.getCurrentThreadCpuTime() - start) / 1e6, 1e-3);
+        }
+        Arrays.sort(times);
+        return times;
+    }
+}
