@@ -28,10 +28,13 @@ final class MeshBeam {
     final int[] in = new int[MeshTree.WIDTH];
     /** The greatest difference between the rays' steps on any axis. */
     float spread;
+    /** The greatest difference between the rays' origins on any axis. */
+    float width;
 
     /** Takes some rays of a packet, at least one. */
     void take(MeshLanes rays, int mask) {
         spread = 0;
+        width = 0;
         axis(rays.startX, rays.stepX, rays.wide, mask, 0);
         axis(rays.startY, rays.stepY, rays.wide, mask, 8);
         axis(rays.startZ, rays.stepZ, rays.wide, mask, 16);
@@ -50,6 +53,7 @@ final class MeshBeam {
             lowStep = step[i] < lowStep ? step[i] : lowStep;
             highStep = step[i] > highStep ? step[i] : highStep;
         }
+        width = high - low > width ? high - low : width;
         spread = highStep - lowStep > spread ? highStep - lowStep : spread;
         lowStep -= WIDER;
         highStep += WIDER;

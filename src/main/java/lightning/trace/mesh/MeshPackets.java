@@ -28,6 +28,8 @@ public final class MeshPackets {
             VectorSpecies.of(float.class, VectorShape.forBitSize(Lanes.SPECIES.vectorBitSize() / 2));
     /** Rays whose steps differ by more than this are no beam. */
     private static final float SPREAD = 0.25f;
+    /** Nor are rays whose origins lie farther apart than this share of the mesh's largest coordinate. */
+    private static final double WIDTH = 0.1;
     /** Fewer rays are asked alone. */
     private static final int FEW = 3;
 
@@ -90,7 +92,7 @@ public final class MeshPackets {
         }
         open = reached;
         beam.take(rays, reached);
-        if (beam.spread <= SPREAD && Integer.bitCount(reached) >= FEW) {
+        if (beam.spread <= SPREAD && beam.width <= WIDTH * of.reach && Integer.bitCount(reached) >= FEW) {
             together();
         } else {
             for (int left = reached; left != 0; left &= left - 1) {
