@@ -40,6 +40,7 @@ public final class ScalarTracer implements Tracer {
 
     @Override
     public void distances(RayColumns rays) {
+        walk.leadTo(WayEnd.OPEN);
         for (int ray = 0; ray < rays.count; ray++) {
             int s = rays.primitive[ray];
             if (s >= 0) {
