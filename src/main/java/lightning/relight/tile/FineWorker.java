@@ -73,12 +73,16 @@ final class FineWorker {
         int together = SampleMean.pixelsTogether(job.sampling().perPixel());
         TileWorker worker = crew.forTile(tile);
         CachedTile[] blocks = new CachedTile[(pixels.length + together - 1) / together];
-        for (int b = 0; b < blocks.length && !job.progress().isCancelled(); b++) {
+        for (int b = 0; b < blocks.length; b++) {
             int from = b * together;
             int to = Math.min(pixels.length, from + together);
             var places = new SamplePlaces(tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE, pixels, from, to,
                     job.sampling().grid());
             blocks[b] = old == null ? worker.fine(places) : worker.relight(places, old.blocks()[b]);
+            if (job.progress().isCancelled()) {
+                // New samples that were given up have no colours, and no film before to take them from.
+                break;
+            }
             if (worker.recolored()) {
                 film.write(pixels, from, to, worker.colors());
             } else {
