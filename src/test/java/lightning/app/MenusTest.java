@@ -69,8 +69,9 @@ class MenusTest extends EditorDesk {
         }
     }
 
-    /** Those of a shape's menu, and those that are there with every window open. */
+    /** Those of a shape's menu, and those that are there with every tab and window open. */
     private List<MenuItem> allItems() {
+        robot.interact(() -> model().materials().inFrontProperty().set(true));
         robot.clickOn(inPreview(new Vec3(0, 1, 0)), MouseButton.SECONDARY);
         waitFor("the shape's menu is open", () -> items().stream().anyMatch(i -> "Edit Material matt of ball".equals(i.getText())));
         List<MenuItem> all = new ArrayList<>();

@@ -17,6 +17,7 @@ import javafx.scene.input.KeyCombination.ModifierValue;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
 import javafx.scene.robot.Robot;
+import javafx.stage.Stage;
 import javafx.stage.Window;
 import org.testfx.api.FxRobot;
 import org.testfx.robot.Motion;
@@ -52,6 +53,15 @@ public final class QuickRobot extends FxRobot {
             hands = new Robot();
         }
         return hands;
+    }
+
+    /** A desktop gives the focus of a window that closed to another; the headless platform leaves it with none, and its robot fails. */
+    private static void keepFocus() {
+        List<Window> windows = List.copyOf(Window.getWindows());
+        if (windows.stream().noneMatch(Window::isFocused)) {
+            windows.stream().filter(window -> window instanceof Stage && window.isShowing()).reduce((_, last) -> last)
+                    .ifPresent(Window::requestFocus);
+        }
     }
 
     /** On the window's thread; what fails there fails here. */
@@ -151,7 +161,10 @@ public final class QuickRobot extends FxRobot {
     @Override
     public FxRobot press(MouseButton... buttons) {
         MouseButton[] which = orPrimary(buttons);
-        act(() -> hands().mousePress(which));
+        act(() -> {
+            keepFocus();
+            hands().mousePress(which);
+        });
         pressed.addAll(List.of(which));
         return this;
     }
@@ -221,7 +234,10 @@ public final class QuickRobot extends FxRobot {
     @Override
     public FxRobot press(KeyCode... keys) {
         for (KeyCode key : keys) {
-            act(() -> hands().keyPress(real(key)));
+            act(() -> {
+                keepFocus();
+                hands().keyPress(real(key));
+            });
         }
         return this;
     }

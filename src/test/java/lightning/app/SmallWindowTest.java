@@ -117,6 +117,7 @@ class SmallWindowTest extends EditorDesk {
             resize(width, 540);
             robot.interact(() -> model().run(Command.VERIFY));
             waitFor("it is verified", () -> isShown("difference"));
+            QuickRobot.settle();
             Set<String> cut = robot.lookup(n -> n instanceof Labeled && isIn(n, "pane-header", "tool-bar", "lights-tools"))
                     .queryAllAs(Labeled.class).stream().filter(SmallWindowTest::isCut).map(Labeled::getText).collect(Collectors.toSet());
             assertThat(cut).isEmpty();
