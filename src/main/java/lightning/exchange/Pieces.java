@@ -1,6 +1,8 @@
 package lightning.exchange;
 
 import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -179,7 +181,17 @@ final class Pieces {
         notes.add("cameras made up, as the file has none");
         double distance = bounds.radius() / Math.sin(Math.toRadians(20)) * 1.05;
         Vec3 middle = bounds.middle();
-        return new Camera(middle.plus(new Vec3(0.5, 0.4, 0.9).normalized().times(distance)), middle, Vec3.Y, 40);
+        return new Camera(shortened(middle.plus(new Vec3(0.5, 0.4, 0.9).normalized().times(distance))), shortened(middle), Vec3.Y, 40);
+    }
+
+    /** To the decimal place below a hundredth of the radius, as somebody would write it. */
+    private Vec3 shortened(Vec3 v) {
+        int place = 2 - (int) Math.floor(Math.log10(bounds.radius()));
+        return new Vec3(shortened(v.x(), place), shortened(v.y(), place), shortened(v.z(), place));
+    }
+
+    private static double shortened(double v, int place) {
+        return BigDecimal.valueOf(v).setScale(place, RoundingMode.HALF_EVEN).doubleValue();
     }
 
     /** Whether the bytes of a picture are of a kind that a scene can show. */

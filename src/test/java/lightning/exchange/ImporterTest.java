@@ -99,6 +99,12 @@ class ImporterTest {
     }
 
     @Test
+    void madeUpCamera_hasShortNumbers() throws Exception {
+        Scene scene = imported(Files.writeString(from.resolve("b.obj"), "v 0 0 0\nv 1000.123456 0 0\nv 0 1 0\nf 1 2 3\n"));
+        assertThat(scene.camera().to()).isEqualTo(new Vec3(500, 0, 0));
+    }
+
+    @Test
     void fileBesideTheScene_isNotCopied() throws Exception {
         Path file = Files.writeString(to.resolveSibling("c.ply"), """
                 ply
