@@ -12,6 +12,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -198,6 +199,18 @@ class LauncherTest {
         try (Stream<Path> files = Files.list(cache)) {
             return files.filter(f -> f.toString().endsWith(".aot")).toList();
         }
+    }
+
+    /** What makes an archive goes on beside the test; its folder goes only when that has ended. */
+    @AfterEach
+    void letWhatGoesOnBesideEnd() throws Exception {
+        for (int i = 0; i < 1000 && ProcessHandle.allProcesses().anyMatch(this::isOfThisFolder); i++) {
+            Thread.sleep(10);
+        }
+    }
+
+    private boolean isOfThisFolder(ProcessHandle process) {
+        return process.info().commandLine().orElse("").contains(folder.toString());
     }
 
     @Test

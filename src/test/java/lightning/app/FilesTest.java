@@ -8,6 +8,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import javafx.application.Platform;
 import javafx.scene.control.ListView;
 import javafx.stage.WindowEvent;
@@ -128,9 +130,10 @@ class FilesTest extends EditorDesk {
     /** The picture is that of the scene in the title, or none. */
     @Test
     void titleOfAnotherScene_standsOverNothingOfTheLast() throws Exception {
-        // Small enough for no coarse picture, large enough to take its time.
+        // Small enough for no coarse picture; its samples and lights take their time on any machine.
         String text = Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 170 170  antialias every  samples 8");
-        answer = Files.writeString(folder.resolve("other.jen"), text);
+        String lights = IntStream.range(0, 100).mapToObj(i -> "light more_" + i + " point { at 1 3 4 }\n").collect(Collectors.joining());
+        answer = Files.writeString(folder.resolve("other.jen"), text + lights);
         var opened = OpenDocument.open(answer);
         AtomicBoolean gone = new AtomicBoolean();
         robot.interact(() -> {
