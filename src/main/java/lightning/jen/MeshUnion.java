@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
 import lightning.mesh.Mesh;
+import lightning.mesh.Normals;
 
 /** Several meshes as one. */
 final class MeshUnion {
@@ -48,16 +49,12 @@ final class MeshUnion {
 
     /** The same triangles, each with vertices of its own, whose normals are the triangle's; a triangle without area gets any. */
     private static Mesh faceted(Mesh m) {
-        int[] t = m.triangles();
-        float[] normals = new float[3 * t.length];
-        int[] triangles = new int[t.length];
-        for (int i = 0; i < t.length; i++) {
-            triangles[i] = i;
-            if (i % 3 == 0) {
-                normal(m.positions(), 3 * t[i], 3 * t[i + 1], 3 * t[i + 2], normals, 3 * i);
-            }
-        }
-        return new Mesh(spread(m.positions(), t, 3), triangles, normals, spread(m.coordinates(), t, 2), spread(m.colors(), t, 3));
+        int[] vertices = m.triangles();
+        float[] positions = spread(m.positions(), vertices, 3);
+        int[] triangles = new int[vertices.length];
+        Arrays.setAll(triangles, i -> i);
+        return new Mesh(positions, triangles, Normals.smooth(positions, triangles), spread(m.coordinates(), vertices, 2),
+                spread(m.colors(), vertices, 3));
     }
 
     private static float[] spread(float[] numbers, int[] vertices, int each) {
@@ -69,24 +66,5 @@ final class MeshUnion {
             System.arraycopy(numbers, each * vertices[i], spread, each * i, each);
         }
         return spread;
-    }
-
-    private static void normal(float[] p, int a, int b, int c, float[] to, int at) {
-        double ex = (double) p[b] - p[a];
-        double ey = (double) p[b + 1] - p[a + 1];
-        double ez = (double) p[b + 2] - p[a + 2];
-        double fx = (double) p[c] - p[a];
-        double fy = (double) p[c + 1] - p[a + 1];
-        double fz = (double) p[c + 2] - p[a + 2];
-        double x = ey * fz - ez * fy;
-        double y = ez * fx - ex * fz;
-        double z = ex * fy - ey * fx;
-        double length = Math.sqrt(x * x + y * y + z * z);
-        boolean flat = !(length > 0);
-        for (int v = 0; v < 3; v++) {
-            to[at + 3 * v] = flat ? 1 : (float) (x / length);
-            to[at + 3 * v + 1] = flat ? 0 : (float) (y / length);
-            to[at + 3 * v + 2] = flat ? 0 : (float) (z / length);
-        }
     }
 }

@@ -2,7 +2,7 @@ package lightning.trace.mesh;
 
 import lightning.mesh.Mesh;
 
-/** A mesh and its tree: what rays meet of a shape that is one. Shared by all shapes that show the mesh, and between threads. */
+/** A mesh and its tree, which all shapes that show the mesh share: what rays meet of a shape that is one. Shared between threads. */
 public final class MeshSolid {
     final Mesh mesh;
     final MeshTree tree;
