@@ -3,13 +3,10 @@ package lightning.exchange;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.concurrent.CancellationException;
-import lightning.gltf.GltfFile;
-import lightning.mesh.ByteSource;
 import lightning.mesh.MeshException;
 import lightning.mesh.file.MeshFiles;
-import lightning.mesh.ply.PlyReader;
+import lightning.mesh.file.MeshFormat;
 import lightning.work.Progress;
 
 /** Makes scenes of the files of other programs: glTF, OBJ and PLY. */
@@ -35,21 +32,10 @@ public final class Importer {
      * @throws CancellationException if {@code progress} asked to stop
      */
     public static Import read(Path file, Path to, LightUnits units, Progress progress) throws IOException, MeshException {
-        boolean ply;
-        boolean gltf;
-        try (ByteSource source = ByteSource.open(file, Progress.NONE)) {
-            ply = PlyReader.isPly(source);
-            gltf = GltfFile.isGltf(source);
-        }
-        if (ply) {
-            return ObjImport.ply(file, to, progress);
-        }
-        if (gltf) {
-            return GltfImport.read(file, to, units, progress);
-        }
-        if (file.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(".obj")) {
-            return ObjImport.obj(file, to, progress);
-        }
-        throw new MeshException(file, "", "must be a glTF, OBJ or PLY file, found another kind");
+        return switch (MeshFormat.of(file)) {
+            case PLY -> ObjImport.ply(file, to, progress);
+            case OBJ -> ObjImport.obj(file, to, progress);
+            case GLTF -> GltfImport.read(file, to, units, progress);
+        };
     }
 }

@@ -15,7 +15,7 @@ import lightning.mesh.obj.ObjReader;
 import lightning.mesh.ply.PlyReader;
 import lightning.work.Progress;
 
-/** Reads files of meshes: PLY, OBJ and glTF. What a file is, its content says, or its name where the content has no mark. */
+/** Reads files of meshes: PLY, OBJ and glTF. */
 public final class MeshFiles {
     /** The name of the one mesh in a file that names none. */
     public static final String ONLY_PART = "mesh";
@@ -30,10 +30,6 @@ public final class MeshFiles {
         return ENDINGS.stream().anyMatch(name::endsWith);
     }
 
-    private static boolean isNamed(Path file, String ending) {
-        return file.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(ending);
-    }
-
     /**
      * Reads all meshes of a file. No memory is taken for what a file says to hold and does not.
      *
@@ -45,17 +41,12 @@ public final class MeshFiles {
      */
     public static List<Part> read(Path file, Progress progress) throws IOException, MeshException {
         try (ByteSource source = ByteSource.open(file, progress)) {
-            if (PlyReader.isPly(source)) {
-                return List.of(new Part(ONLY_PART, PlyReader.read(source, new Notes())));
-            }
-            if (GltfFile.isGltf(source)) {
-                return GltfMeshes.read(GltfFile.read(source, progress), new Notes()).stream()
+            return switch (MeshFormat.of(file, source)) {
+                case PLY -> List.of(new Part(ONLY_PART, PlyReader.read(source, new Notes())));
+                case OBJ -> ObjReader.read(source, new Notes()).parts().stream().map(part -> new Part(part.name(), part.mesh())).toList();
+                case GLTF -> GltfMeshes.read(GltfFile.read(source, progress), new Notes()).stream()
                         .map(part -> new Part(part.name(), part.triangles())).toList();
-            }
-            if (isNamed(file, ".obj")) {
-                return ObjReader.read(source, new Notes()).parts().stream().map(part -> new Part(part.name(), part.mesh())).toList();
-            }
-            throw source.problem("", "must be a PLY, OBJ or glTF file, found another kind");
+            };
         }
     }
 }

@@ -1,0 +1,43 @@
+package lightning.mesh.file;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Locale;
+import lightning.gltf.GltfFile;
+import lightning.mesh.ByteSource;
+import lightning.mesh.MeshException;
+import lightning.mesh.ply.PlyReader;
+import lightning.work.Progress;
+
+/** What a file of meshes is: its content says it, or its name where the content has no mark. */
+public enum MeshFormat {
+    PLY,
+    OBJ,
+    GLTF;
+
+    /**
+     * The format of a file.
+     *
+     * @throws MeshException if it is none of them
+     * @throws IOException   if it cannot be read, or is a folder, a pipe or a device
+     */
+    public static MeshFormat of(Path file) throws IOException, MeshException {
+        try (ByteSource source = ByteSource.open(file, Progress.NONE)) {
+            return of(file, source);
+        }
+    }
+
+    /** The same of a file that is open, of which nothing was read yet, and nothing is. */
+    static MeshFormat of(Path file, ByteSource source) throws IOException, MeshException {
+        if (PlyReader.isPly(source)) {
+            return PLY;
+        }
+        if (GltfFile.isGltf(source)) {
+            return GLTF;
+        }
+        if (file.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(".obj")) {
+            return OBJ;
+        }
+        throw source.problem("", "must be a PLY, OBJ or glTF file, found another kind");
+    }
+}
