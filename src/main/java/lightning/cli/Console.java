@@ -3,6 +3,7 @@ package lightning.cli;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.text.Quote;
@@ -31,6 +32,12 @@ record Console(PrintStream out, PrintStream err, boolean terminal) {
     /** Prints one line of remarks. */
     void remark(String format, Object... values) {
         err.println(shown(text(format, values)));
+    }
+
+    /** Prints what is not the same in a file and how often, a line for each kind in the order of their names. */
+    void notes(Path file, String what, Map<String, Integer> counts) {
+        counts.entrySet().stream().sorted(Map.Entry.comparingByKey())
+                .forEach(note -> remark("%s: %s: %s (%d)", file, what, note.getKey(), note.getValue()));
     }
 
     /** Prints a complaint, one line whatever is quoted in it. */

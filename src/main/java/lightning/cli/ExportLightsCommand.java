@@ -3,7 +3,6 @@ package lightning.cli;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.Map;
 import java.util.concurrent.Callable;
 import lightning.exchange.LightUnits;
 import lightning.exchange.LightsBack;
@@ -47,9 +46,6 @@ final class ExportLightsCommand implements Callable<Integer> {
         if (!output.toString().toLowerCase(Locale.ROOT).endsWith(ending)) {
             throw new BadInput(Console.text("%s: the file's name must end in %s", output, ending));
         }
-        if (into != null && !Files.exists(into)) {
-            throw new BadInput(Console.text("%s: there is no such file", into));
-        }
         if (into != null && Files.exists(output) && Files.isSameFile(into, output)) {
             throw new BadInput(Console.text("%s: is the file to copy, which stays as it is; choose another name", output));
         }
@@ -62,8 +58,7 @@ final class ExportLightsCommand implements Callable<Integer> {
             throw new BadInput(e.getMessage());
         }
         SafeFile.write(output, out -> out.write(lights.bytes()));
-        lights.notes().entrySet().stream().sorted(Map.Entry.comparingByKey())
-                .forEach(note -> console.remark("%s: not the same there: %s (%d)", output, note.getKey(), note.getValue()));
+        console.notes(output, "not the same there", lights.notes());
         console.line("%s: written; %d lights", output, scene.lights().size());
         return ExitCode.DONE;
     }

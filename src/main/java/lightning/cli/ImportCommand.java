@@ -1,9 +1,7 @@
 package lightning.cli;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.Map;
 import java.util.concurrent.Callable;
 import lightning.exchange.Import;
 import lightning.exchange.Importer;
@@ -44,9 +42,6 @@ final class ImportCommand implements Callable<Integer> {
         if (!name.toLowerCase(Locale.ROOT).endsWith(".jen")) {
             throw new BadInput(output + ": a scene's name must end in .jen");
         }
-        if (!Files.exists(file)) {
-            throw new BadInput(Console.text("%s: there is no such file", file));
-        }
         PictureOutput.checkFile(output);
         Import read;
         try (var bar = new ProgressBar(console, "reading")) {
@@ -55,8 +50,7 @@ final class ImportCommand implements Callable<Integer> {
             throw new BadInput(e.getMessage());
         }
         read.write();
-        read.notes().entrySet().stream().sorted(Map.Entry.comparingByKey())
-                .forEach(note -> console.remark("%s: left out or not the same: %s (%d)", file, note.getKey(), note.getValue()));
+        console.notes(file, "left out or not the same", read.notes());
         console.line("%s: written; %d shapes, %d materials, %d lights", output, read.scene().stage().shapeCount(),
                 read.scene().materials().size(),
                 read.scene().lights().size());
