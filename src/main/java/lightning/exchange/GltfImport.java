@@ -87,29 +87,38 @@ final class GltfImport {
             lit.add(node);
             litAt.add(world);
         }
-        Optional<Placement> placement = Decomposition.of(node.local());
+        List<Placement> places = Decomposition.of(node.local());
         List<GltfPart> own = node.mesh() < 0 ? List.of() : parts.getOrDefault(node.mesh(), List.of());
-        if (placement.isEmpty() && !own.isEmpty()) {
-            pieces.notes.add("nodes that are sheared, flat, too small or too large, with their shapes");
+        if (places.isEmpty()) {
+            pieces.notes.add("nodes that are flat, too small or too large, with their shapes", own.isEmpty() ? 0 : 1);
+            // Cameras and lights inside it are looked for all the same.
+            for (GltfNode child : node.children()) {
+                pieces.notes.add("shapes inside nodes that are flat, too small or too large", placed(child, world).size());
+            }
+            return List.of();
         }
-        if (own.size() == 1 && node.children().isEmpty() && placement.isPresent()) {
-            return List.of(shape(node.name(), own.getFirst(), placement.get(), outer));
+        if (own.size() == 1 && node.children().isEmpty()) {
+            Transform around = places.size() == 1 ? outer : outer.times(places.getFirst().transform());
+            return within(node, places.subList(0, places.size() - 1),
+                    List.of(shape(node.name(), own.getFirst(), places.getLast(), around)));
         }
         List<Node> inside = new ArrayList<>();
-        // Parts and children of a node that cannot be placed are left out; cameras and lights below it are not.
-        for (GltfPart part : placement.isPresent() ? own : List.<GltfPart>of()) {
+        for (GltfPart part : own) {
             inside.add(shape(node.name(), part, Placement.IDENTITY, world));
         }
         for (GltfNode child : node.children()) {
-            List<Node> below = placed(child, world);
-            if (placement.isPresent()) {
-                inside.addAll(below);
-            } else {
-                pieces.notes.add("shapes inside nodes that are sheared, flat, too small or too large", below.size());
-            }
+            inside.addAll(placed(child, world));
         }
-        return inside.isEmpty() ? List.of()
-                : List.of(new Group(pieces.names.unique(node.name(), "group"), placement.orElseThrow(), inside));
+        return inside.isEmpty() ? List.of() : within(node, places, inside);
+    }
+
+    /** A group for each of the placements, the outermost first. */
+    private List<Node> within(GltfNode node, List<Placement> places, List<Node> inside) {
+        List<Node> nodes = inside;
+        for (Placement place : places.reversed()) {
+            nodes = List.of(new Group(pieces.names.unique(node.name(), "group"), place, nodes));
+        }
+        return nodes;
     }
 
     private Node shape(String node, GltfPart part, Placement placement, Transform outer) {

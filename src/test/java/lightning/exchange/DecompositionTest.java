@@ -24,16 +24,24 @@ class DecompositionTest {
         assertSame(Transform.rotation(new Vec3(90 * (x % 4), 90 * (y % 4), 90 * (z % 4))));
     }
 
+    @Property
+    void shear_isTwoPlacements(@ForAll @DoubleRange(min = -180, max = 180) double turn, @ForAll @DoubleRange(min = -3, max = 3) double size,
+            @ForAll @DoubleRange(min = -3, max = 3) double xy, @ForAll @DoubleRange(min = -3, max = 3) double yz, @ForAll boolean mirrors) {
+        assertSame(new Transform(1, xy, 0, 1, 0, 1, yz, 2, 0, 0, mirrors ? -1 : 1, 3).times(Math.pow(10, size))
+                .times(Transform.rotation(new Vec3(turn, 2 * turn, 3 * turn))));
+        assertThat(Decomposition.of(new Transform(1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0))).hasSize(2);
+    }
+
     @Test
-    void mapsThatShearOrAreFlat_areNone() {
-        assertThat(Decomposition.of(new Transform(1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0))).isEmpty();
+    void mapsThatAreFlat_areNone() {
+        assertThat(Decomposition.of(new Transform(1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0))).isEmpty();
         assertThat(Decomposition.of(Transform.scaling(new Vec3(1, 0, 1)))).isEmpty();
         assertThat(Decomposition.of(Transform.scaling(new Vec3(1, Double.NaN, 1)))).isEmpty();
         assertThat(Decomposition.of(Transform.translation(new Vec3(1e13, 0, 0)))).isEmpty();
     }
 
     private static void assertSame(Transform map) {
-        Transform found = Decomposition.of(map).orElseThrow().transform();
+        Transform found = Decomposition.of(map).stream().map(Placement::transform).reduce(Transform::times).orElseThrow();
         for (Vec3 p : new Vec3[] {Vec3.ZERO, new Vec3(1, 0, 0), Vec3.Y, new Vec3(0, 0, 1)}) {
             assertThat(found.point(p).minus(map.point(p)).maxAbs()).as("%s of %s", p, map).isLessThan(1e-4);
         }

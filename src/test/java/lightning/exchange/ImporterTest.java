@@ -56,6 +56,15 @@ class ImporterTest {
     }
 
     @Test
+    void shearedNode_isPlacedInTwoGroups() throws Exception {
+        String sheared = SCENE.replace("'rotation': [-0.70710678, 0, 0, 0.70710678]", "'matrix': [1,0,0,0, 0.5,1,0,0, 0,0,-2,0, 0,3,0,1]");
+        Import read = read(Files.write(from.resolve("a.glb"), Gltf.binary(sheared, Gltf.SQUARE)));
+        PlacedShape leaning = read.scene().placedShapes().getFirst();
+        assertNear(leaning.toWorld().point(new Vec3(1, 1, 1)), new Vec3(3, 8, 1));
+        assertThat(read.notes().keySet()).noneMatch(note -> note.contains("nodes"));
+    }
+
+    @Test
     void cameraAndLight_areThoseOfTheFile() throws Exception {
         Scene scene = imported(Files.write(from.resolve("a.glb"), Gltf.binary(SCENE, Gltf.SQUARE)));
         assertNear(scene.camera().from(), new Vec3(0, 0, 13));
