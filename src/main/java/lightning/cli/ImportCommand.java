@@ -12,7 +12,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** Makes a scene of a file of another program. */
-@Command(name = "import", header = "Make a scene of a glTF, OBJ or PLY file.", abbreviateSynopsis = true,
+@Command(name = "import", header = "Make a scene of a glTF, OBJ, PLY or NFF file.", abbreviateSynopsis = true,
         description = {
             "Writes a scene that shows the file's meshes, with its cameras, lights and materials where it has them. The file and its",
             "pictures are copied beside the scene where they do not lie there already. What is left out, or is not the same here,",
@@ -23,7 +23,7 @@ import picocli.CommandLine.Parameters;
 final class ImportCommand implements Callable<Integer> {
     private final Console console;
 
-    @Parameters(index = "0", paramLabel = "FILE", description = "A .glb, .gltf, .obj or .ply file.")
+    @Parameters(index = "0", paramLabel = "FILE", description = "A .glb, .gltf, .obj, .ply or .nff file.")
     private Path file;
     @Option(names = {"-o", "--output"}, paramLabel = "scene.jen", required = true, description = "The scene to write.")
     private Path output;

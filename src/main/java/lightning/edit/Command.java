@@ -9,7 +9,7 @@ import java.util.function.Function;
  * menus, and the buttons that do the same, are made of these; what one does says whoever can do it.
  */
 public enum Command {
-    LOAD_FILE("Load File…", "Open a scene, or make one of a glTF, OBJ or PLY file", "mdi2f-folder-open-outline", "Shortcut+O",
+    LOAD_FILE("Load File…", "Open a scene, or make one of a glTF, OBJ, PLY or NFF file", "mdi2f-folder-open-outline", "Shortcut+O",
             Obstacles.alone()),
     LOAD_RECENT("Load Recent", "Open a scene that was open before", "mdi2h-history", "", Obstacles.alone()),
     RELOAD("Reload", "Start over with the file as it is on disk", "mdi2r-reload", "Shortcut+R", Obstacles.alone(Obstacles::asOnDisk)),

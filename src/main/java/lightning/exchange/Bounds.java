@@ -6,8 +6,18 @@ import lightning.mesh.Mesh;
 
 /** The box around what was placed so far. */
 final class Bounds {
+    /** No canonical solid is larger than its box from −1 to 1. */
+    static final Bounds SOLID = new Bounds(1);
+
     private final double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
     private final double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+
+    Bounds() {}
+
+    private Bounds(double size) {
+        add(new Vec3(size, size, size));
+        add(new Vec3(-size, -size, -size));
+    }
 
     /** A mesh in its own space. */
     static Bounds of(Mesh mesh) {

@@ -9,7 +9,7 @@ import lightning.mesh.file.MeshFiles;
 import lightning.mesh.file.MeshFormat;
 import lightning.work.Progress;
 
-/** Makes scenes of the files of other programs: glTF, OBJ and PLY. */
+/** Makes scenes of the files of other programs: glTF, OBJ, PLY and NFF. */
 public final class Importer {
     /** How the names of such files end. */
     public static final List<String> ENDINGS = MeshFiles.ENDINGS;
@@ -34,6 +34,7 @@ public final class Importer {
     public static Import read(Path file, Path to, LightUnits units, Progress progress) throws IOException, MeshException {
         return switch (MeshFormat.of(file)) {
             case PLY -> ObjImport.ply(file, to, progress);
+            case NFF -> NffImport.read(file, to, progress);
             case OBJ -> ObjImport.obj(file, to, progress);
             case GLTF -> GltfImport.read(file, to, units, progress);
         };

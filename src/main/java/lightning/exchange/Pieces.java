@@ -41,7 +41,6 @@ import lightning.text.Visible;
 final class Pieces {
     private static final Pattern NOT_ALLOWED = Pattern.compile("[^\\p{L}\\p{N} _.,()+-]");
     private static final int LONGEST_FILE_NAME = 100;
-    private static final Picture PICTURE = new Picture(800, 600, Picture.DEPTH.initial());
     /** How far a light must be from a surface not to be cut, as a share of the scene's size. */
     private static final double NEAR = 0.05;
 
@@ -52,6 +51,8 @@ final class Pieces {
     final List<Light> lights = new ArrayList<>();
     final Bounds bounds = new Bounds();
     Optional<Camera> camera = Optional.empty();
+    Picture picture = new Picture(800, 600, Picture.DEPTH.initial());
+    World world = World.DEFAULT;
     private final Path source;
     private final Path to;
     private final PartNames materialNames = new PartNames();
@@ -166,7 +167,7 @@ final class Pieces {
             lights.add(Light.of(names.unique("light", "light"), LightType.DIRECTIONAL).withDirection(new Vec3(-1, -2, -1.5)));
         }
         try {
-            Scene scene = new Scene(PICTURE, camera.orElseGet(this::view), World.DEFAULT, List.copyOf(materials), List.copyOf(nodes),
+            Scene scene = new Scene(picture, camera.orElseGet(this::view), world, List.copyOf(materials), List.copyOf(nodes),
                     List.copyOf(lights));
             var head = new StringBuilder("jen 1\n");
             remarks.forEach(line -> head.append("# ").append(line).append('\n'));

@@ -70,7 +70,7 @@ final class Blocks {
     private static final BlockType<Shape> PLANE = shape(Solid.PLANE.noun(), List.of(), v -> Solid.PLANE);
 
     private static final BlockType<Shape> MESH = shape("mesh", List.of(
-            Property.quoted(FILE, "a PLY, OBJ or glTF file", v -> FileName.check(FILE, ((Value.Quoted) v).file(), MeshFolder.NAME),
+            Property.quoted(FILE, "a PLY, OBJ, NFF or glTF file", v -> FileName.check(FILE, ((Value.Quoted) v).file(), MeshFolder.NAME),
                     s -> new Value.Quoted(((Solid.Triangles) s.solid()).file())),
             Property.name(PART, new Value.Absent(), "a part of the file; all of it where none is named", Blocks::part)),
             Values::triangles);

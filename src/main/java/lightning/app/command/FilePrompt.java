@@ -23,7 +23,7 @@ public interface FilePrompt {
     /** The system's own windows. */
     static FilePrompt of(Window owner) {
         var scenes = new FileChooser.ExtensionFilter("Scenes (*.jen)", "*.jen");
-        var files = new FileChooser.ExtensionFilter("Scenes, glTF, OBJ, PLY",
+        var files = new FileChooser.ExtensionFilter("Scenes, glTF, OBJ, PLY, NFF",
                 Stream.concat(Stream.of(".jen"), Importer.ENDINGS.stream()).map(ending -> "*" + ending).toList());
         return new FilePrompt() {
             @Override

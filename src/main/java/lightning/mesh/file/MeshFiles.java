@@ -13,14 +13,16 @@ import lightning.mesh.Notes;
 import lightning.mesh.Part;
 import lightning.mesh.obj.ObjReader;
 import lightning.mesh.ply.PlyReader;
+import lightning.nff.NffFile;
+import lightning.nff.NffReader;
 import lightning.work.Progress;
 
-/** Reads files of meshes: PLY, OBJ and glTF. */
+/** Reads files of meshes: PLY, OBJ, NFF and glTF. */
 public final class MeshFiles {
     /** The name of the one mesh in a file that names none. */
     public static final String ONLY_PART = "mesh";
     /** How the names of such files end. */
-    public static final List<String> ENDINGS = List.of(".ply", ".obj", ".gltf", ".glb");
+    public static final List<String> ENDINGS = List.of(".ply", ".obj", ".nff", ".gltf", ".glb");
 
     private MeshFiles() {}
 
@@ -44,9 +46,17 @@ public final class MeshFiles {
             return switch (MeshFormat.of(file, source)) {
                 case PLY -> List.of(new Part(ONLY_PART, PlyReader.read(source, new Notes())));
                 case OBJ -> ObjReader.read(source, new Notes()).parts().stream().map(part -> new Part(part.name(), part.mesh())).toList();
+                case NFF -> polygons(NffReader.read(source, new Notes()), source);
                 case GLTF -> GltfMeshes.read(GltfFile.read(source, progress), new Notes()).stream()
                         .map(part -> new Part(part.name(), part.triangles())).toList();
             };
         }
+    }
+
+    private static List<Part> polygons(NffFile file, ByteSource source) throws MeshException {
+        if (file.meshes().isEmpty()) {
+            throw source.problem("", "must have polygons or patches to be a mesh; import it as a scene");
+        }
+        return file.meshes().stream().map(surface -> new Part(surface.name(), surface.mesh())).toList();
     }
 }

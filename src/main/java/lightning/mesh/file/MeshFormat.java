@@ -13,6 +13,7 @@ import lightning.work.Progress;
 public enum MeshFormat {
     PLY,
     OBJ,
+    NFF,
     GLTF;
 
     /**
@@ -35,9 +36,13 @@ public enum MeshFormat {
         if (GltfFile.isGltf(source)) {
             return GLTF;
         }
-        if (file.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(".obj")) {
+        String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
+        if (name.endsWith(".obj")) {
             return OBJ;
         }
-        throw source.problem("", "must be a PLY, OBJ or glTF file, found another kind");
+        if (name.endsWith(".nff")) {
+            return NFF;
+        }
+        throw source.problem("", "must be a PLY, OBJ, NFF or glTF file, found another kind");
     }
 }

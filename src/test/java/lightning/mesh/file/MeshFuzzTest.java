@@ -73,6 +73,35 @@ class MeshFuzzTest {
             f 2 3 4
             """;
 
+    private static final String NFF = """
+            v
+            from 1 2 3
+            at 0 0 0
+            up 0 0 1
+            angle 45
+            hither 1
+            resolution 512 512
+            b 0.1 0.2 0.3
+            l 4 3 2
+            l 1 -4 4 1 0.5 0
+            f 1 0.75 0.33 0.8 0.2 8 0.9 1.5
+            s 0 0 0 0.5
+            # a remark
+            c
+            0 0 0 1
+            0 1 0 0.5
+            f 1 0 0 1 0 0 0 0
+            p 4
+            0 0 0
+            1 0 0
+            1 1 0
+            0 1 0
+            pp 3
+            0 0 0 0 0 1
+            1 0 0 0 1 1
+            0 1 0 1 0 1
+            """;
+
     @TempDir
     private Path folder;
 
@@ -94,6 +123,14 @@ class MeshFuzzTest {
         assertReadOrRefused("a.obj", pool, "\n", "\\\n", "f ", "s 7\n", "-9", "/", "//", "1e300", "nan", "\no \u0007\n", "g g\n", "#",
                 "99999999999",
                 "v 0 0 0\n", "\u001B[31m", " ".repeat(50));
+    }
+
+    @Test
+    @Timeout(300)
+    void nffWithMistakes_isReadOrRefused() throws IOException {
+        assertReadOrRefused("a.nff", List.of(NFF.getBytes(StandardCharsets.UTF_8)), "\n", "\r", "p ", "pp ", "c ", "1000000000", "-1",
+                "nan",
+                "1e999", "#", "f 1 1 1\n", "l 0 0 0\n", "s 0 0 0 1\n", "tess 4\n", "\u0000", "\u001B[31m", "1e300 ");
     }
 
     @Test
