@@ -74,7 +74,8 @@ final class Architecture {
             row("app.measure", DESK),
             row("app", DESK + " exchange edit.motion app.property app.traced app.preview app.animation app.measure"),
             row("pov", "math file mesh scene image"),
-            row("bench", ENGINE + " file jen accuracy pov"),
+            row("bench.mesh", "mesh trace.solid trace.mesh"),
+            row("bench", ENGINE + " file jen mesh trace.mesh accuracy pov bench.mesh"),
             row("bench.report", ENGINE + " file accuracy bench"),
             row("cli", ENGINE + " file jen accuracy mesh exchange pov bench bench.report"));
 

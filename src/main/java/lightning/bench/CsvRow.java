@@ -11,9 +11,9 @@ import lightning.text.Decimal;
  * One measurement. A text that a spreadsheet would compute has an apostrophe before it. What a kind of measurement does not have is NaN, 0 or empty.
  *
  * @param kind  {@code first-pass}, {@code full-trace}, {@code edit}, {@code peer}, {@code effect} (by how much it makes the first pass longer),
- *              {@code growth}, {@code drift}, {@code editing}, or of whole processes from cold {@code cold} (ours) and {@code cold-peer}, with the
+ *              {@code growth}, {@code drift}, {@code editing}, {@code mesh} and {@code mesh-peer}, or of whole processes from cold {@code cold} (ours) and {@code cold-peer}, with the
  *              processor time of each as {@code …-processor}
- * @param edit  the edit's name; of growth, what grows and the edit; of editing, what was done
+ * @param edit  the edit's name; of growth, what grows and the edit; of editing, what was done; of a mesh, its tree or the rays
  * @param value the varying value; of growth and drift, how many pixels, lights, …, edits
  * @param grade the grade of accuracy, which the file calls a level
  * @param n     how many samples the median and the quartiles are of
@@ -55,6 +55,7 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
             point.edits().forEach(edit -> rows.add(growth(growth, point, edit.edit(), edit.time())));
         }));
         results.editing().forEach(editing -> editing(rows, editing));
+        results.meshes().forEach(mesh -> mesh(rows, mesh));
         results.drift().forEach(drift -> drift.points().forEach(point -> rows.add(drift(drift, point))));
         return rows;
     }
@@ -102,6 +103,23 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
 
     private static CsvRow editing(Editing e, String what, Samples time) {
         return row("editing", e.shapes() + " shapes, " + e.lights() + " lights", 0, 0, what, "", "", time, NONE, NONE, NO_WORK, NO_ERROR);
+    }
+
+    private static void mesh(List<CsvRow> rows, MeshPoint m) {
+        rows.add(mesh("mesh", m, "tree", m.tree()));
+        if (m.rival() != null) {
+            rows.add(mesh("mesh-peer", m, "tree", m.rival().tree()));
+        }
+        for (RayPace pace : m.rays()) {
+            rows.add(mesh("mesh", m, pace.rays(), pace.time()));
+            if (pace.rival() != null) {
+                rows.add(mesh("mesh-peer", m, pace.rays(), pace.rival()));
+            }
+        }
+    }
+
+    private static CsvRow mesh(String kind, MeshPoint m, String what, Samples time) {
+        return row(kind, m.triangles() + " triangles", 0, 0, what, "", "", time, NONE, NONE, NO_WORK, NO_ERROR);
     }
 
     private static CsvRow drift(Drift drift, DriftPoint point) {

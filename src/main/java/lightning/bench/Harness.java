@@ -90,6 +90,9 @@ public final class Harness {
         if (settings.editing()) {
             groups.add(new Group(new EditingBench(settings, ledger).parts(), () -> {}));
         }
+        if (settings.meshes()) {
+            groups.add(new Group(new MeshBench(settings, ledger).parts(), () -> {}));
+        }
         predictedMs = groups.stream().flatMap(g -> g.parts().stream()).mapToDouble(Part::predictedMs).sum();
         run = new Run(Instant.now().truncatedTo(ChronoUnit.SECONDS).toString(), Here.commit(), arguments, Here.machine(), settings.seed(),
                 settings.threads(), settings.repetitions(), settings.quick(), predictedMs / 1e3, 0, false, best / 1e6,

@@ -68,6 +68,7 @@ final class Ledger {
     private final List<Drift> drifts = new ArrayList<>();
     private final Map<String, Growth> growths = new LinkedHashMap<>();
     private final List<Editing> editing = new ArrayList<>();
+    private final List<MeshPoint> meshes = new ArrayList<>();
     private final List<Failure> problems = new ArrayList<>();
 
     Page page(NamedScene scene, PictureSize size) {
@@ -89,12 +90,17 @@ final class Ledger {
         editing.add(measured);
     }
 
+    void mesh(MeshPoint measured) {
+        meshes.add(measured);
+    }
+
     void problem(Failure problem) {
         problems.add(problem);
     }
 
     /** Everything, as a run's results. */
     Results results(Run run) {
-        return new Results(run, pages.stream().map(Page::result).toList(), drifts, List.copyOf(growths.values()), editing, problems);
+        return new Results(run, pages.stream().map(Page::result).toList(), drifts, List.copyOf(growths.values()), editing, meshes,
+                problems);
     }
 }

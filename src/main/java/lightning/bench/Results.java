@@ -10,15 +10,17 @@ import java.util.List;
  * @param drift    what becomes of pictures after many edits
  * @param growth   how times grow, one curve for each thing that grows
  * @param editing  what editing large scenes costs below the editor
+ * @param meshes   how fast rays are traced against meshes
  * @param problems what could not be measured
  */
 public record Results(Run run, List<SceneResult> scenes, List<Drift> drift, List<Growth> growth, List<Editing> editing,
-        List<Failure> problems) {
+        List<MeshPoint> meshes, List<Failure> problems) {
     public Results {
         scenes = List.copyOf(scenes);
         drift = List.copyOf(drift);
         growth = List.copyOf(growth);
         editing = List.copyOf(editing);
+        meshes = List.copyOf(meshes);
         problems = List.copyOf(problems);
     }
 }

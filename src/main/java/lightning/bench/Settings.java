@@ -17,13 +17,14 @@ import lightning.accuracy.PaperCases;
  * @param seed        what everything random starts from
  * @param curves      whether growth and drift are measured
  * @param editing     whether it is measured what editing large scenes costs
+ * @param meshes      whether it is measured how fast rays are traced against meshes
  * @param effects     whether it is measured what each effect takes, at the last of the sizes
  * @param peers       whether other programs are measured where they are installed
  * @param processes   how many processes that begin cold render each picture, 0 for none
  * @param quick       whether it is the small selection
  */
 public record Settings(List<PictureSize> sizes, int figure, int values, boolean further, int repetitions, double patienceMs, int threads,
-        long seed, boolean curves, boolean editing, boolean effects, boolean peers, int processes, boolean quick) {
+        long seed, boolean curves, boolean editing, boolean meshes, boolean effects, boolean peers, int processes, boolean quick) {
     /** The paper's pictures (§4.1), and today's. */
     private static final List<PictureSize> FULL_SIZES = List.of(new PictureSize(300, 300), new PictureSize(1920, 1080));
     private static final int PROCESSES = 10;
@@ -36,47 +37,56 @@ public record Settings(List<PictureSize> sizes, int figure, int values, boolean 
 
     /** Everything. */
     public static Settings full(int threads, long seed) {
-        return new Settings(FULL_SIZES, 0, PaperCases.VALUES, true, 5, 300, threads, seed, true, true, true, true, PROCESSES, false);
+        return new Settings(FULL_SIZES, 0, PaperCases.VALUES, true, 5, 300, threads, seed, true, true, true, true, true, PROCESSES, false);
     }
 
     /** A selection for a minute: one size and one value, the printed edits, short curves, no other programs. */
     public static Settings quick(int threads, long seed) {
-        return new Settings(QUICK_SIZES, 0, 1, false, 3, 0, threads, seed, true, true, false, false, 0, true);
+        return new Settings(QUICK_SIZES, 0, 1, false, 3, 0, threads, seed, true, true, true, false, false, 0, true);
     }
 
     public Settings withSizes(List<PictureSize> v) {
-        return new Settings(v, figure, values, further, repetitions, patienceMs, threads, seed, curves, editing, effects, peers, processes,
+        return new Settings(v, figure, values, further, repetitions, patienceMs, threads, seed, curves, editing, meshes, effects, peers,
+                processes,
                 quick);
     }
 
     public Settings withRepetitions(int v) {
-        return new Settings(sizes, figure, values, further, v, patienceMs, threads, seed, curves, editing, effects, peers, processes,
+        return new Settings(sizes, figure, values, further, v, patienceMs, threads, seed, curves, editing, meshes, effects, peers,
+                processes,
                 quick);
     }
 
     /** The edits of one figure alone, without curves. */
     public Settings withFigure(int v) {
-        return new Settings(sizes, v, values, false, repetitions, patienceMs, threads, seed, false, false, false, peers, 0, quick);
+        return new Settings(sizes, v, values, false, repetitions, patienceMs, threads, seed, false, false, false, false, peers, 0, quick);
     }
 
     /** What effects take, and nothing else but the first pass. */
     public Settings effectsAlone() {
-        return new Settings(sizes, 0, 0, false, repetitions, patienceMs, threads, seed, false, false, true, false, 0, quick);
+        return new Settings(sizes, 0, 0, false, repetitions, patienceMs, threads, seed, false, false, false, true, false, 0, quick);
     }
 
     /** Processes that begin cold, and nothing else but the first pass. */
     public Settings coldAlone() {
-        return new Settings(sizes, 0, 0, false, repetitions, patienceMs, threads, seed, false, false, false, false, PROCESSES, quick);
+        return new Settings(sizes, 0, 0, false, repetitions, patienceMs, threads, seed, false, false, false, false, false, PROCESSES,
+                quick);
     }
 
     /** What editing large scenes costs, and nothing else. */
     public Settings editingAlone() {
-        return new Settings(List.of(), 0, 0, false, repetitions, patienceMs, threads, seed, false, true, false, false, 0, quick);
+        return new Settings(List.of(), 0, 0, false, repetitions, patienceMs, threads, seed, false, true, false, false, false, 0, quick);
+    }
+
+    /** How fast rays are traced against meshes, and nothing else. */
+    public Settings meshesAlone() {
+        return new Settings(List.of(), 0, 0, false, repetitions, patienceMs, threads, seed, false, false, true, false, peers, 0, quick);
     }
 
     /** Another number of processes that begin cold. */
     public Settings withProcesses(int v) {
-        return new Settings(sizes, figure, values, further, repetitions, patienceMs, threads, seed, curves, editing, effects, peers, v,
+        return new Settings(sizes, figure, values, further, repetitions, patienceMs, threads, seed, curves, editing, meshes, effects, peers,
+                v,
                 quick);
     }
 

@@ -9,6 +9,8 @@ import lightning.bench.DriftPoint;
 import lightning.bench.EditResult;
 import lightning.bench.Editing;
 import lightning.bench.FirstPass;
+import lightning.bench.MeshPoint;
+import lightning.bench.RayPace;
 import lightning.bench.Results;
 import lightning.bench.RungResult;
 import lightning.bench.SceneResult;
@@ -98,6 +100,7 @@ final class BenchTable {
             }
         }
         results.editing().forEach(e -> console.line("%s", editing(e)));
+        results.meshes().forEach(m -> m.rays().forEach(pace -> console.line("%s", mesh(m, pace))));
         results.drift().forEach(drift -> drift.points().stream().reduce((_, last) -> last).ifPresent(last -> drift.points().stream()
                 .filter(point -> point.edits() == last.edits()).forEach(point -> console.line("%s", drift(point)))));
         results.problems().forEach(problem -> console.line("PROBLEM %s: %s", problem.where(), problem.what()));
@@ -110,6 +113,13 @@ final class BenchTable {
                 e.shapes(), e.lights(), e.load().median(), e.tree().median(), e.newScene().median(), e.plan().median(),
                 e.hover().median(), Double.isNaN(e.documentBytes()) ? ""
                         : Console.text("; %.0f + %.0f bytes a shape", e.documentBytes(), e.treeBytes()));
+    }
+
+    private static String mesh(MeshPoint m, RayPace pace) {
+        return Console.text("%d triangles, %s rays: %.2f million a second%s; tree %.0f ms%s, %.1f bytes a triangle", m.triangles(),
+                pace.rays(),
+                pace.millions(), pace.rival() == null ? "" : Console.text(", %.0f %% of Embree", pace.share()), m.tree().median(),
+                m.rival() == null ? "" : Console.text(", Embree %.0f ms", m.rival().tree().median()), m.treeBytes());
     }
 
     private static String drift(DriftPoint point) {

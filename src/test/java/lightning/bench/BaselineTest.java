@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 
 class BaselineTest {
     private static Results results(SceneResult... scenes) {
-        return new Results(Sample.RUN, List.of(scenes), List.of(), List.of(), List.of(), List.of());
+        return new Results(Sample.RUN, List.of(scenes), List.of(), List.of(), List.of(), List.of(), List.of());
     }
 
     private static Baseline compare(SceneResult old, SceneResult now) {

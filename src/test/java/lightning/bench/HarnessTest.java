@@ -30,7 +30,7 @@ class HarnessTest {
     private final NamedScene scene = new NamedScene("generated", GeneratedScenes.of(1, SMALL, 8, 3, 1), null);
 
     private static Settings settings(int values, int figure, PictureSize... sizes) {
-        return new Settings(List.of(sizes), figure, values, true, 1, 0, 2, 5, false, false, false, false, 0, true);
+        return new Settings(List.of(sizes), figure, values, true, 1, 0, 2, 5, false, false, false, false, false, 0, true);
     }
 
     private Harness harness(Settings settings) {
@@ -225,6 +225,19 @@ class HarnessTest {
         assertThat(results.editing()).extracting(Editing::lights).containsExactly(10, 100);
         assertThat(results.editing()).allSatisfy(e -> assertThat(List.of(e.load(), e.tree(), e.newScene(), e.plan(), e.hover()))
                 .allSatisfy(time -> assertThat(time.median()).isPositive()));
+    }
+
+    @Test
+    void meshesAlone_tellHowFastRaysOfEachKindAreAndNothingElse() throws Exception {
+        Results results = run(settings(1, 0, SMALL).meshesAlone());
+        assertThat(results.scenes()).isEmpty();
+        assertThat(results.editing()).isEmpty();
+        assertThat(results.meshes()).singleElement().satisfies(mesh -> {
+            assertThat(mesh.triangles()).isBetween(9_000, 11_000);
+            assertThat(mesh.tree().median()).isPositive();
+            assertThat(mesh.rays()).extracting(RayPace::rays).containsExactly("eye", "shadow", "mirrored", "single");
+            assertThat(mesh.rays()).allSatisfy(pace -> assertThat(pace.time().median()).isPositive());
+        });
     }
 
     @Test

@@ -43,7 +43,7 @@ class ReportTest {
 
     @Test
     void noResults_areAPageToo() throws Exception {
-        Document page = write(new Results(Sample.RUN, List.of(), List.of(), List.of(), List.of(), List.of()), folder);
+        Document page = write(new Results(Sample.RUN, List.of(), List.of(), List.of(), List.of(), List.of(), List.of()), folder);
 
         assertIsWhole(page);
         assertThat(page.getDocumentElement().getTextContent()).contains("Seed 1", "Java 25");
@@ -51,14 +51,15 @@ class ReportTest {
 
     @Test
     void cancelledRun_saysSo() throws Exception {
-        Results part = new Results(Sample.RUN.after(5, false), List.of(Sample.scene(10)), List.of(), List.of(), List.of(), List.of());
+        Results part =
+                new Results(Sample.RUN.after(5, false), List.of(Sample.scene(10)), List.of(), List.of(), List.of(), List.of(), List.of());
 
         assertThat(write(part, folder).getDocumentElement().getTextContent()).contains("cancelled after 5.00 s", "bird, 300 × 200");
     }
 
     @Test
     void whatFailed_isALineOfItsOwn() throws Exception {
-        Results results = new Results(Sample.RUN, List.of(Sample.scene(10)), List.of(), List.of(), List.of(),
+        Results results = new Results(Sample.RUN, List.of(Sample.scene(10)), List.of(), List.of(), List.of(), List.of(),
                 List.of(new Failure(Failure.Kind.UNREAD, "a.jen:12:8", "intensity must be ≥ 0, was -3"),
                         new Failure(Failure.Kind.UNREAD, "b.jen", "no such file")));
         Element problems = byId(write(results, folder), "problems");
@@ -73,7 +74,7 @@ class ReportTest {
         Document page = write(
                 new Results(Sample.RUN,
                         List.of(new SceneResult(name, 300, 200, 3, 10, 3, null, null, scene.edits(), List.of(), null, null)),
-                        List.of(), List.of(), List.of(), List.of()),
+                        List.of(), List.of(), List.of(), List.of(), List.of()),
                 folder);
 
         assertThat(byId(page, "scene-1").getElementsByTagName("h2").item(0).getTextContent()).isEqualTo(name + ", 300 × 200");
@@ -92,7 +93,7 @@ class ReportTest {
                 new RungResult(Grade.FULL_TRACE, Sample.samples(9, 10), 0, none, null, "full.png", null));
         var edit = new EditResult("color", "Fig. 6", 98, 70, 90, List.of(new ValueResult("sun: color 1 1 1 → 1 0 0, on yes → no", rungs)));
         var scene = new SceneResult("bird", 1, 1, 3, 10, 3, "before.png", null, List.of(edit), List.of(), null, null);
-        Document page = write(new Results(Sample.RUN, List.of(scene), List.of(), List.of(), List.of(), List.of()), folder);
+        Document page = write(new Results(Sample.RUN, List.of(scene), List.of(), List.of(), List.of(), List.of(), List.of()), folder);
 
         assertIsWhole(page);
         assertThat(texts(byClass(page, "wipe").getFirst(), "option")).containsExactly("before", "exact", "full trace",
@@ -106,7 +107,7 @@ class ReportTest {
         SceneResult scene = Sample.scene(10);
         Document page = write(
                 new Results(Sample.RUN, List.of(new SceneResult("bird", 300, 200, 3, 10, 3, "gone.png", null, scene.edits(), List.of(),
-                        null, null)), List.of(), List.of(), List.of(), List.of()),
+                        null, null)), List.of(), List.of(), List.of(), List.of(), List.of()),
                 folder);
 
         assertThat(byClass(page, "wipe")).isEmpty();
@@ -135,7 +136,7 @@ class ReportTest {
         private Fontless() {}
 
         public static void main(String[] folder) throws Exception {
-            Report.write(new Results(Sample.RUN, List.of(Sample.scene(10)), List.of(), List.of(), List.of(), List.of()),
+            Report.write(new Results(Sample.RUN, List.of(Sample.scene(10)), List.of(), List.of(), List.of(), List.of(), List.of()),
                     Path.of(folder[0]));
         }
     }

@@ -13,8 +13,9 @@ final class ResultsArbitraries {
         Double.NEGATIVE_INFINITY, Double.MAX_VALUE, Double.MIN_VALUE};
     private static final String[] STRINGS = {"", "plain", "with, comma", "with \"quotes\"", "two\nlines", "ä → ꟻ ≥ 0", "NaN", "null"};
     /** What may be missing, by the records' own words. */
-    private static final List<Class<?>> NULLABLE = List.of(FirstPass.class, Peer.class, Cold.class, Cold.Rival.class, Work.class);
-    private static final List<String> NULLABLE_NAMES = List.of("before", "picture", "difference", "processor");
+    private static final List<Class<?>> NULLABLE =
+            List.of(FirstPass.class, Peer.class, Cold.class, Cold.Rival.class, MeshPoint.Rival.class, Work.class);
+    private static final List<String> NULLABLE_NAMES = List.of("before", "picture", "difference", "processor", "rival");
 
     private final Random random;
 

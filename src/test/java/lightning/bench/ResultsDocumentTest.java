@@ -27,6 +27,7 @@ class ResultsDocumentTest {
     /** Kept once {@code benchmarks/run} has measured it. */
     private static final Path KEPT_COLD = Path.of("benchmarks", "results", "cold.json");
     private static final Path KEPT_EDITING = Path.of("benchmarks", "results", "editing.json");
+    private static final Path KEPT_MESHES = Path.of("benchmarks", "results", "meshes.json");
     private static final Pattern TABLE = Pattern.compile("(<!-- table: (.+?) -->\n)(.*?)(<!-- end -->)", Pattern.DOTALL);
     /** A measured figure: one with a fraction, or of percent or milliseconds. */
     private static final Pattern MEASURED = Pattern.compile("(?<![\\w.×§])(\\d+\\.\\d+(?:e-?\\d+)?|\\d+(?= %| ms))");
@@ -42,12 +43,14 @@ class ResultsDocumentTest {
         Tables every = new Tables(together(ResultsFile.readJson(KEPT), ResultsFile.readJson(KEPT_EFFECTS)));
         Tables cold = Files.exists(KEPT_COLD) ? new Tables(ResultsFile.readJson(KEPT_COLD)) : tables;
         Tables editing = new Tables(ResultsFile.readJson(KEPT_EDITING));
+        Tables meshes = new Tables(ResultsFile.readJson(KEPT_MESHES));
         String text = Files.readString(DOCUMENT);
         String wanted = TABLE.matcher(text).replaceAll(m -> {
             Tables made = switch (m.group(2)) {
                 case "scenes", "effects in use", "effects absent" -> every;
                 case "cold" -> cold;
                 case "editing" -> editing;
+                case "meshes", "rays" -> meshes;
                 default -> tables;
             };
             return Matcher.quoteReplacement(m.group(1) + made.of(m.group(2)) + m.group(4));
@@ -63,7 +66,7 @@ class ResultsDocumentTest {
     private static Results together(Results all, Results effectsAlone) {
         List<SceneResult> scenes = new ArrayList<>(all.scenes());
         scenes.addAll(effectsAlone.scenes());
-        return new Results(all.run(), scenes, all.drift(), all.growth(), all.editing(), all.problems());
+        return new Results(all.run(), scenes, all.drift(), all.growth(), all.editing(), all.meshes(), all.problems());
     }
 
     @Test

@@ -50,6 +50,10 @@ class ResultsFileTest {
         return cold.rival() == null ? ours : ours + (cold.rival().processor() == null ? 1 : 2);
     }
 
+    private static int rows(MeshPoint mesh) {
+        return (mesh.rival() == null ? 1 : 2) + mesh.rays().stream().mapToInt(pace -> pace.rival() == null ? 1 : 2).sum();
+    }
+
     @Property(tries = 30)
     void csv_hasARowForEachMeasurementWithEveryColumn(@ForAll long seed) {
         Results results = ResultsArbitraries.of(seed);
@@ -58,7 +62,8 @@ class ResultsFileTest {
                         + s.edits().stream().flatMap(e -> e.values().stream()).mapToInt(v -> v.rungs().size()).sum())
                 .sum()
                 + results.growth().stream().flatMap(g -> g.points().stream()).mapToInt(p -> 1 + p.edits().size()).sum()
-                + 5 * results.editing().size() + results.drift().stream().mapToInt(d -> d.points().size()).sum();
+                + 5 * results.editing().size() + results.meshes().stream().mapToInt(ResultsFileTest::rows).sum()
+                + results.drift().stream().mapToInt(d -> d.points().size()).sum();
         assertThat(CsvRow.of(results)).hasSize(rows);
     }
 
@@ -74,7 +79,7 @@ class ResultsFileTest {
     void csvOfASceneNamedLikeAFormula_holdsItAsText() throws IOException {
         SceneResult formula =
                 new SceneResult("=cmd|'/c calc'!A1", 300, 200, 3, 10, 3, null, null, Sample.scene(5).edits(), List.of(), null, null);
-        Results results = new Results(Sample.RUN, List.of(formula), List.of(), List.of(), List.of(), List.of());
+        Results results = new Results(Sample.RUN, List.of(formula), List.of(), List.of(), List.of(), List.of(), List.of());
         Path csv = folder.resolve("results.csv");
         ResultsFile.writeCsv(csv, results);
         assertThat(Files.readString(csv)).contains("edit,\"'=cmd|'/c calc'!A1\",300,");
@@ -86,7 +91,8 @@ class ResultsFileTest {
     @Test
     void csv_namesItsColumnsAndQuotesWhatHoldsCommas() throws IOException {
         Path file = folder.resolve("results.csv");
-        ResultsFile.writeCsv(file, new Results(Sample.RUN, List.of(Sample.scene(5)), List.of(), List.of(), List.of(), List.of()));
+        ResultsFile.writeCsv(file,
+                new Results(Sample.RUN, List.of(Sample.scene(5)), List.of(), List.of(), List.of(), List.of(), List.of()));
         List<String> lines = Files.readAllLines(file);
         assertThat(lines.getFirst()).startsWith("kind,scene,width,height,edit,value,level,n,medianMs,lowerQuartileMs,upperQuartileMs,");
         assertThat(lines).hasSize(3);
@@ -98,7 +104,8 @@ class ResultsFileTest {
     @Test
     void json_holdsWhatAReaderLooksFor() throws IOException {
         Path file = folder.resolve("results.json");
-        ResultsFile.writeJson(file, new Results(Sample.RUN, List.of(Sample.scene(5)), List.of(), List.of(), List.of(), List.of()));
+        ResultsFile.writeJson(file,
+                new Results(Sample.RUN, List.of(Sample.scene(5)), List.of(), List.of(), List.of(), List.of(), List.of()));
         assertThat(Files.readString(file)).contains("\"scene\" : \"bird\"", "\"level\" : \"" + Grade.EXACT + "\"", "\"median\" : 5.0",
                 "\"samples\" : [ 5.0, 3.0, 7.0 ]").doesNotContain("\"empty\"");
     }

@@ -38,6 +38,7 @@ public final class Report {
         }
         CurveSections.write(body, results);
         EditingTable.write(body, results);
+        MeshTable.write(body, results);
         RunSection.writeMethod(body, results.run());
         Markup page = new Markup();
         page.open("html", "xmlns", "http://www.w3.org/1999/xhtml", "lang", "en").open("head");

@@ -53,6 +53,9 @@ final class RunSection {
         if (!results.editing().isEmpty()) {
             page.leaf("a", "Editing", "href", "#editing");
         }
+        if (!results.meshes().isEmpty()) {
+            page.leaf("a", "Meshes", "href", "#meshes");
+        }
         page.leaf("a", "How it was measured", "href", "#method");
         page.close();
     }

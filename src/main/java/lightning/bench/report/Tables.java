@@ -29,7 +29,8 @@ public final class Tables {
 
     /** The names of all tables. */
     public static List<String> names() {
-        return List.of("run", "scenes", "savings", "ladder", "composing", "drift", "growth", "editing", "effects in use", "effects absent",
+        return List.of("run", "scenes", "savings", "ladder", "composing", "drift", "growth", "editing", "meshes", "rays", "effects in use",
+                "effects absent",
                 "peer",
                 "cold");
     }
@@ -49,6 +50,8 @@ public final class Tables {
             case "drift" -> drift();
             case "growth" -> growth();
             case "editing" -> editing();
+            case "meshes" -> meshes();
+            case "rays" -> rays();
             case "effects in use" -> effects(true);
             case "effects absent" -> effects(false);
             case "peer" -> peers();
@@ -137,6 +140,20 @@ public final class Tables {
                 results.editing().stream().map(e -> List.of(Integer.toString(e.shapes()), Integer.toString(e.lights()), median(e.load()),
                         median(e.tree()), median(e.newScene()), median(e.plan()), median(e.hover()), number(e.documentBytes()),
                         number(e.treeBytes()))));
+    }
+
+    private String meshes() {
+        return table(List.of("triangles", "tree ms", "Embree's ms", "tree, bytes a triangle", "Embree's", "mesh, bytes a triangle"),
+                results.meshes().stream().map(m -> List.of(Integer.toString(m.triangles()), median(m.tree()),
+                        m.rival() == null ? "–" : median(m.rival().tree()), number(m.treeBytes()),
+                        m.rival() == null ? "–" : number(m.rival().treeBytes()), number(m.meshBytes()))));
+    }
+
+    private String rays() {
+        return table(List.of("triangles", "rays", "million rays a second", "Embree's", "share %"),
+                results.meshes().stream().flatMap(m -> m.rays().stream().map(pace -> List.of(Integer.toString(m.triangles()), pace.rays(),
+                        number(pace.millions()), pace.rival() == null ? "–" : number(pace.rivalMillions()),
+                        pace.rival() == null ? "–" : number(pace.share())))));
     }
 
     private String effects(boolean inUse) {

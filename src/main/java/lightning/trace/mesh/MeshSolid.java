@@ -12,6 +12,21 @@ public final class MeshSolid {
         tree = MeshTree.of(mesh);
     }
 
+    private MeshSolid(Mesh mesh, MeshTree tree) {
+        this.mesh = mesh;
+        this.tree = tree;
+    }
+
+    /** A mesh with a tree of its own, which nobody shares: for who measures how it is built. */
+    public static MeshSolid apart(Mesh mesh) {
+        return new MeshSolid(mesh, new MeshTreeBuilder(mesh).tree());
+    }
+
+    /** Bytes of the tree. */
+    public long treeBytes() {
+        return tree.bytes();
+    }
+
     public Mesh mesh() {
         return mesh;
     }

@@ -1,0 +1,207 @@
+package lightning.bench.mesh;
+
+import java.io.BufferedReader;
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.Comparator;
+import java.util.Optional;
+import java.util.stream.Stream;
+import lightning.mesh.Mesh;
+
+/**
+ * Embree 3 in a process of its own: a small program in C that comes with this one, translated where Embree's headers and a C compiler
+ * are installed. It lives until it is closed.
+ */
+public final class Embree implements AutoCloseable {
+    /** What is measured. */
+    public static final String PROGRAM = "Embree 3, robust, packets of 16 and coherent, or single rays";
+
+    private static final Path HEADER = Path.of("/usr/include/embree3/rtcore.h");
+    private static final int CHUNK = 1 << 20;
+
+    private final Path folder;
+    private final Process process;
+    private final Writer asks;
+    private final BufferedReader answers;
+
+    private Embree(Path folder, Process process) {
+        this.folder = folder;
+        this.process = process;
+        asks = new OutputStreamWriter(process.getOutputStream(), StandardCharsets.UTF_8);
+        answers = process.inputReader(StandardCharsets.UTF_8);
+    }
+
+    /** Whether Embree's headers and a C compiler are installed. */
+    public static boolean isInstalled() {
+        return Files.exists(HEADER) && compiler().isPresent();
+    }
+
+    private static Optional<Path> compiler() {
+        return Stream.of(System.getenv().getOrDefault("PATH", "").split(File.pathSeparator)).filter(folder -> !folder.isEmpty())
+                .map(folder -> Path.of(folder, "cc")).filter(Files::isExecutable).findFirst();
+    }
+
+    /**
+     * Translates the program and starts it.
+     *
+     * @return nothing where Embree or a compiler is not installed
+     * @throws IOException          if the program cannot be translated or started; the message ends with the compiler's last line
+     * @throws InterruptedException if this thread was interrupted meanwhile
+     */
+    public static Optional<Embree> start() throws IOException, InterruptedException {
+        if (!isInstalled()) {
+            return Optional.empty();
+        }
+        Path folder = Files.createTempDirectory("lightning-embree");
+        try {
+            return Optional.of(new Embree(folder, started(folder, compiler().orElseThrow())));
+        } catch (IOException | InterruptedException e) {
+            delete(folder);
+            throw e;
+        }
+    }
+
+    private static Process started(Path folder, Path compiler) throws IOException, InterruptedException {
+        try (InputStream source = Embree.class.getResourceAsStream("embree.c")) {
+            Files.copy(source, folder.resolve("embree.c"));
+        }
+        Path log = folder.resolve("log");
+        Process translation =
+                new ProcessBuilder(compiler.toString(), "-O3", "-march=native", "-o", "embree", "embree.c", "-lembree3", "-lm")
+                        .directory(folder.toFile()).redirectErrorStream(true).redirectOutput(log.toFile()).start();
+        try {
+            if (translation.waitFor() != 0) {
+                String last = Files.readString(log, StandardCharsets.ISO_8859_1).lines().filter(line -> !line.isBlank())
+                        .reduce("nothing", (_, line) -> line);
+                throw new IOException("Embree's program cannot be translated; the compiler ended with: " + last.strip());
+            }
+        } finally {
+            translation.destroy();
+        }
+        return new ProcessBuilder(folder.resolve("embree").toString()).directory(folder.toFile())
+                .redirectError(ProcessBuilder.Redirect.DISCARD).start();
+    }
+
+    private String ask(String what) throws IOException {
+        asks.write(what + "\n");
+        asks.flush();
+        String answer = answers.readLine();
+        if (answer == null || answer.startsWith("cannot")) {
+            throw new IOException("Embree's program " + (answer == null ? "ended" : answer) + " when it was asked: " + what);
+        }
+        return answer;
+    }
+
+    /** A tree, and how long it took. */
+    public record Tree(double ms, long bytes) {}
+
+    /** Hands a mesh over. */
+    public void mesh(Mesh mesh) throws IOException {
+        Path file = folder.resolve("mesh");
+        try (FileChannel to = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE,
+                StandardOpenOption.TRUNCATE_EXISTING)) {
+            ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * CHUNK).order(ByteOrder.LITTLE_ENDIAN);
+            to.write(bytes.putInt(mesh.vertexCount()).putInt(mesh.triangleCount()).flip());
+            for (int i = 0; i < mesh.positions().length; i += CHUNK) {
+                FloatBuffer part = FloatBuffer.wrap(mesh.positions(), i, Math.min(CHUNK, mesh.positions().length - i));
+                write(to, bytes, part.remaining(), b -> b.asFloatBuffer().put(part));
+            }
+            for (int i = 0; i < mesh.triangles().length; i += CHUNK) {
+                IntBuffer part = IntBuffer.wrap(mesh.triangles(), i, Math.min(CHUNK, mesh.triangles().length - i));
+                write(to, bytes, part.remaining(), b -> b.asIntBuffer().put(part));
+            }
+        }
+        ask("mesh " + file);
+        Files.delete(file);
+    }
+
+    private interface Filling {
+        void fill(ByteBuffer bytes);
+    }
+
+    private static void write(FileChannel to, ByteBuffer bytes, int numbers, Filling filling) throws IOException {
+        bytes.clear();
+        filling.fill(bytes);
+        bytes.limit(Integer.BYTES * numbers);
+        while (bytes.hasRemaining()) {
+            to.write(bytes);
+        }
+    }
+
+    /** Builds the tree of the mesh. */
+    public Tree build(int threads) throws IOException {
+        String[] answer = ask("build " + threads).split(" ");
+        return new Tree(1e3 * Double.parseDouble(answer[0]), Long.parseLong(answer[1]));
+    }
+
+    /** Hands rays over. */
+    public void rays(RaySet set) throws IOException {
+        Path file = folder.resolve("rays");
+        set.write(file);
+        ask("rays " + file);
+        Files.delete(file);
+    }
+
+    /** What tracing all rays took and found. */
+    public record Traced(double ms, int hits) {}
+
+    /** Traces the rays that were handed over last, of a kind, on one thread; milliseconds of its processor time. */
+    public Traced trace(RaySet.Kind kind) throws IOException {
+        String[] answer = ask(switch (kind) {
+            case EYE, MIRRORED -> "nearest16";
+            case SHADOW -> "blocked16";
+            case SINGLE -> "nearest1";
+        }).split(" ");
+        return new Traced(1e3 * Double.parseDouble(answer[0]), Integer.parseInt(answer[1]));
+    }
+
+    /**
+     * The nearest hits of the rays that were handed over last.
+     *
+     * @param distance gets distances, infinite for a miss; as long as there are rays
+     * @param triangle gets triangles, −1 for a miss
+     */
+    public void nearest(float[] distance, int[] triangle) throws IOException {
+        Path file = folder.resolve("answers");
+        ask("write " + file);
+        ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file)).order(ByteOrder.LITTLE_ENDIAN);
+        Files.delete(file);
+        for (int i = 0; i < distance.length; i++) {
+            distance[i] = bytes.getFloat();
+            triangle[i] = bytes.getInt();
+        }
+    }
+
+    @Override
+    public void close() {
+        process.destroy();
+        try {
+            process.waitFor();
+            delete(folder);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } catch (IOException e) {
+            // The system clears its own folder of such files.
+        }
+    }
+
+    private static void delete(Path folder) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+                Files.delete(file);
+            }
+        }
+    }
+}
