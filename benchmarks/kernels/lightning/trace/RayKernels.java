@@ -107,7 +107,7 @@ public class RayKernels {
         for (int top = 0; top < SIZE; top += TILE) {
             for (int left = 0; left < SIZE; left += TILE) {
                 beam.eye(camera, left, top, TILE, TILE);
-                candidates.collect(geometry, beam);
+                candidates.collect(geometry.bvh(), beam);
                 for (int y = top; y < top + TILE; y++) {
                     for (int x = left; x < left + TILE; x += W) {
                         eye(camera, x, y);

@@ -75,7 +75,7 @@ final class ShadowCaster {
             beam.along(lamp.source());
             way = Ways.along(lamp.source());
         }
-        blockers.collect(geometry, beam);
+        blockers.collect(geometry.bvh(), beam);
         return way;
     }
 }

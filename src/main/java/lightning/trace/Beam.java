@@ -17,7 +17,7 @@ import lightning.math.Vec3;
  * beam.clear();
  * beam.origins(rows.box(tracer));
  * beam.towards(light);
- * candidates.collect(geometry, beam);
+ * candidates.collect(geometry.bvh(), beam);
  * }</pre>
  */
 public final class Beam {
@@ -28,7 +28,6 @@ public final class Beam {
     private final double[] high = new double[3];
     private final double[] lowSpeed = new double[3];
     private final double[] highSpeed = new double[3];
-    private final double[] range = new double[2];
     private double end;
 
     public Beam() {
@@ -62,17 +61,10 @@ public final class Beam {
         include(lowSpeed, highSpeed, x, y, z);
     }
 
-    /** Adds the directions of all rays, at least one. */
-    void directions(RayColumns rays, Tracer tracer) {
-        directions(0, rays.dx, rays.count, tracer);
-        directions(1, rays.dy, rays.count, tracer);
-        directions(2, rays.dz, rays.count, tracer);
-    }
-
-    private void directions(int axis, double[] values, int count, Tracer tracer) {
-        tracer.range(values, count, range);
-        lowSpeed[axis] = Math.min(lowSpeed[axis], range[0]);
-        highSpeed[axis] = Math.max(highSpeed[axis], range[1]);
+    /** Adds directions whose components along an axis, 0, 1 or 2, lie from {@code least} to {@code most}. */
+    void directions(int axis, double least, double most) {
+        lowSpeed[axis] = Math.min(lowSpeed[axis], least);
+        highSpeed[axis] = Math.max(highSpeed[axis], most);
     }
 
     /** All rays go in one direction, of any length, without a limit: to a directional light. */
@@ -88,25 +80,6 @@ public final class Beam {
             highSpeed[a] = to[a] - high[a];
         }
         end = PAST_END;
-    }
-
-    /**
-     * The eye rays through a rectangle of pixels, and nothing else.
-     *
-     * @param column the leftmost pixel, {@code columns} the number of pixels across
-     * @param row    the uppermost pixel, {@code rows} the number of pixels down
-     */
-    void eye(CameraRays camera, int column, int row, int columns, int rows) {
-        clear();
-        origin(camera.eye.x(), camera.eye.y(), camera.eye.z());
-        // Directions to the rectangle in the picture plane; pixel centres are half a pixel inside it.
-        for (int corner = 0; corner < 4; corner++) {
-            double x = column + (corner & 1) * columns;
-            double y = row + (corner >> 1) * rows;
-            direction(camera.corner.x() + x * camera.right.x() + y * camera.down.x(),
-                    camera.corner.y() + x * camera.right.y() + y * camera.down.y(),
-                    camera.corner.z() + x * camera.right.z() + y * camera.down.z());
-        }
     }
 
     private static void include(double[] low, double[] high, double x, double y, double z) {

@@ -10,7 +10,7 @@ import lightning.math.Vec3;
  * {@code boxes[12 n …]}, six floats each, and the axis along which the first lies before the second in
  * {@code axis[n]}. The root is node 0; there is no node where there are fewer than two primitives.
  */
-final class Bvh {
+public final class Bvh {
     final PrimitiveTable primitives;
     /** Where the box of each primitive begins in {@link #boxes}; one that is alone has the only one there. */
     final int[] leaf;

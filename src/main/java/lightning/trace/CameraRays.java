@@ -45,6 +45,25 @@ public final class CameraRays {
         return new Ray(eye, new Vec3(dx[0], dy[0], dz[0]));
     }
 
+    /**
+     * Makes a beam that of the rays through a rectangle of pixels, and of nothing else.
+     *
+     * @param column the leftmost pixel, {@code columns} the number of pixels across
+     * @param row    the uppermost pixel, {@code rows} the number of pixels down
+     */
+    void sweep(Beam beam, int column, int row, int columns, int rows) {
+        beam.clear();
+        beam.origin(eye.x(), eye.y(), eye.z());
+        // Directions to the rectangle in the picture plane; pixel centres are half a pixel inside it.
+        for (int end = 0; end < 4; end++) {
+            double x = column + (end & 1) * columns;
+            double y = row + (end >> 1) * rows;
+            beam.direction(corner.x() + x * right.x() + y * down.x(),
+                    corner.y() + x * right.y() + y * down.y(),
+                    corner.z() + x * right.z() + y * down.z());
+        }
+    }
+
     /** Writes the direction, of length 1, of the ray through picture coordinates x, y to place {@code i}. */
     void at(double x, double y, double[] toX, double[] toY, double[] toZ, int i) {
         double dx = corner.x() + x * right.x() + y * down.x();

@@ -41,11 +41,7 @@ public final class Candidates {
     }
 
     /** Finds the primitives whose boxes the beam touches. */
-    public void collect(Geometry geometry, Beam beam) {
-        collect(geometry.bvh(), beam);
-    }
-
-    void collect(Bvh bvh, Beam beam) {
+    public void collect(Bvh bvh, Beam beam) {
         count = 0;
         tooMany = false;
         if (stack.length < bvh.depth + 2) {

@@ -156,7 +156,8 @@ public final class Geometry {
         return primitives;
     }
 
-    Bvh bvh() {
+    /** The tree of boxes over the primitives. */
+    public Bvh bvh() {
         return bvh;
     }
 

@@ -37,8 +37,22 @@ public final class RayColumns {
     final double[] ownY = new double[MOST];
     final double[] ownZ = new double[MOST];
 
+    private final double[] range = new double[2];
+
     RayColumns(CameraRays camera) {
         eye = camera.eye;
+    }
+
+    /** Adds the directions of all rays, at least one, to a beam. */
+    void sweep(Beam beam, Tracer tracer) {
+        sweep(beam, 0, dx, tracer);
+        sweep(beam, 1, dy, tracer);
+        sweep(beam, 2, dz, tracer);
+    }
+
+    private void sweep(Beam beam, int axis, double[] components, Tracer tracer) {
+        tracer.range(components, count, range);
+        beam.directions(axis, range[0], range[1]);
     }
 
     /** The origin of a ray. */

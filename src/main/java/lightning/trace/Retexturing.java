@@ -96,8 +96,8 @@ public final class Retexturing {
             }
             beam.origin(rays.originX(i), rays.originY(i), rays.originZ(i));
         }
-        beam.directions(rays, tracer);
-        candidates.collect(geometry, beam);
+        rays.sweep(beam, tracer);
+        candidates.collect(geometry.bvh(), beam);
         // What a row hit is the nearest of all shapes, and so of those of its material.
         candidates.keepMaterial(geometry.primitives(), rows.runMaterial[run]);
         tracer.nearest(rays, candidates);

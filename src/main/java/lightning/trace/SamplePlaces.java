@@ -53,6 +53,6 @@ public record SamplePlaces(int x0, int y0, short[] pixels, int from, int to, int
         }
         int top = (pixels == null ? from : pixels[from]) / SIDE;
         int bottom = (pixels == null ? to - 1 : pixels[to - 1]) / SIDE;
-        beam.eye(camera, x0 + left, y0 + top, right - left + 1, bottom - top + 1);
+        camera.sweep(beam, x0 + left, y0 + top, right - left + 1, bottom - top + 1);
     }
 }

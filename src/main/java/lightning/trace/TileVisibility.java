@@ -57,8 +57,8 @@ public final class TileVisibility {
             }
         }
         tracer.eye(camera, x0, y0, columns, lines, rays);
-        beam.eye(camera, x0, y0, columns, lines);
-        candidates.collect(geometry, beam);
+        camera.sweep(beam, x0, y0, columns, lines);
+        candidates.collect(geometry.bvh(), beam);
         tracer.nearest(rays, candidates);
         return rows(allocator);
     }
@@ -77,7 +77,7 @@ public final class TileVisibility {
         }
         tracer.samples(camera, places, rays);
         places.bound(beam, camera);
-        candidates.collect(geometry, beam);
+        candidates.collect(geometry.bvh(), beam);
         tracer.nearest(rays, candidates);
         return rows(allocator);
     }
@@ -139,8 +139,8 @@ public final class TileVisibility {
                 beam.origin(rays.originX(i), rays.originY(i), rays.originZ(i));
             }
         }
-        beam.directions(rays, tracer);
-        candidates.collect(geometry, beam);
+        rays.sweep(beam, tracer);
+        candidates.collect(geometry.bvh(), beam);
         tracer.nearest(rays, candidates);
     }
 

@@ -28,8 +28,8 @@ class CandidatesTest {
         for (int tile = 0; tile < 8; tile++) {
             int left = 16 * random.nextInt(14);
             int top = random.nextInt(224);
-            beam.eye(camera, left, top, 32, 32);
-            candidates.collect(geometry, beam);
+            camera.sweep(beam, left, top, 32, 32);
+            candidates.collect(geometry.bvh(), beam);
             for (int y = top; y < top + 32; y += 1 + random.nextInt(8)) {
                 TraceRays.eye(camera, left + 16 * random.nextInt(2) / RayPacket.WIDTH * RayPacket.WIDTH, y, p);
                 tracer.nearest(p, RayPacket.WIDTH, candidates);
@@ -54,7 +54,7 @@ class CandidatesTest {
             beam.clear();
             beam.origins(new LaneTracer(geometry).box(points[0], points[1], points[2], points[0].length));
             beam.towards(light);
-            candidates.collect(geometry, beam);
+            candidates.collect(geometry.bvh(), beam);
             PacketTracer tracer = new PacketTracer(geometry);
             for (int first = 0; first < points[0].length; first += RayPacket.WIDTH) {
                 for (int i = 0; i < RayPacket.WIDTH; i++) {
@@ -91,7 +91,7 @@ class CandidatesTest {
                 }
                 set(i, new Vec3(points[0][i], points[1][i], points[2][i]), own, Double.POSITIVE_INFINITY);
             }
-            candidates.collect(geometry, beam);
+            candidates.collect(geometry.bvh(), beam);
             assertBlocked(geometry, new PacketTracer(geometry));
         }
     }
@@ -137,7 +137,7 @@ class CandidatesTest {
         beam.clear();
         beam.origin(roof.x(), roof.y(), roof.z());
         beam.towards(roof.plus(new Vec3(1, 10, 1)));
-        candidates.collect(geometry, beam);
+        candidates.collect(geometry.bvh(), beam);
         assertThat(candidates.isEmpty()).isTrue();
     }
 
@@ -148,10 +148,10 @@ class CandidatesTest {
         beam.clear();
         beam.origin(from.x(), from.y(), from.z());
         beam.towards(geometry.toRenderSpace(new Vec3(0, 3, 0)));
-        candidates.collect(geometry, beam);
+        candidates.collect(geometry.bvh(), beam);
         assertThat(candidates.isEmpty()).isTrue();
         beam.towards(geometry.toRenderSpace(new Vec3(0, 1.5, 0)));
-        candidates.collect(geometry, beam);
+        candidates.collect(geometry.bvh(), beam);
         assertThat(candidates.count).isEqualTo(1);
     }
 
@@ -159,8 +159,8 @@ class CandidatesTest {
     void tileOfASmallShape_doesNotHoldTheOthers() {
         Scene scene = TraceScenes.balls();
         Geometry geometry = new Geometry(scene);
-        beam.eye(new CameraRays(scene.camera(), new Picture(256, 256, 1)), 0, 224, 32, 32);
-        candidates.collect(geometry, beam);
+        new CameraRays(scene.camera(), new Picture(256, 256, 1)).sweep(beam, 0, 224, 32, 32);
+        candidates.collect(geometry.bvh(), beam);
         assertThat(candidates.count).isEqualTo(1);
         assertThat(candidates.primitive[0]).isEqualTo(0);
     }

@@ -86,8 +86,8 @@ final class TraceBench {
     private void eyesAndNearestOfTiles() {
         for (int tile = 0; tile < SIZE; tile += TILE) {
             for (int left = 0; left < SIZE; left += TILE) {
-                beam.eye(camera, left, tile, TILE, TILE);
-                candidates.collect(geometry, beam);
+                camera.sweep(beam, left, tile, TILE, TILE);
+                candidates.collect(geometry.bvh(), beam);
                 for (int y = tile; y < tile + TILE; y++) {
                     for (int x = left; x < left + TILE; x += W) {
                         TraceRays.eye(camera, x, y, p);
@@ -105,7 +105,7 @@ final class TraceBench {
             int end = tileStart[tile + 1];
             Beam beam = shadowBeams[tile];
             beam.towards(light);
-            candidates.collect(geometry, beam);
+            candidates.collect(geometry.bvh(), beam);
             for (int i = first; i < end && !candidates.isEmpty(); i += W) {
                 int live = Math.min(W, end - i);
                 load(i, live);
