@@ -1,11 +1,11 @@
 package lightning.shading;
 
+import lightning.engine.Agreement;
 import lightning.math.Vec3;
-import lightning.trace.Agreement;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
-import lightning.trace.WayEnd;
+import lightning.trace.tree.WayEnd;
 
 /** What {@link RowKernels} compute, row by row with {@link LightingEquation}. */
 final class ReadableRows {

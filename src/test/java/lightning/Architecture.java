@@ -47,11 +47,13 @@ final class Architecture {
             row("image", "text math file"),
             row("trace.solid", "scene"),
             row("trace.mesh", "mesh trace.solid"),
-            row("trace", "math column mesh scene trace.solid trace.mesh"),
-            row("shading", "math column scene effects image trace"),
+            row("trace.primitive", "math scene trace.solid trace.mesh"),
+            row("trace.tree", "math trace.solid trace.mesh trace.primitive"),
+            row("trace", "math column mesh scene trace.solid trace.mesh trace.primitive trace.tree"),
+            row("shading", "math column scene effects image trace.tree trace"),
             row("engine", "trace shading"),
-            row("engine.scalar", "math scene trace shading engine"),
-            row("engine.lanes", "math scene trace shading engine"),
+            row("engine.scalar", "math scene trace.primitive trace.tree trace shading engine"),
+            row("engine.lanes", "math scene trace.solid trace.mesh trace.primitive trace.tree trace shading engine"),
             row("engine.choice", "engine engine.scalar engine.lanes"),
             row("fulltrace", "scene effects image trace shading engine engine.choice work"),
             row("warmup", "scene image trace engine engine.choice fulltrace work"),
@@ -149,8 +151,8 @@ final class Architecture {
         return CompositeArchRule
                 .of(noClasses().that(nameMatching(REFERENCE))
                         .should().transitivelyDependOnClassesThat(resideInAnyPackage(packageOf("cache"),
-                                packageOf("relight")).or(kernel(".*(Packet|Lanes).*")))
-                        .as("the reference tracer knows neither cache nor relight nor fast kernels")
+                                packageOf("relight"), packageOf("engine")).or(kernel(".*(Packet|Lanes).*")))
+                        .as("the reference tracer knows neither cache nor relight nor engine nor fast kernels")
                         .allowEmptyShould(true))
                 .and(noClasses().that(nameMatching(REFERENCE))
                         .should().dependOnClassesThat(kernel(".*Bvh.*"))

@@ -130,16 +130,23 @@ class ArchitectureTest {
     @Test
     void referenceTracerReachingFastCodeThroughAHelper_isCaught() throws IOException {
         assertCaught(Architecture.referenceTracerKnowsNoFastCode(), "the reference tracer knows neither",
-                "package lightning.trace; class BoxLanes {}",
-                "package lightning.trace; public class Nearest { BoxLanes boxes; }",
+                "package lightning.trace.solid; public class SphereLanes {}",
+                "package lightning.trace; public class Nearest { lightning.trace.solid.SphereLanes lanes; }",
                 "package lightning.shading; class ReferenceTracer { lightning.trace.Nearest nearest; }");
+    }
+
+    @Test
+    void referenceTracerKnowingAnEngine_isCaught() throws IOException {
+        assertCaught(Architecture.referenceTracerKnowsNoFastCode(), "the reference tracer knows neither",
+                "package lightning.engine; public class Crew {}",
+                "package lightning.shading; class ReferenceTracer { lightning.engine.Crew crew; }");
     }
 
     @Test
     void referenceTracerAskingATree_isCaught() throws IOException {
         assertCaught(Architecture.referenceTracerKnowsNoFastCode(), "asks every shape, and no tree of boxes",
-                "package lightning.trace; public class Bvh {}",
-                "package lightning.shading; class ReferenceTracer { lightning.trace.Bvh bvh; }");
+                "package lightning.trace.tree; public class Bvh {}",
+                "package lightning.shading; class ReferenceTracer { lightning.trace.tree.Bvh bvh; }");
     }
 
     @Test

@@ -1,11 +1,11 @@
 package lightning.edit;
 
 import java.util.Optional;
+import lightning.math.Ray;
 import lightning.math.Vec3;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
 import lightning.trace.MaterialTable;
-import lightning.trace.Ray;
 import lightning.trace.SurfacePoint;
 
 /** Finds what lies under a place of a canvas. Made once for all scenes that differ in lights and materials only. */

@@ -1,7 +1,7 @@
 package lightning.shading;
 
 import lightning.math.Vec3;
-import lightning.trace.PointBox;
+import lightning.trace.tree.PointBox;
 
 /** Whether a spot light's cone can reach any point of a box: where it cannot, no point need be asked. */
 final class ConeReach {

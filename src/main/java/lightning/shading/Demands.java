@@ -3,10 +3,10 @@ package lightning.shading;
 import java.util.function.Predicate;
 import lightning.effects.ViewEffects;
 import lightning.scene.Material;
-import lightning.trace.Candidates;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
 import lightning.trace.Tracer;
+import lightning.trace.tree.Candidates;
 
 /** What of the work on a tile is called for. Asked once for each tile and light, or for each material of a tile. */
 public interface Demands {

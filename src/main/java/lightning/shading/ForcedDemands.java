@@ -4,10 +4,10 @@ import java.util.Set;
 import java.util.function.Predicate;
 import lightning.effects.Effect;
 import lightning.scene.Material;
-import lightning.trace.Candidates;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
 import lightning.trace.Tracer;
+import lightning.trace.tree.Candidates;
 
 /**
  * Columns are kept, loops run and rays are cast for some effects although the scene does not call for them: the picture is the

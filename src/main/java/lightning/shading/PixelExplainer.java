@@ -4,15 +4,15 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import lightning.math.Ray;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Scene;
 import lightning.trace.Eye;
 import lightning.trace.Geometry;
 import lightning.trace.MaterialTable;
-import lightning.trace.Ray;
 import lightning.trace.SurfacePoint;
-import lightning.trace.WayEnd;
+import lightning.trace.tree.WayEnd;
 
 /** Traces single pixels and tells why they have their colour; the colour is the film's in every bit. */
 public final class PixelExplainer {

@@ -2,6 +2,7 @@ package lightning.shading;
 
 import java.util.Arrays;
 import lightning.image.Film;
+import lightning.math.Ray;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Picture;
@@ -10,9 +11,8 @@ import lightning.trace.Eye;
 import lightning.trace.Geometry;
 import lightning.trace.HitCode;
 import lightning.trace.MaterialTable;
-import lightning.trace.Ray;
 import lightning.trace.SurfacePoint;
-import lightning.trace.WayEnd;
+import lightning.trace.tree.WayEnd;
 
 /**
  * The oracle: traces every pixel from the scene alone, ray by ray, as §2.1 of the paper tells it.

@@ -6,12 +6,12 @@ import java.util.Map;
 import lightning.effects.Effect;
 import lightning.effects.ViewEffects;
 import lightning.math.Vec3;
-import lightning.trace.Beam;
-import lightning.trace.Candidates;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
 import lightning.trace.Tracer;
 import lightning.trace.Ways;
+import lightning.trace.tree.Beam;
+import lightning.trace.tree.Candidates;
 
 /** Asks for chosen rows whether the way to a light is free. Holds scratch memory: one for each thread. */
 final class ShadowCaster {

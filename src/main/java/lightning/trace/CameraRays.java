@@ -1,9 +1,11 @@
 package lightning.trace;
 
+import lightning.math.Ray;
 import lightning.math.Transform;
 import lightning.math.Vec3;
 import lightning.scene.Camera;
 import lightning.scene.Picture;
+import lightning.trace.tree.Beam;
 
 /**
  * The rays from the eye, which is the origin of render space unless the camera says otherwise, through points of the picture.
@@ -14,11 +16,11 @@ import lightning.scene.Picture;
 public final class CameraRays {
     /** Where they leave from, render space. */
     final Vec3 eye;
-    final Vec3 corner;
-    final Vec3 right;
-    final Vec3 down;
+    public final Vec3 corner;
+    public final Vec3 right;
+    public final Vec3 down;
 
-    CameraRays(Camera camera, Picture picture) {
+    public CameraRays(Camera camera, Picture picture) {
         eye = camera.from().minus(camera.origin());
         Vec3 forward = camera.to().minus(camera.from()).normalized();
         Vec3 side = forward.cross(camera.up().normalized()).normalized();
@@ -32,12 +34,12 @@ public final class CameraRays {
     }
 
     /** The ray through the centre of pixel {@code column, row}; its direction has length 1. */
-    Ray through(int column, int row) {
+    public Ray through(int column, int row) {
         return at(column + 0.5, row + 0.5);
     }
 
     /** The ray through picture coordinates x, y; its direction has length 1. */
-    Ray at(double x, double y) {
+    public Ray at(double x, double y) {
         double[] dx = new double[1];
         double[] dy = new double[1];
         double[] dz = new double[1];
@@ -51,7 +53,7 @@ public final class CameraRays {
      * @param column the leftmost pixel, {@code columns} the number of pixels across
      * @param row    the uppermost pixel, {@code rows} the number of pixels down
      */
-    void sweep(Beam beam, int column, int row, int columns, int rows) {
+    public void sweep(Beam beam, int column, int row, int columns, int rows) {
         beam.clear();
         beam.origin(eye.x(), eye.y(), eye.z());
         // Directions to the rectangle in the picture plane; pixel centres are half a pixel inside it.
@@ -65,7 +67,7 @@ public final class CameraRays {
     }
 
     /** Writes the direction, of length 1, of the ray through picture coordinates x, y to place {@code i}. */
-    void at(double x, double y, double[] toX, double[] toY, double[] toZ, int i) {
+    public void at(double x, double y, double[] toX, double[] toY, double[] toZ, int i) {
         double dx = corner.x() + x * right.x() + y * down.x();
         double dy = corner.y() + x * right.y() + y * down.y();
         double dz = corner.z() + x * right.z() + y * down.z();

@@ -1,5 +1,6 @@
 package lightning.trace;
 
+import lightning.math.Ray;
 import lightning.scene.Scene;
 
 /** The eye of a scene: which rays belong to which pixel. */

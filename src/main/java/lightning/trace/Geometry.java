@@ -4,13 +4,19 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
+import lightning.math.Ray;
 import lightning.math.Vec3;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.trace.mesh.Facet;
+import lightning.trace.primitive.PrimitiveTable;
+import lightning.trace.primitive.Surface;
 import lightning.trace.solid.Form;
 import lightning.trace.solid.Touch;
+import lightning.trace.tree.Bvh;
+import lightning.trace.tree.RayWalk;
+import lightning.trace.tree.WayEnd;
 
 /**
  * What rays can meet: a scene's shapes and materials in render space, without its lights.
@@ -152,7 +158,7 @@ public final class Geometry {
         return primitives.material[primitive];
     }
 
-    PrimitiveTable primitives() {
+    public PrimitiveTable primitives() {
         return primitives;
     }
 
@@ -252,7 +258,7 @@ public final class Geometry {
     }
 
     /** The distance along the way to a light, 1 at the light, to a primitive that comes between; {@code +∞} where it does not. */
-    double distance(int primitive, Ray way, WayEnd end) {
+    public double distance(int primitive, Ray way, WayEnd end) {
         Vec3 o = way.origin();
         Vec3 d = way.direction();
         return end.touches(primitive, o) ? primitives.distance(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), Touch.END)

@@ -6,6 +6,7 @@ import java.util.Set;
 import lightning.column.ColumnKind;
 import lightning.column.ColumnSet;
 import lightning.column.Element;
+import lightning.trace.tree.PointBox;
 
 /**
  * Hit rows of one tile at one level: what the first pass learned of each ray that hit something, in

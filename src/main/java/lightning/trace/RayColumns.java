@@ -1,6 +1,7 @@
 package lightning.trace;
 
 import lightning.math.Vec3;
+import lightning.trace.tree.Beam;
 
 /** The rays of one tile, up to 1024, in columns that share one index, and what they met. Reused; not shared between threads. */
 public final class RayColumns {
@@ -10,32 +11,32 @@ public final class RayColumns {
     private static final int OVERRUN = 64;
 
     /** How many rays there are. */
-    int count;
+    public int count;
     /** Where rays of the eye leave from, render space. */
     private final Vec3 eye;
     /** The rows that the rays leave from; null for rays of the eye. */
-    HitRows from;
+    public HitRows from;
     /** Where a ray comes from: a row of {@link #from}, or a pixel or sample of the tile. */
-    final short[] slot = new short[MOST];
+    public final short[] slot = new short[MOST];
     /** Directions, of any length. */
-    final double[] dx = new double[MOST + OVERRUN];
-    final double[] dy = new double[MOST + OVERRUN];
-    final double[] dz = new double[MOST + OVERRUN];
+    public final double[] dx = new double[MOST + OVERRUN];
+    public final double[] dy = new double[MOST + OVERRUN];
+    public final double[] dz = new double[MOST + OVERRUN];
     /** The distance of the nearest hit, {@code +∞} for a miss. */
-    final double[] t = new double[MOST];
+    public final double[] t = new double[MOST];
     /** The primitive of the nearest hit, −1 for a miss. */
-    final int[] primitive = new int[MOST];
+    public final int[] primitive = new int[MOST];
     /** The part of it that was hit. */
-    final int[] part = new int[MOST];
+    public final int[] part = new int[MOST];
 
     /** How many rays hit something. */
-    int hits;
+    public int hits;
     /** Those rays, in the order of their rows. */
-    final short[] order = new short[MOST];
+    public final short[] order = new short[MOST];
     /** Where these hits lie in the own space of their shapes, in the same order; for textures. */
-    final double[] ownX = new double[MOST];
-    final double[] ownY = new double[MOST];
-    final double[] ownZ = new double[MOST];
+    public final double[] ownX = new double[MOST];
+    public final double[] ownY = new double[MOST];
+    public final double[] ownZ = new double[MOST];
 
     private final double[] range = new double[2];
 
@@ -56,15 +57,15 @@ public final class RayColumns {
     }
 
     /** The origin of a ray. */
-    double originX(int ray) {
+    public double originX(int ray) {
         return from == null ? eye.x() : from.px[slot[ray]];
     }
 
-    double originY(int ray) {
+    public double originY(int ray) {
         return from == null ? eye.y() : from.py[slot[ray]];
     }
 
-    double originZ(int ray) {
+    public double originZ(int ray) {
         return from == null ? eye.z() : from.pz[slot[ray]];
     }
 }

@@ -1,6 +1,8 @@
 package lightning.trace;
 
 import lightning.scene.Scene;
+import lightning.trace.tree.Beam;
+import lightning.trace.tree.Candidates;
 
 /**
  * Gives the rows of a tile their texels anew after a texture changed, came or went: the distance of each row's ray to its

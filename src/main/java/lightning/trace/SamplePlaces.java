@@ -1,5 +1,7 @@
 package lightning.trace;
 
+import lightning.trace.tree.Beam;
+
 /**
  * Where in the picture the eye's rays of a tile go: through the centres of its pixels, or through finer samples of some.
  *
@@ -28,12 +30,12 @@ public record SamplePlaces(int x0, int y0, short[] pixels, int from, int to, int
     }
 
     /** How far a ray's place is from the left, pixels. */
-    double x(int ray) {
+    public double x(int ray) {
         return x0 + pixel(ray) % SIDE + offset(ray % grid, grid);
     }
 
     /** How far a ray's place is from the top, pixels. */
-    double y(int ray) {
+    public double y(int ray) {
         return y0 + pixel(ray) / SIDE + offset(ray / grid % grid, grid);
     }
 

@@ -1,5 +1,6 @@
 package lightning.trace;
 
+import lightning.math.Ray;
 import lightning.math.Vec3;
 
 /**

@@ -1,6 +1,7 @@
 package lightning.trace;
 
 import lightning.trace.mesh.Facet;
+import lightning.trace.primitive.PrimitiveTable;
 
 /** Writes the texels of rows whose surfaces were just computed. Holds scratch memory: one for each thread. */
 final class TexelColumns {

@@ -2,6 +2,9 @@ package lightning.trace;
 
 import java.util.Arrays;
 import lightning.scene.Scene;
+import lightning.trace.primitive.PrimitiveTable;
+import lightning.trace.tree.Beam;
+import lightning.trace.tree.Candidates;
 
 /**
  * The first stage: finds what the rays of one tile hit and writes the hit rows. Holds scratch

@@ -1,5 +1,9 @@
 package lightning.trace;
 
+import lightning.trace.primitive.Surface;
+import lightning.trace.tree.Candidates;
+import lightning.trace.tree.PointBox;
+
 /**
  * Finds what the rays of a tile meet, all of them in one call. Whoever does it gives the same bits as the scalar functions of
  * {@link Geometry} and {@link Surface}. Holds scratch memory: one for each thread.

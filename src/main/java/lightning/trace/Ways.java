@@ -1,6 +1,7 @@
 package lightning.trace;
 
 import lightning.math.Vec3;
+import lightning.trace.tree.WayEnd;
 
 /**
  * Where ways to a light lead: to a point, at distance 1, or in one direction without an end.
@@ -21,7 +22,7 @@ public record Ways(Vec3 source, WayEnd end, boolean ends) {
     }
 
     /** Shapes at this distance or beyond do not block. */
-    double limit() {
+    public double limit() {
         return ends ? 1 : Double.POSITIVE_INFINITY;
     }
 }

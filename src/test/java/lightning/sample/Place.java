@@ -1,13 +1,13 @@
 package lightning.sample;
 
 import java.util.List;
+import lightning.math.Ray;
 import lightning.math.Vec3;
 import lightning.scene.Camera;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
 import lightning.trace.Eye;
 import lightning.trace.Geometry;
-import lightning.trace.Ray;
 import lightning.trace.SurfacePoint;
 
 /** Where a light stands, told so that it means something in any scene. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import lightning.image.Film;
+import lightning.math.Ray;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Camera;
@@ -19,7 +20,6 @@ import lightning.scene.Solid;
 import lightning.scene.World;
 import lightning.trace.Eye;
 import lightning.trace.Geometry;
-import lightning.trace.Ray;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

@@ -3,12 +3,12 @@ package lightning.shading;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
+import lightning.math.Ray;
 import lightning.math.Vec3;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.trace.Eye;
 import lightning.trace.Geometry;
-import lightning.trace.Ray;
 import lightning.trace.SurfacePoint;
 
 /**

@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.math.BigDecimal;
 import java.util.Random;
+import lightning.engine.lanes.PacketTracer;
+import lightning.engine.lanes.RayPacket;
+import lightning.math.Ray;
 import lightning.math.Vec3;
 import lightning.scene.Solid;
 import lightning.trace.solid.Form;

@@ -1,6 +1,7 @@
 package lightning.trace;
 
 import java.util.Random;
+import lightning.math.Ray;
 import lightning.math.Vec3;
 import lightning.scene.Solid;
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
+import lightning.math.Ray;
 import lightning.math.Transform;
 import lightning.math.Vec3;
 import lightning.scene.Placement;

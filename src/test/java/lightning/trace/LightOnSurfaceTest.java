@@ -4,8 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.math.BigDecimal;
 import java.util.Random;
+import lightning.engine.lanes.PacketTracer;
+import lightning.engine.lanes.RayPacket;
 import lightning.math.Vec3;
 import lightning.scene.Solid;
+import lightning.trace.primitive.PrimitiveTable;
+import lightning.trace.tree.WayEnd;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
+import lightning.math.Ray;
 import lightning.math.Vec3;
 import lightning.mesh.Mesh;
 import lightning.sample.Meshes;

@@ -7,9 +7,11 @@ import java.util.function.ToDoubleFunction;
 import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
+import lightning.math.Ray;
 import lightning.math.Vec3;
 import lightning.scene.Placement;
 import lightning.scene.Solid;
+import lightning.trace.primitive.Surface;
 import lightning.trace.solid.Form;
 
 /** Draws the pictures of docs/numerics.md, the textbook's formula on the left and Lightning's on the right. */

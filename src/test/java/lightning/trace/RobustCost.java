@@ -7,10 +7,12 @@ import java.util.Locale;
 import java.util.Random;
 import java.util.function.ToDoubleFunction;
 import lightning.math.Power;
+import lightning.math.Ray;
 import lightning.math.Transform;
 import lightning.math.Vec3;
 import lightning.scene.Placement;
 import lightning.scene.Solid;
+import lightning.trace.primitive.Surface;
 
 /**
  * What the robust formulas of docs/numerics.md cost beside those of the textbook: nanoseconds each, scalar, over the

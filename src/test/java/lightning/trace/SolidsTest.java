@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.util.Random;
+import lightning.math.Ray;
 import lightning.math.Vec3;
 import lightning.scene.Solid;
 import lightning.trace.solid.Form;

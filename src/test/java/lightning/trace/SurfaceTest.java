@@ -4,9 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
+import lightning.math.Ray;
 import lightning.math.Vec3;
 import lightning.scene.Placement;
 import lightning.scene.Solid;
+import lightning.trace.primitive.PrimitiveTable;
+import lightning.trace.primitive.Surface;
 import lightning.trace.solid.Form;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -15,9 +15,10 @@ import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.World;
+import lightning.trace.primitive.PrimitiveTable;
 
 /** Scenes to trace: like those of the paper, and arbitrary ones. */
-final class TraceScenes {
+public final class TraceScenes {
     private final List<Node> nodes = new ArrayList<>();
 
     private TraceScenes add(Solid solid, Vec3 at, Vec3 rotate, Vec3 scale) {
@@ -73,7 +74,7 @@ final class TraceScenes {
     }
 
     /** Four spheres over a floor. */
-    static Scene balls() {
+    public static Scene balls() {
         return new TraceScenes()
                 .add(Solid.PLANE, 0, 0, 0, 12, 1, 12)
                 .add(Solid.SPHERE, 0, 1, 0, 1, 1, 1)
@@ -84,7 +85,7 @@ final class TraceScenes {
     }
 
     /** Four spheres, two cones and four cylinders over a floor: a bird. */
-    static Scene bird() {
+    public static Scene bird() {
         return new TraceScenes()
                 .add(Solid.SPHERE, 0, 1.6, 0, 0.8, 0.7, 1.1)
                 .add(Solid.SPHERE, 0, 2.5, 0.9, 0.5, 0.5, 0.5)
@@ -101,7 +102,7 @@ final class TraceScenes {
     }
 
     /** A log house: 270 cylinders in four walls. */
-    static Scene house() {
+    public static Scene house() {
         TraceScenes s = new TraceScenes();
         for (int row = 0; row < 22; row++) {
             for (int wall = 0; wall < 4; wall++) {
@@ -121,7 +122,7 @@ final class TraceScenes {
     }
 
     /** Small shapes of all kinds spread in a cube. */
-    static Scene cloud(int count, long seed) {
+    public static Scene cloud(int count, long seed) {
         Random random = new Random(seed);
         TraceScenes s = new TraceScenes();
         double size = 3 / Math.cbrt(count);
@@ -133,7 +134,7 @@ final class TraceScenes {
     }
 
     /** Shapes of scales from 10⁻³ to 10⁶, some of them far away, many of them equal. */
-    static Scene wild(int count, long seed) {
+    public static Scene wild(int count, long seed) {
         Random random = new Random(seed);
         TraceScenes s = new TraceScenes();
         double moved = random.nextBoolean() ? 0 : 1e7 * random.nextDouble();
@@ -152,7 +153,7 @@ final class TraceScenes {
     }
 
     /** Equal spheres, all in one place. */
-    static Scene heap(int count) {
+    public static Scene heap(int count) {
         TraceScenes s = new TraceScenes();
         for (int i = 0; i < count; i++) {
             s.add(Solid.SPHERE, 0, 1, 0, 1, 1, 1);
@@ -161,7 +162,7 @@ final class TraceScenes {
     }
 
     /** Shapes of all kinds, equal ones and their mirror images, all in one place. */
-    static Scene mixedHeap(int count) {
+    public static Scene mixedHeap(int count) {
         TraceScenes s = new TraceScenes();
         for (int i = 0; i < count; i++) {
             s.add(CanonicalSolids.ALL.get(i / 2 % CanonicalSolids.ALL.size()), 0, 1, 0, i % 3 == 0 ? -1 : 1, 1, i % 5 == 0 ? -1 : 1);
@@ -170,7 +171,7 @@ final class TraceScenes {
     }
 
     /** Shapes within shapes that share a cap, a rim, a base or a line of contact; the inner ones first and last. */
-    static Scene nested() {
+    public static Scene nested() {
         TraceScenes s = new TraceScenes();
         for (double scale : new double[] {0.5, 1, 0.25, 1, 0.5}) {
             s.add(Solid.CONE, 0, 0, 0, scale, scale, scale)
@@ -182,7 +183,7 @@ final class TraceScenes {
     }
 
     /** Shapes whose boxes are flat, or as thin as a shape may be: in one plane, on each other and crossing. */
-    static Scene flat() {
+    public static Scene flat() {
         TraceScenes s = new TraceScenes();
         for (int i = 0; i < 4; i++) {
             s.add(Solid.PLANE, 0.25 * i, 1, 0, 1, 1, 1)
@@ -196,7 +197,7 @@ final class TraceScenes {
     }
 
     /** Shapes in turned groups that stretch one axis and squeeze another, more and more. */
-    static Scene skewed(int count, long seed) {
+    public static Scene skewed(int count, long seed) {
         Random random = new Random(seed);
         TraceScenes s = new TraceScenes();
         for (int i = 0; i < count; i++) {

@@ -5,7 +5,6 @@ import lightning.engine.Engine;
 import lightning.shading.Sums;
 import lightning.shading.Terms;
 import lightning.trace.Geometry;
-import lightning.trace.LaneTracer;
 import lightning.trace.Tracer;
 
 /** The engine whose kernels go over rays and rows in vector lanes: the fastest once its code is compiled. */

@@ -1,2 +1,2 @@
-/** {@link lightning.engine.lanes.LaneEngine}: the lighting equation in vector lanes. */
+/** {@link lightning.engine.lanes.LaneEngine}: rays in packets, the lighting equation in vector lanes. */
 package lightning.engine.lanes;

@@ -4,7 +4,6 @@ import lightning.engine.Engine;
 import lightning.shading.Sums;
 import lightning.shading.Terms;
 import lightning.trace.Geometry;
-import lightning.trace.ScalarTracer;
 import lightning.trace.Tracer;
 
 /**

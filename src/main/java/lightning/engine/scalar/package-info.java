@@ -1,2 +1,2 @@
-/** {@link lightning.engine.scalar.ScalarEngine}: the lighting equation in plain loops. */
+/** {@link lightning.engine.scalar.ScalarEngine}: rays one by one, the lighting equation in plain loops. */
 package lightning.engine.scalar;

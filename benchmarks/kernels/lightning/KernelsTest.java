@@ -1,0 +1,47 @@
+package lightning;
+
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import lightning.engine.Agreement;
+import lightning.engine.lanes.RayKernels;
+import lightning.engine.lanes.ShapeKernels;
+import lightning.shading.RowKernels;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The kernels in benchmarks/ find their rows and rays, and agree with the readable code: else they would not be timed. */
+class KernelsTest {
+
+    @ParameterizedTest
+    @ValueSource(strings = {"bird", "balls"})
+    void kernelsOfRows_agree(String scene) throws Exception {
+        RowKernels kernels = new RowKernels();
+        kernels.scene = scene;
+        kernels.prepare();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"bird", "balls"})
+    void kernelsOfRays_agree(String scene) throws Exception {
+        RayKernels kernels = new RayKernels();
+        kernels.scene = scene;
+        kernels.prepare();
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void kernelsOfShapes_agree(ShapeKernels.Kind kind) {
+        ShapeKernels kernels = new ShapeKernels();
+        kernels.kind = kind;
+        kernels.prepare();
+    }
+
+    @Test
+    void oneOtherBit_isRefused() {
+        Agreement.require(1f, 1f, "row", 3);
+        assertThatThrownBy(() -> Agreement.require(1f, Math.nextUp(1f), "row", 3)).isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("row 3");
+    }
+}

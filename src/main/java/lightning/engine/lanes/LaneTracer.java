@@ -1,0 +1,234 @@
+package lightning.engine.lanes;
+
+import java.util.Arrays;
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorShape;
+import jdk.incubator.vector.VectorSpecies;
+import lightning.trace.CameraRays;
+import lightning.trace.Geometry;
+import lightning.trace.HitRows;
+import lightning.trace.RayColumns;
+import lightning.trace.SamplePlaces;
+import lightning.trace.Tracer;
+import lightning.trace.Ways;
+import lightning.trace.solid.Lanes;
+import lightning.trace.tree.Candidates;
+import lightning.trace.tree.PointBox;
+
+/** Traces the rays of a tile in packets, one lane for each ray. */
+final class LaneTracer implements Tracer {
+    private static final VectorSpecies<Double> DOUBLES = Lanes.SPECIES;
+    private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_PREFERRED;
+    private static final VectorSpecies<Float> HALF = VectorSpecies.of(float.class, VectorShape.forBitSize(DOUBLES.vectorBitSize() / 2));
+    private static final int W = RayPacket.WIDTH;
+
+    private final PacketTracer packets;
+    private final RayPacket packet = new RayPacket();
+    private final SurfacePacket surface = new SurfacePacket();
+    private final double[] sampleX = new double[W];
+    private final double[] sampleY = new double[W];
+
+    LaneTracer(Geometry geometry) {
+        packets = new PacketTracer(geometry);
+    }
+
+    @Override
+    public void eye(CameraRays camera, int column, int row, int columns, int lines, RayColumns rays) {
+        for (int y = 0; y < lines; y++) {
+            for (int x = 0; x < columns; x += W) {
+                EyeLanes.through(camera, column + x, row + y, rays.dx, rays.dy, rays.dz, y * columns + x);
+            }
+        }
+    }
+
+    @Override
+    public void samples(CameraRays camera, SamplePlaces places, RayColumns rays) {
+        for (int ray = 0; ray < places.count(); ray += W) {
+            int live = Math.min(W, places.count() - ray);
+            for (int i = 0; i < live; i++) {
+                sampleX[i] = places.x(ray + i);
+                sampleY[i] = places.y(ray + i);
+            }
+            EyeLanes.at(camera, sampleX, sampleY, rays.dx, rays.dy, rays.dz, ray);
+        }
+    }
+
+    @Override
+    public void nearest(RayColumns rays, Candidates candidates) {
+        begin(rays);
+        for (int ray = 0; ray < rays.count; ray += W) {
+            int live = Math.min(W, rays.count - ray);
+            load(rays, ray, live);
+            packets.nearest(packet, live, candidates);
+            System.arraycopy(packet.t, 0, rays.t, ray, live);
+            System.arraycopy(packet.primitive, 0, rays.primitive, ray, live);
+            System.arraycopy(packet.part, 0, rays.part, ray, live);
+        }
+    }
+
+    @Override
+    public void distances(RayColumns rays) {
+        begin(rays);
+        for (int ray = 0; ray < rays.count; ray += W) {
+            int live = Math.min(W, rays.count - ray);
+            load(rays, ray, live);
+            System.arraycopy(rays.primitive, ray, packet.primitive, 0, live);
+            packets.distances(packet, live);
+            System.arraycopy(packet.t, 0, rays.t, ray, live);
+            System.arraycopy(packet.part, 0, rays.part, ray, live);
+        }
+    }
+
+    /** Puts the origin that all rays of the eye have into the packet. */
+    private void begin(RayColumns rays) {
+        if (rays.from == null) {
+            Arrays.fill(packet.ox, rays.originX(0));
+            Arrays.fill(packet.oy, rays.originY(0));
+            Arrays.fill(packet.oz, rays.originZ(0));
+        }
+    }
+
+    private void load(RayColumns rays, int ray, int live) {
+        HitRows from = rays.from;
+        for (int i = 0; from != null && i < live; i++) {
+            int row = rays.slot[ray + i];
+            packet.ox[i] = from.px[row];
+            packet.oy[i] = from.py[row];
+            packet.oz[i] = from.pz[row];
+        }
+        System.arraycopy(rays.dx, ray, packet.dx, 0, live);
+        System.arraycopy(rays.dy, ray, packet.dy, 0, live);
+        System.arraycopy(rays.dz, ray, packet.dz, 0, live);
+    }
+
+    @Override
+    public void surfaces(RayColumns rays, HitRows rows, boolean own) {
+        for (int row = 0; row < rays.hits; row += W) {
+            int live = Math.min(W, rays.hits - row);
+            surfaces(rays, row, live);
+            System.arraycopy(surface.px, 0, rows.px, row, live);
+            System.arraycopy(surface.py, 0, rows.py, row, live);
+            System.arraycopy(surface.pz, 0, rows.pz, row, live);
+            System.arraycopy(surface.nx, 0, rows.nx, row, live);
+            System.arraycopy(surface.ny, 0, rows.ny, row, live);
+            System.arraycopy(surface.nz, 0, rows.nz, row, live);
+            if (own) {
+                own(rays, row, live);
+            }
+        }
+    }
+
+    @Override
+    public void ownPoints(RayColumns rays) {
+        for (int row = 0; row < rays.hits; row += W) {
+            int live = Math.min(W, rays.hits - row);
+            surfaces(rays, row, live);
+            own(rays, row, live);
+        }
+    }
+
+    private void surfaces(RayColumns rays, int row, int live) {
+        for (int i = 0; i < live; i++) {
+            int ray = rays.order[row + i];
+            packet.ox[i] = rays.originX(ray);
+            packet.oy[i] = rays.originY(ray);
+            packet.oz[i] = rays.originZ(ray);
+            packet.dx[i] = rays.dx[ray];
+            packet.dy[i] = rays.dy[ray];
+            packet.dz[i] = rays.dz[ray];
+            packet.t[i] = rays.t[ray];
+            packet.primitive[i] = rays.primitive[ray];
+            packet.part[i] = rays.part[ray];
+        }
+        packets.surfaces(packet, live, surface);
+    }
+
+    private void own(RayColumns rays, int row, int live) {
+        System.arraycopy(surface.ownX, 0, rays.ownX, row, live);
+        System.arraycopy(surface.ownY, 0, rays.ownY, row, live);
+        System.arraycopy(surface.ownZ, 0, rays.ownZ, row, live);
+    }
+
+    @Override
+    public void blocked(HitRows rows, int[] chosen, Ways ways, Candidates candidates, int[] blocked) {
+        packet.end = ways.end();
+        for (int b = 0, row = 0; row < rows.count; b++, row += WORD) {
+            int bits = 0;
+            for (int part = 0; chosen[b] != 0 && part < WORD; part += W) {
+                int asked = chosen[b] >>> part & -1 >>> -W;
+                if (asked != 0) {
+                    load(rows, ways, row + part, asked);
+                    bits |= (packets.blocked(packet, W, candidates) & asked) << part;
+                }
+            }
+            blocked[b] = bits;
+        }
+    }
+
+    /** Rows that were not chosen get a ray that ends before it begins. */
+    private void load(HitRows rows, Ways ways, int row, int chosen) {
+        axis(rows.px, row, ways.source().x(), ways.ends(), packet.ox, packet.dx);
+        axis(rows.py, row, ways.source().y(), ways.ends(), packet.oy, packet.dy);
+        axis(rows.pz, row, ways.source().z(), ways.ends(), packet.oz, packet.dz);
+        double limit = ways.limit();
+        for (int i = 0; i < W; i++) {
+            packet.limit[i] = (chosen >>> i & 1) != 0 ? limit : -1;
+        }
+    }
+
+    private static void axis(float[] points, int row, double source, boolean ends, double[] origin, double[] direction) {
+        for (int i = 0; i < W; i += Lanes.COUNT) {
+            DoubleVector o = (DoubleVector) FloatVector.fromArray(HALF, points, row + i).castShape(DOUBLES, 0);
+            DoubleVector s = DoubleVector.broadcast(DOUBLES, source);
+            o.intoArray(origin, i);
+            (ends ? s.sub(o) : s).intoArray(direction, i);
+        }
+    }
+
+    @Override
+    public PointBox box(float[] x, float[] y, float[] z, int count) {
+        PointBox box = new PointBox();
+        range(x, count, box, 0);
+        range(y, count, box, 1);
+        range(z, count, box, 2);
+        return box;
+    }
+
+    private static void range(float[] v, int count, PointBox box, int axis) {
+        FloatVector least = FloatVector.broadcast(FLOATS, v[0]);
+        FloatVector most = least;
+        int i = 0;
+        for (; i + FLOATS.length() <= count; i += FLOATS.length()) {
+            FloatVector x = FloatVector.fromArray(FLOATS, v, i);
+            least = least.min(x);
+            most = most.max(x);
+        }
+        float low = least.reduceLanes(VectorOperators.MIN);
+        float high = most.reduceLanes(VectorOperators.MAX);
+        for (; i < count; i++) {
+            low = Math.min(low, v[i]);
+            high = Math.max(high, v[i]);
+        }
+        box.set(axis, low, high);
+    }
+
+    @Override
+    public void range(double[] values, int count, double[] range) {
+        DoubleVector least = DoubleVector.broadcast(DOUBLES, values[0]);
+        DoubleVector most = least;
+        int i = 0;
+        for (; i + DOUBLES.length() <= count; i += DOUBLES.length()) {
+            DoubleVector x = DoubleVector.fromArray(DOUBLES, values, i);
+            least = least.min(x);
+            most = most.max(x);
+        }
+        range[0] = least.reduceLanes(VectorOperators.MIN);
+        range[1] = most.reduceLanes(VectorOperators.MAX);
+        for (; i < count; i++) {
+            range[0] = Math.min(range[0], values[i]);
+            range[1] = Math.max(range[1], values[i]);
+        }
+    }
+}

@@ -1,0 +1,90 @@
+package lightning.trace.primitive;
+
+import lightning.trace.mesh.Facet;
+import lightning.trace.mesh.MeshSolid;
+
+/**
+ * Where a ray meets a shape, in two forms: the point in the shape's own space, in double, and what
+ * shading sees, rounded to float.
+ *
+ * <p>The stored point lies off the surface, on the side that the ray came from, by a bound on its own
+ * error along the normal: twice what rounding each coordinate to float can move it that way, Σ|nᵢ·pᵢ|·2⁻²⁴, and
+ * the error of the hit in double, which grows with the coordinates of the shape and of the ray's origin. Rays
+ * that leave from it need no further care. The normal has length 1 and faces the incoming ray. A mesh that has normals is shaded by
+ * them, and the point is lifted first ({@link SmoothNormal}).
+ */
+public final class Surface {
+    /** The share of a point's coordinates, seen along the normal, by which it is moved: two float roundings. */
+    public static final double OFFSET = 0x1p-23;
+    /** The error of a hit in double, as a share of the coordinates of the ray's origin and of the shape. */
+    public static final double ERROR = 0x1p-46;
+
+    private final double[] outward = new double[3];
+    private final Facet facet = new Facet();
+    private final SmoothNormal smooth = new SmoothNormal();
+    public double ownX;
+    public double ownY;
+    public double ownZ;
+    public float px;
+    public float py;
+    public float pz;
+    public float nx;
+    public float ny;
+    public float nz;
+
+    /** Computes the surface of a part of primitive {@code s} at distance {@code t} along the ray. */
+    public void at(PrimitiveTable primitives, int s, int part, double ox, double oy, double oz, double dx, double dy, double dz, double t) {
+        double x = ox + t * dx;
+        double y = oy + t * dy;
+        double z = oz + t * dz;
+        double[] m = primitives.data;
+        int i = primitives.at[s];
+        ownX = m[i] * x + m[i + 1] * y + m[i + 2] * z + m[i + 3];
+        ownY = m[i + 4] * x + m[i + 5] * y + m[i + 6] * z + m[i + 7];
+        ownZ = m[i + 8] * x + m[i + 9] * y + m[i + 10] * z + m[i + 11];
+        MeshSolid mesh = primitives.mesh(s);
+        if (mesh == null) {
+            primitives.kind(s).form().outward(m, i, ownX, ownY, ownZ, outward);
+        } else {
+            facet.at(mesh.mesh(), part, ownX, ownY, ownZ);
+        }
+        double ax = mesh == null ? outward[0] : facet.nx;
+        double ay = mesh == null ? outward[1] : facet.ny;
+        double az = mesh == null ? outward[2] : facet.nz;
+        // Normals go by the transpose of the inverse map.
+        double bx = m[i] * ax + m[i + 4] * ay + m[i + 8] * az;
+        double by = m[i + 1] * ax + m[i + 5] * ay + m[i + 9] * az;
+        double bz = m[i + 2] * ax + m[i + 6] * ay + m[i + 10] * az;
+        double square = bx * bx + by * by + bz * bz;
+        if (!(square > 0)) {
+            // A cone's apex, or a shape smaller than the spacing of doubles where it stands: it faces whoever sees it.
+            bx = -dx;
+            by = -dy;
+            bz = -dz;
+            square = bx * bx + by * by + bz * bz;
+        }
+        double length = Math.sqrt(square);
+        double facing = bx * dx + by * dy + bz * dz > 0 ? -length : length;
+        double unit = 1 / facing;
+        bx = bx * unit;
+        by = by * unit;
+        bz = bz * unit;
+        nx = (float) bx;
+        ny = (float) by;
+        nz = (float) bz;
+        if (mesh != null && facet.isSmooth()) {
+            smooth.at(facet, m, i, bx, by, bz, dx, dy, dz);
+            nx = (float) smooth.nx;
+            ny = (float) smooth.ny;
+            nz = (float) smooth.nz;
+            x += smooth.liftX;
+            y += smooth.liftY;
+            z += smooth.liftZ;
+        }
+        double off = (Math.abs(x * bx) + Math.abs(y * by) + Math.abs(z * bz)) * OFFSET
+                + ((Math.abs(ox) + Math.abs(oy) + Math.abs(oz)) * ERROR + primitives.error[s]);
+        px = (float) (x + bx * off);
+        py = (float) (y + by * off);
+        pz = (float) (z + bz * off);
+    }
+}

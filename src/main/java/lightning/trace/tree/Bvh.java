@@ -1,0 +1,85 @@
+package lightning.trace.tree;
+
+import lightning.math.Ray;
+import lightning.math.Vec3;
+import lightning.trace.primitive.PrimitiveTable;
+
+/**
+ * A binary tree of boxes over the primitives, one primitive in each leaf, as plain arrays.
+ *
+ * <p>A child is the index of an inner node or, where negative, the complement of a primitive. Node {@code n}
+ * has the children {@code child[2 n]} and {@code child[2 n + 1]}, their boxes in
+ * {@code boxes[12 n …]}, six floats each, and the axis along which the first lies before the second in
+ * {@code axis[n]}. The root is node 0; there is no node where there are fewer than two primitives.
+ */
+public final class Bvh {
+    public final PrimitiveTable primitives;
+    /** Where the box of each primitive begins in {@link #boxes}; one that is alone has the only one there. */
+    public final int[] leaf;
+    public final int[] child;
+    public final float[] boxes;
+    public final byte[] axis;
+    /** Pushed at most this many at a time when one child of every node is put aside. */
+    public final int depth;
+
+    public Bvh(PrimitiveTable.Boxed boxed) {
+        primitives = boxed.primitives();
+        BvhBuilder built = new BvhBuilder(boxed.boxes());
+        child = built.child;
+        boxes = primitives.count == 1 ? boxed.boxes() : built.boxes;
+        axis = built.axis;
+        depth = built.depth;
+        leaf = new int[primitives.count];
+        for (int c = 0; c < child.length; c++) {
+            if (child[c] < 0) {
+                leaf[~child[c]] = 6 * c;
+            }
+        }
+    }
+
+    /** The tree of the same primitives seen from elsewhere: its form with their boxes. */
+    public Bvh(PrimitiveTable.Boxed boxed, Bvh form) {
+        primitives = boxed.primitives();
+        child = form.child;
+        leaf = form.leaf;
+        axis = form.axis;
+        depth = form.depth;
+        boxes = primitives.count == 1 ? boxed.boxes() : new float[form.boxes.length];
+        // Children come after their node, so that from the last on all are there.
+        for (int c = child.length - 1; c >= 0; c--) {
+            if (child[c] < 0) {
+                System.arraycopy(boxed.boxes(), 6 * ~child[c], boxes, 6 * c, 6);
+            } else {
+                BvhBuilder.empty(boxes, 6 * c);
+                BvhBuilder.grow(boxes, 6 * c, boxes, 12 * child[c]);
+                BvhBuilder.grow(boxes, 6 * c, boxes, 12 * child[c] + 6);
+            }
+        }
+    }
+
+    /** The primitive that a ray meets first, the one with the lowest index among equals, or −1. */
+    public int nearest(Ray ray) {
+        return walk(ray).nearest();
+    }
+
+    /** Whether a ray meets any primitive at a distance below {@code limit}. */
+    public boolean blocked(Ray ray, double limit) {
+        return walk(ray).blocked(limit);
+    }
+
+    /** The primitive that a way to a light meets first before its end, the one with the lowest index among equals, or −1. */
+    public int blocker(Ray way, WayEnd end) {
+        RayWalk walk = walk(way);
+        walk.leadTo(end);
+        return walk.nearest(1);
+    }
+
+    /** A walk that has taken a ray. */
+    public RayWalk walk(Ray ray) {
+        Vec3 o = ray.origin();
+        Vec3 d = ray.direction();
+        RayWalk walk = new RayWalk(this);
+        walk.enter(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+        return walk;
+    }
+}
