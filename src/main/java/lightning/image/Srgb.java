@@ -1,5 +1,6 @@
 package lightning.image;
 
+import java.util.Arrays;
 import lightning.math.SrgbCurve;
 
 /**
@@ -16,22 +17,23 @@ final class Srgb {
 
     private static final int WHITE_BITS = Float.floatToRawIntBits(1);
 
-    /** The number of bit patterns above infinity. */
-    private static final int NAN_WRAP = 0x7FFFFF;
+    private static final int INFINITY_BITS = Float.floatToRawIntBits(Float.POSITIVE_INFINITY);
 
     /** 256 buckets for each factor of two; a bucket then never holds more than one threshold (a test checks it). */
     private static final int BUCKET_SHIFT = 23 - 8;
 
     private static final int LOW_BITS = (1 << BUCKET_SHIFT) - 1;
 
-    private static final int LEAST_BUCKET = LEAST_BITS >> BUCKET_SHIFT;
+    private static final int CODES = 0xFF;
 
     /** {@code THRESHOLD[c]} is the smallest float whose code is c; one more that is never reached. */
     static final float[] THRESHOLD = thresholds();
 
     /**
-     * For each bucket the number which, added to the low bits of a float, gives the code in the bits above: the code of
-     * the bucket's smallest float, and such a fraction that the sum carries from the threshold onwards.
+     * For each bucket of all floats, in the order of their bits taken as a number without a sign, the number which, added to the low
+     * bits of a float, gives the code in the eight bits above: the code of the bucket's smallest float, and such a fraction
+     * that the sum carries from the threshold onwards. Infinity shares its bucket with NaNs, whose sum carries to 256, as code 0.
+     * Negative floats and other NaNs have 0. Half a megabyte, of which a picture touches some kilobytes.
      */
     private static final int[] ENTRY = entries();
 
@@ -48,11 +50,8 @@ final class Srgb {
 
     /** The same as {@link #formula}, fast. */
     static int encode(float linear) {
-        // Floats ≥ 0 are ordered as their bits are, negative ones have negative bits, and this step makes NaNs, which lie
-        // above infinity, wrap around to negative too: two integer comparisons then clamp without a branch.
-        int raised = Float.floatToRawIntBits(linear) + NAN_WRAP;
-        int bits = Math.min(Math.max(raised, LEAST_BITS + NAN_WRAP), WHITE_BITS + NAN_WRAP) - NAN_WRAP;
-        return ENTRY[(bits >> BUCKET_SHIFT) - LEAST_BUCKET] + (bits & LOW_BITS) >> BUCKET_SHIFT;
+        int bits = Float.floatToRawIntBits(linear);
+        return ENTRY[bits >>> BUCKET_SHIFT] + (bits & LOW_BITS) >> BUCKET_SHIFT & CODES;
     }
 
     /** The linear value, 0…1, of a code 0 to 255; {@code encode(linear(c)) == c}. */
@@ -81,13 +80,17 @@ final class Srgb {
     }
 
     private static int[] entries() {
-        int[] entries = new int[(WHITE_BITS >> BUCKET_SHIFT) - LEAST_BUCKET + 1];
-        for (int i = 0; i < entries.length; i++) {
-            int start = i + LEAST_BUCKET << BUCKET_SHIFT;
+        int[] entries = new int[1 << Integer.SIZE - BUCKET_SHIFT];
+        int white = WHITE_BITS >> BUCKET_SHIFT;
+        for (int i = LEAST_BITS >> BUCKET_SHIFT; i < white; i++) {
+            int start = i << BUCKET_SHIFT;
             int code = formula(Float.intBitsToFloat(start));
             int next = Float.floatToRawIntBits(THRESHOLD[code + 1]) - start;
             entries[i] = (code << BUCKET_SHIFT) + (next <= LOW_BITS ? LOW_BITS + 1 - next : 0);
         }
+        int infinity = INFINITY_BITS >> BUCKET_SHIFT;
+        Arrays.fill(entries, white, infinity, CODES << BUCKET_SHIFT);
+        entries[infinity] = (CODES << BUCKET_SHIFT) + LOW_BITS;
         return entries;
     }
 
