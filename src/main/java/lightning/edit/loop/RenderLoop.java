@@ -16,6 +16,7 @@ import lightning.relight.Update;
 import lightning.relight.plan.Accuracy;
 import lightning.relight.plan.UpdatePlan;
 import lightning.relight.tile.Options;
+import lightning.scene.Antialias;
 import lightning.scene.Picture;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
@@ -35,7 +36,7 @@ import lightning.work.Workers;
 public final class RenderLoop implements AutoCloseable {
     /** So many pixels coarse pictures have, about: the first is there at once in a process that has compiled nothing yet. */
     private static final List<Integer> COARSE = List.of(2_000, 30_000);
-    /** A picture of fewer pixels for each of a coarse one is there before that could be looked at. */
+    /** A picture of fewer samples for each pixel of a coarse one is there before that could be looked at. */
     private static final int LEAST_SHARE = 16;
     private static final long PATIENCE_MS = 10_000;
 
@@ -313,12 +314,14 @@ public final class RenderLoop implements AutoCloseable {
     /** A look at all of the picture in a fraction of its time, then a better one. */
     private void coarse(Scene scene, RenderQueue.Stop stop) {
         Picture picture = scene.picture();
+        double all = (double) picture.width() * picture.height();
+        Sampling sampling = picture.sampling();
+        double samples = all * (sampling.antialias() == Antialias.EVERY ? sampling.perPixel() : 1);
         for (int pixels : COARSE) {
-            double share = (double) picture.width() * picture.height() / pixels;
-            if (share < LEAST_SHARE) {
+            if (samples / pixels < LEAST_SHARE) {
                 return;
             }
-            double shrink = Math.sqrt(share);
+            double shrink = Math.max(1, Math.sqrt(all / pixels));
             Scene small = scene.withPicture(picture.withSize(side(picture.width() / shrink), side(picture.height() / shrink))
                     .withSampling(Sampling.DEFAULT));
             try (var workers = new Workers(renderer.options().threads())) {
