@@ -1,5 +1,7 @@
 package lightning.app.model;
 
+import java.util.Arrays;
+import java.util.stream.IntStream;
 import lightning.edit.loop.Frame;
 import lightning.edit.loop.RenderListener;
 import lightning.image.Film;
@@ -118,12 +120,8 @@ public final class TracedRaster implements RenderListener {
     synchronized void show(Film film) {
         boolean fresh = shown == null || coarse != null || unfinished || !patch.isEmpty() || !fits(film.width(), film.height());
         size(film.width(), film.height());
-        for (int tile = 0; tile < film.tileCount(); tile++) {
-            if (fresh || film.red(tile) != shown.red(tile) || film.green(tile) != shown.green(tile)
-                    || film.blue(tile) != shown.blue(tile)) {
-                pack(film, tile);
-            }
-        }
+        pack(film, IntStream.range(0, film.tileCount()).filter(tile -> fresh || film.red(tile) != shown.red(tile)
+                || film.green(tile) != shown.green(tile) || film.blue(tile) != shown.blue(tile)).toArray());
         shown = film;
         coarse = null;
         unfinished = false;
@@ -195,10 +193,13 @@ public final class TracedRaster implements RenderListener {
         }
     }
 
-    private void pack(Film film, int tile) {
-        view.packTile(film, tile, pixels.pixels());
-        int left = tile % film.tilesX() * Film.TILE;
-        int top = tile / film.tilesX() * Film.TILE;
-        dirty = dirty.plus(left, top, Math.min(left + Film.TILE, film.width()), Math.min(top + Film.TILE, film.height()));
+    /** All processors share the work: it takes as long as a small edit does. */
+    private void pack(Film film, int[] tiles) {
+        Arrays.stream(tiles).parallel().forEach(tile -> view.packTile(film, tile, pixels.pixels()));
+        for (int tile : tiles) {
+            int left = tile % film.tilesX() * Film.TILE;
+            int top = tile / film.tilesX() * Film.TILE;
+            dirty = dirty.plus(left, top, Math.min(left + Film.TILE, film.width()), Math.min(top + Film.TILE, film.height()));
+        }
     }
 }

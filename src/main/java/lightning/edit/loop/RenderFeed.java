@@ -2,6 +2,7 @@ package lightning.edit.loop;
 
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.UnaryOperator;
 import lightning.accuracy.Verification;
 import lightning.accuracy.WarmSaving;
@@ -14,10 +15,15 @@ import lightning.scene.Scene;
  * listen, it hears once, of the newest state. Of a document that was left nothing is told, whatever its loop still does.
  */
 public final class RenderFeed implements RenderListener {
+    /** How far a work is is told so often at most, nanoseconds: the window's thread takes a processor from the work each time. */
+    private static final long STEP_NS = 40_000_000;
+
     private final Executor window;
     private final RenderListener canvas;
     private final Runnable heard;
     private final AtomicBoolean hopping = new AtomicBoolean();
+    /** When it was last told how far a work is, or that one begins. */
+    private final AtomicLong toldAt = new AtomicLong(System.nanoTime());
     /** Held while the canvas is filled, so that it is emptied after what it shows of the document before. */
     private final Object filling = new Object();
     private RenderState state = RenderState.NONE;
@@ -79,8 +85,16 @@ public final class RenderFeed implements RenderListener {
         }
     }
 
+    /** Whether a work has gone on for long enough to tell again how far it is; its end is told in any case. */
+    private boolean isTime(int done, int total) {
+        long last = toldAt.get();
+        long now = System.nanoTime();
+        return done == total || now - last > STEP_NS && toldAt.compareAndSet(last, now);
+    }
+
     @Override
     public void started(UpdatePlan plan) {
+        toldAt.set(System.nanoTime());
         canvas.started(plan);
         tell(s -> s.started(plan));
     }
@@ -88,13 +102,17 @@ public final class RenderFeed implements RenderListener {
     @Override
     public void progress(int done, int total) {
         canvas.progress(done, total);
-        tell(s -> s.at(done, total));
+        if (isTime(done, total)) {
+            tell(s -> s.at(done, total));
+        }
     }
 
     @Override
     public void verifying(int done, int total) {
         canvas.verifying(done, total);
-        tell(s -> s.checking(done, total));
+        if (isTime(done, total)) {
+            tell(s -> s.checking(done, total));
+        }
     }
 
     @Override

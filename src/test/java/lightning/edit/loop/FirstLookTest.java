@@ -74,7 +74,8 @@ class FirstLookTest {
             if (rays(picture) < MOST_RAYS) {
                 assertThat(first.width()).as("a small picture is not told coarsely first").isEqualTo(width);
             } else {
-                assertThat((double) first.width() * first.height()).as("rays").isLessThanOrEqualTo(Math.max(COARSE_RAYS, longSide(picture)));
+                assertThat((double) first.width() * first.height()).as("rays")
+                        .isLessThanOrEqualTo(Math.max(COARSE_RAYS, longSide(picture)));
                 assertThat(look.tiles).as("parts of the picture are seen before the whole of it").isFalse();
             }
         }
