@@ -56,20 +56,29 @@ public final class Workers implements AutoCloseable {
      * @throws CancellationException if {@code progress} asked to stop; some tiles were then not run
      */
     public void run(int tiles, Task task, Progress progress) {
+        run(tiles, 1, task, progress);
+    }
+
+    /**
+     * The same where whoever is free takes the next {@code together} tiles, in their order, and fewer at the end.
+     *
+     * @throws CancellationException if {@code progress} asked to stop; some tiles were then not run
+     */
+    public void run(int tiles, int together, Task task, Progress progress) {
         AtomicInteger next = new AtomicInteger();
         AtomicInteger done = new AtomicInteger();
         AtomicReference<Throwable> failure = new AtomicReference<>();
         Progress heard = heard(progress);
-        int helpers = Math.min(count, tiles) - 1;
+        int helpers = Math.min(count, Math.ceilDiv(tiles, together)) - 1;
         CountDownLatch finished = new CountDownLatch(Math.max(0, helpers));
         for (int worker = 1; worker <= helpers; worker++) {
             int number = worker;
             threads.execute(() -> {
-                work(number, tiles, next, done, task, heard, failure);
+                work(number, tiles, together, next, done, task, heard, failure);
                 finished.countDown();
             });
         }
-        work(0, tiles, next, done, task, heard, failure);
+        work(0, tiles, together, next, done, task, heard, failure);
         await(finished);
         switch (failure.get()) {
             case null -> {
@@ -104,19 +113,21 @@ public final class Workers implements AutoCloseable {
         };
     }
 
-    private static void work(int worker, int tiles, AtomicInteger next, AtomicInteger done, Task task, Progress progress,
-            AtomicReference<Throwable> failure) {
+    private static void work(int worker, int tiles, int together, AtomicInteger next, AtomicInteger done, Task task,
+            Progress progress, AtomicReference<Throwable> failure) {
         try {
-            while (failure.get() == null && !progress.isCancelled()) {
-                int tile = next.getAndIncrement();
-                if (tile >= tiles) {
-                    return;
+            for (int first = next.getAndAdd(together); first < tiles; first = next.getAndAdd(together)) {
+                int end = first + Math.min(together, tiles - first);
+                for (int tile = first; tile < end; tile++) {
+                    if (failure.get() != null || progress.isCancelled()) {
+                        return;
+                    }
+                    task.run(worker, tile);
+                    if (progress.isCancelled()) {
+                        return;
+                    }
+                    progress.tiles(done.incrementAndGet(), tiles);
                 }
-                task.run(worker, tile);
-                if (progress.isCancelled()) {
-                    return;
-                }
-                progress.tiles(done.incrementAndGet(), tiles);
             }
         } catch (Throwable e) {
             failure.compareAndSet(null, e);

@@ -11,10 +11,14 @@ import lightning.engine.Crew;
 import lightning.scene.Antialias;
 import lightning.shading.EdgeCodes;
 import lightning.shading.EdgeMap;
+import lightning.work.Progress;
 import lightning.work.Workers;
 
 /** Carries out a job on all tiles, by all workers: first the pixels' centres, then the finer samples, or either. */
 public final class TileRun {
+    /** Of a small picture each thread takes tiles so many times at least, so that all are ready at about the same time. */
+    private static final int EACH = 8;
+
     private final Job job;
     private final Workers workers;
     private final PixelCache old;
@@ -38,15 +42,33 @@ public final class TileRun {
      */
     public CachedTile[] centers(int more) {
         CachedTile[] tiles = new CachedTile[job.sampling().antialias() == Antialias.EVERY ? 0 : job.tileCount()];
-        workers.run(tiles.length, (worker, i) -> {
-            int tile = order[i];
-            TileWorker mine = threads.get(worker).forTile(tile);
-            tiles[tile] = old == null ? mine.firstPass(tile) : mine.relight(tile, old.tile(tile));
-            if (old == null && tiles[tile] != null) {
-                job.progress().made(tile, tiles[tile].film);
-            }
-        }, job.progress().part(0, tiles.length + more));
+        Progress part = job.progress().part(0, tiles.length + more);
+        if (old == null) {
+            workers.run(tiles.length, (worker, i) -> first(tiles, worker, order[i]), part);
+        } else {
+            relight(tiles, part);
+        }
         return tiles;
+    }
+
+    private void first(CachedTile[] tiles, int worker, int tile) {
+        tiles[tile] = threads.get(worker).forTile(tile).firstPass(tile);
+        if (tiles[tile] != null) {
+            job.progress().made(tile, tiles[tile].film);
+        }
+    }
+
+    private void relight(CachedTile[] tiles, Progress progress) {
+        int together = Math.clamp(tiles.length / (EACH * workers.count()), 1, Approach.TILES);
+        CachedTile[] known = old.tiles();
+        Approach[] approach = new Approach[workers.count()];
+        Arrays.setAll(approach, worker -> new Approach());
+        workers.run(tiles.length, together, (worker, tile) -> {
+            if (tile % together == 0) {
+                approach[worker].to(known, tile, Math.min(tiles.length, tile + together));
+            }
+            tiles[tile] = threads.get(worker).forTile(tile).relight(tile, known[tile]);
+        }, progress);
     }
 
     /** How many tiles of finer samples the picture has: none without anti-aliasing. */
