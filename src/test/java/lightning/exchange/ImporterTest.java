@@ -108,6 +108,12 @@ class ImporterTest {
     }
 
     @Test
+    void textInUtf16_isToldSo() throws IOException {
+        Path file = Files.write(from.resolve("a.obj"), "\uFEFFv 0 0 0\nf 1 1 1\n".getBytes(StandardCharsets.UTF_16LE));
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file)).withMessageEndingWith("is text in UTF-16; save it as UTF-8");
+    }
+
+    @Test
     void madeUpCamera_hasShortNumbers() throws Exception {
         Scene scene = imported(Files.writeString(from.resolve("b.obj"), "v 0 0 0\nv 1000.123456 0 0\nv 0 1 0\nf 1 2 3\n"));
         assertThat(scene.camera().to()).isEqualTo(new Vec3(500, 0, 0));

@@ -16,6 +16,9 @@ public enum MeshFormat {
     NFF,
     GLTF;
 
+    private static final byte[] UTF_16 = {(byte) 0xFE, (byte) 0xFF};
+    private static final byte[] UTF_16_SWAPPED = {(byte) 0xFF, (byte) 0xFE};
+
     /**
      * The format of a file.
      *
@@ -35,6 +38,9 @@ public enum MeshFormat {
         }
         if (GltfFile.isGltf(source)) {
             return GLTF;
+        }
+        if (source.startsWith(UTF_16) || source.startsWith(UTF_16_SWAPPED)) {
+            throw source.problem("", "is text in UTF-16; save it as UTF-8");
         }
         String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
         if (name.endsWith(".obj")) {

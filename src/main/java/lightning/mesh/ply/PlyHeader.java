@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.mesh.ByteSource;
 import lightning.mesh.MeshException;
+import lightning.mesh.Notes;
 import lightning.mesh.TextSource;
 import lightning.text.Quote;
 
@@ -62,9 +63,10 @@ record PlyHeader(Format format, List<Element> elements) {
     /**
      * Reads a header to the end of its last line, and holds the counts against the bytes that follow.
      *
+     * @param notes hears of lines before all elements that are none of a header's
      * @throws MeshException if it says what no PLY file says, or more than the file has bytes for
      */
-    static PlyHeader read(TextSource text, ByteSource source) throws IOException, MeshException {
+    static PlyHeader read(TextSource text, ByteSource source, Notes notes) throws IOException, MeshException {
         if (!text.word() || !text.is("ply")) {
             throw text.problem("a PLY file must begin with the word ply");
         }
@@ -89,6 +91,9 @@ record PlyHeader(Format format, List<Element> elements) {
                 }
                 text.passLineEnd();
                 return checked(new PlyHeader(format, List.copyOf(elements)), source);
+            } else if (elements.isEmpty()) {
+                // Some writers break their comments there.
+                notes.add("lines of the header that are no comments");
             } else {
                 throw text.problem("expected format, element, property, comment or end_header, found " + Quote.of(text.text()));
             }

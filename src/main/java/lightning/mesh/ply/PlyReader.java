@@ -52,7 +52,7 @@ public final class PlyReader {
 
     private Mesh read() throws IOException, MeshException {
         var text = new TextSource(source);
-        PlyHeader header = PlyHeader.read(text, source);
+        PlyHeader header = PlyHeader.read(text, source, notes);
         body = new PlyBody(header.format(), text, source);
         for (PlyHeader.Element element : header.elements()) {
             switch (element.name()) {

@@ -101,6 +101,16 @@ class PlyReaderTest {
     }
 
     @Test
+    void brokenCommentBeforeTheElements_isPassedOverAndTold() throws Exception {
+        Path file = Files.writeString(folder.resolve("a.ply"), SQUARE.replace("comment a square", "Created by somebody, element of a square"));
+        var notes = new Notes();
+        try (ByteSource source = ByteSource.open(file, Progress.NONE)) {
+            assertThat(PlyReader.read(source, notes).triangleCount()).isEqualTo(2);
+        }
+        assertThat(notes.counts()).containsExactly(Map.entry("lines of the header that are no comments", 1));
+    }
+
+    @Test
     void colorsOfWholeTypes_areDecodedFromSrgb() throws IOException, MeshException {
         Mesh mesh = read(RICH.replace("255 0 0 0.5", "128 0 0 0.5"));
         assertThat(mesh.colors()[0]).isEqualTo((float) Math.pow((128 / 255.0 + 0.055) / 1.055, 2.4));
@@ -176,8 +186,8 @@ class PlyReaderTest {
         assertRefused(SQUARE.replace("vertex 4", "vertex many"),
                 "line 4: the number of elements must be a whole number from 0 to 2147483647, was 'many'");
         assertRefused(SQUARE.replace("vertex 4", "vertex"), "line 4: expected the number of elements, found the end of the line");
-        assertRefused(SQUARE.replace("comment", "remark"),
-                "line 3: expected format, element, property, comment or end_header, found 'remark'");
+        assertRefused(SQUARE.replace("property float z", "remark"),
+                "line 7: expected format, element, property, comment or end_header, found 'remark'");
         assertRefused("ply\nformat ascii 1.0\n", "line 3: the header must end with end_header");
         assertRefused(SQUARE.replace("list uchar", "list float"), "line 9: the length of a list must be of a whole type");
     }
