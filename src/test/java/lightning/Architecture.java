@@ -65,7 +65,7 @@ final class Architecture {
             row("edit.loop", ENGINE + " accuracy"),
             row("edit", ENGINE + " file jen accuracy edit.loop"),
             row("edit.motion", ENGINE + " file edit"),
-            row("exchange", "text math file mesh mesh.ply mesh.obj gltf nff mesh.file scene jen work"),
+            row("exchange", "text math file mesh mesh.ply mesh.obj gltf nff mesh.file scene jen image trace fulltrace work"),
             row("app.widget", "text math scene image edit"),
             row("app.model", DOCUMENT),
             row("app.command", DOCUMENT + " exchange app.widget app.model"),

@@ -31,9 +31,9 @@ final class ExportLightsCommand implements Callable<Integer> {
     private Path into;
     @Option(names = {"-o", "--output"}, paramLabel = "FILE", required = true, description = "The file to write.")
     private Path output;
-    @Option(names = "--light-units", paramLabel = "UNITS", defaultValue = "candela",
+    @Option(names = "--light-units", paramLabel = "UNITS",
             description = "What the numbers of the glTF file's lights shall be: candela (and lux), unitless or watts. "
-                    + "Default: ${DEFAULT-VALUE}.")
+                    + "Default: what was chosen at import, which the scene says; else candela.")
     private LightUnits units;
 
     ExportLightsCommand(Console console) {
@@ -51,15 +51,16 @@ final class ExportLightsCommand implements Callable<Integer> {
         }
         PictureOutput.checkFile(output);
         Scene scene = input.read().scene();
+        LightUnits chosen = units != null ? units : LightUnits.chosenIn(Files.readString(input.path())).orElse(LightUnits.CANDELA);
         LightsBack lights;
         try {
-            lights = into == null ? LightsBack.json(scene) : LightsBack.into(into, scene, units, Progress.NONE);
+            lights = into == null ? LightsBack.json(scene) : LightsBack.into(into, scene, chosen, Progress.NONE);
         } catch (MeshException e) {
             throw new BadInput(e.getMessage());
         }
         SafeFile.write(output, out -> out.write(lights.bytes()));
         console.notes(output, "not the same there", lights.notes());
-        console.line("%s: written; %d lights", output, scene.lights().size());
+        console.line("%s: written; %d lights%s", output, scene.lights().size(), into == null ? "" : ", in " + chosen.words());
         return ExitCode.DONE;
     }
 }

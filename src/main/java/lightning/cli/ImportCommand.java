@@ -1,12 +1,17 @@
 package lightning.cli;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import lightning.exchange.Import;
 import lightning.exchange.Importer;
 import lightning.exchange.LightUnits;
+import lightning.exchange.UnitPictures;
+import lightning.image.PictureFile;
+import lightning.image.ViewTransform;
 import lightning.mesh.MeshException;
+import lightning.work.Workers;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -21,16 +26,23 @@ import picocli.CommandLine.Parameters;
             "Example:",
             "  lightning import house.glb -o house.jen --light-units candela"})
 final class ImportCommand implements Callable<Integer> {
+    /** Pixels of the longer side. */
+    private static final int PICTURE_SIZE = 320;
+
     private final Console console;
 
     @Parameters(index = "0", paramLabel = "FILE", description = "A .glb, .gltf, .obj, .ply or .nff file.")
     private Path file;
     @Option(names = {"-o", "--output"}, paramLabel = "scene.jen", required = true, description = "The scene to write.")
     private Path output;
-    @Option(names = "--light-units", paramLabel = "UNITS", defaultValue = "candela",
+    @Option(names = "--light-units", paramLabel = "UNITS",
             description = "What the numbers of a glTF file's lights are: candela (and lux, as the format says), unitless (watts per steradian "
-                    + "and per square metre) or watts, as its exporter was told. Default: ${DEFAULT-VALUE}.")
+                    + "and per square metre) or watts, as its exporter was told. Default: candela.")
     private LightUnits units;
+    @Option(names = "--light-pictures",
+            description = "Also write a small picture of each choice beside the scene: scene.candela.png, scene.unitless.png, "
+                    + "scene.watts.png.")
+    private boolean pictures;
 
     ImportCommand(Console console) {
         this.console = console;
@@ -45,15 +57,33 @@ final class ImportCommand implements Callable<Integer> {
         PictureOutput.checkFile(output);
         Import read;
         try (var bar = new ProgressBar(console, "reading")) {
-            read = Importer.read(file, output, units, bar);
+            read = Importer.read(file, output, units == null ? LightUnits.CANDELA : units, bar);
         } catch (MeshException e) {
             throw new BadInput(e.getMessage());
         }
         read.write();
+        if (pictures) {
+            writePictures(read, name.substring(0, name.length() - ".jen".length()));
+        }
+        if (units == null) {
+            read.units()
+                    .ifPresent(taken -> console.remark("%s: the numbers of its lights were taken as %s; --light-pictures shows each choice",
+                            file, taken.words()));
+        }
         console.notes(file, "left out or not the same", read.notes());
         console.line("%s: written; %d shapes, %d materials, %d lights", output, read.scene().stage().shapeCount(),
                 read.scene().materials().size(),
                 read.scene().lights().size());
         return ExitCode.DONE;
+    }
+
+    private void writePictures(Import read, String stem) throws IOException {
+        try (var bar = new ProgressBar(console, "tracing"); var workers = new Workers(Workers.available())) {
+            for (var picture : UnitPictures.of(read, PICTURE_SIZE, workers, bar).entrySet()) {
+                Path to = output.resolveSibling(stem + "." + picture.getKey().name().toLowerCase(Locale.ROOT) + ".png");
+                PictureFile.write(to, picture.getValue(), ViewTransform.DEFAULT);
+                console.line("%s: written; numbers taken as %s", to, picture.getKey().words());
+            }
+        }
     }
 }

@@ -71,9 +71,7 @@ final class GltfImport {
         for (int i = 0; i < lit.size(); i++) {
             light(lit.get(i), litAt.get(i));
         }
-        if (!lit.isEmpty()) {
-            pieces.remark("light units: the file's numbers were taken as " + units.words());
-        }
+        pieces.units = pieces.lights.isEmpty() ? Optional.empty() : Optional.of(units);
         return pieces.finish();
     }
 
@@ -158,7 +156,7 @@ final class GltfImport {
             double quadratic = type.hasPosition() ? pieces.quadratic() : 1;
             Light made =
                     Light.of(pieces.names.unique(wanted, "light"), type).withColor(pieces.color(light.color(), 1000, "colors of lights"))
-                            .withIntensity(light.intensity() * units.intensityOfOne(type) * quadratic);
+                            .withIntensity(light.intensity() * quadratic);
             if (type.hasPosition()) {
                 made = made.withPosition(world.point(Vec3.ZERO)).withAttenuation(new Attenuation(0, 0, quadratic));
                 pieces.notes.add("ranges of lights", light.ranged() ? 1 : 0);

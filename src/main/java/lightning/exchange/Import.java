@@ -7,22 +7,28 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import lightning.file.SafeFile;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
+import lightning.jen.JenWriter;
 import lightning.scene.Scene;
 import lightning.text.Quote;
 
 /**
  * A scene that was read from a file of another program, not written yet.
  *
- * @param scene  what the {@code .jen} file says; its textures' pictures stand for those of the files
- * @param text   the file itself
- * @param to     where it goes
- * @param copies the files that must lie beside it
- * @param notes  what was left out or is not the same, each with its number
+ * @param asRead  the scene; where the file does not say what the numbers of its lights are, their intensities are these numbers. Black
+ *                pixels stand for the pictures of its textures
+ * @param units   what these numbers are taken as; empty where they are intensities already
+ * @param remarks lines of comment that the scene's file begins with
+ * @param to      where it goes
+ * @param copies  the files that must lie beside it
+ * @param notes   what was left out or is not the same, each with its number
  */
-public record Import(Scene scene, String text, Path to, List<Copy> copies, Map<String, Integer> notes) {
+public record Import(Scene asRead, Optional<LightUnits> units, List<String> remarks, Path to, List<Copy> copies,
+        Map<String, Integer> notes) {
+    private static final String FIRST_LINE = "jen 1\n";
 
     /**
      * A file that goes beside the scene.
@@ -56,6 +62,25 @@ public record Import(Scene scene, String text, Path to, List<Copy> copies, Map<S
         }
     }
 
+    /** The same with the lights' numbers taken as others; itself where the file says what they are. */
+    public Import in(LightUnits others) {
+        return units.isEmpty() ? this : new Import(asRead, Optional.of(others), remarks, to, copies, notes);
+    }
+
+    /** What the {@code .jen} file says. */
+    public Scene scene() {
+        return units.isEmpty() ? asRead : asRead.withLights(asRead.lights().stream()
+                .map(light -> light.withIntensity(light.intensity() * units.get().intensityOfOne(light.type()))).toList());
+    }
+
+    /** The file itself. */
+    public String text() {
+        var head = new StringBuilder(FIRST_LINE);
+        remarks.forEach(line -> head.append("# ").append(line).append('\n'));
+        units.ifPresent(taken -> head.append(taken.remark()).append('\n'));
+        return head + JenWriter.write(scene()).substring(FIRST_LINE.length());
+    }
+
     /**
      * Puts the files beside the scene, then the scene. Nothing that is there and differs is replaced but the scene itself.
      *
@@ -63,6 +88,7 @@ public record Import(Scene scene, String text, Path to, List<Copy> copies, Map<S
      * @throws JenException if the scene could not be read again: a picture of a kind that it cannot show, or beyond its limits
      */
     public void write() throws IOException, JenException {
+        String text = text();
         for (Copy copy : copies) {
             copy.isThere();
         }

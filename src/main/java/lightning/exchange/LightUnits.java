@@ -1,5 +1,7 @@
 package lightning.exchange;
 
+import java.util.Optional;
+import java.util.stream.Stream;
 import lightning.scene.LightType;
 
 /**
@@ -37,5 +39,15 @@ public enum LightUnits {
     /** What the numbers are, in words. */
     public String words() {
         return words;
+    }
+
+    /** The line of a scene's file that keeps what was chosen. */
+    String remark() {
+        return "# light units: the file's numbers were taken as " + words;
+    }
+
+    /** What was chosen when the scene of this text was imported; empty where it was not, or nothing was to be chosen. */
+    public static Optional<LightUnits> chosenIn(String text) {
+        return Stream.of(values()).filter(units -> text.lines().anyMatch(units.remark()::equals)).findFirst();
     }
 }

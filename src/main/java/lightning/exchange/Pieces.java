@@ -11,9 +11,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import lightning.jen.JenWriter;
 import lightning.math.Rgb;
 import lightning.math.Transform;
 import lightning.math.Vec3;
@@ -53,6 +51,8 @@ final class Pieces {
     Optional<Camera> camera = Optional.empty();
     Picture picture = new Picture(800, 600, Picture.DEPTH.initial());
     World world = World.DEFAULT;
+    /** What the numbers of the lights are, where the file does not say it. */
+    Optional<LightUnits> units = Optional.empty();
     private final Path source;
     private final Path to;
     private final PartNames materialNames = new PartNames();
@@ -169,10 +169,7 @@ final class Pieces {
         try {
             Scene scene = new Scene(picture, camera.orElseGet(this::view), world, List.copyOf(materials), List.copyOf(nodes),
                     List.copyOf(lights));
-            var head = new StringBuilder("jen 1\n");
-            remarks.forEach(line -> head.append("# ").append(line).append('\n'));
-            return new Import(scene, JenWriter.write(scene).replaceFirst("jen 1\n", Matcher.quoteReplacement(head.toString())), to,
-                    List.copyOf(copies.values()), Map.copyOf(notes.counts()));
+            return new Import(scene, units, List.copyOf(remarks), to, List.copyOf(copies.values()), Map.copyOf(notes.counts()));
         } catch (IllegalArgumentException e) {
             throw new MeshException(source, "", "cannot be a scene here: " + e.getMessage());
         }

@@ -18,10 +18,12 @@ import lightning.app.model.Preferences;
 import lightning.edit.Command;
 import lightning.edit.Desk;
 import lightning.edit.OpenDocument;
+import lightning.gltf.Gltf;
 import lightning.image.PictureFile;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
 import lightning.jen.Problem;
+import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 
 class FilesTest extends EditorDesk {
@@ -171,6 +173,30 @@ class FilesTest extends EditorDesk {
         robot.interact(() -> editor.window().drop(List.of(mesh.toFile())));
         waitFor("the other is open", () -> model().document().name().equals("again.jen"));
         assertThat(Files.readString(folder.resolve("tri.jen"))).isEqualTo(first);
+    }
+
+    @Test
+    void fileThatDoesNotSayItsUnits_isShownInAllOfThem_andTheChosenAreKept() throws IOException {
+        Path gltf = Files.write(folder.resolve("lit.gltf"), Gltf.text(Gltf.LIT_JSON, Gltf.SQUARE));
+        robot.interact(() -> editor.window().drop(List.of(gltf.toFile())));
+        waitFor("it asks", () -> robot.lookup("#units-watts").tryQuery().isPresent());
+        assertThat(folder.resolve("lit.jen")).doesNotExist();
+        click("units-watts");
+        waitFor("it is open", () -> model().document().name().equals("lit.jen"));
+        assertThat(light("bulb").intensity() / light("bulb").attenuation().quadratic())
+                .isCloseTo(100 / (4 * Math.PI * Math.PI), Offset.offset(1e-9));
+        assertThat(Files.readString(folder.resolve("lit.jen"))).contains("# light units: the file's numbers were taken as watts");
+    }
+
+    @Test
+    void questionForUnits_canBeCancelled() throws IOException {
+        Path gltf = Files.write(folder.resolve("lit.gltf"), Gltf.text(Gltf.LIT_JSON, Gltf.SQUARE));
+        robot.interact(() -> editor.window().drop(List.of(gltf.toFile())));
+        waitFor("it asks", () -> robot.lookup("#units-watts").tryQuery().isPresent());
+        robot.type(javafx.scene.input.KeyCode.ESCAPE);
+        waitFor("it is gone", () -> robot.lookup("#units-watts").tryQuery().isEmpty());
+        assertThat(model().document().name()).isEqualTo("desk.jen");
+        assertThat(folder.resolve("lit.jen")).doesNotExist();
     }
 
     @Test

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.imageio.ImageIO;
 import lightning.gltf.Gltf;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -33,6 +34,22 @@ class ImportCommandTest {
         Cli.run("export-lights", scene, "--into", gltf, "-o", gltf).isRefusedSaying("is the file to copy, which stays as it is");
         Cli.run("export-lights", scene, "--into", scene, "-o", folder.resolve("c.gltf")).isRefusedSaying("a.jen: line 1, column");
         Cli.run("export-lights", scene, "-o", folder.resolve("c.gltf")).isRefusedSaying("the file's name must end in .json");
+    }
+
+    @Test
+    void lightUnits_areShownInPictures_keptAndTakenBack() throws Exception {
+        Path gltf = Files.write(folder.resolve("lit.gltf"), Gltf.text(Gltf.LIT_JSON, Gltf.SQUARE));
+        Cli done = Cli.run("import", gltf, "-o", folder.resolve("a.jen"), "--light-pictures").isDone();
+        assertThat(done.out()).contains("a.candela.png: written; numbers taken as candela and lux", "a.unitless.png", "a.watts.png");
+        assertThat(done.err()).contains("the numbers of its lights were taken as candela and lux; --light-pictures shows each choice");
+        assertThat(ImageIO.read(folder.resolve("a.watts.png").toFile())).satisfies(picture -> {
+            assertThat(picture.getWidth()).isEqualTo(320);
+            assertThat(picture.getHeight()).isEqualTo(240);
+        });
+        Cli.run("import", gltf, "-o", folder.resolve("a.jen"), "--light-units", "watts").isDone();
+        Cli back = Cli.run("export-lights", folder.resolve("a.jen"), "--into", gltf, "-o", folder.resolve("b.gltf")).isDone();
+        assertThat(back.out()).contains("1 lights, in watts");
+        assertThat(Files.readString(folder.resolve("b.gltf"))).containsPattern("\"intensity\" : (100\\.0|99\\.9999999|100\\.0000000)");
     }
 
     @Test

@@ -110,7 +110,8 @@ class ImporterTest {
     @Test
     void textInUtf16_isToldSo() throws IOException {
         Path file = Files.write(from.resolve("a.obj"), "\uFEFFv 0 0 0\nf 1 1 1\n".getBytes(StandardCharsets.UTF_16LE));
-        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file)).withMessageEndingWith("is text in UTF-16; save it as UTF-8");
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file))
+                .withMessageEndingWith("is text in UTF-16; save it as UTF-8");
     }
 
     @Test

@@ -23,6 +23,12 @@ public final class Gltf {
              'buffers': [{'byteLength': 140}]}
             """;
 
+    /** It, under a bulb of 100, whatever that is. */
+    public static final String LIT_JSON = SQUARE_JSON.replace("'nodes': [{'mesh': 0, 'name': 'floor'}]", """
+            'nodes': [{'mesh': 0, 'name': 'floor', 'children': [1]},
+              {'name': 'bulb', 'translation': [0.5, 0.5, 1], 'extensions': {'KHR_lights_punctual': {'light': 0}}}],
+             'extensions': {'KHR_lights_punctual': {'lights': [{'type': 'point', 'intensity': 100}]}}""");
+
     private Gltf() {}
 
     private static byte[] bytes(float[] floats, int... shorts) {

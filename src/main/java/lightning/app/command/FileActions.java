@@ -3,6 +3,8 @@ package lightning.app.command;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.MenuItem;
 import lightning.app.model.EditorModel;
@@ -15,13 +17,19 @@ import lightning.edit.loop.Frame;
 import lightning.exchange.Import;
 import lightning.exchange.Importer;
 import lightning.exchange.LightUnits;
+import lightning.exchange.UnitPictures;
+import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
 import lightning.scene.Scene;
 import lightning.text.Quote;
+import lightning.work.Workers;
 
 /** The commands about files. Files are read and written beside the window's thread. */
 public final class FileActions {
+    /** Of the pictures that ask for units; pixels of the longer side. */
+    private static final int PICTURE_SIZE = 280;
+
     private final EditorModel model;
     private final FilePrompt prompt;
     private final Notices notices;
@@ -78,30 +86,53 @@ public final class FileActions {
         }, why -> notices.failed(Quote.path(file.getFileName()) + " could not be imported", why));
     }
 
+    /** What was read of a file of another program, and what it looks like in all units, where it does not say which are right. */
+    private record Brought(Import made, Map<LightUnits, Film> pictures) {}
+
     private void bringIn(Path file, Path to) {
+        reading(file, () -> {
+            var progress = new ReadingLine(model, file);
+            Import made = Importer.read(file, to, LightUnits.CANDELA, progress);
+            try (var workers = new Workers(Workers.available())) {
+                return new Brought(made, UnitPictures.of(made, PICTURE_SIZE, workers, progress.silent()));
+            }
+        }, brought -> {
+            if (brought.pictures().isEmpty()) {
+                write(file, brought.made());
+            } else {
+                notices.lightUnits(file, brought.pictures()).ifPresent(units -> write(file, brought.made().in(units)));
+            }
+        });
+    }
+
+    private void write(Path file, Import made) {
         read(file, () -> {
-            Import made = Importer.read(file, to, LightUnits.CANDELA, new ReadingLine(model, file));
             made.write();
             int kinds = made.notes().size();
             String told = "Imported " + Quote.path(file.getFileName())
                     + (kinds == 0 ? "" : "; " + kinds + (kinds == 1 ? " kind of thing is" : " kinds of things are")
                             + " left out or not the same: " + String.join(", ", made.notes().keySet().stream().sorted().toList()));
             model.files().window().execute(() -> model.say(told));
-            return OpenDocument.open(to);
+            return OpenDocument.open(made.to());
         });
     }
 
     private void read(Path file, FileThread.Work<OpenDocument> work) {
         Scene left = model.document().scene();
-        model.setReading(file);
-        model.files().beside(work, opened -> whileWanted(file, () -> {
+        reading(file, work, opened -> {
             if (model.document().scene() == left) {
                 open(opened);
             } else {
                 // It was edited while the other was read.
                 leave(() -> open(opened));
             }
-        }), why -> whileWanted(file, () -> notices.failed(Quote.path(file.getFileName()) + " could not be opened", why)));
+        });
+    }
+
+    private <T> void reading(Path file, FileThread.Work<T> work, Consumer<T> then) {
+        model.setReading(file);
+        model.files().beside(work, read -> whileWanted(file, () -> then.accept(read)),
+                why -> whileWanted(file, () -> notices.failed(Quote.path(file.getFileName()) + " could not be opened", why)));
     }
 
     private void whileWanted(Path file, Runnable then) {

@@ -3,6 +3,7 @@ package lightning.app.command;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import javafx.scene.Node;
 import javafx.scene.control.Alert;
@@ -17,6 +18,8 @@ import lightning.app.model.Sentence;
 import lightning.app.widget.OnScreen;
 import lightning.edit.FileThread;
 import lightning.edit.Recovery;
+import lightning.exchange.LightUnits;
+import lightning.image.Film;
 import lightning.jen.JenException;
 import lightning.jen.Problem;
 import lightning.text.Quote;
@@ -103,6 +106,21 @@ public final class Notices {
         alert.getDialogPane().setContent(both);
         alert.setResizable(true);
         return alert.showAndWait();
+    }
+
+    /**
+     * Asks what the numbers of a file's lights are.
+     *
+     * @param pictures what each choice makes of them
+     * @return empty where the artist thought better of it
+     */
+    Optional<LightUnits> lightUnits(Path file, Map<LightUnits, Film> pictures) {
+        Alert alert =
+                alert(Alert.AlertType.CONFIRMATION, "Which of these is " + Quote.path(file.getFileName()) + "?", "", ButtonType.CANCEL);
+        var cards = new LightUnitCards(pictures, alert::close);
+        alert.getDialogPane().setContent(cards);
+        alert.showAndWait();
+        return cards.chosen();
     }
 
     Optional<ButtonType> readOnly(Path file) {

@@ -102,7 +102,8 @@ class PlyReaderTest {
 
     @Test
     void brokenCommentBeforeTheElements_isPassedOverAndTold() throws Exception {
-        Path file = Files.writeString(folder.resolve("a.ply"), SQUARE.replace("comment a square", "Created by somebody, element of a square"));
+        Path file =
+                Files.writeString(folder.resolve("a.ply"), SQUARE.replace("comment a square", "Created by somebody, element of a square"));
         var notes = new Notes();
         try (ByteSource source = ByteSource.open(file, Progress.NONE)) {
             assertThat(PlyReader.read(source, notes).triangleCount()).isEqualTo(2);

@@ -1,0 +1,67 @@
+package lightning.app.command;
+
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import javafx.scene.control.Button;
+import javafx.scene.control.ContentDisplay;
+import javafx.scene.control.Label;
+import javafx.scene.image.ImageView;
+import javafx.scene.image.PixelFormat;
+import javafx.scene.image.WritableImage;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.VBox;
+import lightning.exchange.LightUnits;
+import lightning.image.Film;
+import lightning.image.ViewTransform;
+
+/** A button for each thing that the numbers of a file's lights may be, with the picture that it makes. */
+final class LightUnitCards extends VBox {
+    private static final double GAP = 12;
+
+    private Optional<LightUnits> chosen = Optional.empty();
+
+    /** @param then runs when one was chosen */
+    LightUnitCards(Map<LightUnits, Film> pictures, Runnable then) {
+        super(GAP);
+        var why = new Label("The file has numbers for its lights and does not say what they are: exporters write one or the other. "
+                + "Textures are left out in these pictures.");
+        why.setWrapText(true);
+        var cards = new HBox(GAP);
+        pictures.forEach((units, film) -> {
+            var card = new Button(title(units), new ImageView(image(film)));
+            card.setId("units-" + units.name().toLowerCase(Locale.ROOT));
+            card.setContentDisplay(ContentDisplay.TOP);
+            card.setAccessibleText("Take the numbers as " + units.words());
+            card.setOnAction(_ -> {
+                chosen = Optional.of(units);
+                then.run();
+            });
+            cards.getChildren().add(card);
+        });
+        // The line is as wide as the pictures.
+        why.prefWidthProperty().bind(cards.widthProperty());
+        why.setMaxWidth(USE_PREF_SIZE);
+        getChildren().setAll(why, cards);
+    }
+
+    /** What was chosen; empty where nothing was. */
+    Optional<LightUnits> chosen() {
+        return chosen;
+    }
+
+    private static String title(LightUnits units) {
+        return switch (units) {
+            case CANDELA -> "Candela and lux, as the format says";
+            case UNITLESS -> "Watts per steradian (unitless)";
+            case WATTS -> "Watts";
+        };
+    }
+
+    private static WritableImage image(Film film) {
+        var image = new WritableImage(film.width(), film.height());
+        image.getPixelWriter().setPixels(0, 0, film.width(), film.height(), PixelFormat.getIntArgbInstance(),
+                ViewTransform.DEFAULT.toPixels(film), 0, film.width());
+        return image;
+    }
+}
