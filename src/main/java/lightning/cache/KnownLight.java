@@ -12,7 +12,7 @@ import lightning.shading.LightLayer;
  * layers through it.
  *
  * @param place where its layer stands among those of a level: the light's place in the scene
- * @param light as the scene has it
+ * @param light as the scene has it and its bank makes it
  * @param stamp what its layers were computed for, which may be older where the light does not shine; null where there are none
  */
 public record KnownLight(int place, Light light, LayerStamp stamp) {
@@ -20,7 +20,7 @@ public record KnownLight(int place, Light light, LayerStamp stamp) {
     /** All lights of a scene, in its order, each with the stamp that {@code stamps} tells, or null. */
     public static List<KnownLight> all(Scene scene, Function<Light, LayerStamp> stamps) {
         List<KnownLight> lights = new ArrayList<>();
-        for (Light light : scene.lights()) {
+        for (Light light : scene.rig().actingLights()) {
             lights.add(new KnownLight(lights.size(), light, stamps.apply(light)));
         }
         return lights;

@@ -8,6 +8,7 @@ import lightning.math.Rgb;
 import lightning.scene.Antialias;
 import lightning.scene.Attenuation;
 import lightning.scene.LightType;
+import lightning.scene.Rig;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.Solid;
@@ -30,6 +31,8 @@ public enum Effect {
             scene -> Without.lights(scene, l -> l.withAngle(180)), Forced::widestCones),
     DROPOFF("dropoff", uses -> uses.lights(l -> l.type().hasCone() && l.dropoff() != 0),
             scene -> Without.lights(scene, l -> l.withDropoff(0))),
+    BANKS("banks of lights", Uses::banks, scene -> scene.withRig(Rig.of(scene.lights().stream().map(l -> l.withBank("")).toList())),
+            UnaryOperator.identity(), false),
     ANTIALIASING("anti-aliasing", Uses::fineSamples, scene -> scene.withPicture(scene.picture()
             .withSampling(new Sampling(Antialias.OFF, scene.picture().sampling().grid())))),
     DIRECTIONAL_LIGHTS("directional lights", LightType.DIRECTIONAL),
@@ -79,7 +82,7 @@ public enum Effect {
         return title;
     }
 
-    /** Whether its work can be done where nothing calls for it; that of a light or a shape which is not there cannot. */
+    /** Whether its work can be done where nothing calls for it; that of a light, a bank or a shape which is not there cannot. */
     public boolean isForcible() {
         return forcible;
     }

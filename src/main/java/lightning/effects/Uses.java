@@ -15,13 +15,14 @@ import lightning.scene.Solid;
  *
  * @param scene  all of it
  * @param shapes the shapes
- * @param lights the lights that shine on any
+ * @param lights the lights that shine on any, as their banks make them
  */
 record Uses(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
 
     static Uses of(Scene scene) {
         List<PlacedShape> shapes = scene.placedShapes();
-        return new Uses(scene, shapes, shapes.isEmpty() ? List.of() : scene.lights().stream().filter(l -> shines(scene, l)).toList());
+        return new Uses(scene, shapes,
+                shapes.isEmpty() ? List.of() : scene.rig().actingLights().stream().filter(l -> shines(scene, l)).toList());
     }
 
     private static boolean shines(Scene scene, Light light) {
@@ -31,6 +32,12 @@ record Uses(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
     /** The names of such lights. */
     Stream<String> lights(Predicate<Light> which) {
         return lights.stream().filter(which).map(Light::name);
+    }
+
+    /** The names of banks that make any light another. */
+    Stream<String> banks() {
+        return shapes.isEmpty() ? Stream.empty() : scene.lights().stream().filter(l -> !l.bank().isEmpty())
+                .filter(l -> !scene.rig().acting(l).equals(l.withBank(""))).map(Light::bank);
     }
 
     /** The names of such materials on shapes that are lit. */

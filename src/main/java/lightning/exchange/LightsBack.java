@@ -41,7 +41,7 @@ public record LightsBack(byte[] bytes, Map<String, Integer> notes) {
     public static LightsBack into(Path gltf, Scene scene, LightUnits units, Progress progress) throws IOException, MeshException {
         var notes = new Notes();
         List<GltfLights.Placed> lights = new ArrayList<>();
-        for (Light light : scene.lights()) {
+        for (Light light : scene.rig().actingLights()) {
             lights.add(placed(light, scene.shines(light), units, notes));
         }
         return new LightsBack(GltfLights.replaced(gltf, lights, progress), Map.copyOf(notes.counts()));

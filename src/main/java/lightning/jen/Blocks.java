@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.math.Vec3;
 import lightning.scene.Antialias;
+import lightning.scene.Bank;
 import lightning.scene.Camera;
 import lightning.scene.Group;
 import lightning.scene.Light;
@@ -82,8 +83,11 @@ final class Blocks {
             Property.of(LightAttribute.ALL.stream().filter(a -> a != LightAttribute.TYPE).toList()),
             (name, v, children) -> v.on(Light.of(name, LightType.POINT), LightAttribute.ALL));
 
+    static final BlockType<Bank> BANK = new BlockType<>("bank", true, Optional.empty(), Property.of(Bank.ATTRIBUTES),
+            (name, v, children) -> v.on(Bank.of(name), Bank.ATTRIBUTES));
+
     private static final Map<String, BlockType<?>> BY_KEYWORD = Stream.of(PICTURE, CAMERA, WORLD, MATERIAL, SPHERE, CONE,
-            CYLINDER, FRUSTUM, PLANE, MESH, GROUP, LIGHT).collect(Collectors.toUnmodifiableMap(BlockType::keyword, b -> b));
+            CYLINDER, FRUSTUM, PLANE, MESH, GROUP, BANK, LIGHT).collect(Collectors.toUnmodifiableMap(BlockType::keyword, b -> b));
 
     /** The keywords of all blocks. */
     static final List<String> KEYWORDS = BY_KEYWORD.keySet().stream().sorted().toList();

@@ -2,6 +2,7 @@ package lightning.jen;
 
 import java.util.List;
 import java.util.Map;
+import lightning.scene.Bank;
 import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.Material;
@@ -26,6 +27,10 @@ record Element(BlockType<?> type, String name, Map<String, Value> values, List<E
 
     static Element of(Light l) {
         return of(Blocks.LIGHT, l).named(l.name());
+    }
+
+    static Element of(Bank b) {
+        return of(Blocks.BANK, b).named(b.name());
     }
 
     static Element of(Node node) {

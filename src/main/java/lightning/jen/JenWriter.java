@@ -23,6 +23,7 @@ public final class JenWriter {
         section(out, head);
         section(out, scene.materials().stream().map(Element::of).toList());
         section(out, scene.nodes().stream().map(Element::of).toList());
+        section(out, scene.rig().banks().stream().map(Element::of).toList());
         section(out, scene.lights().stream().map(Element::of).toList());
         return out.toString();
     }

@@ -53,6 +53,8 @@ final class Patch {
         if (!edited.nodes().equals(before.nodes())) {
             added.addAll(list(edits, ofKinds(blocks, Blocks.NODES), edited.nodes().stream().map(Element::of).toList()));
         }
+        added.addAll(list(edits, ofKinds(blocks, List.of(Blocks.BANK.keyword())),
+                edited.rig().banks().stream().map(Element::of).toList()));
         added.addAll(list(edits, ofKinds(blocks, List.of(Blocks.LIGHT.keyword())),
                 edited.lights().stream().map(Element::of).toList()));
         var out = new StringBuilder(edits.apply(0, source.text().length()));

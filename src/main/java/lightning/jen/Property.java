@@ -60,6 +60,7 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
                     t -> new Value.Numbers(n.split().apply(a.of(t)))));
             case Choice<V> c -> List.of(choice(a.name(), new Value.Word(c.text(a.initial())), c.words(),
                     t -> new Value.Word(c.text(a.of(t)))));
+            case Kind.Naming _ -> List.of(name(a.name(), new Value.Absent(), a.unit(), t -> named((String) a.of(t))));
             case Kind.Texturing _ -> List.of(
                     quoted(a.name(), "a PNG or JPEG file", v -> FileName.check(a.name(), ((Value.Quoted) v).file(), TextureFolder.NAME),
                             t -> picture(a.of(t), map -> new Value.Quoted(map.file()))),
@@ -67,6 +68,10 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
                             "times, needs a texture", t -> picture(a.of(t), map -> Value.of(map.repeatU(), map.repeatV())))
                             .also(v -> new TextureMap("", ((Value.Numbers) v).all().get(0), ((Value.Numbers) v).all().get(1), null)));
         };
+    }
+
+    private static Value named(String name) {
+        return name.isEmpty() ? new Value.Absent() : new Value.Name(name);
     }
 
     private static Value picture(Object map, Function<TextureMap, Value> get) {

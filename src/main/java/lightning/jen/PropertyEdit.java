@@ -9,11 +9,14 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import lightning.scene.Bank;
 import lightning.scene.Group;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
 import lightning.scene.Limits;
 import lightning.scene.Material;
 import lightning.scene.Node;
+import lightning.scene.Rig;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.text.Quote;
@@ -22,10 +25,10 @@ import lightning.text.Quote;
  * Edits of a scene in the words of the file: {@code key.intensity=0.4}, {@code picture.size=640 480}.
  *
  * <p>The part before the point is {@code picture}, {@code camera}, {@code world}, or the name of a light, a
- * shape, a group or a material, looked for in this order; {@code material:gold} means a material whatever else has
+ * bank, a shape, a group or a material, looked for in this order; {@code material:gold} means a material whatever else has
  * its name. A name in double quotes, {@code "key light".intensity=0.4}, is never one of the three words, and may hold a point and an
- * equals sign; {@link NameText} says how. The properties are those of the file, and {@code name} of everything but materials, {@code type} of lights, and
- * {@code texture=none} to take a texture away. The material {@code default} may be edited before it is written. A picture or a mesh that
+ * equals sign; {@link NameText} says how. The properties are those of the file, and {@code name} of everything but materials, {@code type} of lights,
+ * {@code texture=none} to take a texture away, and {@code bank=none} to take a light out of its bank. The material {@code default} may be edited before it is written. A picture or a mesh that
  * the scene has not read yet can be named where a folder is given, and is looked for as if the scene file were in it. Every method throws an
  * {@link IllegalArgumentException} whose message says in one sentence what is wrong.
  */
@@ -116,11 +119,11 @@ public final class PropertyEdit {
     }
 
     /**
-     * The scene with one more light, the last.
+     * The scene with one more light or bank, the last.
      *
-     * @param text a block as in the file, {@code light fill point { intensity 0.5 }}, or short,
+     * @param text a block as in the file, {@code light fill point { intensity 0.5 }} or {@code bank left {}}, or a light in short,
      *     {@code fill point intensity=0.5 at=0 1 2}, the name in quotes where it is no word
-     * @throws IllegalArgumentException if the text is not one right light, or its name is taken
+     * @throws IllegalArgumentException if the text is not one right light or bank, or its name is taken
      */
     public static Scene add(Scene scene, String text) {
         String block = hasBrace(text) ? text : block(text);
@@ -128,23 +131,29 @@ public final class PropertyEdit {
         Tokens tokens = Lexer.tokens(block, problems);
         List<Block> blocks = Parser.fragment(tokens, problems);
         throwIfAny(problems);
-        if (blocks.size() != 1 || blocks.getFirst().type != Blocks.LIGHT) {
+        if (blocks.size() != 1 || blocks.getFirst().type != Blocks.LIGHT && blocks.getFirst().type != Blocks.BANK) {
             throw new IllegalArgumentException("expected one light, as in 'fill point intensity=0.5', found " + Quote.of(text));
         }
-        Optional<Scene> added = new SceneBuilder(tokens, problems, Path.of("")).build(blocks);
+        Optional<Scene> added = new SceneBuilder(tokens, problems, Path.of(""), scene.rig().banks()).build(blocks);
         throwIfAny(problems);
-        return scene.withLights(Stream.concat(scene.lights().stream(), added.orElseThrow().lights().stream()).toList());
+        Rig more = added.orElseThrow().rig();
+        return blocks.getFirst().type == Blocks.BANK ? scene.withRig(scene.rig().plus(more.banks().getLast()))
+                : scene.withLights(Stream.concat(scene.lights().stream(), more.lights().stream()).toList());
     }
 
     /**
-     * The scene without a light.
+     * The scene without a light, or without a bank, whose lights stay.
      *
      * @param light its name, in quotes or without
-     * @throws IllegalArgumentException if there is no such light
+     * @throws IllegalArgumentException if there is no such light or bank
      */
     public static Scene delete(Scene scene, String light) {
         String name = NameText.read(light);
-        List<String> names = scene.lights().stream().map(Light::name).toList();
+        if (scene.rig().bank(name).isPresent()) {
+            return scene.withRig(scene.rig().without(name));
+        }
+        List<String> names = Stream.concat(scene.lights().stream().map(Light::name), scene.rig().banks().stream().map(Bank::name))
+                .toList();
         if (!names.contains(name)) {
             throw new IllegalArgumentException("there is no light " + Quote.of(name) + Nearest.hint(name, names));
         }
@@ -174,6 +183,11 @@ public final class PropertyEdit {
             Light edited = edited(files, Blocks.LIGHT, target, light.get(), property, value);
             return scene.withLights(replaced(scene.lights(), l -> l == light.get() ? edited : l));
         }
+        Optional<Bank> bank = scene.rig().bank(target);
+        if (bank.isPresent()) {
+            Bank edited = edited(files, Blocks.BANK, target, bank.get(), property, value);
+            return scene.withRig(edited.name().equals(target) ? scene.rig().with(edited) : scene.rig().renamed(target, edited.name()));
+        }
         if (scene.stage().hasNode(target)) {
             List<Node> nodes = replaced(scene.nodes(), n -> node(files, n, target, property, value));
             return scene.withNodes(nodes);
@@ -182,7 +196,8 @@ public final class PropertyEdit {
             return setMaterial(scene, target, property, value, files);
         }
         List<String> known = Stream.of(Stream.of("picture", "camera", "world"), scene.lights().stream().map(Light::name),
-                names(scene.nodes()), scene.materials().stream().map(Material::name)).flatMap(s -> s).filter(k -> !k.equals(target))
+                scene.rig().banks().stream().map(Bank::name), names(scene.nodes()), scene.materials().stream().map(Material::name))
+                .flatMap(s -> s).filter(k -> !k.equals(target))
                 .toList();
         throw new IllegalArgumentException("the scene has nothing named " + Quote.of(target) + Nearest.hint(target, known));
     }
@@ -223,7 +238,7 @@ public final class PropertyEdit {
         String newName = name;
         if (property.equals(NAME) && type.named() && type != Blocks.MATERIAL) {
             newName = Limits.name(NameText.read(value));
-        } else if (type == Blocks.MATERIAL && property.equals("texture") && value.equals(NONE)) {
+        } else if (canBeNone(type, property) && value.equals(NONE)) {
             values.put(property, new Value.Absent());
         } else {
             values.put(property, value(type, name, property, value));
@@ -239,6 +254,11 @@ public final class PropertyEdit {
             throw new IllegalArgumentException((name.isEmpty() ? type.keyword() : type.keyword() + " " + Quote.of(name)) + ": "
                     + e.getMessage(), e);
         }
+    }
+
+    /** Whether {@code none} takes the property away; in quotes it is a name as any other. */
+    private static boolean canBeNone(BlockType<?> type, String property) {
+        return type == Blocks.MATERIAL && property.equals("texture") || type == Blocks.LIGHT && property.equals(LightAttribute.BANK.name());
     }
 
     private static Value value(BlockType<?> type, String name, String property, String text) {

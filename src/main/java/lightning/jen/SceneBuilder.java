@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import lightning.math.Vec3;
 import lightning.mesh.Mesh;
+import lightning.scene.Bank;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.Limits;
@@ -17,7 +18,9 @@ import lightning.scene.Material;
 import lightning.scene.Node;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
+import lightning.scene.Rig;
 import lightning.scene.Scene;
+import lightning.scene.Stage;
 import lightning.scene.Texture;
 import lightning.scene.World;
 import lightning.text.Quote;
@@ -30,10 +33,19 @@ final class SceneBuilder {
     private final MeshFolder meshes;
     private final Map<String, Block> named = new HashMap<>();
     private final Set<String> materialNames = new LinkedHashSet<>();
+    private final Set<String> bankNames = new LinkedHashSet<>();
+    /** Banks that lights may belong to though no block says them. */
+    private final List<Bank> known;
     private int shapes;
 
     /** @param folder where files that the scene names are looked for, as if its own were in it */
     SceneBuilder(Tokens tokens, Problems problems, Path folder) {
+        this(tokens, problems, folder, List.of());
+    }
+
+    /** @param known banks that lights may belong to though no block says them */
+    SceneBuilder(Tokens tokens, Problems problems, Path folder, List<Bank> known) {
+        this.known = known;
         this.tokens = tokens;
         this.problems = problems;
         textures = new TextureFolder(folder);
@@ -47,10 +59,11 @@ final class SceneBuilder {
         Optional<World> world = single(blocks, Blocks.WORLD);
         List<Material> materials = materials(of(blocks, Blocks.MATERIAL));
         List<Node> nodes = nodes(blocks.stream().filter(b -> Blocks.NODES.contains(b.type.keyword())).toList(), 1, 1);
+        List<Bank> banks = banks(of(blocks, Blocks.BANK));
         List<Light> lights = lights(of(blocks, Blocks.LIGHT));
         return problems.isEmpty()
                 ? Optional.of(new Scene(picture.orElse(Picture.DEFAULT), camera.orElse(Camera.DEFAULT),
-                        world.orElse(World.DEFAULT), materials, nodes, lights))
+                        world.orElse(World.DEFAULT), new Stage(materials, nodes), Rig.of(lights, banks)))
                 : Optional.empty();
     }
 
@@ -77,10 +90,23 @@ final class SceneBuilder {
         return materials;
     }
 
+    private List<Bank> banks(List<Block> blocks) {
+        List<Bank> banks = new ArrayList<>(known);
+        known.forEach(bank -> bankNames.add(bank.name()));
+        for (Block block : blocks) {
+            unique(named, block);
+            bankNames.add(block.name);
+            record(block, Blocks.BANK, List.of()).ifPresent(banks::add);
+        }
+        count(blocks, Limits.MAX_BANKS, "banks");
+        return banks;
+    }
+
     private List<Light> lights(List<Block> blocks) {
         List<Light> lights = new ArrayList<>();
         for (Block block : blocks) {
             unique(named, block);
+            checkNamed(block, "bank", bankNames);
             record(block, Blocks.LIGHT, List.of()).ifPresent(lights::add);
         }
         count(blocks, Limits.MAX_LIGHTS, "lights");
@@ -110,7 +136,7 @@ final class SceneBuilder {
                 problem(block, e.getMessage());
             }
             if (block.type != Blocks.GROUP) {
-                checkMaterial(block);
+                checkNamed(block, "material", materialNames);
                 if (++shapes == Limits.MAX_SHAPES + 1) {
                     problem(block, "a scene may have at most " + Limits.MAX_SHAPES + " shapes");
                 }
@@ -127,11 +153,12 @@ final class SceneBuilder {
                 : new Placement(Vec3.ZERO, Vec3.ZERO, new Values(Map.of("scale", entry.value()), null).vector("scale"));
     }
 
-    private void checkMaterial(Block block) {
-        Block.Entry entry = block.entry("material");
-        if (entry != null && entry.value() instanceof Value.Name(String name) && !materialNames.contains(name)) {
-            problems.add(tokens.start(entry.from()), block.title() + ": there is no material " + Quote.of(name)
-                    + Nearest.hint(name, materialNames));
+    /** @param property says what is named, and is called like it */
+    private void checkNamed(Block block, String property, Set<String> names) {
+        Block.Entry entry = block.entry(property);
+        if (entry != null && entry.value() instanceof Value.Name(String name) && !names.contains(name)) {
+            problems.add(tokens.start(entry.from()), block.title() + ": there is no " + property + " " + Quote.of(name)
+                    + Nearest.hint(name, names));
         }
     }
 

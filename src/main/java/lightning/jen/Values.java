@@ -36,6 +36,7 @@ record Values(Map<String, Value> all, SceneFiles files) {
         return switch (attribute.kind()) {
             case Quantity<V> n -> n.join().apply(numbers(attribute.name()));
             case Choice<V> c -> c.value(word(attribute.name()));
+            case Kind.Naming _ -> unchecked(all.get(attribute.name()) instanceof Value.Name(String name) ? name : "");
             case Kind.Texturing _ -> unchecked(picture(attribute.name()));
         };
     }
@@ -46,10 +47,10 @@ record Values(Map<String, Value> all, SceneFiles files) {
                 : Optional.empty();
     }
 
-    /** A picture, where the kind of the attribute has told that {@code V} is one: the compiler cannot follow that. */
+    /** A value of which the kind of the attribute has told that it is a {@code V}: the compiler cannot follow that. */
     @SuppressWarnings("unchecked")
-    private static <V> V unchecked(Optional<TextureMap> picture) {
-        return (V) picture;
+    private static <V> V unchecked(Object value) {
+        return (V) value;
     }
 
     /**

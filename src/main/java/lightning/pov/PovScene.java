@@ -55,7 +55,7 @@ public final class PovScene {
                     .append(PovText.matrix(shape.toWorld())).append("\n}\n");
         }
         var lights = new PovLight(Extent.of(scene), losses);
-        scene.lights().forEach(light -> body.append(lights.text(scene, light)));
+        scene.rig().actingLights().forEach(light -> body.append(lights.text(scene, light)));
         return new PovScene(head(scene, losses) + body, losses, images);
     }
 

@@ -12,7 +12,6 @@ import lightning.math.Rgb;
 import lightning.relight.tile.Options;
 import lightning.relight.tile.TilePainter;
 import lightning.scene.Light;
-import lightning.scene.Rig;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.shading.Luminaire;
@@ -38,7 +37,7 @@ public final class LightShare {
             // A solo light that is switched off darkens nobody any more.
             lights.add(l.name().equals(light) && scene.shines(l) ? l : l.withOn(false));
         }
-        return new Scene(scene.picture(), scene.camera(), new World(0, Rgb.BLACK), scene.stage(), Rig.of(lights));
+        return new Scene(scene.picture(), scene.camera(), new World(0, Rgb.BLACK), scene.stage(), scene.rig().withLights(lights));
     }
 
     /**

@@ -7,7 +7,7 @@ import java.util.Optional;
  *
  * @param <V> the type of a value
  */
-public sealed interface Kind<V> permits Quantity, Choice, Kind.Texturing {
+public sealed interface Kind<V> permits Quantity, Choice, Kind.Naming, Kind.Texturing {
 
     /**
      * Refuses a value that no scene may hold.
@@ -22,6 +22,26 @@ public sealed interface Kind<V> permits Quantity, Choice, Kind.Texturing {
 
     /** A value for people. */
     String text(V value);
+
+    /** The name of something in the scene, or none, which is empty. */
+    record Naming() implements Kind<String> {
+        @Override
+        public void check(String what, String value) {
+            if (!value.isEmpty()) {
+                Limits.name(value);
+            }
+        }
+
+        @Override
+        public boolean alike(String a, String b) {
+            return a.equals(b);
+        }
+
+        @Override
+        public String text(String value) {
+            return value.isEmpty() ? "none" : value;
+        }
+    }
 
     /** A picture on a surface, or none. */
     record Texturing() implements Kind<Optional<TextureMap>> {

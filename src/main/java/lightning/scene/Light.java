@@ -14,9 +14,10 @@ import lightning.math.Vec3;
  * @param dropoff     the exponent of a spot's fall from its axis
  * @param on          whether it shines
  * @param solo        whether it shines alone: where any light is solo, the others are dark
+ * @param bank       the name of the bank that it belongs to; empty where it belongs to none
  */
 public record Light(String name, LightType type, Rgb color, double intensity, Vec3 position, Vec3 direction,
-        Attenuation attenuation, double angle, double dropoff, boolean on, boolean solo) {
+        Attenuation attenuation, double angle, double dropoff, boolean on, boolean solo, String bank) {
 
     public Light {
         Limits.name(name);
@@ -26,6 +27,7 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
         LightAttribute.DIRECTION.check(direction);
         LightAttribute.ANGLE.check(angle);
         LightAttribute.DROPOFF.check(dropoff);
+        LightAttribute.BANK.check(bank);
     }
 
     /** A light of which nothing else was said. */
@@ -33,7 +35,7 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
         return new Light(name, type, LightAttribute.COLOR.initial(), LightAttribute.INTENSITY.initial(),
                 LightAttribute.POSITION.initial(), LightAttribute.DIRECTION.initial(), LightAttribute.ATTENUATION.initial(),
                 LightAttribute.ANGLE.initial(), LightAttribute.DROPOFF.initial(), LightAttribute.ON.initial(),
-                LightAttribute.SOLO.initial());
+                LightAttribute.SOLO.initial(), LightAttribute.BANK.initial());
     }
 
     /** Colour times intensity, with which all that the light adds is multiplied while it shines. */
@@ -42,46 +44,51 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
     }
 
     public Light withName(String v) {
-        return new Light(v, type, color, intensity, position, direction, attenuation, angle, dropoff, on, solo);
+        return new Light(v, type, color, intensity, position, direction, attenuation, angle, dropoff, on, solo, bank);
     }
 
     public Light withType(LightType v) {
-        return new Light(name, v, color, intensity, position, direction, attenuation, angle, dropoff, on, solo);
+        return new Light(name, v, color, intensity, position, direction, attenuation, angle, dropoff, on, solo, bank);
     }
 
     public Light withColor(Rgb v) {
-        return new Light(name, type, v, intensity, position, direction, attenuation, angle, dropoff, on, solo);
+        return new Light(name, type, v, intensity, position, direction, attenuation, angle, dropoff, on, solo, bank);
     }
 
     public Light withIntensity(double v) {
-        return new Light(name, type, color, v, position, direction, attenuation, angle, dropoff, on, solo);
+        return new Light(name, type, color, v, position, direction, attenuation, angle, dropoff, on, solo, bank);
     }
 
     public Light withPosition(Vec3 v) {
-        return new Light(name, type, color, intensity, v, direction, attenuation, angle, dropoff, on, solo);
+        return new Light(name, type, color, intensity, v, direction, attenuation, angle, dropoff, on, solo, bank);
     }
 
     public Light withDirection(Vec3 v) {
-        return new Light(name, type, color, intensity, position, v, attenuation, angle, dropoff, on, solo);
+        return new Light(name, type, color, intensity, position, v, attenuation, angle, dropoff, on, solo, bank);
     }
 
     public Light withAttenuation(Attenuation v) {
-        return new Light(name, type, color, intensity, position, direction, v, angle, dropoff, on, solo);
+        return new Light(name, type, color, intensity, position, direction, v, angle, dropoff, on, solo, bank);
     }
 
     public Light withAngle(double v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, v, dropoff, on, solo);
+        return new Light(name, type, color, intensity, position, direction, attenuation, v, dropoff, on, solo, bank);
     }
 
     public Light withDropoff(double v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, v, on, solo);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, v, on, solo, bank);
     }
 
     public Light withOn(boolean v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, v, solo);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, v, solo, bank);
     }
 
     public Light withSolo(boolean v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, on, v);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, on, v, bank);
+    }
+
+    /** @param v a bank's name, or empty */
+    public Light withBank(String v) {
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, on, solo, v);
     }
 }

@@ -22,7 +22,7 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
     public enum Section {
         /** What it is. */
         KIND,
-        /** Whether it shines. */
+        /** Whether it shines, and with which others. */
         SWITCHES,
         COLOUR,
         CONE,
@@ -53,10 +53,12 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
             Section.SWITCHES, Map.of());
     public static final LightAttribute<Boolean> SOLO = of("solo", Choice.YES_OR_NO, false, "", Light::solo, Light::withSolo,
             Section.SWITCHES, Map.of());
+    public static final LightAttribute<String> BANK = of("bank", new Kind.Naming(), "", "the name of a bank", Light::bank, Light::withBank,
+            Section.SWITCHES, Map.of());
 
     /** All of them. */
     public static final List<LightAttribute<?>> ALL =
-            List.of(TYPE, COLOR, INTENSITY, POSITION, DIRECTION, ATTENUATION, ANGLE, DROPOFF, ON, SOLO);
+            List.of(TYPE, COLOR, INTENSITY, POSITION, DIRECTION, ATTENUATION, ANGLE, DROPOFF, ON, SOLO, BANK);
 
     private final Section section;
     private final Map<LightType, LightTerm> terms;

@@ -11,7 +11,7 @@ import lightning.text.Visible;
  * The ranges of everything that a scene may hold, stated once.
  *
  * <p>They are wide enough for any picture and narrow enough that no product in the lighting
- * equation overflows a float: a light's weight is at most 1e3·1e30 = 1e33, a thousand lights sum to
+ * equation overflows a float: a light's weight is at most 1e3·1e30 = 1e33, whatever its bank, a thousand lights sum to
  * 1e36, material factors are at most 1, and ten mirrors add at most eleven such sums.
  */
 public final class Limits {
@@ -20,6 +20,7 @@ public final class Limits {
     public static final int MIN_SAMPLES = 2;
     public static final int MAX_SAMPLES = 8;
     public static final int MAX_LIGHTS = 1000;
+    public static final int MAX_BANKS = 1000;
     public static final int MAX_SHAPES = 1_000_000;
     public static final int MAX_MATERIALS = 32_000;
     public static final int MAX_NESTING = 32;
@@ -34,6 +35,7 @@ public final class Limits {
     public static final double MAX_AMBIENCE = 1e6;
     public static final double MAX_LIGHT_COLOR = 1e3;
     public static final double MAX_INTENSITY = 1e30;
+    public static final double MAX_BANK_INTENSITY = 1e3;
     public static final double MAX_ATTENUATION = 1e30;
     public static final double MAX_ANGLE = 180;
     public static final double MAX_DROPOFF = 1e6;

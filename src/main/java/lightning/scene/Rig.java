@@ -6,36 +6,71 @@ import java.util.Optional;
 import lightning.text.Quote;
 
 /**
- * The lights of a scene, in the order in which their contributions are summed. Immutable; an edit of one light shares what
- * is known of the names of all.
+ * The lights of a scene, in the order in which their contributions are summed, and the banks that master some of them. Immutable;
+ * an edit of one light or bank shares what is known of the names of all.
  */
 public final class Rig {
     /** No light at all. */
     public static final Rig DARK = Rig.of(List.of());
 
     private final List<Light> lights;
+    private final List<Bank> banks;
     private final RigNames names;
+    private final List<Light> acting;
     /** Whether any light is solo and on, so that the others are dark. */
     private final boolean solo;
 
-    private Rig(List<Light> lights, RigNames names) {
+    private Rig(List<Light> lights, List<Bank> banks, RigNames names) {
         this.lights = lights;
+        this.banks = banks;
         this.names = names;
-        solo = lights.stream().anyMatch(l -> l.solo() && l.on());
+        acting = lights.stream().allMatch(l -> l.bank().isEmpty()) ? lights : lights.stream().map(this::acting).toList();
+        solo = acting.stream().anyMatch(l -> l.solo() && l.on());
+    }
+
+    /** Lights without banks; see {@link #of(List, List)}. */
+    public static Rig of(List<Light> lights) {
+        return of(lights, List.of());
     }
 
     /**
-     * @param lights names unique among themselves
-     * @throws IllegalArgumentException if a name is taken or there are more lights than {@link Limits#MAX_LIGHTS}
+     * @param lights names unique among themselves and the banks'; the bank of each is one of the banks, or none
+     * @param banks  names unique too
+     * @throws IllegalArgumentException if a name is taken or a bank missing, or if there are more lights or banks than
+     *                                  {@link Limits} allows
      */
-    public static Rig of(List<Light> lights) {
+    public static Rig of(List<Light> lights, List<Bank> banks) {
         List<Light> all = List.copyOf(lights);
+        List<Bank> masters = List.copyOf(banks);
         Limits.range("the number of lights", all.size(), 0, Limits.MAX_LIGHTS);
-        return new Rig(all, new RigNames(all));
+        Limits.range("the number of banks", masters.size(), 0, Limits.MAX_BANKS);
+        return new Rig(all, masters, new RigNames(all, masters));
     }
 
     public List<Light> lights() {
         return lights;
+    }
+
+    public List<Bank> banks() {
+        return banks;
+    }
+
+    /** The lights as their banks make them, each in none, in the same order: those that a picture is made of. */
+    public List<Light> actingLights() {
+        return acting;
+    }
+
+    /**
+     * A light as its bank makes it: itself where it is in none.
+     *
+     * @throws IllegalArgumentException if it is in a bank that is not here
+     */
+    public Light acting(Light light) {
+        if (light.bank().isEmpty()) {
+            return light;
+        }
+        return bank(light.bank()).orElseThrow(() -> new IllegalArgumentException(
+                "light " + Quote.of(light.name()) + ": there is no bank " + Quote.of(light.bank()))).acting(light);
     }
 
     RigNames names() {
@@ -53,15 +88,27 @@ public final class Rig {
         return place < 0 ? Optional.empty() : Optional.of(lights.get(place));
     }
 
-    /** Whether a light of this rig contributes: it is on, and solo if any light is. */
+    /** The bank of that name. */
+    public Optional<Bank> bank(String name) {
+        int place = names.bankPlace(name);
+        return place < 0 ? Optional.empty() : Optional.of(banks.get(place));
+    }
+
+    /** Whether a light or a bank has the name. */
+    public boolean isTaken(String name) {
+        return place(name) >= 0 || names.bankPlace(name) >= 0;
+    }
+
+    /** Whether a light of this rig contributes: it is on, and solo if any light is; what its bank says counts. */
     public boolean shines(Light light) {
-        return light.on() && (light.solo() || !solo);
+        Light shown = acting(light);
+        return shown.on() && (shown.solo() || !solo);
     }
 
     /**
      * This rig with the light of the same name replaced.
      *
-     * @throws IllegalArgumentException if no light has that name
+     * @throws IllegalArgumentException if no light has that name, or if its bank is missing
      */
     public Rig with(Light light) {
         int place = place(light.name());
@@ -70,16 +117,74 @@ public final class Rig {
         }
         List<Light> all = new ArrayList<>(lights);
         all.set(place, light);
-        return new Rig(List.copyOf(all), names);
+        return new Rig(List.copyOf(all), banks, names);
+    }
+
+    /** This rig with other lights and the same banks. */
+    public Rig withLights(List<Light> v) {
+        return of(v, banks);
+    }
+
+    /**
+     * This rig with the bank of the same name replaced.
+     *
+     * @throws IllegalArgumentException if no bank has that name
+     */
+    public Rig with(Bank bank) {
+        List<Bank> all = new ArrayList<>(banks);
+        all.set(bankPlace(bank.name()), bank);
+        return new Rig(lights, List.copyOf(all), names);
+    }
+
+    /** This rig with one bank more, the last. */
+    public Rig plus(Bank bank) {
+        List<Bank> all = new ArrayList<>(banks);
+        all.add(bank);
+        return of(lights, all);
+    }
+
+    /**
+     * This rig with a bank of another name; its lights follow.
+     *
+     * @throws IllegalArgumentException if there is no such bank, or if the new name is taken
+     */
+    public Rig renamed(String bank, String to) {
+        List<Bank> all = new ArrayList<>(banks);
+        int place = bankPlace(bank);
+        all.set(place, all.get(place).withName(to));
+        return of(moved(bank, to), all);
+    }
+
+    /**
+     * This rig without a bank; its lights stay, in none.
+     *
+     * @throws IllegalArgumentException if there is no such bank
+     */
+    public Rig without(String bank) {
+        List<Bank> all = new ArrayList<>(banks);
+        all.remove(bankPlace(bank));
+        return of(moved(bank, ""), all);
+    }
+
+    private List<Light> moved(String bank, String to) {
+        return lights.stream().map(l -> l.bank().equals(bank) ? l.withBank(to) : l).toList();
+    }
+
+    private int bankPlace(String bank) {
+        int place = names.bankPlace(bank);
+        if (place < 0) {
+            throw new IllegalArgumentException("there is no bank " + Quote.of(bank));
+        }
+        return place;
     }
 
     @Override
     public boolean equals(Object o) {
-        return this == o || o instanceof Rig r && lights.equals(r.lights);
+        return this == o || o instanceof Rig r && lights.equals(r.lights) && banks.equals(r.banks);
     }
 
     @Override
     public int hashCode() {
-        return lights.hashCode();
+        return 31 * lights.hashCode() + banks.hashCode();
     }
 }

@@ -10,7 +10,7 @@ import lightning.text.Quote;
  * Everything a picture depends on. Two equal scenes give the same picture in every bit.
  *
  * @param stage shapes and materials
- * @param rig   the lights; no light has the name of a shape or a group
+ * @param rig   the lights; no light and no bank has the name of a shape or a group
  */
 public record Scene(Picture picture, Camera camera, World world, Stage stage, Rig rig) {
 
@@ -55,12 +55,12 @@ public record Scene(Picture picture, Camera camera, World world, Stage stage, Ri
         return rig.light(name);
     }
 
-    /** Whether a light, a shape or a group has the name. */
+    /** Whether a light, a bank, a shape or a group has the name. */
     public boolean isTaken(String name) {
-        return rig.place(name) >= 0 || stage.hasNode(name);
+        return rig.isTaken(name) || stage.hasNode(name);
     }
 
-    /** Whether a light contributes: it is on, and solo if any light is. */
+    /** Whether a light contributes: it is on, and solo if any light is; what its bank says counts. */
     public boolean shines(Light light) {
         return rig.shines(light);
     }
@@ -83,8 +83,9 @@ public record Scene(Picture picture, Camera camera, World world, Stage stage, Ri
         return withRig(rig.with(light));
     }
 
+    /** This scene with other lights and the same banks. */
     public Scene withLights(List<Light> v) {
-        return withRig(Rig.of(v));
+        return withRig(rig.withLights(v));
     }
 
     public Scene withRig(Rig v) {

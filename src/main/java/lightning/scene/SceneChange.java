@@ -44,6 +44,7 @@ public final class SceneChange {
 
     private String of(Scene before, Scene after) {
         lights(new LightMatch(before.lights(), after.lights()));
+        banks(before.rig(), after.rig());
         change(World.AMBIENCE, before.world(), after.world()).ifPresent(this::add);
         if (!before.picture().equals(after.picture())) {
             change(Picture.DEPTH, before.picture(), after.picture()).ifPresent(this::add);
@@ -82,6 +83,28 @@ public final class SceneChange {
         }
         if (!ordered) {
             parts.add("order of lights");
+        }
+    }
+
+    /** A bank goes on from the one of its name, or where their number is the same from the one at its place. */
+    private void banks(Rig before, Rig after) {
+        boolean renames = before.banks().size() == after.banks().size();
+        for (Bank bank : before.banks()) {
+            if (!renames && after.bank(bank.name()).isEmpty()) {
+                parts.add("delete " + bank.name());
+            }
+        }
+        for (int i = 0; i < after.banks().size(); i++) {
+            Bank bank = after.banks().get(i);
+            Optional<Bank> old = before.bank(bank.name()).or(renames ? () -> Optional.of(before.banks().get(after.banks().indexOf(bank)))
+                    : Optional::empty);
+            if (old.isEmpty()) {
+                parts.add("add " + bank.name());
+            } else if (!old.get().equals(bank)) {
+                List<Change> changes = new ArrayList<>(List.of(new Change("name", old.get().name(), bank.name())));
+                changes.addAll(changes(Bank.ATTRIBUTES, old.get(), bank));
+                parts.add(joined(old.get().name(), changes));
+            }
         }
     }
 

@@ -24,19 +24,21 @@ public final class VisiblePart {
     }
 
     private static boolean sameLights(Scene a, Scene b) {
-        boolean same = a.lights().size() == b.lights().size();
-        for (int i = 0; same && i < a.lights().size(); i++) {
-            Light one = a.lights().get(i);
-            Light other = b.lights().get(i);
+        List<Light> of = a.rig().actingLights();
+        List<Light> and = b.rig().actingLights();
+        boolean same = of.size() == and.size();
+        for (int i = 0; same && i < of.size(); i++) {
+            Light one = of.get(i);
+            Light other = and.get(i);
             same = one.equals(other) && a.shines(one) == b.shines(other) || light(a, one, "light").equals(light(b, other, "light"));
         }
         return same;
     }
 
-    /** The lights with everything that does not act set to one fixed value, their names included. */
+    /** The lights with everything that does not act set to one fixed value, their names and banks included. */
     private static List<Light> lights(Scene scene) {
         List<Light> lights = new ArrayList<>();
-        for (Light light : scene.lights()) {
+        for (Light light : scene.rig().actingLights()) {
             lights.add(light(scene, light, "light" + lights.size()));
         }
         return lights;

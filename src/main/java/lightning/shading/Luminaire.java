@@ -8,7 +8,7 @@ import lightning.scene.Scene;
  * A light of a scene as the equation needs it: how strongly it shines, and where from. It is what owns a layer; a layer holds no
  * weight, so that it stays when the weight alone is another.
  *
- * @param light what it was made from
+ * @param light what it was made from, as its bank makes it
  * @param red   its weight in the red channel; 0 in all three where the light is off
  * @param green likewise
  * @param blue  likewise
@@ -16,19 +16,21 @@ import lightning.scene.Scene;
  */
 public record Luminaire(Light light, float red, float green, float blue, Lamp lamp) {
 
-    /** Prepares a light of a scene. */
+    /** Prepares a light of a scene, as it stands there or as its bank makes it. */
     public static Luminaire of(Light light, Scene scene) {
-        return of(light, scene, scene.shines(light) ? light.weight() : Rgb.BLACK);
+        Light acting = scene.rig().acting(light);
+        return of(acting, scene, scene.shines(acting) ? acting.weight() : Rgb.BLACK);
     }
 
     /** Prepares all lights of a scene, in its order. */
     public static Luminaire[] all(Scene scene) {
-        return scene.lights().stream().map(light -> of(light, scene)).toArray(Luminaire[]::new);
+        return scene.rig().actingLights().stream().map(light -> of(light, scene)).toArray(Luminaire[]::new);
     }
 
     /** Prepares a light as if it were on and no other were solo. */
     public static Luminaire shining(Light light, Scene scene) {
-        return of(light, scene, light.weight());
+        Light acting = scene.rig().acting(light);
+        return of(acting, scene, acting.weight());
     }
 
     private static Luminaire of(Light light, Scene scene, Rgb weight) {

@@ -52,6 +52,19 @@ class EffectsTest {
     }
 
     @Test
+    void banksThatMakeALightAnother_areCalledForByName() throws Exception {
+        String lights = "light a point { bank left }\nlight b point { bank right }";
+        assertThat(of(PLAIN, "bank left {}", "bank right {}", lights).has(Effect.BANKS)).isFalse();
+        assertThat(of(PLAIN, "bank left { intensity 0.5 }", "bank right {}", lights).callers(Effect.BANKS)).containsExactly("left");
+    }
+
+    @Test
+    void darkBank_silencesTheCallsOfItsLights() throws Exception {
+        assertThat(of(PLAIN, "bank left { on no }", "light a point { bank left }").callers().keySet())
+                .containsExactly(Effect.BANKS, Effect.SPHERES);
+    }
+
+    @Test
     void soloLight_silencesTheCallsOfOthers() throws Exception {
         Effects effects = of(PLAIN, "light a point { solo yes }", "light b spot { dropoff 3 }");
         assertThat(effects.callers(Effect.SHADOWS)).containsExactly("a");
@@ -87,8 +100,9 @@ class EffectsTest {
     }
 
     @Test
-    void bird_callsForAllButSeveralSamplesFrustumsAndMeshes() throws Exception {
-        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.ANTIALIASING,
+    void bird_callsForAllButBanksSeveralSamplesFrustumsAndMeshes() throws Exception {
+        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.BANKS,
+                Effect.ANTIALIASING,
                 Effect.FRUSTUMS, Effect.MESHES);
     }
 }

@@ -55,6 +55,6 @@ class AttributesInFilesTest {
         assertThat(document.scene()).isEqualTo(before);
         JenDocument saved = JenReader.read(document.with(after).text(), "after.jen", Path.of(""));
         assertThat(saved.scene()).isEqualTo(after);
-        assertThat(PropertyEdit.set(before, target, property, value.text())).isEqualTo(after);
+        assertThat(PropertyEdit.set(before, target, property, value instanceof Value.Absent ? "none" : value.text())).isEqualTo(after);
     }
 }

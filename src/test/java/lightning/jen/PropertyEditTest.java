@@ -8,6 +8,7 @@ import java.util.List;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
+import lightning.scene.Bank;
 import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -28,6 +29,20 @@ class PropertyEditTest {
             light fill point {}
             """);
     private final Light key = scene.light("key").orElseThrow();
+
+    @Test
+    void banks_areAddedMasteredRenamedAndTakenAway() {
+        Scene banked = PropertyEdit.set(PropertyEdit.add(scene, "bank left { intensity 0.5 }"), "key", "bank", "left");
+        assertThat(banked.rig().banks()).containsExactly(Bank.of("left").withIntensity(0.5));
+        assertThat(banked.light("key").orElseThrow()).isEqualTo(key.withBank("left"));
+        assertThat(PropertyEdit.apply(banked, "left.on=no").rig().bank("left").orElseThrow().on()).isFalse();
+        Scene renamed = PropertyEdit.apply(banked, "left.name=right");
+        assertThat(renamed.light("key").orElseThrow().bank()).isEqualTo("right");
+        assertThat(PropertyEdit.add(banked, "rim spot bank=left").lights().getLast().bank()).isEqualTo("left");
+        assertThat(PropertyEdit.delete(banked, "left")).isEqualTo(scene);
+        assertThat(PropertyEdit.apply(banked, "key.bank=none")).isEqualTo(PropertyEdit.add(scene, "bank left { intensity 0.5 }"));
+        assertThatThrownBy(() -> PropertyEdit.apply(banked, "key.bank=lefd")).hasMessageContaining("there is no bank 'lefd'");
+    }
 
     @Test
     void everyPropertyOfALight_canBeSet() {
@@ -122,7 +137,7 @@ class PropertyEditTest {
         "key | an edit must be written as NAME.PROPERTY=VALUE, was 'key'",
         "=1 | an edit must be written as NAME.PROPERTY=VALUE, was '=1'",
         "kee.on=no | the scene has nothing named 'kee', did you mean 'key'?",
-        "key.intensty=1 | light 'key': unknown property 'intensty', expected one of color, intensity, at, direction, attenuation, angle, dropoff, on, solo, type, name, did you mean 'intensity'?",
+        "key.intensty=1 | light 'key': unknown property 'intensty', expected one of color, intensity, at, direction, attenuation, angle, dropoff, on, solo, bank, type, name, did you mean 'intensity'?",
         "key.intensity=-3 | light 'key': intensity must be ≥ 0, was -3",
         "key.intensity= | light 'key': intensity must have a number, found 0",
         "key.intensity=1 2 | light 'key': intensity must have a number, found 2",
@@ -170,7 +185,8 @@ class PropertyEditTest {
     @Test
     void aValue_mayBeWrittenAsTheFileWritesIt() {
         for (Property<Light> p : Blocks.LIGHT.properties()) {
-            String value = p.get().apply(key).text();
+            Value now = p.get().apply(key);
+            String value = now instanceof Value.Absent ? "none" : now.text();
             assertThat(PropertyEdit.set(scene, "key", p.name(), value)).as(p.name()).isEqualTo(scene);
         }
         assertThat(List.of("color", "at", "solo")).isSubsetOf(Blocks.LIGHT.propertyNames());

@@ -9,6 +9,7 @@ import java.util.Set;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
+import lightning.scene.Bank;
 import lightning.scene.Camera;
 import lightning.scene.Group;
 import lightning.scene.Light;
@@ -18,6 +19,7 @@ import lightning.scene.Material;
 import lightning.scene.Node;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
+import lightning.scene.Rig;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
@@ -43,7 +45,9 @@ final class Scenes {
         names.clear();
         List<Material> materials = materials();
         List<Node> nodes = list(4, () -> node(materials, 0));
-        return new Scene(picture(), camera(), world(), materials, nodes, list(5, this::light));
+        List<Light> lights = list(5, this::light);
+        Scene scene = new Scene(picture(), camera(), world(), materials, nodes, lights);
+        return banked(scene.withRig(Rig.of(lights, list(2, () -> bank(name())))));
     }
 
     /** The scene after a few edits of any kind: values, names, order, additions, deletions. */
@@ -51,18 +55,42 @@ final class Scenes {
         names.clear();
         names(scene.nodes());
         scene.lights().forEach(l -> names.add(l.name()));
+        scene.rig().banks().forEach(b -> names.add(b.name()));
         Scene s = scene;
         for (int i = random.nextInt(4); i >= 0; i--) {
-            s = switch (random.nextInt(6)) {
+            s = switch (random.nextInt(8)) {
                 case 0 -> s.withPicture(chance() ? picture() : s.picture().withDepth(random.nextInt(11)));
                 case 1 -> s.withCamera(camera());
                 case 2 -> s.withWorld(chance() ? world() : s.world().withAmbience(positive(1e6)));
-                case 3 -> new Scene(s.picture(), s.camera(), s.world(), s.materials(), nodes(s.nodes(), s.materials(), 0), s.lights());
-                case 4 -> new Scene(s.picture(), s.camera(), s.world(), editedMaterials(s), s.nodes(), s.lights());
+                case 3 -> s.withNodes(nodes(s.nodes(), s.materials(), 0));
+                case 4 -> s.withMaterials(editedMaterials(s));
+                case 5 -> banked(s);
+                case 6 -> s.withRig(mastered(s.rig()));
                 default -> s.withLights(changed(s.lights(), this::light, this::light));
             };
         }
         return s;
+    }
+
+    /** Some lights join a bank, some leave theirs. */
+    private Scene banked(Scene scene) {
+        List<Bank> banks = scene.rig().banks();
+        return scene.withLights(scene.lights().stream()
+                .map(l -> chance() ? l : l.withBank(banks.isEmpty() || chance() ? "" : banks.get(random.nextInt(banks.size())).name()))
+                .toList());
+    }
+
+    private Rig mastered(Rig rig) {
+        String bank = rig.banks().isEmpty() ? "" : rig.banks().get(random.nextInt(rig.banks().size())).name();
+        return bank.isEmpty() || random.nextInt(4) == 0 ? rig.plus(bank(name())) : switch (random.nextInt(3)) {
+            case 0 -> rig.without(bank);
+            case 1 -> rig.renamed(bank, name());
+            default -> rig.with(bank(bank));
+        };
+    }
+
+    private Bank bank(String name) {
+        return new Bank(name, color(1), positive(1000), chance(), chance());
     }
 
     private void names(List<Node> nodes) {

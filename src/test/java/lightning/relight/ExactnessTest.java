@@ -14,7 +14,9 @@ import lightning.relight.tile.MirrorStorage;
 import lightning.relight.tile.Options;
 import lightning.sample.EngineMix;
 import lightning.sample.Session;
+import lightning.scene.Rig;
 import lightning.scene.Scene;
+import lightning.scene.Stage;
 import lightning.shading.ReferenceTracer;
 import lightning.shading.SceneCoverage;
 import lightning.shading.TraceCounts;
@@ -110,7 +112,7 @@ class ExactnessTest {
     /** An equal scene that shares no list with the given one. */
     private static Scene copy(Scene s) {
         return new Scene(s.picture().withDepth(s.picture().depth()), s.camera(), s.world(),
-                List.copyOf(s.materials().reversed()).reversed(),
-                List.copyOf(s.nodes().reversed()).reversed(), s.lights().stream().map(l -> l.withName(l.name())).toList());
+                new Stage(List.copyOf(s.materials().reversed()).reversed(), List.copyOf(s.nodes().reversed()).reversed()),
+                Rig.of(s.lights().stream().map(l -> l.withName(l.name())).toList(), List.copyOf(s.rig().banks().reversed()).reversed()));
     }
 }

@@ -5,11 +5,13 @@ import java.util.List;
 import java.util.stream.IntStream;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.scene.Bank;
 import lightning.scene.Camera;
 import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.Material;
 import lightning.scene.Node;
+import lightning.scene.Rig;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
@@ -113,6 +115,47 @@ public sealed interface Edit {
         }
     }
 
+    /** A light joins a bank, or leaves the one it is in. */
+    record Join(int index, int bank) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene scene = history.getLast();
+            List<Bank> banks = scene.rig().banks();
+            return scene.lights().isEmpty() ? scene
+                    : scene.withLight(light(scene, index).withBank(bank < banks.size() ? banks.get(bank).name() : ""));
+        }
+    }
+
+    /** A bank becomes this one; it is added where there are none. */
+    record OfBank(int index, Bank to) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Rig rig = history.getLast().rig();
+            return history.getLast().withRig(rig.banks().isEmpty() ? rig.plus(to)
+                    : rig.with(to.withName(rig.banks().get(index % rig.banks().size()).name())));
+        }
+    }
+
+    /** A bank goes, and its lights stay; or another comes. */
+    record DropBank(int index) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Rig rig = history.getLast().rig();
+            return history.getLast().withRig(rig.banks().isEmpty() ? rig.plus(Bank.of("fresh"))
+                    : rig.without(rig.banks().get(index % rig.banks().size()).name()));
+        }
+    }
+
+    record RenameBank(int index) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Rig rig = history.getLast().rig();
+            String bank = rig.banks().isEmpty() ? "" : rig.banks().get(index % rig.banks().size()).name();
+            return history.getLast().withRig(rig.banks().isEmpty() ? rig
+                    : rig.renamed(bank, bank.equals("named") || rig.isTaken("named") ? bank : "named"));
+        }
+    }
+
     record Ambience(double to) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
@@ -168,7 +211,7 @@ public sealed interface Edit {
             }
             List<Node> nodes = new ArrayList<>(s.nodes());
             nodes.remove(index % nodes.size());
-            return new Scene(s.picture(), s.camera(), s.world(), s.materials(), nodes, s.lights());
+            return s.withNodes(nodes);
         }
     }
 
@@ -224,7 +267,7 @@ public sealed interface Edit {
                 case Shape n -> n.withMaterial(material);
                 case Group n -> n;
             });
-            return new Scene(s.picture(), s.camera(), s.world(), s.materials(), nodes, s.lights());
+            return s.withNodes(nodes);
         }
     }
 

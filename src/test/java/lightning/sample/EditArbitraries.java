@@ -25,6 +25,7 @@ public final class EditArbitraries {
                 Tuple.of(24, ofLights()),
                 Tuple.of(14, ofMaterials()),
                 Tuple.of(8, ofTheList()),
+                Tuple.of(5, ofBanks()),
                 Tuple.of(6, ofTheWorld()),
                 Tuple.of(4, Arbitraries.integers().between(1, 6).map(Edit.Undo::new)),
                 Tuple.of(1, ofTheGeometry()));
@@ -68,6 +69,15 @@ public final class EditArbitraries {
                 lights().map(Edit.Rename::new),
                 Combinators.combine(lights(), lights()).as(Edit.SwapNames::new),
                 Combinators.combine(lights(), lights()).as(Edit.Reorder::new)));
+    }
+
+    private static Arbitrary<Edit> ofBanks() {
+        return Arbitraries.oneOf(List.of(
+                Combinators.combine(lights(), Arbitraries.integers().between(0, 2)).as(Edit.Join::new),
+                Combinators.combine(lights(), LightArbitraries.banks("fresh")).as(Edit.OfBank::new),
+                Combinators.combine(lights(), LightArbitraries.banks("fresh")).as(Edit.OfBank::new),
+                lights().map(Edit.DropBank::new),
+                lights().map(Edit.RenameBank::new)));
     }
 
     private static Arbitrary<Edit> ofTheWorld() {

@@ -3,6 +3,7 @@ package lightning.sample;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
+import lightning.scene.Bank;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import net.jqwik.api.Arbitraries;
@@ -52,6 +53,14 @@ final class LightArbitraries {
     static Arbitrary<Double> dropoffs() {
         return Arbitraries.frequencyOf(Tuple.of(2, Arbitraries.of(0.0)), Tuple.of(3, Numbers.between(0, 12)),
                 Tuple.of(1, Arbitraries.of(1.0, 2.0, 0.5, 1e-9, 1e4, 1e6)));
+    }
+
+    /** Banks with every kind of master: dark, as the lights are, a little off, and very bright. */
+    static Arbitrary<Bank> banks(String name) {
+        Arbitrary<Double> masters = Arbitraries.frequencyOf(Tuple.of(4, Numbers.between(0, 2)),
+                Tuple.of(2, Arbitraries.of(0.0, 1.0, 1e-300, 1000.0)));
+        Arbitrary<Rgb> gels = Arbitraries.frequencyOf(Tuple.of(3, Numbers.colors()), Tuple.of(2, Arbitraries.of(Rgb.WHITE, Rgb.BLACK)));
+        return Combinators.combine(gels, masters, on(), solo()).as((gel, master, on, solo) -> new Bank(name, gel, master, on, solo));
     }
 
     private static Arbitrary<Boolean> on() {

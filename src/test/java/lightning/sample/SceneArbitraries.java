@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.math.Vec3;
 import lightning.scene.Antialias;
+import lightning.scene.Bank;
 import lightning.scene.Camera;
 import lightning.scene.Group;
 import lightning.scene.Light;
@@ -11,6 +12,7 @@ import lightning.scene.Material;
 import lightning.scene.Node;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
+import lightning.scene.Rig;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
@@ -33,8 +35,21 @@ public final class SceneArbitraries {
         Arbitrary<List<Material>> materials = Combinators.combine(MaterialArbitraries.materials("m0"),
                 MaterialArbitraries.materials("m1"), MaterialArbitraries.materials("m2")).as(List::of);
         // What comes first is made plain first when a case fails.
-        return Combinators.combine(LightArbitraries.lights().list().ofMinSize(0).ofMaxSize(6), NodeArbitraries.nodes(),
+        Arbitrary<Scene> alone = Combinators.combine(LightArbitraries.lights().list().ofMinSize(0).ofMaxSize(6), NodeArbitraries.nodes(),
                 pictures(), frames(), materials, worlds(), views()).as(SceneArbitraries::assemble);
+        return Arbitraries.frequencyOf(Tuple.of(2, alone), Tuple.of(1, Combinators.combine(alone, LightArbitraries.banks("b0"),
+                LightArbitraries.banks("b1"), Arbitraries.integers().between(1, 1 << 12)).as(SceneArbitraries::inBanks)));
+    }
+
+    /** @param members two bits for each light: its bank, or none */
+    private static Scene inBanks(Scene scene, Bank one, Bank other, int members) {
+        List<Bank> banks = List.of(one, other);
+        List<Light> lights = new ArrayList<>();
+        for (Light light : scene.lights()) {
+            int bank = members >> 2 * lights.size() & 3;
+            lights.add(bank < 2 ? light.withBank(banks.get(bank).name()) : light);
+        }
+        return scene.withRig(Rig.of(lights, banks));
     }
 
     /** The scene's size and where in the world it lies. */

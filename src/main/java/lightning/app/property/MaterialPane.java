@@ -101,7 +101,7 @@ final class MaterialPane extends VBox {
                 case POSITION, DIRECTION -> throw new IllegalStateException("there is no widget for " + attribute.title());
             };
             case Kind.Texturing _ -> List.of(texture());
-            case Choice<V> _ -> throw new IllegalStateException("there is no widget for " + attribute.title());
+            case Choice<V> _,Kind.Naming _ -> throw new IllegalStateException("there is no widget for " + attribute.title());
         };
     }
 

@@ -75,7 +75,8 @@ public final class PropertyPane extends VBox {
                 case POSITION, DIRECTION -> List.of(Sections.caption(Sections.title(attribute.title())), vector(attribute, q));
                 case EACH -> Dial.of(attribute).stream().map(d -> dial(d, attribute.unit().startsWith("degrees") ? " °" : "")).toList();
             };
-            case Choice<V> _,Kind.Texturing _ -> throw new IllegalStateException("there is no widget for " + attribute.title());
+            case Choice<V> _,Kind.Naming _,Kind.Texturing _ ->
+                    throw new IllegalStateException("there is no widget for " + attribute.title());
         };
     }
 

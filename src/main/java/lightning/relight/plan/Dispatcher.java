@@ -72,14 +72,14 @@ public final class Dispatcher {
     /** @param lights those of {@code known} */
     private static LevelPlan level(Geometry shown, Scene known, List<KnownLight> lights, Scene wanted, Geometry geometry,
             Accuracy accuracy) {
-        LightMatch match = new LightMatch(known.lights(), wanted.lights());
+        LightMatch match = new LightMatch(known.rig().actingLights(), wanted.rig().actingLights());
         List<LayerPlan> layers = new ArrayList<>();
-        for (int l = 0; l < wanted.lights().size(); l++) {
-            Light light = wanted.lights().get(l);
+        for (int l = 0; l < match.after().size(); l++) {
+            Light light = match.after().get(l);
             KnownLight from = match.origin(l) < 0 ? null : lights.get(match.origin(l));
             layers.add(new LayerPlan(light, from, update(from == null ? null : from.stamp(), light, wanted, accuracy)));
         }
-        List<String> dropped = match.gone().stream().map(i -> known.lights().get(i).name()).toList();
+        List<String> dropped = match.gone().stream().map(i -> match.before().get(i).name()).toList();
         // A change of the order or number of lights changes how their sum is grouped.
         boolean compose = !match.keepsPlaces() || !known.world().equals(wanted.world());
         return new LevelPlan(layers, dropped, compose,
