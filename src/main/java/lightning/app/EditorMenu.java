@@ -34,7 +34,8 @@ final class EditorMenu extends MenuBar {
         file.getItems().add(1, recent(files));
         Menu edit = menu("Edit", Command.UNDO, Command.REDO, LINE, Command.UNDO_LIGHT, Command.REDO_LIGHT, LINE, Command.COPY_SETTINGS,
                 Command.PASTE_SETTINGS, LINE, Command.PICK_MATERIAL);
-        Menu light = menu("Light", Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, LINE, Command.RENAME_LIGHT,
+        Menu light = menu("Light", Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, LINE, Command.NEW_BANK,
+                Command.DELETE_BANK, LINE, Command.RENAME_LIGHT,
                 Command.SWITCH_ON, Command.SOLO, Command.LOOK_THROUGH_LIGHT, LINE, Command.AIM, Command.PLACE_HIGHLIGHT,
                 Command.PLACE_SHADOW, LINE, Command.MAKE_ANIMATION);
         Menu render = menu("Render", Command.GO, Command.LIVE, Command.UPDATE_REFLECTIONS, Command.VERIFY, Command.CANCEL, LINE,

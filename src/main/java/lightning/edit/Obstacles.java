@@ -77,6 +77,15 @@ final class Obstacles {
         return unless(s.scene().lights().size() < Limits.MAX_LIGHTS, "a scene has at most " + Limits.MAX_LIGHTS + " lights");
     }
 
+    static Optional<String> noBank(Situation s) {
+        return noLight(s).or(() -> unless(!s.selected().orElseThrow().bank().isEmpty(), "the light is in no bank"));
+    }
+
+    static Optional<String> noLightOrNoBankMore(Situation s) {
+        return noLight(s)
+                .or(() -> unless(s.scene().rig().banks().size() < Limits.MAX_BANKS, "a scene has at most " + Limits.MAX_BANKS + " banks"));
+    }
+
     static Optional<String> noLightOrNoRoom(Situation s) {
         return noLight(s).or(() -> noRoom(s));
     }

@@ -1,6 +1,7 @@
 package lightning.app.model;
 
 import java.util.function.BiFunction;
+import lightning.edit.BankEdits;
 import lightning.edit.Change;
 import lightning.edit.Command;
 import lightning.edit.LightEdits;
@@ -33,6 +34,8 @@ final class LightActions {
         model.setAction(Command.DELETE_LIGHT, () -> actions.edit(LightEdits::delete));
         model.setAction(Command.SWITCH_ON, () -> actions.edit((s, n) -> LightEdits.on(s, n, !model.selectedLight().on())));
         model.setAction(Command.SOLO, () -> actions.edit((s, n) -> LightEdits.solo(s, n, !model.selectedLight().solo())));
+        model.setAction(Command.NEW_BANK, () -> actions.edit(BankEdits::add));
+        model.setAction(Command.DELETE_BANK, () -> actions.edit((s, n) -> BankEdits.delete(s, LightEdits.light(s, n).bank())));
         model.setAction(Command.COPY_SETTINGS, bench::copySettings);
         model.setAction(Command.PASTE_SETTINGS, () -> bench.pasteSettings().ifPresent(model::say));
     }

@@ -3,6 +3,7 @@ package lightning.app.property;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import javafx.collections.ObservableSet;
 import javafx.css.PseudoClass;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
@@ -25,10 +26,14 @@ import lightning.scene.Scene;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 
-/** The light at one place of the list: type, colour, name, solo and on. A double click renames it in place. */
-final class LightCell extends ListCell<Integer> {
+/**
+ * A line of the list: a light's type, colour, name, solo and on, which a double click renames in place; or a bank. A light is dragged into a
+ * bank, or out of one.
+ */
+final class LightCell extends ListCell<RigRow> {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
     private static final PseudoClass DARK = PseudoClass.getPseudoClass("dark");
+    private static final PseudoClass MEMBER = PseudoClass.getPseudoClass("member");
 
     private final EditorModel model;
     private final FontIcon type = new FontIcon();
@@ -39,10 +44,14 @@ final class LightCell extends ListCell<Integer> {
     private final ToggleButton on = toggle("on");
     private final FontIcon bulb = new FontIcon();
     private final HBox row;
+    private final BankRow bank;
     private Light shown;
 
-    LightCell(EditorModel model) {
+    /** @param folded the names of the banks whose lights are not listed */
+    LightCell(EditorModel model, ObservableSet<String> folded) {
         this.model = model;
+        bank = new BankRow(model, folded);
+        LightDrag.between(this, model);
         type.getStyleClass().add("light-type");
         chip.getStyleClass().add("light-chip");
         name.setMaxWidth(Double.MAX_VALUE);
@@ -54,9 +63,9 @@ final class LightCell extends ListCell<Integer> {
         on.setOnAction(_ -> edit((scene, light) -> LightEdits.on(scene, light, on.isSelected())));
         row = new HBox(type, chip, name, solo, on);
         row.getStyleClass().add("light-row");
-        model.sceneProperty().subscribe(_ -> show(light()));
+        model.sceneProperty().subscribe(_ -> show());
         setOnMouseClicked(event -> {
-            if (event.getClickCount() == 2 && !isEmpty()) {
+            if (event.getClickCount() == 2 && getItem() instanceof RigRow.OfLight) {
                 model.run(Command.RENAME_LIGHT);
             }
         });
@@ -75,7 +84,7 @@ final class LightCell extends ListCell<Integer> {
         });
     }
 
-    private static ToggleButton toggle(String styleClass) {
+    static ToggleButton toggle(String styleClass) {
         ToggleButton button = new ToggleButton();
         button.getStyleClass().add(styleClass);
         button.setFocusTraversable(false);
@@ -89,23 +98,45 @@ final class LightCell extends ListCell<Integer> {
     }
 
     /** The light at the cell's place; null where there is none. */
-    private Light light() {
-        Integer place = getItem();
-        return place == null || place >= model.lights().size() ? null : model.lights().get(place);
+    Light light() {
+        return getItem() instanceof RigRow.OfLight(int place) && place < model.lights().size() ? model.lights().get(place) : null;
+    }
+
+    /** The bank whose line it is, or in which its light is; empty for none. */
+    String bank() {
+        return getItem() instanceof RigRow.OfBank(int place) && place < model.scene().rig().banks().size()
+                ? model.scene().rig().banks().get(place).name() : light() == null ? "" : light().bank();
+    }
+
+    /** Renames the bank whose line it is. */
+    void renameBank() {
+        bank.startRename();
     }
 
     @Override
-    protected void updateItem(Integer place, boolean empty) {
-        super.updateItem(place, empty);
-        setGraphic(empty || place == null ? null : row);
-        if (empty || place == null) {
+    protected void updateItem(RigRow item, boolean empty) {
+        super.updateItem(item, empty);
+        setGraphic(empty || item == null ? null : switch (item) {
+            case RigRow.OfLight _ -> row;
+            case RigRow.OfBank _ -> bank;
+        });
+        if (empty || item == null) {
             setAccessibleText(null);
         }
+        show();
+    }
+
+    private void show() {
         show(light());
+        if (getItem() instanceof RigRow.OfBank(int place) && place < model.scene().rig().banks().size()) {
+            bank.show(model.scene().rig().banks().get(place));
+            setAccessibleText(bank.text());
+        }
     }
 
     private void show(Light light) {
         if (light != null && light != shown) {
+            row.pseudoClassStateChanged(MEMBER, !light.bank().isEmpty());
             type.setIconCode(LightTypes.icon(light.type()));
             chip.setStyle("-fx-background-color: " + Paints.css(light.color()) + ";");
             name.setText(light.name());
@@ -125,14 +156,14 @@ final class LightCell extends ListCell<Integer> {
         }
     }
 
-    private static void describe(ToggleButton button, String name, String hint) {
+    static void describe(ToggleButton button, String name, String hint) {
         button.setAccessibleText(name);
         button.getTooltip().setText(hint);
     }
 
     @Override
     public void startEdit() {
-        if (isEmpty() || !model.enabled(Command.RENAME_LIGHT)) {
+        if (light() == null || !model.enabled(Command.RENAME_LIGHT)) {
             return;
         }
         super.startEdit();

@@ -1,13 +1,16 @@
 package lightning.app.property;
 
 import java.util.List;
-import java.util.stream.IntStream;
+import javafx.collections.FXCollections;
+import javafx.collections.ObservableSet;
+import javafx.collections.SetChangeListener;
 import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
+import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
@@ -18,11 +21,12 @@ import lightning.app.command.CommandButton;
 import lightning.app.command.CommandItems;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.Obstacle;
+import lightning.edit.BankEdits;
 import lightning.edit.Command;
 import lightning.edit.LightEdits;
 import lightning.edit.Situation;
-import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Rig;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
 
@@ -32,7 +36,10 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
  */
 public final class LightListPane extends VBox {
     private final EditorModel model;
-    private final ListView<Integer> list = new ListView<>();
+    private final ListView<RigRow> list = new ListView<>();
+    private final ObservableSet<String> folded = FXCollections.observableSet();
+    /** The bank whose line is selected; empty while that of the selected light is. */
+    private String bankInHand = "";
     private boolean showing;
 
     public LightListPane(EditorModel model) {
@@ -43,7 +50,8 @@ public final class LightListPane extends VBox {
         list.getStyleClass().addAll("light-list", "edge-to-edge");
         list.setAccessibleText("lights");
         list.setPlaceholder(new Label("No lights. Add one above."));
-        list.setCellFactory(_ -> new LightCell(model));
+        list.setCellFactory(_ -> new LightCell(model, folded));
+        folded.addListener((SetChangeListener<String>) _ -> show(model.situationProperty().get()));
         list.setContextMenu(menu());
         list.addEventHandler(KeyEvent.KEY_PRESSED, this::press);
         list.getSelectionModel().selectedIndexProperty().addListener((_, _, now) -> select(now.intValue()));
@@ -82,11 +90,16 @@ public final class LightListPane extends VBox {
     private ContextMenu menu() {
         CommandItems items = CommandItems.of(model, "of-light-");
         return new ContextMenu(items.item(Command.RENAME_LIGHT), items.item(Command.DUPLICATE_LIGHT), items.item(Command.DELETE_LIGHT),
+                new SeparatorMenuItem(), items.item(Command.NEW_BANK), items.item(Command.DELETE_BANK),
                 new SeparatorMenuItem(), items.item(Command.COPY_SETTINGS), items.item(Command.PASTE_SETTINGS), new SeparatorMenuItem(),
                 items.item(Command.SWITCH_ON), items.item(Command.SOLO), items.item(Command.LOOK_THROUGH_LIGHT));
     }
 
     private void press(KeyEvent event) {
+        if (!bankInHand.isEmpty() && pressOnBank(event.getCode())) {
+            event.consume();
+            return;
+        }
         Command command = switch (event.getCode()) {
             case DELETE, BACK_SPACE -> Command.DELETE_LIGHT;
             case SPACE -> Command.SWITCH_ON;
@@ -101,6 +114,22 @@ public final class LightListPane extends VBox {
         }
     }
 
+    /** The keys of lights do for a bank what they do for a light. */
+    private boolean pressOnBank(KeyCode key) {
+        String bank = bankInHand;
+        switch (key) {
+            case DELETE, BACK_SPACE -> model.edit(scene -> BankEdits.delete(scene, bank)).ifPresent(model::say);
+            case SPACE -> model.edit(scene -> BankEdits.with(scene, bank, b -> b.withOn(!b.on()))).ifPresent(model::say);
+            case S -> model.edit(scene -> BankEdits.with(scene, bank, b -> b.withSolo(!b.solo()))).ifPresent(model::say);
+            case F2 -> list.lookupAll(".list-cell").stream().map(LightCell.class::cast)
+                    .filter(c -> c.getItem() instanceof RigRow.OfBank && c.bank().equals(bank)).forEach(LightCell::renameBank);
+            default -> {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** Only until the cell ends it is the list editable, or a second click on a light would rename it. */
     private void rename() {
         list.setEditable(true);
@@ -109,18 +138,28 @@ public final class LightListPane extends VBox {
 
     private void select(int index) {
         if (!showing && index >= 0) {
-            model.selectLight(model.lights().get(index).name());
+            bankInHand = "";
+            switch (list.getItems().get(index)) {
+                case RigRow.OfLight(int place) -> model.selectLight(model.lights().get(place).name());
+                case RigRow.OfBank(int place) -> bankInHand = model.scene().rig().banks().get(place).name();
+            }
         }
     }
 
     /** The list knows places alone, and cells what stands there: an edit of a light touches its cell, and the list not at all. */
     private void show(Situation now) {
         showing = true;
-        List<Light> lights = now.scene().lights();
-        if (list.getItems().size() != lights.size()) {
-            list.getItems().setAll(IntStream.range(0, lights.size()).boxed().toList());
+        Rig rig = now.scene().rig();
+        List<RigRow> rows = RigRow.of(rig, folded);
+        if (!list.getItems().equals(rows)) {
+            list.getItems().setAll(rows);
         }
-        int selected = now.selected().map(lights::indexOf).orElse(-1);
+        if (rig.bank(bankInHand).isEmpty()) {
+            bankInHand = "";
+        }
+        RigRow wanted = !bankInHand.isEmpty() ? new RigRow.OfBank(rig.banks().indexOf(rig.bank(bankInHand).orElseThrow()))
+                : now.selected().<RigRow>map(l -> new RigRow.OfLight(rig.lights().indexOf(l))).orElse(null);
+        int selected = rows.indexOf(wanted);
         if (selected < 0) {
             list.getSelectionModel().clearSelection();
         } else if (list.getSelectionModel().getSelectedIndex() != selected) {

@@ -36,6 +36,7 @@ public final class PropertyPane extends VBox {
     private final List<VectorRow> vectors = new ArrayList<>();
     private final LightHeader header;
     private final ColorSliders color;
+    private final BankSection bank;
     private Shown shown;
 
     /** @param of what the field shows of a light */
@@ -51,9 +52,11 @@ public final class PropertyPane extends VBox {
         header = new LightHeader(model);
         color = new ColorSliders(new LightColor(model));
         color.setId("color");
+        bank = new BankSection(model);
         ScrollPane scroll = Sections.scroll(Stream.of(Stream.of(header),
                 Stream.of(Section.COLOUR, Section.CONE, Section.ATTENUATION, Section.PLACE).map(this::section),
-                Stream.of(Sections.section("Scene", dial(Dial.AMBIENCE, "")))).flatMap(s -> s).toArray(Node[]::new));
+                Stream.of(Sections.section("Bank", bank), Sections.section("Scene", dial(Dial.AMBIENCE, "")))).flatMap(s -> s)
+                .toArray(Node[]::new));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);
         model.situationProperty().subscribe(this::show);
@@ -107,6 +110,7 @@ public final class PropertyPane extends VBox {
             // What was typed was meant for the other light.
             header.revert();
             color.revert();
+            bank.revert();
             vectors.forEach(row -> row.field().revert());
             dials.forEach(ArrowWidget::revert);
         }

@@ -170,6 +170,57 @@ class LightListPaneTest {
     }
 
     @Test
+    void bank_isListedWithItsLightsBehindThoseInNone(FxRobot robot) {
+        robot.clickOn("key");
+        robot.interact(() -> model.run(Command.NEW_BANK));
+        assertThat(names(robot)).containsExactly("fill", "sun", "bank", "key");
+        assertThat(selected(robot)).isEqualTo("key");
+        robot.interact(() -> model.run(Command.DELETE_BANK));
+        assertThat(names(robot)).containsExactly("key", "fill", "sun");
+        robot.interact(() -> model.run(Command.UNDO));
+        assertThat(names(robot)).containsExactly("fill", "sun", "bank", "key");
+    }
+
+    @Test
+    void foldedBank_hidesItsLights(FxRobot robot) {
+        robot.interact(() -> model.run(Command.NEW_BANK));
+        robot.clickOn(".bank-row .fold");
+        assertThat(names(robot)).containsExactly("fill", "sun", "bank");
+        robot.clickOn(".bank-row .fold");
+        assertThat(names(robot)).containsExactly("fill", "sun", "bank", "key");
+    }
+
+    @Test
+    void switchesOfABank_areThoseOfAllItsLights(FxRobot robot) {
+        robot.interact(() -> model.run(Command.NEW_BANK));
+        robot.clickOn(toggle(robot, "bank on"));
+        assertThat(model.scene().rig().bank("bank").orElseThrow().on()).isFalse();
+        assertThat(model.scene().shines(OpenEditor.light(model, "key"))).isFalse();
+        robot.clickOn(toggle(robot, "bank on")).clickOn(toggle(robot, "bank solo"));
+        assertThat(model.scene().shines(OpenEditor.light(model, "sun"))).isFalse();
+    }
+
+    @Test
+    void lightDroppedOnABank_joinsIt(FxRobot robot) {
+        robot.interact(() -> model.run(Command.NEW_BANK));
+        robot.interact(() -> LightDrag.drop("sun", "bank", model));
+        assertThat(names(robot)).containsExactly("fill", "bank", "key", "sun");
+        robot.interact(() -> LightDrag.drop("key", "", model));
+        assertThat(names(robot)).containsExactly("key", "fill", "bank", "sun");
+    }
+
+    @Test
+    void keysOnABank_renameSwitchAndDeleteIt(FxRobot robot) {
+        robot.interact(() -> model.run(Command.NEW_BANK));
+        robot.clickOn("bank").push(KeyCode.F2).write("left").push(KeyCode.ENTER);
+        assertThat(OpenEditor.light(model, "key").bank()).isEqualTo("left");
+        robot.clickOn("left").push(KeyCode.SPACE);
+        assertThat(model.scene().rig().bank("left").orElseThrow().on()).isFalse();
+        robot.clickOn("left").push(KeyCode.DELETE);
+        assertThat(names(robot)).containsExactly("key", "fill", "sun");
+    }
+
+    @Test
     void sceneWithoutLights_saysSo(FxRobot robot) {
         robot.interact(() -> model.edit(scene -> LightEdits.delete(scene, "key")));
         robot.interact(() -> model.edit(scene -> LightEdits.delete(scene, "fill")));
