@@ -7,6 +7,7 @@ import java.util.stream.Stream;
 import lightning.math.Rgb;
 import lightning.scene.Antialias;
 import lightning.scene.Attenuation;
+import lightning.scene.BarnDoors;
 import lightning.scene.LightType;
 import lightning.scene.Rig;
 import lightning.scene.Sampling;
@@ -31,6 +32,8 @@ public enum Effect {
             scene -> Without.lights(scene, l -> l.withAngle(180)), Forced::widestCones),
     DROPOFF("dropoff", uses -> uses.lights(l -> l.type().hasCone() && l.dropoff() != 0),
             scene -> Without.lights(scene, l -> l.withDropoff(0))),
+    BARN_DOORS("barn doors", uses -> uses.lights(l -> l.type().hasCone() && !l.doors().isOpen()),
+            scene -> Without.lights(scene, l -> l.withDoors(BarnDoors.OPEN))),
     BANKS("banks of lights", Uses::banks, scene -> scene.withRig(Rig.of(scene.lights().stream().map(l -> l.withBank("")).toList())),
             UnaryOperator.identity(), false),
     ANTIALIASING("anti-aliasing", Uses::fineSamples, scene -> scene.withPicture(scene.picture()

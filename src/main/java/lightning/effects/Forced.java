@@ -1,6 +1,7 @@
 package lightning.effects;
 
 import java.util.Optional;
+import lightning.scene.BarnDoors;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 import lightning.scene.Texture;
@@ -17,9 +18,9 @@ final class Forced {
         return Without.materials(scene, m -> m.texture().isPresent() ? m : m.withTexture(Optional.of(WHITE)));
     }
 
-    /** Every point light is a spot light whose cone is all around, and which does not drop off. */
+    /** Every point light is a spot light whose cone is all around, which does not drop off and has no barn doors. */
     static Scene widestCones(Scene scene) {
         return Without.lights(scene, l -> l.type() == LightType.POINT
-                ? l.withType(LightType.SPOT).withAngle(180).withDropoff(0) : l);
+                ? l.withType(LightType.SPOT).withAngle(180).withDropoff(0).withDoors(BarnDoors.OPEN) : l);
     }
 }

@@ -58,7 +58,9 @@ public record LightsBack(byte[] bytes, Map<String, Integer> notes) {
             vector(out, "direction", light.direction());
             vector(out, "attenuation",
                     new Vec3(light.attenuation().constant(), light.attenuation().linear(), light.attenuation().quadratic()));
-            out.put("angle", light.angle()).put("dropoff", light.dropoff()).put("on", light.on()).put("solo", light.solo());
+            out.put("angle", light.angle()).put("dropoff", light.dropoff());
+            out.putArray("doors").add(light.doors().left()).add(light.doors().right()).add(light.doors().bottom()).add(light.doors().top());
+            out.put("feather", light.feather()).put("on", light.on()).put("solo", light.solo()).put("bank", light.bank());
         }
         ObjectNode root = JSON.createObjectNode();
         root.set("lights", list);
@@ -78,6 +80,7 @@ public record LightsBack(byte[] bytes, Map<String, Integer> notes) {
         double outer = Math.toRadians(Math.min(light.angle(), 90));
         notes.add("spots wider than 90 degrees", type.hasCone() && light.angle() > 90 ? 1 : 0);
         notes.add("edges of spots, which fade otherwise there", type.hasCone() && light.dropoff() > 0 ? 1 : 0);
+        notes.add("barn doors", type.hasCone() && !light.doors().isOpen() ? 1 : 0);
         GltfLight.Type kind = switch (type) {
             case DIRECTIONAL -> GltfLight.Type.DIRECTIONAL;
             case POINT -> GltfLight.Type.POINT;

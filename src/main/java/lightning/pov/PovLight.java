@@ -60,11 +60,14 @@ final class PovLight {
 
     /** A hard edge at the angle, and the axis' cosine to the power of the dropoff. */
     private List<String> spot(Light light) {
-        if (light.angle() == 180 && light.dropoff() == 0) {
+        if (light.angle() == 180 && light.dropoff() == 0 && light.doors().isOpen()) {
             return List.of();
         }
         if (light.angle() >= 90) {
             losses.add("light " + light.name() + ": a cone of 90 degrees and more ends at 90 in POV-Ray");
+        }
+        if (!light.doors().isOpen()) {
+            losses.add("light " + light.name() + ": its barn doors are left out");
         }
         double angle = Math.min(light.angle(), 90);
         Vec3 target = light.position().plus(light.direction().normalized().times(extent.radius()));

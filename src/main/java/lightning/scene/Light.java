@@ -17,7 +17,7 @@ import lightning.math.Vec3;
  * @param bank       the name of the bank that it belongs to; empty where it belongs to none
  */
 public record Light(String name, LightType type, Rgb color, double intensity, Vec3 position, Vec3 direction,
-        Attenuation attenuation, double angle, double dropoff, boolean on, boolean solo, String bank) {
+        Attenuation attenuation, double angle, double dropoff, BarnDoors doors, double feather, boolean on, boolean solo, String bank) {
 
     public Light {
         Limits.name(name);
@@ -27,6 +27,7 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
         LightAttribute.DIRECTION.check(direction);
         LightAttribute.ANGLE.check(angle);
         LightAttribute.DROPOFF.check(dropoff);
+        LightAttribute.FEATHER.check(feather);
         LightAttribute.BANK.check(bank);
     }
 
@@ -34,7 +35,9 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
     public static Light of(String name, LightType type) {
         return new Light(name, type, LightAttribute.COLOR.initial(), LightAttribute.INTENSITY.initial(),
                 LightAttribute.POSITION.initial(), LightAttribute.DIRECTION.initial(), LightAttribute.ATTENUATION.initial(),
-                LightAttribute.ANGLE.initial(), LightAttribute.DROPOFF.initial(), LightAttribute.ON.initial(),
+                LightAttribute.ANGLE.initial(), LightAttribute.DROPOFF.initial(), LightAttribute.DOORS.initial(),
+                LightAttribute.FEATHER.initial(),
+                LightAttribute.ON.initial(),
                 LightAttribute.SOLO.initial(), LightAttribute.BANK.initial());
     }
 
@@ -44,51 +47,59 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
     }
 
     public Light withName(String v) {
-        return new Light(v, type, color, intensity, position, direction, attenuation, angle, dropoff, on, solo, bank);
+        return new Light(v, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, on, solo, bank);
     }
 
     public Light withType(LightType v) {
-        return new Light(name, v, color, intensity, position, direction, attenuation, angle, dropoff, on, solo, bank);
+        return new Light(name, v, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, on, solo, bank);
     }
 
     public Light withColor(Rgb v) {
-        return new Light(name, type, v, intensity, position, direction, attenuation, angle, dropoff, on, solo, bank);
+        return new Light(name, type, v, intensity, position, direction, attenuation, angle, dropoff, doors, feather, on, solo, bank);
     }
 
     public Light withIntensity(double v) {
-        return new Light(name, type, color, v, position, direction, attenuation, angle, dropoff, on, solo, bank);
+        return new Light(name, type, color, v, position, direction, attenuation, angle, dropoff, doors, feather, on, solo, bank);
     }
 
     public Light withPosition(Vec3 v) {
-        return new Light(name, type, color, intensity, v, direction, attenuation, angle, dropoff, on, solo, bank);
+        return new Light(name, type, color, intensity, v, direction, attenuation, angle, dropoff, doors, feather, on, solo, bank);
     }
 
     public Light withDirection(Vec3 v) {
-        return new Light(name, type, color, intensity, position, v, attenuation, angle, dropoff, on, solo, bank);
+        return new Light(name, type, color, intensity, position, v, attenuation, angle, dropoff, doors, feather, on, solo, bank);
     }
 
     public Light withAttenuation(Attenuation v) {
-        return new Light(name, type, color, intensity, position, direction, v, angle, dropoff, on, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, v, angle, dropoff, doors, feather, on, solo, bank);
     }
 
     public Light withAngle(double v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, v, dropoff, on, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, v, dropoff, doors, feather, on, solo, bank);
     }
 
     public Light withDropoff(double v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, v, on, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, v, doors, feather, on, solo, bank);
+    }
+
+    public Light withDoors(BarnDoors v) {
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, v, feather, on, solo, bank);
+    }
+
+    public Light withFeather(double v) {
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, v, on, solo, bank);
     }
 
     public Light withOn(boolean v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, v, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, v, solo, bank);
     }
 
     public Light withSolo(boolean v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, on, v, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, on, v, bank);
     }
 
     /** @param v a bank's name, or empty */
     public Light withBank(String v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, on, solo, v);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, on, solo, v);
     }
 }

@@ -49,6 +49,10 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
             "degrees from the axis", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.OPENING));
     public static final LightAttribute<Double> DROPOFF = of("dropoff", Quantity.number(0, Limits.MAX_DROPOFF, 0.1), 0.0,
             "exponent", Light::dropoff, Light::withDropoff, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
+    public static final LightAttribute<BarnDoors> DOORS = of("doors", Quantity.doors(), BarnDoors.OPEN, "degrees from the axis, 90 is open",
+            Light::doors, Light::withDoors, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
+    public static final LightAttribute<Double> FEATHER = of("feather", Quantity.number(0, Limits.MAX_FEATHER, 1), 0.0,
+            "degrees inside the edge of a door", Light::feather, Light::withFeather, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<Boolean> ON = of("on", Choice.YES_OR_NO, true, "", Light::on, Light::withOn,
             Section.SWITCHES, Map.of());
     public static final LightAttribute<Boolean> SOLO = of("solo", Choice.YES_OR_NO, false, "", Light::solo, Light::withSolo,
@@ -58,7 +62,7 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
 
     /** All of them. */
     public static final List<LightAttribute<?>> ALL =
-            List.of(TYPE, COLOR, INTENSITY, POSITION, DIRECTION, ATTENUATION, ANGLE, DROPOFF, ON, SOLO, BANK);
+            List.of(TYPE, COLOR, INTENSITY, POSITION, DIRECTION, ATTENUATION, ANGLE, DROPOFF, DOORS, FEATHER, ON, SOLO, BANK);
 
     private final Section section;
     private final Map<LightType, LightTerm> terms;

@@ -4,7 +4,7 @@ package lightning.scene;
 public enum LightTerm {
     /** Colour times intensity, with which all that a light adds is multiplied. */
     WEIGHT,
-    /** How it fades with distance or away from its axis. */
+    /** How it fades with distance and with the direction in which it shines. */
     FALLOFF,
     /** How wide its cone is: a larger value lets points in, a smaller one puts points out. */
     OPENING,

@@ -38,6 +38,7 @@ public final class Limits {
     public static final double MAX_BANK_INTENSITY = 1e3;
     public static final double MAX_ATTENUATION = 1e30;
     public static final double MAX_ANGLE = 180;
+    public static final double MAX_FEATHER = 90;
     public static final double MAX_DROPOFF = 1e6;
     public static final double MAX_SHININESS = 1e6;
     public static final double MIN_FOV = 0.01;

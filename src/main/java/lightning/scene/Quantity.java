@@ -84,6 +84,12 @@ public record Quantity<V>(Form form, List<String> labels, double min, double max
                 (what, a) -> {});
     }
 
+    static Quantity<BarnDoors> doors() {
+        return new Quantity<>(Form.EACH, List.of("left", "right", "bottom", "top"), -BarnDoors.AWAY, BarnDoors.AWAY, 1, false,
+                d -> List.of(d.left(), d.right(), d.bottom(), d.top()), n -> new BarnDoors(n.get(0), n.get(1), n.get(2), n.get(3)),
+                (what, d) -> {});
+    }
+
     @Override
     public void check(String what, V value) {
         range.check(what, value);

@@ -54,5 +54,9 @@ final class AttenuationRatio {
             terms.aimCone(rows, lamp);
         }
         terms.factors(rows, lamp, to);
+        DoorFactor doors = DoorFactor.of(lamp);
+        if (doors != null) {
+            doors.multiply(rows, to);
+        }
     }
 }

@@ -41,6 +41,7 @@ record ForcedDemands(Set<Effect> forced) implements Demands {
     @Override
     public boolean fallsOff(Lamp lamp) {
         return OF_SCENE.fallsOff(lamp)
-                || lamp.type().hasPosition() && (forced.contains(Effect.ATTENUATION) || forced.contains(Effect.DROPOFF));
+                || lamp.type().hasPosition()
+                        && (forced.contains(Effect.ATTENUATION) || forced.contains(Effect.DROPOFF) || forced.contains(Effect.BARN_DOORS));
     }
 }

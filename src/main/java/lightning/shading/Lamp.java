@@ -34,7 +34,7 @@ public record Lamp(Light light, Vec3 source, Vec3 axis, double cosAngle) {
         return switch (type()) {
             case DIRECTIONAL -> false;
             case POINT -> !light.attenuation().isNone();
-            case SPOT -> !light.attenuation().isNone() || light.dropoff() != 0;
+            case SPOT -> !light.attenuation().isNone() || light.dropoff() != 0 || DoorFactor.acts(this);
         };
     }
 }

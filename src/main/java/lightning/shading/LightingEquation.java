@@ -9,7 +9,7 @@ import lightning.scene.Attenuation;
  * <pre>
  * I     = [ka·ambience + kd·Σ Idiff]·(1 − kr) + ks·Σ Ispec + kr·Cr
  * Idiff = weight·(cosine·falloff)      weight  = colour·intensity
- * Ispec = weight·(specular·falloff)    falloff = atten·spot
+ * Ispec = weight·(specular·falloff)    falloff = atten·spot·doors
  * </pre>
  *
  * <p>An instance holds the vector from the row to the light. Points and vectors are in render space;
@@ -24,13 +24,17 @@ public final class LightingEquation {
     private double ly;
     private double lz;
     private double distance;
+    private final DoorFactor doors;
+    private double door;
 
     LightingEquation(Lamp lamp) {
         this.lamp = lamp;
+        doors = DoorFactor.of(lamp);
     }
 
     /** Turns to a row: its point and its unit normal. At distance 0 the light stands straight above. */
     void at(float px, float py, float pz, float nx, float ny, float nz) {
+        door = doors == null ? 1 : doors.at(px, py, pz);
         lx = lamp.source().x();
         ly = lamp.source().y();
         lz = lamp.source().z();
@@ -81,14 +85,14 @@ public final class LightingEquation {
         return (float) Power.of(c, shininess);
     }
 
-    /** atten·spot: 1 for a directional light. */
+    /** atten·spot·doors: 1 for a directional light. */
     float falloff() {
         return switch (lamp.type()) {
             case DIRECTIONAL -> 1;
             case POINT -> (float) attenuation();
             case SPOT -> {
                 double c = axisCosine();
-                yield (float) (attenuation() * Power.of(c > 0 ? c : 0, lamp.light().dropoff()));
+                yield (float) (attenuation() * Power.of(c > 0 ? c : 0, lamp.light().dropoff()) * door);
             }
         };
     }

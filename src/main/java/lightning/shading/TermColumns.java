@@ -14,6 +14,7 @@ final class TermColumns {
     private final Demands demands;
     private final int[] kept = RowBits.room();
     private final int[] fresh = RowBits.room();
+    private final double[] factors = new double[Terms.ROWS];
 
     TermColumns(MaterialTable materials, Terms terms, Demands demands) {
         this.materials = materials;
@@ -78,7 +79,16 @@ final class TermColumns {
             return null;
         }
         float[] column = columns.floats(rows.count);
-        terms.falloffs(rows, lamp, column);
+        DoorFactor doors = DoorFactor.of(lamp);
+        if (doors == null) {
+            terms.falloffs(rows, lamp, column);
+        } else {
+            terms.factors(rows, lamp, factors);
+            doors.multiply(rows, factors);
+            for (int i = 0; i < rows.count; i++) {
+                column[i] = (float) factors[i];
+            }
+        }
         return column;
     }
 }

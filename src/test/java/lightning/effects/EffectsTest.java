@@ -32,8 +32,9 @@ class EffectsTest {
     @Test
     void attributesThatDoNotAct_callForNothing() throws Exception {
         Effects effects = of(PLAIN, "light a directional { attenuation 1 1 1  angle 20  dropoff 5 }",
-                "light b point { angle 20  dropoff 5 }");
-        assertThat(effects.absent()).contains(Effect.ATTENUATION, Effect.SPOT_CONE, Effect.DROPOFF);
+                "light b point { angle 20  dropoff 5  doors 1 2 3 4 }",
+                "light c spot { angle 180  feather 5 }");
+        assertThat(effects.absent()).contains(Effect.ATTENUATION, Effect.SPOT_CONE, Effect.DROPOFF, Effect.BARN_DOORS);
     }
 
     @Test
@@ -100,8 +101,8 @@ class EffectsTest {
     }
 
     @Test
-    void bird_callsForAllButBanksSeveralSamplesFrustumsAndMeshes() throws Exception {
-        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.BANKS,
+    void bird_callsForAllButDoorsBanksSeveralSamplesFrustumsAndMeshes() throws Exception {
+        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.BARN_DOORS, Effect.BANKS,
                 Effect.ANTIALIASING,
                 Effect.FRUSTUMS, Effect.MESHES);
     }

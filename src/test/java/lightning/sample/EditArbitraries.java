@@ -1,6 +1,7 @@
 package lightning.sample;
 
 import java.util.List;
+import lightning.scene.LightAttribute;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -43,6 +44,8 @@ public final class EditArbitraries {
                 LightArbitraries.angles().map(LightChange.Angle::new),
                 LightArbitraries.angles().map(LightChange.Angle::new),
                 LightArbitraries.dropoffs().map(LightChange.Dropoff::new),
+                LightArbitraries.doors().map(d -> new LightChange.Anew<>(LightAttribute.DOORS, d)),
+                LightArbitraries.feathers().map(f -> new LightChange.Anew<>(LightAttribute.FEATHER, f)),
                 LightArbitraries.types().map(LightChange.Type::new),
                 Arbitraries.of(new LightChange.SwitchOn()),
                 Arbitraries.of(new LightChange.SwitchOn()),

@@ -4,6 +4,7 @@ import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
 import lightning.scene.Bank;
+import lightning.scene.BarnDoors;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import net.jqwik.api.Arbitraries;
@@ -20,6 +21,7 @@ final class LightArbitraries {
                 .as((type, color, intensity, attenuation, angle, dropoff, on, solo) -> Light.of("l", type).withColor(color)
                         .withIntensity(intensity).withAttenuation(attenuation).withAngle(angle).withDropoff(dropoff)
                         .withOn(on).withSolo(solo))
+                .flatMap(light -> doors().map(light::withDoors)).flatMap(light -> feathers().map(light::withFeather))
                 .flatMap(light -> Combinators.combine(places(), aims()).as((at, aim) -> new LightSeed(light, at, aim)));
     }
 
@@ -53,6 +55,17 @@ final class LightArbitraries {
     static Arbitrary<Double> dropoffs() {
         return Arbitraries.frequencyOf(Tuple.of(2, Arbitraries.of(0.0)), Tuple.of(3, Numbers.between(0, 12)),
                 Tuple.of(1, Arbitraries.of(1.0, 2.0, 0.5, 1e-9, 1e4, 1e6)));
+    }
+
+    /** Doors that are open, at angles within a cone, beyond its axis, and shut. */
+    static Arbitrary<BarnDoors> doors() {
+        Arbitrary<Double> door = Numbers.betweenOr(-20, 40, 90.0, 90.0, 0.0, -90.0);
+        return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(BarnDoors.OPEN)),
+                Tuple.of(1, Combinators.combine(door, door, door, door).as(BarnDoors::new)));
+    }
+
+    static Arbitrary<Double> feathers() {
+        return Arbitraries.frequencyOf(Tuple.of(2, Arbitraries.of(0.0)), Tuple.of(1, Numbers.betweenOr(0, 60, 1e-9, 90.0)));
     }
 
     /** Banks with every kind of master: dark, as the lights are, a little off, and very bright. */
