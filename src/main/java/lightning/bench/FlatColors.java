@@ -33,7 +33,7 @@ final class FlatColors {
 
     private Node colored(Node node) {
         return switch (node) {
-            case Group g -> new Group(g.name(), g.placement(), g.children().stream().map(this::colored).toList());
+            case Group g -> g.withChildren(g.children().stream().map(this::colored).toList());
             case Shape s -> s.withMaterial(next());
         };
     }

@@ -29,7 +29,7 @@ final class Without {
     private static List<Node> nodes(List<Node> nodes, Class<? extends Solid> type) {
         return nodes.stream().filter(node -> !(node instanceof Shape shape && type.isInstance(shape.solid())))
                 .<Node>map(node -> switch (node) {
-                    case Group group -> new Group(group.name(), group.placement(), nodes(group.children(), type));
+                    case Group group -> group.withChildren(nodes(group.children(), type));
                     case Shape shape -> shape;
                 }).toList();
     }

@@ -77,7 +77,7 @@ final class Blocks {
             Values::triangles);
 
     static final BlockType<Group> GROUP = new BlockType<>("group", true, Optional.empty(), placed(),
-            (name, v, children) -> new Group(name, placement(v), children));
+            (name, v, children) -> new Group(name, placement(v), children, visible(v)));
 
     static final BlockType<Light> LIGHT = new BlockType<>("light", true, Optional.of(Property.of(LightAttribute.TYPE).getFirst()),
             Property.of(LightAttribute.ALL.stream().filter(a -> a != LightAttribute.TYPE).toList()),
@@ -118,7 +118,7 @@ final class Blocks {
                 "the name of a material", s -> new Value.Name(s.material()));
         return new BlockType<>(noun, true, Optional.empty(),
                 Stream.of(List.of(material), own, Blocks.<Shape>placed()).flatMap(List::stream).toList(),
-                (name, v, children) -> new Shape(solid.apply(v), name, v.name("material"), placement(v)));
+                (name, v, children) -> new Shape(solid.apply(v), name, v.name("material"), placement(v), visible(v)));
     }
 
     private static Property<Shape> caps(Predicate<Solid> get) {
@@ -133,12 +133,18 @@ final class Blocks {
                         "degrees about x, then y, then z", n -> Value.of(n.placement().rotate())),
                 Property.<T>vector("scale", Value.of(Vec3.ONE), Limits.MAX_SCALE, "factors, none 0",
                         n -> Value.of(n.placement().scale()))
-                        .also(v -> new Placement(Vec3.ZERO, Vec3.ZERO, vector(v))));
+                        .also(v -> new Placement(Vec3.ZERO, Vec3.ZERO, vector(v))),
+                Property.<T>choice("visible", new Value.Word("yes"), List.of("yes", "no"),
+                        n -> new Value.Word(n.visible() ? "yes" : "no")));
     }
 
     private static Value part(Shape mesh) {
         String part = ((Solid.Triangles) mesh.solid()).part();
         return part.isEmpty() ? new Value.Absent() : new Value.Name(part);
+    }
+
+    private static boolean visible(Values v) {
+        return v.word("visible").equals("yes");
     }
 
     private static Placement placement(Values v) {

@@ -188,9 +188,9 @@ public final class PropertyEdit {
             Bank edited = edited(files, Blocks.BANK, target, bank.get(), property, value);
             return scene.withRig(edited.name().equals(target) ? scene.rig().with(edited) : scene.rig().renamed(target, edited.name()));
         }
-        if (scene.stage().hasNode(target)) {
-            List<Node> nodes = replaced(scene.nodes(), n -> node(files, n, target, property, value));
-            return scene.withNodes(nodes);
+        Optional<Node> node = scene.stage().node(target);
+        if (node.isPresent()) {
+            return scene.withNode(target, node(files, node.get(), target, property, value));
         }
         if (scene.material(target).isPresent()) {
             return setMaterial(scene, target, property, value, files);
@@ -212,10 +212,6 @@ public final class PropertyEdit {
     }
 
     private static Node node(SceneFiles files, Node node, String target, String property, String value) {
-        if (!node.name().equals(target)) {
-            return node instanceof Group g ? new Group(g.name(), g.placement(),
-                    replaced(g.children(), n -> node(files, n, target, property, value))) : node;
-        }
         return switch (node) {
             case Group g -> edited(files, Blocks.GROUP, target, g, property, value);
             case Shape s -> edited(files, Blocks.of(s.solid()), target, s, property, value);

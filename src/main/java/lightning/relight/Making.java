@@ -21,6 +21,7 @@ import lightning.scene.Scene;
 import lightning.shading.Luminaire;
 import lightning.shading.SeenScenes;
 import lightning.trace.Geometry;
+import lightning.trace.ShapeChange;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
@@ -58,7 +59,8 @@ record Making(Options options, Workers workers, Progress progress) {
     Made firstPass(Geometry geometry, Scene wanted, boolean centersAlone) {
         PreparedScene shown = PreparedScene.of(geometry, wanted);
         List<KnownLight> lights = KnownLight.all(wanted, light -> Luminaire.of(light, wanted).isDark() ? null : LayerStamp.fresh(light));
-        TileRun run = new TileRun(new Job(shown, shown, options, null, null, seeksEdges(wanted), progress), workers, null);
+        TileRun run =
+                new TileRun(new Job(shown, shown, options, null, null, ShapeChange.NONE, seeksEdges(wanted), progress), workers, null);
         Tiles tiles = Tiles.of(run, centersAlone);
         return new Made(new PixelCache(shown.geometry(), tiles.centers, tiles.fine, SeenScenes.of(wanted), lights, lights), run.work());
     }
@@ -66,7 +68,7 @@ record Making(Options options, Workers workers, Progress progress) {
     /** As planned from an older picture. */
     Made relight(UpdatePlan.Relight plan, PixelCache old, Scene wanted, Repeats repeats, boolean centersAlone) {
         var scenes = new SeenScenes(wanted, plan.mirrors() == null ? old.mirroredScene() : wanted);
-        Job job = job(plan, old, old.geometry(), scenes, repeats);
+        Job job = job(plan, old, plan.shapes().after(old.geometry()), scenes, repeats);
         TileRun run = new TileRun(job, workers, old);
         Tiles tiles = Tiles.of(run, centersAlone);
         boolean scaled = options.accuracy() == Accuracy.RATIO;
@@ -91,11 +93,12 @@ record Making(Options options, Workers workers, Progress progress) {
 
     private Job job(UpdatePlan.Relight plan, PixelCache old, Geometry geometry, SeenScenes wanted, Repeats repeats) {
         PreparedScene shown = PreparedScene.of(geometry, wanted.scene());
-        LevelJob top = LevelJob.of(plan.top(), old.scene(), shown.lights(), repeats.top);
+        LevelJob top = LevelJob.of(plan.top(), plan.shapes(), old.scene(), shown.lights(), repeats.top);
         boolean coding = seeksEdges(wanted.scene());
         return plan.mirrors() == null
-                ? new Job(shown, PreparedScene.of(geometry, wanted.mirrored()), options, top, null, coding, progress)
-                : new Job(shown, shown, options, top, LevelJob.of(plan.mirrors(), old.mirroredScene(), shown.lights(), repeats.mirrors),
+                ? new Job(shown, PreparedScene.of(geometry, wanted.mirrored()), options, top, null, plan.shapes(), coding, progress)
+                : new Job(shown, shown, options, top,
+                        LevelJob.of(plan.mirrors(), plan.shapes(), old.mirroredScene(), shown.lights(), repeats.mirrors), plan.shapes(),
                         coding, progress);
     }
 
@@ -104,7 +107,7 @@ record Making(Options options, Workers workers, Progress progress) {
         PreparedScene shown = PreparedScene.of(centers.geometry(), centers.scene());
         PreparedScene mirrored = centers.mirroredScene().equals(centers.scene()) ? shown
                 : PreparedScene.of(centers.geometry(), centers.mirroredScene());
-        return new Job(shown, mirrored, options, null, null, true, progress);
+        return new Job(shown, mirrored, options, null, null, ShapeChange.NONE, true, progress);
     }
 
     private record Tiles(CachedTile[] centers, FineTile[] fine) {

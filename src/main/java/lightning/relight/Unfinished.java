@@ -61,7 +61,8 @@ record Unfinished(PixelCache whole, UpdatePlan plan, Tally work, long nanosecond
     /** What leads from that picture to these centres; of the first pass where there is none. */
     UpdatePlan plan(PixelCache centers) {
         return whole == null ? plan
-                : Dispatcher.plan(whole, centers.scene(), centers.mirroredScene().equals(centers.scene()), Accuracy.EXACT);
+                : Dispatcher.plan(whole, centers.scene(), centers.geometry(), centers.mirroredScene().equals(centers.scene()),
+                        Accuracy.EXACT);
     }
 
     private boolean leadAlike(PixelCache centers, UpdatePlan.Relight next, UpdatePlan.Relight all) {

@@ -6,4 +6,11 @@ public sealed interface Node permits Shape, Group {
     String name();
 
     Placement placement();
+
+    /** Whether it is there at all; what is in a group that is not is not either. */
+    boolean visible();
+
+    Node withPlacement(Placement v);
+
+    Node withVisible(boolean v);
 }

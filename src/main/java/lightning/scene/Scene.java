@@ -41,7 +41,7 @@ public record Scene(Picture picture, Camera camera, World world, Stage stage, Ri
         return rig.lights();
     }
 
-    /** All shapes, in the order of the file, with materials and groups resolved. */
+    /** All visible shapes, in the order of the file, with materials and groups resolved. */
     public List<PlacedShape> placedShapes() {
         return stage.placedShapes();
     }
@@ -120,6 +120,11 @@ public record Scene(Picture picture, Camera camera, World world, Stage stage, Ri
 
     public Scene withNodes(List<Node> v) {
         return withStage(stage.withNodes(v));
+    }
+
+    /** This scene with a shape or a group in place of that name's. */
+    public Scene withNode(String name, Node node) {
+        return withStage(stage.withNode(name, node));
     }
 
     public Scene withStage(Stage v) {

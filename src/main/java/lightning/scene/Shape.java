@@ -4,21 +4,33 @@ package lightning.scene;
  * A solid that is put into the scene by its placement.
  *
  * @param material the name of a material of the scene
+ * @param visible  whether it is there at all: a shape that is not is neither seen nor throws a shadow
  */
-public record Shape(Solid solid, String name, String material, Placement placement) implements Node {
+public record Shape(Solid solid, String name, String material, Placement placement, boolean visible) implements Node {
     public Shape {
         Limits.name(name);
     }
 
+    /** A visible one. */
+    public Shape(Solid solid, String name, String material, Placement placement) {
+        this(solid, name, material, placement, true);
+    }
+
     public Shape withName(String v) {
-        return new Shape(solid, v, material, placement);
+        return new Shape(solid, v, material, placement, visible);
     }
 
     public Shape withMaterial(String v) {
-        return new Shape(solid, name, v, placement);
+        return new Shape(solid, name, v, placement, visible);
     }
 
+    @Override
     public Shape withPlacement(Placement v) {
-        return new Shape(solid, name, material, v);
+        return new Shape(solid, name, material, v, visible);
+    }
+
+    @Override
+    public Shape withVisible(boolean v) {
+        return new Shape(solid, name, material, placement, v);
     }
 }

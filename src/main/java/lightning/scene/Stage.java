@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import lightning.math.Transform;
@@ -72,9 +73,9 @@ public final class Stage {
         return byName;
     }
 
-    /** How many shapes there are, those in groups included. */
+    /** How many shapes there are, those in groups and those that are not visible included. */
     public int shapeCount() {
-        return tree.shapes.size();
+        return tree.count;
     }
 
     /** Whether a shape or a group has the name. */
@@ -82,12 +83,53 @@ public final class Stage {
         return Arrays.binarySearch(tree.names, name) >= 0;
     }
 
+    /** The shape or the group of that name. */
+    public Optional<Node> node(String name) {
+        return hasNode(name) ? Optional.of(node(nodes(), name)) : Optional.empty();
+    }
+
+    private static Node node(List<Node> nodes, String name) {
+        for (Node node : nodes) {
+            Node found = node.name().equals(name) ? node : node instanceof Group g ? node(g.children(), name) : null;
+            if (found != null) {
+                return found;
+            }
+        }
+        return null;
+    }
+
+    /**
+     * This stage with a shape or a group in place of that name's; all other nodes are shared.
+     *
+     * @throws IllegalArgumentException as {@link #Stage(List, List)}
+     */
+    public Stage withNode(String name, Node node) {
+        return withNodes(with(nodes(), name, node));
+    }
+
+    private static List<Node> with(List<Node> nodes, String name, Node node) {
+        List<Node> all = new ArrayList<>(nodes.size());
+        boolean same = true;
+        for (Node old : nodes) {
+            Node now = old;
+            if (old.name().equals(name)) {
+                now = node;
+            } else if (old instanceof Group g) {
+                List<Node> children = with(g.children(), name, node);
+                now = children == g.children() ? g : g.withChildren(children);
+            }
+            same &= now == old;
+            all.add(now);
+        }
+        return same ? nodes : all;
+    }
+
     /** Whether both have the same names of shapes and groups, because the one was made of the other. */
     boolean sharesNodesWith(Stage o) {
         return tree == o.tree;
     }
 
-    /** All shapes, in the order of the file, with materials and groups resolved. */
+    /** All visible shapes, in the order of the file, with materials and groups resolved. */
     public List<PlacedShape> placedShapes() {
         List<PlacedShape> placed = new ArrayList<>(tree.shapes.size());
         place(placed::add);
@@ -99,13 +141,16 @@ public final class Stage {
         place(tree.nodes, Transform.IDENTITY, Transform.IDENTITY, PlacementError.NONE, to);
     }
 
-    /** All shapes, in the order of the file, as they stand there. */
+    /** All visible shapes, in the order of the file, as they stand there. */
     public List<Shape> shapes() {
         return tree.shapes;
     }
 
     private void place(List<Node> nodes, Transform outer, Transform back, PlacementError outerError, Consumer<PlacedShape> to) {
         for (Node node : nodes) {
+            if (!node.visible()) {
+                continue;
+            }
             Transform toWorld = outer.times(node.placement().transform());
             Transform directionsBack = node.placement().directionsBack().times(back);
             PlacementError error = outerError.within(outer, back, node.placement());
@@ -131,8 +176,10 @@ public final class Stage {
         final List<Node> nodes;
         /** Of all nodes, sorted: a table of hashes would be slow where a file chose names that collide. */
         final String[] names;
-        /** All shapes in the order of the file; the nodes themselves where none is a group. */
+        /** All visible shapes in the order of the file; the nodes themselves where none is a group or hidden. */
         final List<Shape> shapes;
+        /** How many shapes there are. */
+        final int count;
         /** For each material in use a shape that has it. */
         private final Map<String, String> users = new HashMap<>();
 
@@ -143,7 +190,7 @@ public final class Stage {
         private Tree(List<Node> nodes) {
             this.nodes = nodes;
             List<String> found = new ArrayList<>();
-            int count = Limits.range("the number of shapes", check(nodes, found, 0, 1, 1), 0, Limits.MAX_SHAPES);
+            count = Limits.range("the number of shapes", check(nodes, found, 0, 1, 1), 0, Limits.MAX_SHAPES);
             names = found.toArray(String[]::new);
             Arrays.parallelSort(names);
             for (int i = 1; i < names.length; i++) {
@@ -151,7 +198,8 @@ public final class Stage {
                     throw new IllegalArgumentException("shape " + Quote.of(names[i]) + ": the name is already taken");
                 }
             }
-            shapes = count == names.length ? allShapes(nodes) : List.copyOf(collect(nodes, new ArrayList<>(count)));
+            shapes = count == names.length && nodes.stream().allMatch(Node::visible) ? allShapes(nodes)
+                    : List.copyOf(collect(nodes, new ArrayList<>(count)));
         }
 
         /** Nobody writes to the list: it is immutable. */
@@ -163,8 +211,9 @@ public final class Stage {
         private static List<Shape> collect(List<Node> nodes, List<Shape> shapes) {
             for (Node node : nodes) {
                 switch (node) {
-                    case Group g -> collect(g.children(), shapes);
-                    case Shape s -> shapes.add(s);
+                    case Group g when g.visible() -> collect(g.children(), shapes);
+                    case Shape s when s.visible() -> shapes.add(s);
+                    case Node _ -> {}
                 }
             }
             return shapes;

@@ -9,6 +9,7 @@ import lightning.trace.Geometry;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialSet;
 import lightning.trace.RowSplice;
+import lightning.trace.ShapeChange;
 import lightning.trace.Tracer;
 
 /**
@@ -148,6 +149,47 @@ public final class LightKernel {
         }
         float[] falloffs = falloff || before.falloff == null ? written.falloffs(rows, lamp, columns) : before.falloff;
         return moved.with(LightRows.Column.FALLOFF, falloffs);
+    }
+
+    /**
+     * The layer after other shapes: of the rows that were asked, those are asked again whose way to the light may meet what came
+     * or what is gone. All else is shared with the layer before.
+     *
+     * @param lamp that of the light that the layer was computed for
+     */
+    public LightRows shadowed(HitRows rows, Lamp lamp, LightRows before, ShapeChange change, Columns columns) {
+        if (!mayChange(rows, lamp, before, change)) {
+            return before;
+        }
+        rowsTouched += RowBits.count(chosen, rows.count);
+        byte[] state = columns.states(rows.count);
+        System.arraycopy(before.state, 0, state, 0, rows.count);
+        for (int i = 0; i < rows.count; i++) {
+            if (RowBits.contains(chosen, i) && before.state(i) == LightRows.OUTSIDE) {
+                // Nobody need know: it is asked when the cone reaches it.
+                state[i] = LightRows.OUTSIDE;
+                RowBits.remove(chosen, i, i + 1);
+            }
+        }
+        shadows.cast(rows, lamp, chosen, blocked);
+        for (int i = 0; i < rows.count; i++) {
+            if (RowBits.contains(chosen, i)) {
+                state[i] = state(1, 1, RowBits.contains(blocked, i) ? 0 : 1);
+            }
+        }
+        if (Arrays.equals(state, 0, rows.count, before.state, 0, rows.count)) {
+            return before;
+        }
+        aim(rows, lamp);
+        terms.cosines(rows, cosine);
+        RowBits.inState(before.state, rows.count, LightRows.LIT, litBefore);
+        RowBits.inState(state, rows.count, LightRows.LIT, lit);
+        return layer(rows, lamp, state, before.lit == 0 ? null : before, columns);
+    }
+
+    /** Whether {@link #shadowed} would ask any row. */
+    public boolean mayChange(HitRows rows, Lamp lamp, LightLayer before, ShapeChange change) {
+        return before.states() != LightRows.UNREACHED.state && shadows.choose(rows, lamp, before.states(), change, chosen);
     }
 
     /** All terms anew for rows whose states are known: no shadow ray is cast. */

@@ -6,6 +6,7 @@ import lightning.column.ColumnSet;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialSet;
 import lightning.trace.RowSplice;
+import lightning.trace.ShapeChange;
 
 /**
  * The second stage for one tile as the paper has it (§4): contributions are stored with everything
@@ -142,9 +143,31 @@ public final class RatioKernel {
         scratch.reset();
         LightRows known = new LightRows(before.states(), ZEROS, before.specular == null ? null : ZEROS, null, before.lit());
         LightRows now = exact.partial(rows, light.lamp(), known, cone, false, scratch);
-        if (now.state == known.state) {
-            return scaled;
-        }
+        return now.state == known.state ? scaled : joined(rows, light, before, scaled, now);
+    }
+
+    /**
+     * The layer after other shapes: rows whose way to the light may be blocked or free since are asked again, and those that are
+     * lit now are computed anew.
+     *
+     * @param light the light that the layer was computed for
+     */
+    public RatioRows shadowed(HitRows rows, Luminaire light, RatioRows before, ShapeChange change) {
+        scratch.reset();
+        LightRows known = new LightRows(before.states(), before.lit() == 0 ? null : ZEROS, before.specular == null ? null : ZEROS, null,
+                before.lit());
+        LightRows now = exact.shadowed(rows, light.lamp(), known, change, scratch);
+        return now == known ? before
+                : joined(rows, light, before, before, exact.partial(rows, light.lamp(), now, ConeChange.NONE, true, scratch));
+    }
+
+    /** What the kernel of terms, who knows whether ways are free, is asked of. */
+    public LightKernel exact() {
+        return exact;
+    }
+
+    /** Rows that were lit before and are so {@code now} from {@code scaled}, others from what is known now. */
+    private RatioRows joined(HitRows rows, Luminaire light, RatioRows before, RatioRows scaled, LightRows now) {
         RatioRows entered = contributions(rows, light, now, Columns.FRESH.states(rows.count));
         for (int i = 0; i < rows.count && entered.lit() > 0; i++) {
             boolean stays = (before.states()[i] & LightRows.STATE) == LightRows.LIT

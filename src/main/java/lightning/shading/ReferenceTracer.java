@@ -163,7 +163,7 @@ public final class ReferenceTracer {
             return;
         }
         SurfacePoint at = geometry.surfaceOfAll(primitive, ray);
-        int hit = HitCode.of(geometry.owner(primitive), at.nx(), at.ny(), at.nz());
+        int hit = HitCode.of(geometry.number(primitive), at.nx(), at.ny(), at.nz());
         sums[0] += HitCode.seen(materials.isTextured(at.material())
                 ? HitCode.textured(hit, at.texel()[0], at.texel()[1], at.texel()[2]) : hit, level);
         for (int l = 0; l < lights.length; l++) {

@@ -1,5 +1,6 @@
 package lightning.trace;
 
+import java.lang.ref.WeakReference;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -32,6 +33,8 @@ public final class Geometry {
     private final MaterialTable materials;
     private final Bvh bvh;
     private final Predicate<Material> mirrors;
+    /** What {@link #changeTo} found last, as long as someone else uses it. Any thread may set it: each that does is right. */
+    private volatile WeakReference<ShapeChange> change;
 
     /** Prepares the shapes of a scene. */
     public Geometry(Scene scene) {
@@ -48,7 +51,7 @@ public final class Geometry {
         shapes = scene.stage().shapes();
         names = MaterialTable.names(shapes);
         this.mirrors = mirrors;
-        materials = new MaterialTable(names, scene, mirrors);
+        materials = new MaterialTable(names, scene, null, mirrors);
         bvh = new Bvh(PrimitiveTable.of(scene.stage(), materialOf(), scene.camera().origin()));
         primitives = bvh.primitives;
     }
@@ -58,7 +61,7 @@ public final class Geometry {
         shapes = shared.shapes;
         names = shared.names;
         mirrors = shared.mirrors;
-        materials = new MaterialTable(names, scene, mirrors);
+        materials = new MaterialTable(names, scene, shared.materials, mirrors);
         primitives = shared.primitives;
         bvh = shared.bvh;
     }
@@ -69,8 +72,19 @@ public final class Geometry {
         shapes = shared.shapes;
         names = shared.names;
         this.mirrors = mirrors;
-        materials = new MaterialTable(names, scene, mirrors);
+        materials = new MaterialTable(names, scene, shared.materials, mirrors);
         bvh = new Bvh(shared.primitives.from(scene.camera().origin()), shared.bvh);
+        primitives = bvh.primitives;
+    }
+
+    /** Other shapes, seen from the same place; materials keep their indices. */
+    private Geometry(Scene scene, Geometry before) {
+        this.scene = scene;
+        shapes = scene.stage().shapes();
+        names = MaterialTable.names(before.names, shapes);
+        mirrors = before.mirrors;
+        materials = new MaterialTable(names, scene, before.materials, mirrors);
+        bvh = Bvh.following(PrimitiveTable.of(scene.stage(), materialOf(), scene.camera().origin()), before.bvh);
         primitives = bvh.primitives;
     }
 
@@ -124,6 +138,24 @@ public final class Geometry {
         return scene.materials().equals(other.materials()) ? this : new Geometry(this, other);
     }
 
+    /**
+     * What becomes of these shapes where those of another scene follow, seen from the same place. Rows that know a material by its
+     * index here know it by the same there.
+     */
+    public ShapeChange changeTo(Scene other) {
+        ShapeChange known = change == null ? null : change.get();
+        if (known == null || !known.after(this).hasShapesOf(other)) {
+            known = new ShapeChange(this, new Geometry(other, this));
+            change = new WeakReference<>(known);
+        }
+        return known;
+    }
+
+    /** The same where those shapes are known already, of a geometry that followed from this one, perhaps in several steps. */
+    public ShapeChange changeTo(Geometry later) {
+        return new ShapeChange(this, later);
+    }
+
     /** Which materials cast mirrored rays. */
     public Predicate<Material> mirrors() {
         return mirrors;
@@ -141,6 +173,11 @@ public final class Geometry {
     /** The index of the shape that a primitive is of. */
     public int owner(int primitive) {
         return primitives.owner[primitive];
+    }
+
+    /** A number for the shape that a primitive is of, which it keeps whatever other shapes there are: of its name. */
+    public int number(int primitive) {
+        return shape(primitive).name().hashCode();
     }
 
     /** The shape that a primitive is of. */

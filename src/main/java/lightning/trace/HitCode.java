@@ -14,7 +14,7 @@ public final class HitCode {
 
     private HitCode() {}
 
-    /** The number of a hit: the shape's index and the unit normal. */
+    /** The number of a hit: the shape's own number and the unit normal. */
     public static int of(int shape, float nx, float ny, float nz) {
         return scramble((((shape * 3 + side(nx)) * 3 + side(ny)) * 3 + side(nz)) * FACTOR);
     }

@@ -3,6 +3,8 @@ package lightning.trace;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import lightning.math.Rgb;
 import lightning.scene.Material;
 import lightning.scene.Scene;
@@ -34,12 +36,16 @@ public final class MaterialTable {
     /**
      * @param names the materials' names, each once: material {@code m} is that of name {@code m}
      * @param scene says what they are
+     * @param before  tells those that no shape has and the scene lacks; null where there are none
      * @param mirrors which of them cast mirrored rays: all that mirror, and perhaps others
      */
-    MaterialTable(List<String> names, Scene scene, Predicate<Material> mirrors) {
+    MaterialTable(List<String> names, Scene scene, MaterialTable before, Predicate<Material> mirrors) {
         this.mirrors = mirrors;
         Map<String, Material> byName = scene.materialsByName();
-        materials = names.stream().map(byName::get).toList();
+        materials = IntStream.range(0, names.size()).mapToObj(m -> {
+            Material material = byName.get(names.get(m));
+            return material == null ? before.material(m) : material;
+        }).toList();
         int count = materials.size();
         ambient = new float[3 * count];
         diffuse = new float[3 * count];
@@ -68,6 +74,11 @@ public final class MaterialTable {
     /** The names of the materials that shapes use, each once, in the order of their first use. */
     static List<String> names(List<Shape> shapes) {
         return shapes.stream().map(Shape::material).distinct().toList();
+    }
+
+    /** The same after some that keep their places, whether shapes use them or not. */
+    static List<String> names(List<String> known, List<Shape> shapes) {
+        return Stream.concat(known.stream(), shapes.stream().map(Shape::material)).distinct().toList();
     }
 
     private static void store(Rgb c, float[] to, int at) {

@@ -13,7 +13,7 @@ import lightning.trace.tree.Beam;
  * @param grid   samples along each side of a pixel
  */
 public record SamplePlaces(int x0, int y0, short[] pixels, int from, int to, int grid) {
-    private static final int SIDE = 32;
+    static final int SIDE = 32;
 
     /** The centres of the pixels of the tile whose upper left pixel is {@code x0, y0}. */
     public static SamplePlaces centers(int x0, int y0) {

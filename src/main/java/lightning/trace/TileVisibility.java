@@ -4,6 +4,7 @@ import java.util.Arrays;
 import lightning.scene.Scene;
 import lightning.trace.primitive.PrimitiveTable;
 import lightning.trace.tree.Beam;
+import lightning.trace.tree.BoxSet;
 import lightning.trace.tree.Candidates;
 
 /**
@@ -66,6 +67,27 @@ public final class TileVisibility {
         return rows(allocator);
     }
 
+    /** Whether any eye ray of the places can meet any of the boxes. */
+    public boolean eyeTouches(SamplePlaces places, BoxSet boxes) {
+        if (places.pixels() == null) {
+            camera.sweep(beam, places.x0(), places.y0(), Math.min(SamplePlaces.SIDE, width - places.x0()),
+                    Math.min(SamplePlaces.SIDE, height - places.y0()));
+        } else {
+            places.bound(beam, camera);
+        }
+        return boxes.touches(beam);
+    }
+
+    /** Whether any mirrored ray of a level's reflective rows can meet any of the boxes. */
+    public boolean mirrorsTouch(HitRows from, BoxSet boxes) {
+        if (from.reflective == 0 || boxes.isEmpty()) {
+            return false;
+        }
+        direct(from);
+        bound();
+        return boxes.touches(beam);
+    }
+
     /**
      * Traces finer samples of some pixels of a tile.
      *
@@ -92,10 +114,7 @@ public final class TileVisibility {
      * @return the rows that were hit; {@code parent} is the row they are seen from
      */
     public HitRows mirrored(HitRows from, int[] known, Allocator allocator) {
-        for (int i = 0; i < from.reflective; i++) {
-            rays.slot[i] = (short) i;
-        }
-        direct(from, from.reflective);
+        direct(from);
         if (known == null) {
             nearest();
         } else {
@@ -120,6 +139,14 @@ public final class TileVisibility {
         return rows(allocator);
     }
 
+    /** Directs the mirrored rays of all reflective rows. */
+    private void direct(HitRows from) {
+        for (int i = 0; i < from.reflective; i++) {
+            rays.slot[i] = (short) i;
+        }
+        direct(from, from.reflective);
+    }
+
     /** Directs the mirrored rays of the rows in the first {@code count} slots. */
     private void direct(HitRows from, int count) {
         rays.from = from;
@@ -134,6 +161,13 @@ public final class TileVisibility {
         if (rays.count == 0) {
             return;
         }
+        bound();
+        candidates.collect(geometry.bvh(), beam);
+        tracer.nearest(rays, candidates);
+    }
+
+    /** Makes the beam of the mirrored rays; there must be any. */
+    private void bound() {
         beam.clear();
         if (rays.count == rays.from.reflective) {
             beam.origins(tracer.box(rays.from.px, rays.from.py, rays.from.pz, rays.count));
@@ -143,8 +177,6 @@ public final class TileVisibility {
             }
         }
         rays.sweep(beam, tracer);
-        candidates.collect(geometry.bvh(), beam);
-        tracer.nearest(rays, candidates);
     }
 
     /** The shapes that the rays traced last hit, −1 for none, one for each ray. */
@@ -198,7 +230,7 @@ public final class TileVisibility {
             texels.write(rows, 0, rays);
         }
         for (int row = 0; rows.code != null && row < rows.count; row++) {
-            rows.code[row] = HitCode.of(primitives.owner[rays.primitive[rays.order[row]]], rows.nx[row], rows.ny[row], rows.nz[row]);
+            rows.code[row] = HitCode.of(geometry.number(rays.primitive[rays.order[row]]), rows.nx[row], rows.ny[row], rows.nz[row]);
         }
     }
 

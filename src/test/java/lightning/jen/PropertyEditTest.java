@@ -77,6 +77,8 @@ class PropertyEditTest {
         Group g = (Group) PropertyEdit.apply(scene, "ball.at=1 2 3").nodes().getFirst();
         assertThat(((Shape) g.children().getFirst()).placement().at()).isEqualTo(new Vec3(1, 2, 3));
         assertThat(PropertyEdit.apply(scene, "g.scale=1 2 1").nodes().getFirst().placement().scale()).isEqualTo(new Vec3(1, 2, 1));
+        assertThat(PropertyEdit.apply(scene, "g.visible=no").placedShapes()).isEmpty();
+        assertThat(PropertyEdit.apply(scene, "ball.visible=no").stage().node("ball").orElseThrow().visible()).isFalse();
         assertThat(PropertyEdit.apply(scene, "floor.shininess=7").materials().getFirst().shininess()).isEqualTo(7);
     }
 

@@ -125,10 +125,11 @@ final class Scenes {
     private List<Node> nodes(List<Node> nodes, List<Material> materials, int depth) {
         return changed(nodes, () -> node(materials, depth), n -> switch (n) {
             case Group g -> new Group(chance() ? g.name() : name(), chance() ? g.placement() : placement(),
-                    nodes(g.children(), materials, depth + 1));
-            case Shape s -> switch (random.nextInt(3)) {
+                    nodes(g.children(), materials, depth + 1), g.visible() ^ chance());
+            case Shape s -> switch (random.nextInt(4)) {
                 case 0 -> s.withMaterial(material(materials));
                 case 1 -> new Shape(solid(), s.name(), s.material(), s.placement());
+                case 2 -> s.withVisible(!s.visible());
                 default -> s.withPlacement(placement());
             };
         });

@@ -13,7 +13,6 @@ import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.relight.plan.Accuracy;
 import lightning.relight.plan.Reflections;
-import lightning.relight.plan.UpdatePlan;
 import lightning.relight.tile.MirrorStorage;
 import lightning.relight.tile.Options;
 import lightning.sample.StudioScene;
@@ -276,17 +275,6 @@ class MaterialWorkTest {
                             .withSpecular(Rgb.WHITE).withShininess(1).withReflective(Rgb.WHITE), studio.scene().materials().getFirst());
             assertWork(studio.render(studio.scene().withMaterials(more)), 0, 0, 0, 0);
             assertWork(studio.render(studio.scene().withMaterials(more.reversed())), 0, 0, 0, 0);
-        }
-    }
-
-    @Test
-    void anotherMaterialOfAShape_isAnotherGeometry() {
-        try (Studio studio = studio(Reflections.CURRENT, MirrorStorage.FULL_ROWS)) {
-            Scene s = studio.scene();
-            Shape ball = (Shape) s.nodes().get(1);
-            Update update = studio.render(new Scene(s.picture(), s.camera(), s.world(), s.materials(),
-                    List.of(s.nodes().get(0), ball.withMaterial(GLASS), s.nodes().get(2)), s.lights()));
-            assertThat(update.plan()).isEqualTo(new UpdatePlan.FirstPass("other shapes"));
         }
     }
 

@@ -1,6 +1,7 @@
 package lightning.sample;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.IntStream;
 import lightning.math.Rgb;
@@ -267,6 +268,64 @@ public sealed interface Edit {
                 case Shape n -> n.withMaterial(material);
                 case Group n -> n;
             });
+            return s.withNodes(nodes);
+        }
+    }
+
+    /** A property of one shape or group, which may be within others. */
+    record OfNode(int index, NodeChange change) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene scene = history.getLast();
+            List<Node> all = new ArrayList<>();
+            collect(scene.nodes(), all);
+            if (all.isEmpty()) {
+                return scene;
+            }
+            Node node = all.get(index % all.size());
+            return scene.withNode(node.name(), change.on(node));
+        }
+
+        private static void collect(List<Node> nodes, List<Node> to) {
+            for (Node node : nodes) {
+                to.add(node);
+                if (node instanceof Group g) {
+                    collect(g.children(), to);
+                }
+            }
+        }
+    }
+
+    /** A shape or a group of the first level once more, at some place among the others. */
+    record DuplicateNode(int index, int at) implements Edit {
+        private static final int MOST = 14;
+
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene s = history.getLast();
+            if (s.nodes().isEmpty() || s.nodes().size() >= MOST) {
+                return s;
+            }
+            List<Node> nodes = new ArrayList<>(s.nodes());
+            Node copy = NodeArbitraries.named(nodes.get(index % nodes.size()), fresh(s));
+            nodes.add(at % (nodes.size() + 1), copy);
+            return s.withNodes(nodes);
+        }
+
+        private static String fresh(Scene scene) {
+            return IntStream.iterate(0, i -> i + 1).mapToObj(i -> "twin" + i).filter(n -> !scene.isTaken(n)).findFirst().orElseThrow();
+        }
+    }
+
+    /** Two nodes of the first level change places in the file. */
+    record SwapNodes(int one, int other) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene s = history.getLast();
+            List<Node> nodes = new ArrayList<>(s.nodes());
+            if (!nodes.isEmpty()) {
+                Collections.swap(nodes, one % nodes.size(), other % nodes.size());
+            }
             return s.withNodes(nodes);
         }
     }

@@ -29,6 +29,7 @@ public final class EditArbitraries {
                 Tuple.of(5, ofBanks()),
                 Tuple.of(6, ofTheWorld()),
                 Tuple.of(4, Arbitraries.integers().between(1, 6).map(Edit.Undo::new)),
+                Tuple.of(8, ofShapes()),
                 Tuple.of(1, ofTheGeometry()));
     }
 
@@ -96,8 +97,20 @@ public final class EditArbitraries {
                 Combinators.combine(sides(), sides()).as(Edit.Size::new),
                 SceneArbitraries.samplings().map(Edit.Sample::new),
                 Numbers.between(-0.3, 0.3).map(Edit.Orbit::new),
-                Arbitraries.integers().between(0, 9).map(Edit.RemoveNode::new),
-                Combinators.combine(Arbitraries.integers().between(0, 9), Arbitraries.of(NodeArbitraries.MATERIALS)).as(Edit.Assign::new)));
+                nodes().map(Edit.RemoveNode::new),
+                Combinators.combine(nodes(), Arbitraries.of(NodeArbitraries.MATERIALS)).as(Edit.Assign::new)));
+    }
+
+    private static Arbitrary<Edit> ofShapes() {
+        return Arbitraries.frequencyOf(
+                Tuple.of(10, Combinators.combine(nodes(), NodeArbitraries.changes()).as(Edit.OfNode::new)),
+                Tuple.of(1, nodes().map(Edit.RemoveNode::new)),
+                Tuple.of(1, Combinators.combine(nodes(), nodes()).as(Edit.DuplicateNode::new)),
+                Tuple.of(1, Combinators.combine(nodes(), nodes()).as(Edit.SwapNodes::new)));
+    }
+
+    private static Arbitrary<Integer> nodes() {
+        return Arbitraries.integers().between(0, 12).withoutEdgeCases();
     }
 
     private static Arbitrary<Integer> sides() {

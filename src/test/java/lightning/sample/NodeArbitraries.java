@@ -50,7 +50,7 @@ final class NodeArbitraries {
     }
 
     /** A node with another name; the children of a group get names made from it. */
-    private static Node named(Node node, String name) {
+    static Node named(Node node, String name) {
         return switch (node) {
             case Shape s -> s.withName(name);
             case Group g -> {
@@ -58,23 +58,39 @@ final class NodeArbitraries {
                 for (Node child : g.children()) {
                     children.add(named(child, name + "_" + children.size()));
                 }
-                yield new Group(name, g.placement(), children);
+                yield new Group(name, g.placement(), children, g.visible());
             }
         };
     }
 
     private static Arbitrary<Node> shapes() {
-        return Combinators.combine(SolidArbitraries.solids(), Arbitraries.of(MATERIALS), placements())
-                .as((solid, material, placement) -> new Shape(solid, "n", material, placement));
+        return Combinators.combine(SolidArbitraries.solids(), Arbitraries.of(MATERIALS), placements(), visible())
+                .as((solid, material, placement, visible) -> new Shape(solid, "n", material, placement, visible));
     }
 
     private static Arbitrary<Node> groups() {
-        return Combinators.combine(placements(), shapes().list().ofMinSize(0).ofMaxSize(3))
-                .as((placement, children) -> {
+        return Combinators.combine(placements(), shapes().list().ofMinSize(0).ofMaxSize(3), visible())
+                .as((placement, children, visible) -> {
                     List<Node> inner = new ArrayList<>();
                     children.forEach(c -> inner.add(named(c, "n" + inner.size())));
-                    return new Group("n", placement, inner);
+                    return new Group("n", placement, inner, visible);
                 });
+    }
+
+    private static Arbitrary<Boolean> visible() {
+        return Arbitraries.frequency(Tuple.of(9, true), Tuple.of(1, false));
+    }
+
+    /** Steps and turns of every size, from what moves no bit of a picture to what leaves it. */
+    static Arbitrary<NodeChange> changes() {
+        Arbitrary<Double> step = Arbitraries.oneOf(List.of(Numbers.between(-2, 2), Arbitraries.of(0.0, 1e-12, 1e-3, -50.0, 1e3)));
+        return Arbitraries.frequencyOf(
+                Tuple.of(5, Numbers.vectors(step, step, step).map(NodeChange.Move::new)),
+                Tuple.of(2, rotations().map(NodeChange.Turn::new)),
+                Tuple.of(2, scales().map(NodeChange.Scale::new)),
+                Tuple.of(4, Arbitraries.of(new NodeChange.Show())),
+                Tuple.of(2, Arbitraries.of(MATERIALS).map(NodeChange.Paint::new)),
+                Tuple.of(1, SolidArbitraries.solids().map(NodeChange.Become::new)));
     }
 
     private static Arbitrary<Placement> placements() {

@@ -127,6 +127,6 @@ class RowSpliceTest {
         var plane = new Shape(Solid.PLANE, "p", "m0", Placement.IDENTITY);
         Camera camera = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);
         return new MaterialTable(names, new Scene(Picture.DEFAULT, camera, World.DEFAULT, materials, List.of(plane), List.of()),
-                MaterialTable.MIRRORS);
+                null, MaterialTable.MIRRORS);
     }
 }

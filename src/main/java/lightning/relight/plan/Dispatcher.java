@@ -11,9 +11,11 @@ import lightning.scene.LightMatch;
 import lightning.scene.Scene;
 import lightning.shading.ConeChange;
 import lightning.shading.IntensityRatio;
+import lightning.shading.Lamp;
 import lightning.shading.Luminaire;
 import lightning.trace.Geometry;
 import lightning.trace.MaterialTable;
+import lightning.trace.ShapeChange;
 
 /**
  * Finds the least update that leads from the scene rendered last to the scene wanted (paper §4.9), by
@@ -30,6 +32,15 @@ public final class Dispatcher {
      * @param accuracy how edits are carried out
      */
     public static UpdatePlan plan(PixelCache cache, Scene wanted, boolean mirrors, Accuracy accuracy) {
+        return plan(cache, wanted, null, mirrors, accuracy);
+    }
+
+    /**
+     * The same where it is known what rays of the scene can meet.
+     *
+     * @param geometry of the wanted scene, which followed from what is known, perhaps in several steps; null where it is not known
+     */
+    public static UpdatePlan plan(PixelCache cache, Scene wanted, Geometry geometry, boolean mirrors, Accuracy accuracy) {
         if (cache == null) {
             return new UpdatePlan.FirstPass("no picture yet");
         }
@@ -45,23 +56,26 @@ public final class Dispatcher {
         if (!known.camera().equals(wanted.camera())) {
             return new UpdatePlan.FirstPass("another camera");
         }
-        if (!cache.geometry().serves(wanted)) {
+        ShapeChange shapes = cache.geometry().serves(wanted) ? ShapeChange.NONE
+                : geometry != null ? cache.geometry().changeTo(geometry) : cache.geometry().changeTo(wanted);
+        boolean reshaped = shapes != ShapeChange.NONE;
+        if (!shapes.keepsAny() || reshaped && resampled) {
             return new UpdatePlan.FirstPass("other shapes");
         }
         int depthFrom = known.picture().depth();
         int depthTo = wanted.picture().depth();
-        boolean refresh = resampled || depthFrom != depthTo || mirrors && !cache.mirroredScene().equals(wanted);
+        boolean refresh = resampled || reshaped || depthFrom != depthTo || mirrors && !cache.mirroredScene().equals(wanted);
         if (known.equals(wanted) && !refresh) {
             return new UpdatePlan.Nothing();
         }
-        Geometry geometry = cache.geometry().of(wanted);
-        LevelPlan top = level(cache.geometry(), known, cache.lights(), wanted, geometry, accuracy);
-        LevelPlan mirrored = refresh
-                ? level(cache.mirroredGeometry(), cache.mirroredScene(), cache.mirroredLights(), wanted, geometry, accuracy) : null;
+        MaterialTable materials = shapes.after(cache.geometry()).of(wanted).materials();
+        LevelPlan top = level(cache.geometry().materials(), known, cache.lights(), wanted, materials, shapes, accuracy);
+        LevelPlan mirrored = refresh ? level(cache.mirroredGeometry().materials(), cache.mirroredScene(), cache.mirroredLights(), wanted,
+                materials, shapes, accuracy) : null;
         if (resampled && !(top.materials().mirrors().isEmpty() && mirrored.materials().mirrors().isEmpty())) {
             return new UpdatePlan.FirstPass("other samples and mirrors");
         }
-        return new UpdatePlan.Relight(top, mirrored, depthFrom, depthTo, resampled);
+        return new UpdatePlan.Relight(top, mirrored, depthFrom, depthTo, resampled, shapes);
     }
 
     /** Whether all pixels have several samples, so that their centres are not traced. */
@@ -70,20 +84,33 @@ public final class Dispatcher {
     }
 
     /** @param lights those of {@code known} */
-    private static LevelPlan level(Geometry shown, Scene known, List<KnownLight> lights, Scene wanted, Geometry geometry,
-            Accuracy accuracy) {
+    private static LevelPlan level(MaterialTable shown, Scene known, List<KnownLight> lights, Scene wanted, MaterialTable materials,
+            ShapeChange shapes, Accuracy accuracy) {
         LightMatch match = new LightMatch(known.rig().actingLights(), wanted.rig().actingLights());
         List<LayerPlan> layers = new ArrayList<>();
         for (int l = 0; l < match.after().size(); l++) {
             Light light = match.after().get(l);
-            KnownLight from = match.origin(l) < 0 ? null : lights.get(match.origin(l));
-            layers.add(new LayerPlan(light, from, update(from == null ? null : from.stamp(), light, wanted, accuracy)));
+            KnownLight origin = match.origin(l) < 0 ? null : lights.get(match.origin(l));
+            KnownLight from = origin == null ? null : kept(origin, wanted, shapes);
+            layers.add(
+                    new LayerPlan(light, from, update(from == null ? null : from.stamp(), origin == null || origin.stamp() == null, light,
+                            wanted, accuracy)));
         }
         List<String> dropped = match.gone().stream().map(i -> match.before().get(i).name()).toList();
         // A change of the order or number of lights changes how their sum is grouped.
         boolean compose = !match.keepsPlaces() || !known.world().equals(wanted.world());
         return new LevelPlan(layers, dropped, compose,
-                MaterialDifference.between(shown.materials(), geometry.materials()));
+                MaterialDifference.between(shown, materials));
+    }
+
+    /**
+     * The light, without the layers that it has where other shapes decide whether it lies on one that stays as it is: they may
+     * then differ everywhere.
+     */
+    private static KnownLight kept(KnownLight light, Scene scene, ShapeChange shapes) {
+        boolean stays = light.stamp() == null || !light.stamp().light().type().hasPosition()
+                || shapes.keepsEnd(Lamp.of(light.stamp().light(), scene).source());
+        return stays ? light : null;
     }
 
     /** At accuracy ratio: all contributions anew, of the scene that is shown. */
@@ -104,10 +131,11 @@ public final class Dispatcher {
         return new LevelPlan(layers, List.of(), true, materials);
     }
 
-    private static LightUpdate update(LayerStamp before, Light light, Scene wanted, Accuracy accuracy) {
+    /** @param added whether the light never shone */
+    private static LightUpdate update(LayerStamp before, boolean added, Light light, Scene wanted, Accuracy accuracy) {
         boolean dark = Luminaire.of(light, wanted).isDark();
         if (before == null) {
-            return dark ? new LightUpdate.Keep() : new LightUpdate.FullRecompute(true);
+            return dark ? new LightUpdate.Keep() : new LightUpdate.FullRecompute(added);
         }
         return switch (accuracy) {
             case EXACT -> dark ? new LightUpdate.Keep() : exact(LightDifference.between(before.light(), light));

@@ -14,7 +14,8 @@ record MaterialDifference(MaterialTable before, MaterialTable wanted) {
             return MaterialUpdate.none(wanted);
         }
         var difference = new MaterialDifference(before, wanted);
-        int count = wanted.count();
+        // What shapes have that came since is in no row.
+        int count = before.count();
         return new MaterialUpdate(wanted, MaterialSet.of(count, difference::recolors), MaterialSet.of(count, difference::specular),
                 MaterialSet.of(count, difference::texture), MaterialSet.of(count, difference::mirrors));
     }

@@ -16,6 +16,9 @@ final class PlanText {
             describe(layer, steps);
         }
         steps.addAll(plan.top().materials().steps());
+        if (!plan.shapes().isEmpty()) {
+            steps.add("shapes");
+        }
         if (plan.depthTo() != plan.depthFrom()) {
             steps.add("depth " + plan.depthFrom() + " → " + plan.depthTo());
         }

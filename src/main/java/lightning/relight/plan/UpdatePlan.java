@@ -1,6 +1,7 @@
 package lightning.relight.plan;
 
 import java.util.List;
+import lightning.trace.ShapeChange;
 
 /** What a renderer will do to get from the scene rendered last to the scene wanted. */
 public sealed interface UpdatePlan {
@@ -19,12 +20,14 @@ public sealed interface UpdatePlan {
      * @param depthFrom how many mirror bounces are known
      * @param depthTo   how many are wanted
      * @param resampled whether pixels get other finer samples, or none, whatever the edges
+     * @param shapes    which shapes differ; where any does, there are {@code mirrors}
      */
-    record Relight(LevelPlan top, LevelPlan mirrors, int depthFrom, int depthTo, boolean resampled) implements UpdatePlan {
+    record Relight(LevelPlan top, LevelPlan mirrors, int depthFrom, int depthTo, boolean resampled, ShapeChange shapes)
+            implements UpdatePlan {
 
-        /** An update that leaves it to the edges which finer samples there are. */
+        /** An update of the same shapes that leaves it to the edges which finer samples there are. */
         public Relight(LevelPlan top, LevelPlan mirrors, int depthFrom, int depthTo) {
-            this(top, mirrors, depthFrom, depthTo, false);
+            this(top, mirrors, depthFrom, depthTo, false, ShapeChange.NONE);
         }
     }
 

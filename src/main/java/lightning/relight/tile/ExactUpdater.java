@@ -10,6 +10,7 @@ import lightning.shading.RatioRows;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialSet;
 import lightning.trace.RowSplice;
+import lightning.trace.ShapeChange;
 
 /** Updates that leave a layer as a full trace would make it, in every bit. */
 record ExactUpdater(LightKernel kernel) implements LayerUpdater {
@@ -40,6 +41,16 @@ record ExactUpdater(LightKernel kernel) implements LayerUpdater {
     @Override
     public LightLayer speculars(HitRows rows, Luminaire light, LightLayer before, MaterialSet changed) {
         return kernel.speculars(rows, light.lamp(), (LightRows) before, changed, Columns.FRESH);
+    }
+
+    @Override
+    public LightLayer shadowed(HitRows rows, Luminaire light, LightLayer before, ShapeChange change) {
+        return kernel.shadowed(rows, light.lamp(), (LightRows) before, change, Columns.FRESH);
+    }
+
+    @Override
+    public boolean mayChange(HitRows rows, Luminaire light, LightLayer before, ShapeChange change) {
+        return kernel.mayChange(rows, light.lamp(), before, change);
     }
 
     @Override

@@ -3,6 +3,7 @@ package lightning.relight.tile;
 import lightning.image.Film;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
+import lightning.trace.ShapeChange;
 import lightning.work.Progress;
 
 /**
@@ -12,9 +13,11 @@ import lightning.work.Progress;
  * @param mirrored what the mirror levels shall show: the same where they are updated too, and in a first pass
  * @param top      the update of the first level; null in a first pass
  * @param mirrors  the update of the mirror levels; null where they stay, and in a first pass
+ * @param shapes   what became of the shapes
  * @param coding   whether anti-aliasing looks for edges
  */
-public record Job(PreparedScene shown, PreparedScene mirrored, Options options, LevelJob top, LevelJob mirrors, boolean coding,
+public record Job(PreparedScene shown, PreparedScene mirrored, Options options, LevelJob top, LevelJob mirrors, ShapeChange shapes,
+        boolean coding,
         Progress progress) {
 
     Scene scene() {

@@ -9,6 +9,7 @@ import lightning.shading.RatioKernel;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialSet;
 import lightning.trace.RowSplice;
+import lightning.trace.ShapeChange;
 
 /** Carries out a light's update on one tile's layer, at one accuracy. One for each thread. */
 public interface LayerUpdater {
@@ -41,6 +42,17 @@ public interface LayerUpdater {
      * @param changed materials whose specular term changed
      */
     LightLayer speculars(HitRows rows, Luminaire light, LightLayer before, MaterialSet changed);
+
+    /**
+     * The layer after other shapes, its light being as it was: of the rows that were asked, those are asked again whose way to the
+     * light may meet what came or what is gone.
+     *
+     * @param light the light that it was computed for
+     */
+    LightLayer shadowed(HitRows rows, Luminaire light, LightLayer before, ShapeChange change);
+
+    /** Whether {@link #shadowed} would ask any row. */
+    boolean mayChange(HitRows rows, Luminaire light, LightLayer before, ShapeChange change);
 
     /** The layer over rows of which some may be gone, in another order; {@code before} is over the old rows. */
     LightLayer sorted(RowSplice splice, LightLayer before);

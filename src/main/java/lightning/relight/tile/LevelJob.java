@@ -8,26 +8,29 @@ import lightning.scene.Scene;
 import lightning.shading.BranchSums;
 import lightning.shading.LightLayer;
 import lightning.shading.Luminaire;
+import lightning.trace.ShapeChange;
 import lightning.work.Progress;
 
 /**
  * The update of a level.
  *
  * @param lights one for each light of the scene wanted, in its order
+ * @param shapes what became of the shapes
  * @param key    of sums that may be kept because one light alone is edited again and again, or null
  */
-public record LevelJob(LevelPlan plan, List<LightJob> lights, BranchSums.Key key) {
+public record LevelJob(LevelPlan plan, List<LightJob> lights, ShapeChange shapes, BranchSums.Key key) {
 
     /**
-     * @param known the scene before
+     * @param shapes what became of the shapes
+     * @param known  the scene before
      * @param wanted the lights wanted
      */
-    public static LevelJob of(LevelPlan plan, Scene known, Luminaire[] wanted, RepeatedEdit repeat) {
+    public static LevelJob of(LevelPlan plan, ShapeChange shapes, Scene known, Luminaire[] wanted, RepeatedEdit repeat) {
         List<LightJob> lights = new ArrayList<>();
         for (int l = 0; l < wanted.length; l++) {
             lights.add(LightJob.of(plan.layers().get(l), wanted[l], known));
         }
-        return new LevelJob(plan, lights, repeat.next(onlyChange(plan, lights), wanted.length));
+        return new LevelJob(plan, lights, shapes, repeat.next(shapes.isEmpty() ? onlyChange(plan, lights) : -1, wanted.length));
     }
 
     /** The place of the only light whose contribution changes, where nothing else does, or −1. */
@@ -48,7 +51,7 @@ public record LevelJob(LevelPlan plan, List<LightJob> lights, BranchSums.Key key
     LightLayer[] layers(TileLevel old, LayerUpdater updater, Progress progress) {
         LightLayer[] layers = new LightLayer[lights.size()];
         for (int l = 0; l < layers.length && !progress.isCancelled(); l++) {
-            layers[l] = lights.get(l).after(old, updater, plan.materials().speculars());
+            layers[l] = lights.get(l).after(old, updater, plan.materials().speculars(), shapes);
         }
         return layers;
     }
@@ -57,7 +60,7 @@ public record LevelJob(LevelPlan plan, List<LightJob> lights, BranchSums.Key key
     boolean recodes(TileLevel old, LightLayer[] layers) {
         boolean recodes = plan.compose() || !plan.materials().isEmpty();
         for (int l = 0; l < layers.length && !recodes; l++) {
-            recodes = lights.get(l).recodes(old, layers[l]);
+            recodes = lights.get(l).recodes(old, layers[l], shapes);
         }
         return recodes;
     }

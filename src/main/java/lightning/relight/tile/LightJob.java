@@ -9,6 +9,7 @@ import lightning.shading.ConeChange;
 import lightning.shading.LightLayer;
 import lightning.shading.Luminaire;
 import lightning.trace.MaterialSet;
+import lightning.trace.ShapeChange;
 
 /**
  * What an update does to the layers of one light over the rows of a level.
@@ -36,15 +37,23 @@ public record LightJob(LayerPlan plan, Luminaire light, Luminaire computed, Lumi
      * Its layer over one tile's rows after the update: that before where nothing of it changes; null where it never shone.
      *
      * @param speculars materials whose specular term changed
+     * @param shapes    what became of the shapes
      */
-    LightLayer after(TileLevel old, LayerUpdater updater, MaterialSet speculars) {
+    LightLayer after(TileLevel old, LayerUpdater updater, MaterialSet speculars, ShapeChange shapes) {
         LightLayer before = before(old);
         if (before == null) {
             // Never lit, or a mirror level that a deeper recursion added while the light was dark.
             return light.isDark() ? null : updater.full(old.rows(), light);
         }
-        LightLayer ready = plan.update() instanceof LightUpdate.FullRecompute ? before
-                : updater.speculars(old.rows(), computed, before, speculars);
+        if (plan.update() instanceof LightUpdate.FullRecompute) {
+            return updater.full(old.rows(), light);
+        }
+        if (light.isDark() && !shapes.isEmpty() && updater.mayChange(old.rows(), computed, before, shapes)) {
+            // Made anew once it shines.
+            return null;
+        }
+        LightLayer ready = updater.speculars(old.rows(), computed, before, speculars);
+        ready = shapes.isEmpty() ? ready : updater.shadowed(old.rows(), computed, ready, shapes);
         return updater.update(old.rows(), computed, light, ready, plan.update());
     }
 
@@ -59,9 +68,9 @@ public record LightJob(LayerPlan plan, Luminaire light, Luminaire computed, Lumi
     }
 
     /** Whether anti-aliasing may see other edges of it than before over a tile's rows: it sees neither weight nor falloff. */
-    boolean recodes(TileLevel old, LightLayer after) {
+    boolean recodes(TileLevel old, LightLayer after, ShapeChange shapes) {
         boolean wasDark = shone == null || shone.isDark();
-        return wasDark != light.isDark() || before(old) != after && !keepsStates();
+        return wasDark != light.isDark() || before(old) != after && !(keepsStates() && shapes.isEmpty());
     }
 
     private boolean keepsStates() {

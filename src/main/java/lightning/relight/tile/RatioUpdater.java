@@ -10,6 +10,7 @@ import lightning.shading.RatioRows;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialSet;
 import lightning.trace.RowSplice;
+import lightning.trace.ShapeChange;
 
 /** The paper's updates: stored contributions are scaled by ratios (§4.1 to §4.4). */
 record RatioUpdater(RatioKernel kernel) implements LayerUpdater {
@@ -41,6 +42,16 @@ record RatioUpdater(RatioKernel kernel) implements LayerUpdater {
     @Override
     public LightLayer speculars(HitRows rows, Luminaire light, LightLayer before, MaterialSet changed) {
         return kernel.speculars(rows, light, (RatioRows) before, changed);
+    }
+
+    @Override
+    public LightLayer shadowed(HitRows rows, Luminaire light, LightLayer before, ShapeChange change) {
+        return kernel.shadowed(rows, light, (RatioRows) before, change);
+    }
+
+    @Override
+    public boolean mayChange(HitRows rows, Luminaire light, LightLayer before, ShapeChange change) {
+        return kernel.exact().mayChange(rows, light.lamp(), before, change);
     }
 
     @Override

@@ -104,6 +104,9 @@ final class TileWorker {
     /** Updates the centres of a tile's pixels as planned; null where the work was cancelled. */
     CachedTile relight(int tile, CachedTile old) {
         SamplePlaces places = SamplePlaces.centers(tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE);
+        if (!job.shapes().isEmpty() && eye.visibility.eyeTouches(places, job.shapes().seen())) {
+            return firstPass(tile);
+        }
         boolean seeksEdges = job.sampling().antialias() == Antialias.EDGES;
         boolean codes = old.codes != null;
         return relight(places, seeksEdges == codes ? old : seeksEdges ? withCodes(places, old) : withoutCodes(old), seeksEdges,
@@ -135,7 +138,8 @@ final class TileWorker {
 
     /** Updates finer samples as planned; null where the work was cancelled. */
     CachedTile relight(SamplePlaces places, CachedTile old) {
-        return relight(places, old, false, true);
+        return !job.shapes().isEmpty() && eye.visibility.eyeTouches(places, job.shapes().seen()) ? fine(places)
+                : relight(places, old, false, true);
     }
 
     /**
@@ -221,8 +225,9 @@ final class TileWorker {
             return new Mirrors(new TileLevel[] {top}, new int[0][], null);
         }
         if (!job.keepsRows()) {
-            boolean stays = order == null && !crosses(old.hitShapes);
-            int[][] known = stays ? Arrays.copyOf(old.hitShapes, Math.min(old.hitShapes.length, job.depth())) : new int[0][];
+            int[][] hitShapes = Arrays.stream(old.hitShapes).map(job.shapes()::now).toArray(int[][]::new);
+            boolean stays = order == null && !crosses(hitShapes);
+            int[][] known = stays ? Arrays.copyOf(hitShapes, Math.min(hitShapes.length, job.depth())) : new int[0][];
             return traced(new TileLevel[] {top}, known, coded);
         }
         return spliced(old, top, order, coded);
@@ -248,11 +253,17 @@ final class TileWorker {
         TileLevel[] levels = new TileLevel[job.depth() + 1];
         levels[0] = top;
         boolean changed = order != null || job.mirrors() != null && job.mirrors().plan().compose();
+        boolean stale = false;
         RowSplice above = order;
         int k = 0;
         for (; k < job.depth() && levels[k].rows().reflective > 0 && !job.progress().isCancelled(); k++) {
             HitRows rows = levels[k].rows();
-            TileLevel known = k + 1 < old.levels.length ? old.levels[k + 1] : null;
+            TileLevel known = stale || k + 1 >= old.levels.length ? null : old.levels[k + 1];
+            if (known != null && mirror().visibility.mirrorsTouch(rows, job.shapes().seen())) {
+                // What is seen from these rows may be other rows, and then nothing is known of theirs.
+                stale = true;
+                known = null;
+            }
             if (known == null) {
                 levels[k + 1] = mirror().lit(mirror().visibility.mirrored(rows, null, rows(rows.code != null)));
                 mirroredRays += rows.reflective;
@@ -316,6 +327,9 @@ final class TileWorker {
         int deepest = from.length - 1;
         while (deepest < job.depth() && levels[deepest].rows().reflective > 0 && !job.progress().isCancelled()) {
             HitRows above = levels[deepest].rows();
+            if (shapes[deepest] != null && mirror().visibility.mirrorsTouch(above, job.shapes().seen())) {
+                Arrays.fill(shapes, deepest, shapes.length, null);
+            }
             levels[deepest + 1] = mirror().lit(mirror().visibility.mirrored(above, shapes[deepest], rows(above.code != null)));
             if (!job.keepsRows() && shapes[deepest] == null) {
                 shapes[deepest] = mirror().visibility.hitShapes(above.reflective);

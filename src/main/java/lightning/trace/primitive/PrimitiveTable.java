@@ -1,5 +1,6 @@
 package lightning.trace.primitive;
 
+import java.util.Arrays;
 import java.util.List;
 import lightning.math.Transform;
 import lightning.math.Vec3;
@@ -147,6 +148,20 @@ public final class PrimitiveTable {
         double[] slack = new double[kind.length];
         PrimitiveTable table = new PrimitiveTable(kind, meshes, material, owner, at, data, stage, camera, bounds, slack);
         return new Boxed(table, PrimitiveBoxes.of(bounds, slack));
+    }
+
+    /**
+     * Whether all that rays read of primitive {@code s} has the same bits as what they read of primitive {@code t} of another table
+     * in the same render space; materials may differ.
+     */
+    public boolean isAlike(int s, PrimitiveTable o, int t) {
+        return kind[s] == o.kind[t] && (kind[s] != MESH || mesh(s).mesh() == o.mesh(t).mesh())
+                && Arrays.equals(data, at[s], end(s), o.data, o.at[t], o.end(t)) && error[s] == o.error[t] && off[s] == o.off[t]
+                && size[s] == o.size[t] && underEye[s] == o.underEye[t];
+    }
+
+    private int end(int s) {
+        return s + 1 < count ? at[s + 1] : data.length;
     }
 
     /** The same primitives seen from elsewhere. */

@@ -1,7 +1,7 @@
 package lightning.trace.tree;
 
 /** A ray to be tested against padded boxes, in double; one after the other. */
-final class BoxRay {
+public final class BoxRay {
     /** Finite, so that a ray within a box's plane makes no NaN. */
     private static final double STEEPEST = 0x1p900;
 
@@ -13,7 +13,7 @@ final class BoxRay {
     private double inverseZ;
 
     /** Takes a ray. */
-    void enter(double originX, double originY, double originZ, double directionX, double directionY, double directionZ) {
+    public void enter(double originX, double originY, double originZ, double directionX, double directionY, double directionZ) {
         ox = originX;
         oy = originY;
         oz = originZ;

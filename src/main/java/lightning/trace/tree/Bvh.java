@@ -13,6 +13,9 @@ import lightning.trace.primitive.PrimitiveTable;
  * {@code axis[n]}. The root is node 0; there is no node where there are fewer than two primitives.
  */
 public final class Bvh {
+    /** A tree whose boxes are larger together than this times what they were is built anew. */
+    private static final double WORN = 1.25;
+
     public final PrimitiveTable primitives;
     /** Where the box of each primitive begins in {@link #boxes}; one that is alone has the only one there. */
     public final int[] leaf;
@@ -21,6 +24,8 @@ public final class Bvh {
     public final byte[] axis;
     /** Pushed at most this many at a time when one child of every node is put aside. */
     public final int depth;
+    /** How large all boxes were together, each as an area, when the form of the tree was found. */
+    private final double found;
 
     public Bvh(PrimitiveTable.Boxed boxed) {
         primitives = boxed.primitives();
@@ -35,6 +40,7 @@ public final class Bvh {
                 leaf[~child[c]] = 6 * c;
             }
         }
+        found = size();
     }
 
     /** The tree of the same primitives seen from elsewhere: its form with their boxes. */
@@ -44,6 +50,7 @@ public final class Bvh {
         leaf = form.leaf;
         axis = form.axis;
         depth = form.depth;
+        found = form.found;
         boxes = primitives.count == 1 ? boxed.boxes() : new float[form.boxes.length];
         // Children come after their node, so that from the last on all are there.
         for (int c = child.length - 1; c >= 0; c--) {
@@ -55,6 +62,26 @@ public final class Bvh {
                 BvhBuilder.grow(boxes, 6 * c, boxes, 12 * child[c] + 6);
             }
         }
+    }
+
+    /**
+     * A tree over primitives that follow from those of another, in the same order: its form with their boxes, or a form of their own
+     * where there are more or fewer, or where boxes became so large that rays would find them more slowly than a new form takes.
+     */
+    public static Bvh following(PrimitiveTable.Boxed boxed, Bvh form) {
+        if (boxed.primitives().count != form.primitives.count) {
+            return new Bvh(boxed);
+        }
+        Bvh moved = new Bvh(boxed, form);
+        return moved.size() <= WORN * form.found ? moved : new Bvh(boxed);
+    }
+
+    private double size() {
+        double size = 0;
+        for (int c = 0; c < child.length; c++) {
+            size += BvhBuilder.area(boxes, 6 * c);
+        }
+        return size;
     }
 
     /** The primitive that a ray meets first, the one with the lowest index among equals, or −1. */

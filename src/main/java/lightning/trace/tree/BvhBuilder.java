@@ -157,9 +157,14 @@ final class BvhBuilder {
     }
 
     private static double area(float[] b) {
-        double x = (double) b[3] - b[0];
-        double y = (double) b[4] - b[1];
-        double z = (double) b[5] - b[2];
+        return area(b, 0);
+    }
+
+    /** Half the surface of the box {@code b[at … at + 5]}; 0 where it is empty. */
+    static double area(float[] b, int at) {
+        double x = (double) b[at + 3] - b[at];
+        double y = (double) b[at + 4] - b[at + 1];
+        double z = (double) b[at + 5] - b[at + 2];
         return x < 0 ? 0 : x * y + y * z + z * x;
     }
 }

@@ -1,6 +1,8 @@
 package lightning.trace.tree;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
+import java.util.function.IntUnaryOperator;
 import lightning.math.Vec3;
 import lightning.trace.primitive.PrimitiveTable;
 
@@ -95,6 +97,27 @@ public final class WayEnd {
         return p.x() >= boxes[at] - margin && p.x() <= boxes[at + 3] + margin
                 && p.y() >= boxes[at + 1] - margin && p.y() <= boxes[at + 4] + margin
                 && p.z() >= boxes[at + 2] - margin && p.z() <= boxes[at + 5] + margin;
+    }
+
+    /**
+     * Whether the primitives that are the same before and after a change are the same here and in {@code after}.
+     *
+     * @param now of a primitive of before the index that it has after; negative where it is not the same
+     * @param old whether a primitive of after was there before
+     */
+    public boolean isAlike(WayEnd after, IntUnaryOperator now, IntPredicate old) {
+        int common = 0;
+        for (int i = 0; i < primitive.length; i++) {
+            int place = now.applyAsInt(primitive[i]);
+            if (place >= 0) {
+                int index = after.indexOf(place);
+                if (index < 0 || after.from[index] != from[i]) {
+                    return false;
+                }
+                common++;
+            }
+        }
+        return common == Arrays.stream(after.primitive).filter(old).count();
     }
 
     /** The point, render space. */

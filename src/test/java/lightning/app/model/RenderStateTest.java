@@ -20,6 +20,7 @@ import lightning.scene.Scene;
 import lightning.shading.TraceCounts;
 import lightning.trace.Geometry;
 import lightning.trace.MaterialSet;
+import lightning.trace.ShapeChange;
 import org.junit.jupiter.api.Test;
 
 class RenderStateTest {
@@ -27,7 +28,7 @@ class RenderStateTest {
     private static final Film FILM = Film.black(2, 2);
     private static final UpdatePlan SAMPLES = new UpdatePlan.Relight(new LevelPlan(List.of(), List.of(), true,
             new MaterialUpdate(new Geometry(SCENE).materials(), MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE)),
-            null, 2, 2, true);
+            null, 2, 2, true, ShapeChange.NONE);
 
     /** Took 60 ms in cold code. */
     private static Frame frame(UpdatePlan plan) {

@@ -14,8 +14,10 @@ import lightning.scene.Antialias;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Node;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
+import lightning.scene.Shape;
 import lightning.shading.ConeChange;
 import lightning.work.Progress;
 import org.junit.jupiter.api.Test;
@@ -96,7 +98,7 @@ class DispatcherTest {
     }
 
     @Test
-    void otherSizeCameraOrShapes_areAFirstPass() {
+    void otherSizeCameraOrNoShapeOfBefore_areAFirstPass() {
         try (Renderer renderer = rendered(Accuracy.EXACT, Reflections.STALE, STUDIO)) {
             Camera c = STUDIO.camera();
             assertThat(renderer.plan(STUDIO.withPicture(STUDIO.picture().withSize(31, 24))).update())
@@ -105,8 +107,8 @@ class DispatcherTest {
                     .isEqualTo(new UpdatePlan.FirstPass("another size"));
             assertThat(renderer.plan(STUDIO.withCamera(new Camera(c.from(), c.to(), c.up(), 41))).update())
                     .isEqualTo(new UpdatePlan.FirstPass("another camera"));
-            Scene fewer = new Scene(STUDIO.picture(), c, STUDIO.world(), STUDIO.materials(), STUDIO.nodes().subList(0, 2), STUDIO.lights());
-            assertThat(renderer.plan(fewer).update()).isEqualTo(new UpdatePlan.FirstPass("other shapes"));
+            Scene others = STUDIO.withNodes(STUDIO.nodes().stream().<Node>map(n -> ((Shape) n).withName(n.name() + "2")).toList());
+            assertThat(renderer.plan(others).update()).isEqualTo(new UpdatePlan.FirstPass("other shapes"));
             Scene finer = STUDIO.withPicture(STUDIO.picture().withSampling(new Sampling(Antialias.EVERY, 2)));
             assertThat(renderer.plan(finer).update()).isEqualTo(new UpdatePlan.FirstPass("other samples"));
             renderer.forget();

@@ -1,0 +1,159 @@
+package lightning.trace;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import lightning.math.Vec3;
+import lightning.trace.primitive.PrimitiveBoxes;
+import lightning.trace.tree.BoxSet;
+import lightning.trace.tree.WayEnd;
+
+/**
+ * Which primitives differ between two geometries that are seen from the same place, and where: what rays of the one met that
+ * touch none of the boxes here, rays of the other meet too. Immutable; shared between threads.
+ *
+ * <p>Shapes are told by their names. A primitive is the same where all that rays read of it has the same bits, and where those
+ * that are the same have the same order, which decides among equal distances. Let a ray touch no box of a primitive that is not the
+ * same, neither here nor there: boxes hold all that rays can meet of a primitive, whatever rounds ({@link PrimitiveBoxes}), so it
+ * meets none of these, and of the others the same one at the same distance, whatever form the trees have.
+ *
+ * <p>A way to a light on a surface does not meet that surface at its end ({@link WayEnd}). That is a matter of the primitive, the
+ * point, and of its padded box, which depends on how far the whole scene reaches: {@link #keepsEnd} tells whether it is as before.
+ */
+public final class ShapeChange {
+    /** The same shapes before and after. */
+    public static final ShapeChange NONE = new ShapeChange();
+
+    private final Geometry before;
+    private final Geometry after;
+    /** Of each primitive before the index it has now, perhaps with another material; −1 where it is gone or not the same. */
+    private final int[] now;
+    private final boolean keepsAny;
+    private final BoxSet seen;
+    private final BoxSet gone;
+    private final BoxSet come;
+
+    private ShapeChange() {
+        before = null;
+        after = null;
+        now = new int[0];
+        keepsAny = true;
+        seen = BoxSet.NONE;
+        gone = BoxSet.NONE;
+        come = BoxSet.NONE;
+    }
+
+    /** @param before its materials keep their indices in {@code after} */
+    ShapeChange(Geometry before, Geometry after) {
+        this.before = before;
+        this.after = after;
+        Map<String, Integer> places = new HashMap<>();
+        int count = before.primitiveCount();
+        int same = prefix();
+        for (int s = same; s < count; s++) {
+            places.put(before.shape(s).name(), s);
+        }
+        now = new int[count];
+        Arrays.fill(now, -1);
+        int[] come = new int[after.primitiveCount()];
+        int[] painted = new int[after.primitiveCount()];
+        int comeCount = 0;
+        int paintedCount = 0;
+        int last = -1;
+        for (int t = 0; t < after.primitiveCount(); t++) {
+            int s = t < same ? t : places.getOrDefault(after.shape(t).name(), -1);
+            boolean form = s > last && before.primitives().isAlike(s, after.primitives(), t);
+            if (form) {
+                last = s;
+                now[s] = t;
+            } else {
+                come[comeCount++] = t;
+            }
+            if (form && before.materialOf(s) != after.materialOf(t)) {
+                painted[paintedCount++] = t;
+            }
+        }
+        int[] gone = new int[count];
+        int goneCount = 0;
+        for (int s = 0; s < count; s++) {
+            if (now[s] < 0) {
+                gone[goneCount++] = s;
+            }
+        }
+        keepsAny = goneCount + paintedCount < count;
+        this.gone = BoxSet.of(before.bvh(), gone, goneCount);
+        this.come = BoxSet.of(after.bvh(), come, comeCount);
+        seen = this.gone.and(this.come).and(BoxSet.of(after.bvh(), painted, paintedCount));
+    }
+
+    /** How many primitives, the first ones, have the same names. */
+    private int prefix() {
+        int least = Math.min(before.primitiveCount(), after.primitiveCount());
+        int s = 0;
+        while (s < least && before.shape(s).name().equals(after.shape(s).name())) {
+            s++;
+        }
+        return s;
+    }
+
+    /**
+     * What rays can meet afterwards.
+     *
+     * @param known what they could meet before
+     */
+    public Geometry after(Geometry known) {
+        return after == null ? known : after;
+    }
+
+    /** Whether any primitive stays as it is, its material too. */
+    public boolean keepsAny() {
+        return keepsAny;
+    }
+
+    /** Whether rays meet what they met: only names of groups are others, or shapes that nobody sees. */
+    public boolean isEmpty() {
+        return seen.isEmpty();
+    }
+
+    /** Where eye rays and mirrored rays may find something else than before. */
+    public BoxSet seen() {
+        return seen;
+    }
+
+    /** Where ways to lights that were blocked may be free: no other may. */
+    public BoxSet gone() {
+        return gone;
+    }
+
+    /** Where ways to lights that were free may be blocked: no other may. */
+    public BoxSet come() {
+        return come;
+    }
+
+    /** The indices that primitives have now, −1 for none; a ray that touches no box of {@link #seen} met one that has one. */
+    public int[] now(int[] primitives) {
+        if (before == null) {
+            return primitives;
+        }
+        int[] found = new int[primitives.length];
+        for (int i = 0; i < found.length; i++) {
+            found[i] = primitives[i] < 0 ? -1 : now[primitives[i]];
+        }
+        return found;
+    }
+
+    /** Whether ways to a point in render space pass the same ends of those primitives that cast the same shadows. */
+    public boolean keepsEnd(Vec3 point) {
+        return before == null || before.end(point).isAlike(after.end(point), s -> now[s], this::isOld);
+    }
+
+    /** Whether a primitive of now was there before. */
+    private boolean isOld(int primitive) {
+        for (int s : now) {
+            if (s == primitive) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,67 @@
+package lightning.sample;
+
+import lightning.math.Vec3;
+import lightning.scene.Group;
+import lightning.scene.Node;
+import lightning.scene.Placement;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+
+/** A change of one shape or group. */
+public sealed interface NodeChange {
+    Node on(Node node);
+
+    /** From where it stands. */
+    record Move(Vec3 by) implements NodeChange {
+        @Override
+        public Node on(Node node) {
+            Placement p = node.placement();
+            return node.withPlacement(new Placement(p.at().plus(by), p.rotate(), p.scale()));
+        }
+    }
+
+    /** To degrees about x, y and z. */
+    record Turn(Vec3 to) implements NodeChange {
+        @Override
+        public Node on(Node node) {
+            return node.withPlacement(new Placement(node.placement().at(), to, node.placement().scale()));
+        }
+    }
+
+    record Scale(Vec3 to) implements NodeChange {
+        @Override
+        public Node on(Node node) {
+            return node.withPlacement(new Placement(node.placement().at(), node.placement().rotate(), to));
+        }
+    }
+
+    /** Hidden where it is visible, visible where it is hidden. */
+    record Show() implements NodeChange {
+        @Override
+        public Node on(Node node) {
+            return node.withVisible(!node.visible());
+        }
+    }
+
+    /** Shapes alone have a material. */
+    record Paint(String material) implements NodeChange {
+        @Override
+        public Node on(Node node) {
+            return switch (node) {
+                case Shape s -> s.withMaterial(material);
+                case Group g -> g;
+            };
+        }
+    }
+
+    /** Another solid in a shape's place. */
+    record Become(Solid solid) implements NodeChange {
+        @Override
+        public Node on(Node node) {
+            return switch (node) {
+                case Shape s -> new Shape(solid, s.name(), s.material(), s.placement(), s.visible());
+                case Group g -> g;
+            };
+        }
+    }
+}
