@@ -11,6 +11,7 @@ import lightning.trace.solid.Rays;
 public final class OwnSearch {
     private static final double[] SAME = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+    private static final int GROUP = MeshPackets.PACKETS * Rays.WIDTH;
     private static final int ALL = -1 >>> -Rays.WIDTH;
 
     private final MeshSolid solid;
@@ -29,16 +30,20 @@ public final class OwnSearch {
         boolean any = set.kind() == RaySet.Kind.SHADOW;
         Arrays.fill(limits, any ? 1 : Double.POSITIVE_INFINITY);
         hits = 0;
-        for (int n = 0; n < set.count(); n += Rays.WIDTH) {
-            load(set, n);
+        for (int n = 0; n < set.count(); n += GROUP) {
+            packets.begin(solid, SAME, 0);
+            int end = Math.min(n + GROUP, set.count());
+            for (int i = n; i < end; i += Rays.WIDTH) {
+                load(set, i);
+                packets.add(rays, ALL, limits);
+            }
             if (any) {
-                hits += Integer.bitCount(packets.blocked(solid, SAME, 0, rays, ALL, limits));
-            } else if (set.kind() == RaySet.Kind.SINGLE) {
-                for (int i = 0; i < Rays.WIDTH; i++) {
-                    hits += packets.nearest(solid, SAME, 0, rays, 1 << i, limits) == 0 ? 0 : 1;
-                }
+                packets.blocked();
             } else {
-                hits += Integer.bitCount(packets.nearest(solid, SAME, 0, rays, ALL, limits));
+                packets.nearest();
+            }
+            for (int k = 0; n + k * Rays.WIDTH < end; k++) {
+                hits += Integer.bitCount(packets.met(k));
             }
         }
         return (THREADS.getCurrentThreadCpuTime() - start) / 1e6;

@@ -109,10 +109,12 @@ final class SolidLanes {
             return meshNearerInTurn(p, s, mask);
         }
         boolean any = false;
-        int met = packets.nearest(primitives.mesh(s), primitives.data, primitives.at[s], p, mask, p.t);
-        for (int left = met; left != 0; left &= left - 1) {
+        packets.begin(primitives.mesh(s), primitives.data, primitives.at[s]);
+        packets.add(p, mask, p.t);
+        packets.nearest();
+        for (int left = packets.met(0); left != 0; left &= left - 1) {
             int i = Integer.numberOfTrailingZeros(left);
-            any |= take(p, s, i, packets.distance(i), packets.triangle(i));
+            any |= take(p, s, i, packets.distance(0, i), packets.triangle(0, i));
         }
         return any;
     }
@@ -168,7 +170,10 @@ final class SolidLanes {
 
     private int meshBelow(RayPacket p, int s, int index, int mask) {
         if (index < 0 && !primitives.isUnderEye(s)) {
-            return packets.blocked(primitives.mesh(s), primitives.data, primitives.at[s], p, mask, p.limit);
+            packets.begin(primitives.mesh(s), primitives.data, primitives.at[s]);
+            packets.add(p, mask, p.limit);
+            packets.blocked();
+            return packets.met(0);
         }
         int met = 0;
         for (int left = mask; left != 0; left &= left - 1) {
@@ -213,11 +218,13 @@ final class SolidLanes {
             }
             return done;
         }
-        int met = packets.nearest(primitives.mesh(s), primitives.data, primitives.at[s], p, done, unlimited);
-        for (int left = met; left != 0; left &= left - 1) {
+        packets.begin(primitives.mesh(s), primitives.data, primitives.at[s]);
+        packets.add(p, done, unlimited);
+        packets.nearest();
+        for (int left = packets.met(0); left != 0; left &= left - 1) {
             int i = Integer.numberOfTrailingZeros(left);
-            p.t[i] = packets.distance(i);
-            p.part[i] = packets.triangle(i);
+            p.t[i] = packets.distance(0, i);
+            p.part[i] = packets.triangle(0, i);
         }
         return done;
     }

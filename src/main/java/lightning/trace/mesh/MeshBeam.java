@@ -1,11 +1,15 @@
 package lightning.trace.mesh;
 
+import static jdk.incubator.vector.VectorOperators.GE;
+import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LE;
-import static jdk.incubator.vector.VectorOperators.NE;
+import static jdk.incubator.vector.VectorOperators.LT;
 
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
+import lightning.trace.solid.Rays;
 
 /**
  * All that the rays of a packet sweep, to be tested against the eight boxes of a node at once.
@@ -17,13 +21,18 @@ import jdk.incubator.vector.VectorSpecies;
  */
 final class MeshBeam {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
-    private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
+    private static final VectorSpecies<Float> LANES = FloatVector.SPECIES_PREFERRED;
+    private static final VectorSpecies<Integer> LANE_INTS = IntVector.SPECIES_PREFERRED;
     private static final float WIDER = 0x1p-22f;
     /** No distance within a mesh is as large. */
     private static final float NEVER = 1e30f;
 
     /** For each axis, factor and summand of: in by the greater side, out by it, in by the lesser side, out by it. */
     private final float[] c = new float[24];
+    private final float[] least = new float[Rays.WIDTH];
+    private final float[] most = new float[Rays.WIDTH];
+    private final float[] leastStep = new float[Rays.WIDTH];
+    private final float[] mostStep = new float[Rays.WIDTH];
     /** Where the beam enters each child, as the bits of floats. */
     final int[] in = new int[MeshTree.WIDTH];
     /** The greatest difference between the rays' steps on any axis. */
@@ -31,27 +40,50 @@ final class MeshBeam {
     /** The greatest difference between the rays' origins on any axis. */
     float width;
 
-    /** Takes some rays of a packet, at least one. */
-    void take(MeshLanes rays, int mask) {
+    /** Takes the rays {@code i … end − 1}, whole packets, as far as they are open, of which at least one must be. */
+    void take(MeshSight rays, int i, int end) {
         spread = 0;
         width = 0;
-        axis(rays.startX, rays.stepX, rays.wide, mask, 0);
-        axis(rays.startY, rays.stepY, rays.wide, mask, 8);
-        axis(rays.startZ, rays.stepZ, rays.wide, mask, 16);
+        axis(rays.startX, rays.stepX, rays.wide, rays.far, i, end, 0);
+        axis(rays.startY, rays.stepY, rays.wide, rays.far, i, end, 8);
+        axis(rays.startZ, rays.stepZ, rays.wide, rays.far, i, end, 16);
     }
 
-    private void axis(float[] start, float[] step, float[] wide, int mask, int at) {
-        float low = Float.POSITIVE_INFINITY;
-        float high = Float.NEGATIVE_INFINITY;
-        float lowStep = Float.POSITIVE_INFINITY;
-        float highStep = Float.NEGATIVE_INFINITY;
-        for (int left = mask; left != 0; left &= left - 1) {
-            int i = Integer.numberOfTrailingZeros(left);
-            float w = 2 * wide[i];
-            low = start[i] - w < low ? start[i] - w : low;
-            high = start[i] + w > high ? start[i] + w : high;
-            lowStep = step[i] < lowStep ? step[i] : lowStep;
-            highStep = step[i] > highStep ? step[i] : highStep;
+    private void axis(float[] start, float[] step, float[] wide, int[] far, int from, int end, int at) {
+        FloatVector low = FloatVector.broadcast(LANES, Float.POSITIVE_INFINITY);
+        FloatVector high = low.neg();
+        FloatVector lowStep = low;
+        FloatVector highStep = high;
+        for (int i = from; i < end; i += Rays.WIDTH) {
+            VectorMask<Float> open = IntVector.fromArray(LANE_INTS, far, i).compare(GE, 0).cast(LANES);
+            FloatVector o = FloatVector.fromArray(LANES, start, i);
+            FloatVector w = FloatVector.fromArray(LANES, wide, i);
+            FloatVector d = FloatVector.fromArray(LANES, step, i);
+            w = w.add(w);
+            FloatVector less = o.sub(w);
+            FloatVector more = o.add(w);
+            low = low.blend(less, less.compare(LT, low).and(open));
+            high = high.blend(more, more.compare(GT, high).and(open));
+            lowStep = lowStep.blend(d, d.compare(LT, lowStep).and(open));
+            highStep = highStep.blend(d, d.compare(GT, highStep).and(open));
+        }
+        low.intoArray(least, 0);
+        high.intoArray(most, 0);
+        lowStep.intoArray(leastStep, 0);
+        highStep.intoArray(mostStep, 0);
+        fold(at);
+    }
+
+    private void fold(int at) {
+        float low = least[0];
+        float high = most[0];
+        float lowStep = leastStep[0];
+        float highStep = mostStep[0];
+        for (int i = 1; i < Rays.WIDTH; i++) {
+            low = least[i] < low ? least[i] : low;
+            high = most[i] > high ? most[i] : high;
+            lowStep = leastStep[i] < lowStep ? leastStep[i] : lowStep;
+            highStep = mostStep[i] > highStep ? mostStep[i] : highStep;
         }
         width = high - low > width ? high - low : width;
         spread = highStep - lowStep > spread ? highStep - lowStep : spread;
@@ -97,7 +129,6 @@ final class MeshBeam {
         leaves = leaves.min(greater.fma(FloatVector.broadcast(FLOATS, k[18]), FloatVector.broadcast(FLOATS, k[19])).reinterpretAsInts())
                 .min(lesser.fma(FloatVector.broadcast(FLOATS, k[22]), FloatVector.broadcast(FLOATS, k[23])).reinterpretAsInts());
         enters.intoArray(in, 0);
-        return (int) enters.compare(LE, leaves)
-                .and(IntVector.fromArray(INTS, tree.child, MeshTree.WIDTH * node).compare(NE, MeshTree.NONE)).toLong();
+        return (int) enters.compare(LE, leaves).toLong();
     }
 }

@@ -10,7 +10,7 @@ import lightning.mesh.Mesh;
  *
  * <p>Child {@code c} of node {@code n} is {@code child[8 n + c]}: the index of a node or, where negative, the complement of a leaf;
  * children come before what is {@link #NONE}. Its box is exact: along axis {@code a} from {@code box[48 n + 16 a + c]} to
- * {@code box[48 n + 16 a + 8 + c]}. Slot {@code s} of leaf {@code l} has the triangle {@code triangle[8 l + s]} of the mesh, or −1;
+ * {@code box[48 n + 16 a + 8 + c]}; {@link #NOWHERE} where there is no child. Slot {@code s} of leaf {@code l} has the triangle {@code triangle[8 l + s]} of the mesh, or −1;
  * coordinate {@code a} of its vertex {@code v} is {@code vertex[72 l + 24 v + 8 a + s]}, NaN where there is no triangle. The root
  * is node 0; it has no child where the mesh has no triangle.
  */
@@ -18,6 +18,11 @@ public final class MeshTree {
     static final int WIDTH = 8;
     /** Stands where a node has no further child. */
     static final int NONE = Integer.MIN_VALUE;
+    /**
+     * Stands at the sides of a box that is not there, the lesser side at this and the greater at its negative: every line leaves
+     * such a box before it enters it, and a beam enters it beyond {@link MeshBeam}'s farthest.
+     */
+    static final float NOWHERE = Float.MAX_VALUE;
     /** Floats of a node's boxes. */
     static final int NODE = 6 * WIDTH;
     /** Floats of a leaf's vertices. */

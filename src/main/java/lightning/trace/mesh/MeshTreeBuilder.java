@@ -82,8 +82,7 @@ final class MeshTreeBuilder {
             grow(all, 0, boxes, 6 * i);
         }
         Set root = count == 0 ? null : ForkJoinPool.commonPool().submit(() -> split(0, count, 0, all, new Scratch())).join();
-        Arrays.fill(wideChild, MeshTree.NONE);
-        nodes = 1;
+        node();
         if (root != null) {
             collapse(root, 0, 1);
         }
@@ -333,8 +332,8 @@ final class MeshTreeBuilder {
         for (int c = 0; c < MeshTree.WIDTH; c++) {
             wideChild[MeshTree.WIDTH * node + c] = MeshTree.NONE;
             for (int a = 0; a < 3; a++) {
-                wideBox[MeshTree.NODE * node + 16 * a + c] = Float.NaN;
-                wideBox[MeshTree.NODE * node + 16 * a + 8 + c] = Float.NaN;
+                wideBox[MeshTree.NODE * node + 16 * a + c] = MeshTree.NOWHERE;
+                wideBox[MeshTree.NODE * node + 16 * a + 8 + c] = -MeshTree.NOWHERE;
             }
         }
         return node;

@@ -15,8 +15,10 @@ import org.junit.jupiter.api.Test;
 class MeshPacketsTest {
     private final MeshPackets packets = new MeshPackets();
     private final MeshProbe probe = new MeshProbe();
-    private final Rays p = new Rays();
-    private final double[] limits = new double[Rays.WIDTH];
+    private final Rays[] group = new Rays[MeshPackets.PACKETS];
+    private final int[] masks = new int[MeshPackets.PACKETS];
+    private final double[][] limits = new double[MeshPackets.PACKETS][Rays.WIDTH];
+    private final boolean[][] expected = new boolean[MeshPackets.PACKETS][Rays.WIDTH];
 
     @Property
     void packets_answerAsSingleRays(@ForAll @IntRange(min = 0, max = 300) int triangles, @ForAll long seed) {
@@ -38,15 +40,15 @@ class MeshPacketsTest {
             for (int k = 0; k < 12; k++) {
                 m[k] = k % 4 == 3 ? 0.2 * random.nextGaussian() : (k % 5 == 0 ? 1 : 0.3) * random.nextGaussian() * scale;
             }
-            rays(random, scale);
-            int mask = random.nextInt() & -1 >>> -Rays.WIDTH;
-            assertNearest(solid, m, mask);
-            assertBlocked(solid, m, mask, random);
+            int count = 1 + random.nextInt(MeshPackets.PACKETS);
+            rays(random, scale, count);
+            assertNearest(solid, m, count);
+            assertBlocked(solid, m, count, random);
         }
     }
 
-    private void rays(Random random, double scale) {
-        double far = random.nextInt(5) == 0 ? 1e6 : 2;
+    private void rays(Random random, double scale, int count) {
+        double far = random.nextInt(5) == 0 ? Math.pow(10, random.nextInt(10)) : 2;
         double spread = random.nextBoolean() ? 0.02 : 1;
         double[] o = new double[3];
         double[] d = new double[3];
@@ -55,49 +57,83 @@ class MeshPacketsTest {
             d[k] = 0.3 * random.nextGaussian() / scale - o[k];
         }
         int flat = random.nextInt(6);
-        for (int i = 0; i < Rays.WIDTH; i++) {
-            double apart = random.nextInt(3) == 0 ? spread / scale : 0;
-            p.ox[i] = o[0] + apart * random.nextGaussian();
-            p.oy[i] = o[1] + apart * random.nextGaussian();
-            p.oz[i] = o[2] + apart * random.nextGaussian();
-            p.dx[i] = flat == 0 ? 0 : d[0] + spread * random.nextGaussian() / scale;
-            p.dy[i] = flat == 1 ? -0.0 : d[1] + spread * random.nextGaussian() / scale;
-            p.dz[i] = d[2] + spread * random.nextGaussian() / scale;
-            limits[i] = random.nextInt(3) == 0 ? random.nextDouble() * 2 : Double.POSITIVE_INFINITY;
+        // One origin, origins near each other, or ways that all end at one point, nearly or to the bit.
+        int kind = random.nextInt(4);
+        double off = random.nextBoolean() ? 0 : Math.pow(10, -18 * random.nextDouble()) / scale;
+        for (int g = 0; g < count; g++) {
+            Rays p = new Rays();
+            group[g] = p;
+            do {
+                masks[g] = (random.nextInt(3) == 0 ? random.nextInt() : -1) & -1 >>> -Rays.WIDTH;
+            } while (masks[g] == 0);
+            for (int i = 0; i < Rays.WIDTH; i++) {
+                double apart = kind > 0 ? spread / scale : 0;
+                p.ox[i] = o[0] + apart * random.nextGaussian();
+                p.oy[i] = o[1] + apart * random.nextGaussian();
+                p.oz[i] = o[2] + apart * random.nextGaussian();
+                if (kind > 1) {
+                    p.dx[i] = o[0] + d[0] + off * random.nextGaussian() - p.ox[i];
+                    p.dy[i] = o[1] + d[1] - p.oy[i];
+                    p.dz[i] = o[2] + d[2] - p.oz[i];
+                } else {
+                    p.dx[i] = flat == 0 ? 0 : d[0] + spread * random.nextGaussian() / scale;
+                    p.dy[i] = flat == 1 ? -0.0 : d[1] + spread * random.nextGaussian() / scale;
+                    p.dz[i] = d[2] + spread * random.nextGaussian() / scale;
+                }
+                limits[g][i] = random.nextInt(3) == 0 ? random.nextDouble() * 2 : Double.POSITIVE_INFINITY;
+            }
         }
     }
 
-    private void enter(MeshSolid solid, double[] m, int i) {
+    private void enter(MeshSolid solid, double[] m, Rays p, int i) {
         probe.enter(solid, m[0] * p.ox[i] + m[1] * p.oy[i] + m[2] * p.oz[i] + m[3],
                 m[4] * p.ox[i] + m[5] * p.oy[i] + m[6] * p.oz[i] + m[7], m[8] * p.ox[i] + m[9] * p.oy[i] + m[10] * p.oz[i] + m[11],
                 m[0] * p.dx[i] + m[1] * p.dy[i] + m[2] * p.dz[i], m[4] * p.dx[i] + m[5] * p.dy[i] + m[6] * p.dz[i],
                 m[8] * p.dx[i] + m[9] * p.dy[i] + m[10] * p.dz[i]);
     }
 
-    private void assertNearest(MeshSolid solid, double[] m, int mask) {
-        int met = packets.nearest(solid, m, 0, p, mask, limits);
-        assertThat(met & ~mask).isZero();
-        for (int i = 0; i < Rays.WIDTH; i++) {
-            if ((mask >>> i & 1) != 0) {
-                enter(solid, m, i);
-                double t = probe.nearest(limits[i]);
-                assertThat(met >>> i & 1).as("ray %s", i).isEqualTo(probe.triangle() >= 0 ? 1 : 0);
-                if (probe.triangle() >= 0) {
-                    assertThat(packets.triangle(i)).isEqualTo(probe.triangle());
-                    assertThat(packets.distance(i)).isEqualTo(t);
+    private void search(MeshSolid solid, double[] m, int count) {
+        packets.begin(solid, m, 0);
+        for (int g = 0; g < count; g++) {
+            packets.add(group[g], masks[g], limits[g]);
+        }
+    }
+
+    private void assertNearest(MeshSolid solid, double[] m, int count) {
+        search(solid, m, count);
+        packets.nearest();
+        for (int g = 0; g < count; g++) {
+            assertThat(packets.met(g) & ~masks[g]).isZero();
+            for (int i = 0; i < Rays.WIDTH; i++) {
+                if ((masks[g] >>> i & 1) != 0) {
+                    enter(solid, m, group[g], i);
+                    double t = probe.nearest(limits[g][i]);
+                    assertThat(packets.met(g) >>> i & 1).as("ray %s of packet %s", i, g).isEqualTo(probe.triangle() >= 0 ? 1 : 0);
+                    if (probe.triangle() >= 0) {
+                        assertThat(packets.triangle(g, i)).isEqualTo(probe.triangle());
+                        assertThat(packets.distance(g, i)).isEqualTo(t);
+                    }
                 }
             }
         }
     }
 
-    private void assertBlocked(MeshSolid solid, double[] m, int mask, Random random) {
-        int expected = 0;
-        for (int i = 0; i < Rays.WIDTH; i++) {
-            enter(solid, m, i);
-            double t = probe.nearest(Double.POSITIVE_INFINITY);
-            limits[i] = random.nextInt(3) == 0 ? limits[i] : random.nextBoolean() ? t : Math.nextUp(t);
-            expected |= probe.blocked(limits[i]) ? 1 << i : 0;
+    private void assertBlocked(MeshSolid solid, double[] m, int count, Random random) {
+        boolean ways = random.nextBoolean();
+        for (int g = 0; g < count; g++) {
+            for (int i = 0; i < Rays.WIDTH; i++) {
+                enter(solid, m, group[g], i);
+                double t = probe.nearest(Double.POSITIVE_INFINITY);
+                limits[g][i] = ways ? 1 : random.nextInt(3) == 0 ? limits[g][i] : random.nextBoolean() ? t : Math.nextUp(t);
+                expected[g][i] = (masks[g] >>> i & 1) != 0 && probe.blocked(limits[g][i]);
+            }
         }
-        assertThat(packets.blocked(solid, m, 0, p, mask, limits)).isEqualTo(expected & mask);
+        search(solid, m, count);
+        packets.blocked();
+        for (int g = 0; g < count; g++) {
+            for (int i = 0; i < Rays.WIDTH; i++) {
+                assertThat((packets.met(g) >>> i & 1) != 0).as("ray %s of packet %s", i, g).isEqualTo(expected[g][i]);
+            }
+        }
     }
 }
