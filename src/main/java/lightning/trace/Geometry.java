@@ -10,9 +10,9 @@ import lightning.math.Vec3;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
-import lightning.trace.mesh.Facet;
 import lightning.trace.primitive.PrimitiveTable;
 import lightning.trace.primitive.Surface;
+import lightning.trace.primitive.TextureLookup;
 import lightning.trace.solid.Form;
 import lightning.trace.solid.Touch;
 import lightning.trace.tree.Bvh;
@@ -334,7 +334,7 @@ public final class Geometry {
         float[] diffuse = {materials.diffuse(material, 0), materials.diffuse(material, 1), materials.diffuse(material, 2)};
         float[] texel = {1, 1, 1};
         if (materials.isTextured(material)) {
-            primitives.texel(primitive, part, materials.texture(material), surface.ownX, surface.ownY, surface.ownZ, new Facet(), texel);
+            new TextureLookup().at(primitives, primitive, part, materials.texture(material), surface.ownX, surface.ownY, surface.ownZ, texel);
             for (int c = 0; c < 3; c++) {
                 diffuse[c] *= texel[c];
             }

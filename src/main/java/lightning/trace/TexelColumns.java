@@ -1,29 +1,35 @@
 package lightning.trace;
 
-import lightning.trace.mesh.Facet;
+import lightning.scene.TextureMap;
 import lightning.trace.primitive.PrimitiveTable;
+import lightning.trace.primitive.TextureLookup;
 
 /** Writes the texels of rows whose surfaces were just computed. Holds scratch memory: one for each thread. */
 final class TexelColumns {
     private final PrimitiveTable primitives;
     private final MaterialTable materials;
     private final float[] texel = new float[3];
-    private final Facet facet = new Facet();
+    private final TextureLookup lookup = new TextureLookup();
 
     TexelColumns(Geometry geometry) {
         primitives = geometry.primitives();
         materials = geometry.materials();
     }
 
-    /** Writes the rows from {@code row} on, which are the hits of the rays in their order. */
+    /** Writes the rows from {@code row} on, which are the hits of the rays in their order: often one primitive's after the other. */
     void write(HitRows rows, int row, RayColumns rays) {
+        int known = -1;
+        TextureMap map = null;
         for (int i = 0; i < rays.hits; i++) {
             int ray = rays.order[i];
             int primitive = rays.primitive[ray];
-            int material = primitives.material[primitive];
-            if (materials.isTextured(material)) {
-                primitives.texel(primitive, rays.part[ray], materials.texture(material), rays.ownX[i], rays.ownY[i], rays.ownZ[i], facet,
-                        texel);
+            if (primitive != known) {
+                known = primitive;
+                int material = primitives.material[primitive];
+                map = materials.isTextured(material) ? materials.texture(material) : null;
+            }
+            if (map != null) {
+                lookup.at(primitives, primitive, rays.part[ray], map, rays.ownX[i], rays.ownY[i], rays.ownZ[i], texel);
                 rows.texelRed[row + i] = texel[0];
                 rows.texelGreen[row + i] = texel[1];
                 rows.texelBlue[row + i] = texel[2];

@@ -8,8 +8,6 @@ import lightning.scene.PlacedShape;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.Stage;
-import lightning.scene.TextureMap;
-import lightning.trace.mesh.Facet;
 import lightning.trace.mesh.MeshProbe;
 import lightning.trace.mesh.MeshSolid;
 import lightning.trace.solid.Form;
@@ -283,23 +281,6 @@ public final class PrimitiveTable {
         to[i + 9] = m.m21();
         to[i + 10] = m.m22();
         to[i + 11] = m.t2();
-    }
-
-    /**
-     * Writes the colour of a texture, linear RGB, at an own point of primitive {@code s} to {@code rgb[0…2]}.
-     *
-     * @param part  the part that was hit
-     * @param facet scratch memory
-     */
-    public void texel(int s, int part, TextureMap map, double x, double y, double z, Facet facet, float[] rgb) {
-        MeshSolid mesh = mesh(s);
-        if (mesh != null) {
-            facet.at(mesh.mesh(), part, x, y, z);
-            TextureLookup.sample(map, facet.coordinate(0), facet.coordinate(1), rgb);
-            return;
-        }
-        Form form = kind(s).form();
-        TextureLookup.sample(map, form.u(data, at[s], x, y, z), form.v(data, at[s], x, y, z), rgb);
     }
 
     /** The kind of a canonical solid. */

@@ -2,19 +2,34 @@ package lightning.trace.primitive;
 
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
+import lightning.trace.mesh.Facet;
+import lightning.trace.mesh.MeshSolid;
 
 /**
- * The colour of a texture at a place.
+ * The colour of a texture where a primitive is met. Holds scratch memory: one for each thread.
  *
  * <p>Texture coordinates are multiplied by the repeat counts. The four nearest pixels are mixed bilinearly and the
  * picture repeats endlessly; v runs upwards, from the picture's bottom row.
  */
-final class TextureLookup {
-    private TextureLookup() {}
+public final class TextureLookup {
+    private final Facet facet = new Facet();
+    private final double[] uv = new double[2];
 
-    /** Writes the linear RGB, 0…1, at texture coordinates, before they are repeated, to {@code rgb[0…2]}. */
-    static void sample(TextureMap map, double u, double v, float[] rgb) {
-        bilinear(map.image(), u * map.repeatU(), v * map.repeatV(), rgb);
+    /**
+     * Writes the linear RGB, 0…1, at an own point of primitive {@code s} to {@code rgb[0…2]}.
+     *
+     * @param part the part that was hit
+     */
+    public void at(PrimitiveTable primitives, int s, int part, TextureMap map, double x, double y, double z, float[] rgb) {
+        MeshSolid mesh = primitives.mesh(s);
+        if (mesh == null) {
+            primitives.kind(s).form().coordinates(primitives.data, primitives.at[s], x, y, z, uv);
+        } else {
+            facet.at(mesh.mesh(), part, x, y, z);
+            uv[0] = facet.coordinate(0);
+            uv[1] = facet.coordinate(1);
+        }
+        bilinear(map.image(), uv[0] * map.repeatU(), uv[1] * map.repeatV(), rgb);
     }
 
     private static void bilinear(Texture image, double u, double v, float[] rgb) {

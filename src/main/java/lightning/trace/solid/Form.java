@@ -42,11 +42,8 @@ public abstract class Form {
     /** Writes a direction of any length that leads out of the surface at a point on it to {@code out[0 … 2]}; 0 at an apex. */
     public abstract void outward(double[] data, int at, double x, double y, double z, double[] out);
 
-    /** The texture coordinate across at a point on the surface. */
-    public abstract double u(double[] data, int at, double x, double y, double z);
-
-    /** The texture coordinate upwards at a point on the surface. */
-    public abstract double v(double[] data, int at, double x, double y, double z);
+    /** Writes the texture coordinates at a point on the surface, across and upwards, to {@code uv[0]} and {@code uv[1]}. */
+    public abstract void coordinates(double[] data, int at, double x, double y, double z, double[] uv);
 
     /** The longitude of a point, from 0 to 1. */
     static double longitude(double x, double z) {

@@ -123,12 +123,9 @@ class Frustum extends Form {
     }
 
     @Override
-    public final double u(double[] data, int at, double x, double y, double z) {
-        return isSide(data, at, x, y, z) ? longitude(x, z) : 0.5 * (x + 1);
-    }
-
-    @Override
-    public final double v(double[] data, int at, double x, double y, double z) {
-        return isSide(data, at, x, y, z) ? y : 0.5 * (z + 1);
+    public final void coordinates(double[] data, int at, double x, double y, double z, double[] uv) {
+        boolean side = isSide(data, at, x, y, z);
+        uv[0] = side ? longitude(x, z) : 0.5 * (x + 1);
+        uv[1] = side ? y : 0.5 * (z + 1);
     }
 }

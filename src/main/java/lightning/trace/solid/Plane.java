@@ -46,12 +46,8 @@ final class Plane extends Form {
     }
 
     @Override
-    public double u(double[] data, int at, double x, double y, double z) {
-        return x + 0.5;
-    }
-
-    @Override
-    public double v(double[] data, int at, double x, double y, double z) {
-        return z + 0.5;
+    public void coordinates(double[] data, int at, double x, double y, double z, double[] uv) {
+        uv[0] = x + 0.5;
+        uv[1] = z + 0.5;
     }
 }

@@ -66,12 +66,8 @@ final class Sphere extends Form {
     }
 
     @Override
-    public double u(double[] data, int at, double x, double y, double z) {
-        return longitude(x, z);
-    }
-
-    @Override
-    public double v(double[] data, int at, double x, double y, double z) {
-        return StrictMath.asin(y < -1 ? -1 : y > 1 ? 1 : y) / Math.PI + 0.5;
+    public void coordinates(double[] data, int at, double x, double y, double z, double[] uv) {
+        uv[0] = longitude(x, z);
+        uv[1] = StrictMath.asin(y < -1 ? -1 : y > 1 ? 1 : y) / Math.PI + 0.5;
     }
 }
