@@ -5,7 +5,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
-import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.math.Vec3;
@@ -58,18 +57,6 @@ final class Blocks {
     static final BlockType<Material> MATERIAL = new BlockType<>("material", true, Optional.empty(),
             Property.of(MaterialAttribute.ALL), (name, v, children) -> v.on(Material.of(name), MaterialAttribute.ALL));
 
-    private static final BlockType<Shape> SPHERE = shape(Solid.SPHERE.noun(), List.of(), v -> Solid.SPHERE);
-    private static final BlockType<Shape> CONE =
-            shape(Solid.CONE.noun(), List.of(caps(s -> ((Solid.Cone) s).caps())), v -> new Solid.Cone(v.word("caps").equals("yes")));
-    private static final BlockType<Shape> CYLINDER =
-            shape(Solid.CYLINDER.noun(), List.of(caps(s -> ((Solid.Cylinder) s).caps())),
-                    v -> new Solid.Cylinder(v.word("caps").equals("yes")));
-    private static final BlockType<Shape> FRUSTUM = shape(Solid.FRUSTUM.noun(), List.of(
-            Property.number("top", ((Solid.Frustum) Solid.FRUSTUM).top(), 0, Limits.MAX_TOP, "radius, that of the base is 1",
-                    s -> ((Solid.Frustum) s.solid()).top()),
-            caps(s -> ((Solid.Frustum) s).caps())), v -> new Solid.Frustum(v.number("top"), v.word("caps").equals("yes")));
-    private static final BlockType<Shape> PLANE = shape(Solid.PLANE.noun(), List.of(), v -> Solid.PLANE);
-
     private static final BlockType<Shape> MESH = shape("mesh", List.of(
             Property.quoted(FILE, "a PLY, OBJ, NFF or glTF file", v -> FileName.check(FILE, ((Value.Quoted) v).file(), MeshFolder.NAME),
                     s -> new Value.Quoted(((Solid.Triangles) s.solid()).file())),
@@ -86,13 +73,19 @@ final class Blocks {
     static final BlockType<Bank> BANK = new BlockType<>("bank", true, Optional.empty(), Property.of(Bank.ATTRIBUTES),
             (name, v, children) -> v.on(Bank.of(name), Bank.ATTRIBUTES));
 
-    private static final Map<String, BlockType<?>> BY_KEYWORD = Stream.of(PICTURE, CAMERA, WORLD, MATERIAL, SPHERE, CONE,
-            CYLINDER, FRUSTUM, PLANE, MESH, GROUP, BANK, LIGHT).collect(Collectors.toUnmodifiableMap(BlockType::keyword, b -> b));
+    /** The blocks of shapes, in the order of the documents. */
+    private static final List<BlockType<Shape>> SHAPES =
+            Stream.concat(Solid.CANONICAL.stream().map(Blocks::shape), Stream.of(MESH)).toList();
+    private static final Map<String, BlockType<Shape>> BY_NOUN =
+            SHAPES.stream().collect(Collectors.toUnmodifiableMap(BlockType::keyword, b -> b));
+    private static final Map<String, BlockType<?>> BY_KEYWORD = Stream
+            .concat(SHAPES.stream(), Stream.of(PICTURE, CAMERA, WORLD, MATERIAL, GROUP, BANK, LIGHT))
+            .collect(Collectors.toUnmodifiableMap(BlockType::keyword, b -> b));
 
     /** The keywords of all blocks. */
     static final List<String> KEYWORDS = BY_KEYWORD.keySet().stream().sorted().toList();
     /** The keywords of the blocks that may stand in a group. */
-    static final List<String> NODES = Stream.of(SPHERE, CONE, CYLINDER, FRUSTUM, PLANE, MESH, GROUP).map(BlockType::keyword).toList();
+    static final List<String> NODES = Stream.concat(SHAPES.stream(), Stream.of(GROUP)).map(BlockType::keyword).toList();
 
     private Blocks() {}
 
@@ -102,14 +95,13 @@ final class Blocks {
 
     /** The block of a shape. */
     static BlockType<Shape> of(Solid solid) {
-        return switch (solid) {
-            case Solid.Sphere _ -> SPHERE;
-            case Solid.Cone _ -> CONE;
-            case Solid.Cylinder _ -> CYLINDER;
-            case Solid.Frustum _ -> FRUSTUM;
-            case Solid.Plane _ -> PLANE;
-            case Solid.Triangles _ -> MESH;
-        };
+        return BY_NOUN.get(solid.noun());
+    }
+
+    private static BlockType<Shape> shape(Solid.Canonical solid) {
+        List<Property<Shape>> own = Property.of(solid.attributes()).stream()
+                .map(p -> p.<Shape>of(s -> (Solid.Canonical) s.solid())).toList();
+        return shape(solid.noun(), own, v -> v.on(solid, solid.attributes()));
     }
 
     /** @param own the properties of the solid itself */
@@ -119,11 +111,6 @@ final class Blocks {
         return new BlockType<>(noun, true, Optional.empty(),
                 Stream.of(List.of(material), own, Blocks.<Shape>placed()).flatMap(List::stream).toList(),
                 (name, v, children) -> new Shape(solid.apply(v), name, v.name("material"), placement(v), visible(v)));
-    }
-
-    private static Property<Shape> caps(Predicate<Solid> get) {
-        return Property.choice("caps", new Value.Word("yes"), List.of("yes", "no"),
-                s -> new Value.Word(get.test(s.solid()) ? "yes" : "no"));
     }
 
     private static <T extends Node> List<Property<T>> placed() {

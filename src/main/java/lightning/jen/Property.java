@@ -106,6 +106,11 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         return new Property<>(name, Form.QUOTED, List.of(), 0, 0, List.of(), new Value.Absent(), unit, false, extra, get);
     }
 
+    /** The same of what has such a record in it. */
+    <S> Property<S> of(Function<S, T> record) {
+        return new Property<>(name, form, labels, min, max, choices, initial, unit, whole, extra, record.andThen(get));
+    }
+
     Property<T> inWholeNumbers() {
         return new Property<>(name, form, labels, min, max, choices, initial, unit, true, extra, get);
     }

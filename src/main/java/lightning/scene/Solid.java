@@ -1,8 +1,11 @@
 package lightning.scene;
 
+import java.util.List;
+import java.util.function.BiFunction;
+import java.util.function.Function;
 import lightning.mesh.Mesh;
 
-/** The form of a shape: of a canonical size, or as large as its triangles are. */
+/** The form of a shape: of a canonical size, or as large as its triangles are. All that a file may say of a solid stands here. */
 public sealed interface Solid {
     Canonical SPHERE = new Sphere();
     Canonical CONE = new Cone(true);
@@ -10,8 +13,16 @@ public sealed interface Solid {
     Canonical FRUSTUM = new Frustum(0.5, true);
     Canonical PLANE = new Plane();
 
+    /** Each of those that a formula describes, as a file has it that says nothing more. */
+    List<Canonical> CANONICAL = List.of(SPHERE, CONE, CYLINDER, FRUSTUM, PLANE);
+
     /** What a formula describes, in a canonical size of its own. */
-    sealed interface Canonical extends Solid {}
+    sealed interface Canonical extends Solid {
+        /** What can be said of such a solid, in the order in which a file writes it. */
+        default List<Attribute<Canonical, ?>> attributes() {
+            return List.of();
+        }
+    }
 
     /** Radius 1 about the origin. */
     record Sphere() implements Canonical {}
@@ -21,14 +32,24 @@ public sealed interface Solid {
      *
      * @param caps whether a disc closes the base; without it the inside of the side is seen
      */
-    record Cone(boolean caps) implements Canonical {}
+    record Cone(boolean caps) implements Canonical {
+        @Override
+        public List<Attribute<Canonical, ?>> attributes() {
+            return List.of(closing(Cone.class, Cone::caps, (_, v) -> new Cone(v)));
+        }
+    }
 
     /**
      * Radius 1 about the y axis, from y = 0 to y = 1.
      *
      * @param caps whether two discs close it; without them the inside of the side is seen
      */
-    record Cylinder(boolean caps) implements Canonical {}
+    record Cylinder(boolean caps) implements Canonical {
+        @Override
+        public List<Attribute<Canonical, ?>> attributes() {
+            return List.of(closing(Cylinder.class, Cylinder::caps, (_, v) -> new Cylinder(v)));
+        }
+    }
 
     /**
      * A cone cut parallel to its base: radius 1 at y = 0, another at y = 1.
@@ -39,6 +60,14 @@ public sealed interface Solid {
     record Frustum(double top, boolean caps) implements Canonical {
         public Frustum {
             Limits.range("top", top, 0, Limits.MAX_TOP);
+        }
+
+        @Override
+        public List<Attribute<Canonical, ?>> attributes() {
+            return List.of(
+                    attribute(Frustum.class, "top", Quantity.number(0, Limits.MAX_TOP, 0.1), 0.5, "radius, that of the base is 1",
+                            Frustum::top, (f, v) -> new Frustum(v, f.caps)),
+                    closing(Frustum.class, Frustum::caps, (f, v) -> new Frustum(f.top, v)));
         }
     }
 
@@ -53,6 +82,16 @@ public sealed interface Solid {
      * @param mesh what was read: shared by all shapes that show it
      */
     record Triangles(String file, String part, Mesh mesh) implements Solid {}
+
+    private static <S extends Canonical> Attribute<Canonical, Boolean> closing(Class<S> type, Function<S, Boolean> get,
+            BiFunction<S, Boolean, Canonical> with) {
+        return attribute(type, "caps", Choice.YES_OR_NO, true, "", get, with);
+    }
+
+    private static <S extends Canonical, V> Attribute<Canonical, V> attribute(Class<S> type, String name, Kind<V> kind, V initial,
+            String unit, Function<S, V> get, BiFunction<S, V, Canonical> with) {
+        return new Attribute<>(name, name, kind, initial, unit, s -> get.apply(type.cast(s)), (s, v) -> with.apply(type.cast(s), v));
+    }
 
     /** What files and people call it, in the singular. */
     default String noun() {
