@@ -143,7 +143,7 @@ public final class Renderer implements AutoCloseable {
     /**
      * Makes the finer samples that {@link #renderCenters} left out.
      *
-     * @return all that was done since the last picture that had its samples
+     * @return all that was done since the last picture that had its samples; where none had them yet, since the newest edit
      * @throws IllegalStateException if the picture is finished
      * @throws CancellationException if {@code progress} asked to stop; everything is then as before the call
      */
@@ -359,7 +359,7 @@ public final class Renderer implements AutoCloseable {
         PixelCache old = cache;
         Making.Made made = new Making(options, workers, progress).relight(plan, old, wanted, repeats, centersAlone);
         cache = made.cache();
-        unfinished = !centersAlone ? null : unfinished == null ? new Unfinished(old, plan) : unfinished;
+        unfinished = centersAlone ? unfinished == null ? new Unfinished(old, plan) : unfinished.next(plan) : null;
         return made.work();
     }
 

@@ -15,14 +15,19 @@ import lightning.scene.Scene;
  * which may have been several, but at once of those of the last picture that had its samples.
  *
  * @param whole       that picture; null where there is none that serves, and samples are traced from nothing
- * @param plan        of the first update since
- * @param work        of all updates since
+ * @param plan        of the first update since; where there is none such, of the newest
+ * @param work        of all updates since that one
  * @param nanoseconds likewise
  */
 record Unfinished(PixelCache whole, UpdatePlan plan, Tally work, long nanoseconds) {
     /** Nothing was done yet. */
     Unfinished(PixelCache whole, UpdatePlan plan) {
         this(whole, plan, Tally.NONE, 0);
+    }
+
+    /** What is lacking after one more update: what there was of a picture that never had samples, and its time, was told by itself. */
+    Unfinished next(UpdatePlan update) {
+        return whole == null ? new Unfinished(null, update) : this;
     }
 
     Unfinished plus(Tally more, long time) {
@@ -58,7 +63,7 @@ record Unfinished(PixelCache whole, UpdatePlan plan, Tally work, long nanosecond
                 || mirrored.equals(whole.mirroredScene()) && whole.scene().picture().depth() == wanted.picture().depth();
     }
 
-    /** What leads from that picture to these centres; of the first pass where there is none. */
+    /** What leads from that picture to these centres; of the newest update where there is none. */
     UpdatePlan plan(PixelCache centers) {
         return whole == null ? plan
                 : Dispatcher.plan(whole, centers.scene(), centers.geometry(), centers.mirroredScene().equals(centers.scene()),

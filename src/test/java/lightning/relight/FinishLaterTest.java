@@ -133,8 +133,27 @@ class FinishLaterTest {
             Update edit = centers(renderer, key(0.5, true));
             assertThat(edit.plan()).isInstanceOf(UpdatePlan.Relight.class);
             assertThat(edit.rays().all()).isZero();
-            assertThat(renderer.finish(Progress.NONE).plan()).isInstanceOf(UpdatePlan.FirstPass.class);
+            renderer.finish(Progress.NONE);
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(key(0.5, true)).trace(), "edit-before-samples");
+        }
+    }
+
+    @Test
+    void firstSamplesAfterAnEdit_tellOfTheEdit() {
+        try (Renderer renderer = new Renderer(Options.DEFAULT)) {
+            Update first = centers(renderer, studio());
+            Update edit = centers(renderer, key(0.5, true));
+            Update finished = renderer.finish(Progress.NONE);
+            assertThat(finished.plan()).isEqualTo(edit.plan());
+            assertThat(first.plan()).isInstanceOf(UpdatePlan.FirstPass.class);
+            assertThat(finished.rays().eye()).as("of the samples alone").isPositive().isEqualTo(firstSamples());
+        }
+    }
+
+    /** The eye's rays of the samples without those of the centres. */
+    private static long firstSamples() {
+        try (Renderer renderer = new Renderer(Options.DEFAULT)) {
+            return renderer.render(key(0.5, true), Progress.NONE).rays().eye() - 70L * 50;
         }
     }
 
