@@ -2,7 +2,9 @@ package lightning.scene;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -71,6 +73,11 @@ public final class Stage {
     /** Every material that a shape may name, {@code default} included. */
     public Map<String, Material> materialsByName() {
         return byName;
+    }
+
+    /** The names of the materials that shapes have, in the order of the first shapes that have them; nothing is walked. */
+    public Set<String> namedMaterials() {
+        return Collections.unmodifiableSet(tree.users.keySet());
     }
 
     /** How many shapes there are, those in groups and those that are not visible included. */
@@ -180,8 +187,8 @@ public final class Stage {
         final List<Shape> shapes;
         /** How many shapes there are. */
         final int count;
-        /** For each material in use a shape that has it. */
-        private final Map<String, String> users = new HashMap<>();
+        /** For each material in use the first shape that has it. */
+        private final Map<String, String> users = new LinkedHashMap<>();
 
         static Tree of(List<Node> nodes) {
             return new Tree(List.copyOf(nodes));

@@ -74,7 +74,7 @@ public final class MaterialChoice {
     /** The scene's materials in its order, and the one of shapes that name none. */
     public static List<String> names(Scene scene) {
         Set<String> names = new LinkedHashSet<>(scene.materials().stream().map(Material::name).toList());
-        scene.stage().shapes().stream().map(Shape::material).filter(scene.materialsByName()::containsKey).forEach(names::add);
+        names.addAll(scene.stage().namedMaterials());
         return List.copyOf(names);
     }
 

@@ -43,6 +43,9 @@ final class MaterialPane extends VBox {
     private final List<Row> rows = new ArrayList<>();
     private final Obstacle unnamed;
     private String shown = "";
+    /** Of which material, among which nodes, {@link #users} tells. */
+    private String toldUsersOf = "";
+    private List<lightning.scene.Node> toldAmong = List.of();
     private boolean showing;
 
     /**
@@ -146,6 +149,7 @@ final class MaterialPane extends VBox {
 
     private void showNothing() {
         shown = "";
+        toldUsersOf = "";
         users.setText("");
         showing = true;
         name.setValue(null);
@@ -161,6 +165,15 @@ final class MaterialPane extends VBox {
         }
         name.setValue(shown);
         showing = false;
+        if (!shown.equals(toldUsersOf) || model.scene().nodes() != toldAmong) {
+            tellUsers();
+        }
+    }
+
+    /** All shapes are walked, so not for edits of the material itself. */
+    private void tellUsers() {
+        toldUsersOf = shown;
+        toldAmong = model.scene().nodes();
         List<String> shapes = MaterialChoice.shapesOf(model.scene(), shown);
         users.setText(
                 shapes.isEmpty() ? "No shape has it" : "On " + String.join(", ", shapes.subList(0, Math.min(NAMES_SHOWN, shapes.size())))
