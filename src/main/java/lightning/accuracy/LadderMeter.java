@@ -63,7 +63,8 @@ public final class LadderMeter implements AutoCloseable {
     public Ladder measure(Scene before, Scene after, Progress progress) {
         Progress silent = progress.silent();
         begin(before, silent);
-        for (Relighting grade : grades) {
+        List<Relighting> measured = grades.stream().filter(grade -> grade.grade().isOf(before)).toList();
+        for (Relighting grade : measured) {
             grade.edit(after, silent);
             grade.verify(silent);
         }
@@ -71,14 +72,14 @@ public final class LadderMeter implements AutoCloseable {
         TraditionalTracer.Result full = tracer.trace(workers, silent);
         // What shows the scene as it is must be the very picture that it is measured beside.
         var same = new Promise(SeenScenes.of(after), ViewEffects.ALL, 0);
-        grades.stream().filter(grade -> grade.grade() == Grade.EXACT_UPDATED || grade.grade() == Grade.EXACT_CURRENT)
+        measured.stream().filter(grade -> grade.grade() == Grade.EXACT_UPDATED || grade.grade() == Grade.EXACT_CURRENT)
                 .forEach(grade -> BrokenPromise.require(same.verify(grade.film(), workers, silent), grade.grade()));
         List<Turns.Turn<RuntimeException>> works = new ArrayList<>();
-        grades.forEach(grade -> works.add(() -> grade.edit(after, silent)));
+        measured.forEach(grade -> works.add(() -> grade.edit(after, silent)));
         works.add(() -> Turns.time(() -> tracer.trace(workers, silent)));
         boolean warm = turns.warmUp(works, silent);
         List<Timing> times = turns.measure(works, progress);
-        return new Ladder(before, after, kept.film(), rungs(times, full.film(), silent), full.rays(), warm);
+        return new Ladder(before, after, kept.film(), rungs(measured, times, full.film(), silent), full.rays(), warm);
     }
 
     /** What is kept of the scene that the last measured edit started from. */
@@ -94,25 +95,25 @@ public final class LadderMeter implements AutoCloseable {
         kept = null;
         // The grades' pictures lie in memory beside each other.
         long memory = Memory.available();
-        for (Relighting grade : grades) {
+        for (Relighting grade : grades.stream().filter(g -> g.grade().isOf(before)).toList()) {
             switch (grade.grade()) {
                 case EXACT -> {
                     kept = grade.begin(before, memory, progress);
                     memory -= MemoryNeed.of(kept);
                 }
                 case EXACT_UPDATED, EXACT_CURRENT -> grade.begin(kept);
-                case HALF_RESOLUTION, FAST_SHADING, RATIO, FULL_TRACE -> memory -= MemoryNeed.of(grade.begin(before, memory, progress));
+                case HALF_RESOLUTION, FAST_SHADING, FEW_SAMPLES, RATIO, FULL_TRACE -> memory -= MemoryNeed.of(grade.begin(before, memory, progress));
             }
         }
         start = before;
     }
 
-    private List<Rung> rungs(List<Timing> times, Film reference, Progress progress) {
-        PictureError[] errors = new PictureError[grades.size()];
-        workers.run(errors.length, (_, i) -> errors[i] = PictureError.of(grades.get(i).film(), reference), progress);
+    private List<Rung> rungs(List<Relighting> measured, List<Timing> times, Film reference, Progress progress) {
+        PictureError[] errors = new PictureError[measured.size()];
+        workers.run(errors.length, (_, i) -> errors[i] = PictureError.of(measured.get(i).film(), reference), progress);
         List<Rung> rungs = new ArrayList<>();
         for (int i = 0; i < errors.length; i++) {
-            Relighting grade = grades.get(i);
+            Relighting grade = measured.get(i);
             rungs.add(new Rung(grade.grade(), times.get(i), errors[i], grade.film(), grade.update()));
         }
         rungs.add(new Rung(Grade.FULL_TRACE, times.getLast(), PictureError.of(reference, reference), reference, null));

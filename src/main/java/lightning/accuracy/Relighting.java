@@ -37,7 +37,7 @@ final class Relighting implements AutoCloseable {
     private static Options options(Grade grade) {
         Options exact = Options.DEFAULT.withAccuracy(Accuracy.EXACT).withEngines(Engines.FASTEST);
         return switch (grade) {
-            case HALF_RESOLUTION, EXACT_CURRENT -> exact.withReflections(Reflections.CURRENT);
+            case HALF_RESOLUTION, FEW_SAMPLES, EXACT_CURRENT -> exact.withReflections(Reflections.CURRENT);
             case FAST_SHADING -> exact.withReflections(Reflections.STALE).withView(FAST_SHADING);
             case RATIO -> exact.withReflections(Reflections.STALE).withAccuracy(Accuracy.RATIO);
             case EXACT, EXACT_UPDATED -> exact.withReflections(Reflections.STALE);
@@ -59,7 +59,7 @@ final class Relighting implements AutoCloseable {
         start = null;
         renderer.forget();
         renderer.change(renderer.options().withMemory(memory));
-        renderer.render(sized(before), progress);
+        renderer.render(grade.of(before), progress);
         return begin(renderer.cache());
     }
 
@@ -72,7 +72,7 @@ final class Relighting implements AutoCloseable {
     /** Makes the edit; returns milliseconds. */
     double edit(Scene after, Progress progress) {
         renderer.restore(start);
-        update = renderer.render(sized(after), progress);
+        update = renderer.render(grade.of(after), progress);
         double ms = update.milliseconds();
         film = renderer.film();
         if (grade == Grade.EXACT_UPDATED) {
@@ -100,11 +100,6 @@ final class Relighting implements AutoCloseable {
      */
     void verify(Progress progress) {
         BrokenPromise.require(Promise.of(renderer, update).verify(renderer.film(), workers, progress), grade);
-    }
-
-    private Scene sized(Scene scene) {
-        Picture p = scene.picture();
-        return grade == Grade.HALF_RESOLUTION ? scene.withPicture(p.withSize((p.width() + 1) / 2, (p.height() + 1) / 2)) : scene;
     }
 
     /** The picture after the last edit, at full size. */

@@ -60,7 +60,7 @@ final class Ledger {
         /** What an edit of grade exact saves, the average of all. */
         private double averageSavedMs() {
             return edits.stream().flatMap(edit -> edit.values().stream()).mapToDouble(value -> value.rungs().getLast().time().median()
-                    - value.rungs().get(Grade.EXACT.ordinal()).time().median()).average().orElse(0);
+                    - value.rung(Grade.EXACT).time().median()).average().orElse(0);
         }
     }
 

@@ -125,7 +125,7 @@ final class SceneBench implements AutoCloseable {
     }
 
     private static double average(List<ValueResult> values, ToDoubleFunction<RungResult> what) {
-        return values.stream().mapToDouble(value -> what.applyAsDouble(value.rungs().get(Grade.EXACT.ordinal()))).average()
+        return values.stream().mapToDouble(value -> what.applyAsDouble(value.rung(Grade.EXACT))).average()
                 .orElse(Double.NaN);
     }
 

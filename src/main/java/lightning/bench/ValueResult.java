@@ -1,15 +1,21 @@
 package lightning.bench;
 
 import java.util.List;
+import lightning.accuracy.Grade;
 
 /**
  * One edit with one value.
  *
  * @param value what was changed to what, as in {@code sun: color 1 1 1 → 1 0 0}
- * @param rungs one for each grade of accuracy, from the roughest to the full trace
+ * @param rungs one for each grade of accuracy that the scene has, from the roughest to the full trace
  */
 public record ValueResult(String value, List<RungResult> rungs) {
     public ValueResult {
         rungs = List.copyOf(rungs);
+    }
+
+    /** That of a grade that the scene has. */
+    public RungResult rung(Grade grade) {
+        return rungs.stream().filter(rung -> rung.grade() == grade).findFirst().orElseThrow();
     }
 }

@@ -70,7 +70,7 @@ final class BenchTable {
     }
 
     private static double average(EditResult edit, ToDoubleFunction<RungResult> what, Grade grade) {
-        return edit.values().stream().mapToDouble(value -> what.applyAsDouble(value.rungs().get(grade.ordinal()))).average()
+        return edit.values().stream().mapToDouble(value -> what.applyAsDouble(value.rung(grade))).average()
                 .orElse(Double.NaN);
     }
 

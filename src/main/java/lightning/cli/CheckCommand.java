@@ -60,6 +60,8 @@ final class CheckCommand implements Callable<Integer> {
             case DIRECTIONAL -> "directional";
             case POINT -> "point";
             case SPOT -> "spot";
+            case RECT -> "rect";
+            case DISC -> "disc";
         };
     }
 }

@@ -128,6 +128,7 @@ final class EffectsCommand implements Callable<Integer> {
             case COSINE -> "cosines";
             case SPECULAR -> "specular terms";
             case FALLOFF -> "falloffs";
+            case SEEN_0, SEEN_1, SEEN_2, SEEN_3 -> "samples seen of soft lights";
         };
     }
 

@@ -97,8 +97,15 @@ final class ExplainCommand implements Callable<Integer> {
             case OUTSIDE -> Console.text("outside the cone, cosine %.6g", light.cosine());
             case SHADOWED -> Console.text("shadowed by %s, cosine %.6g", explainer.geometry().shape(light.blocker()).name(),
                     light.cosine());
-            case LIT -> Console.text("lit, cosine %.6g, specular %.6g, falloff %.6g", light.cosine(), light.specular(), light.falloff());
+            case LIT -> light.samples() > 1 ? samples(explainer, light)
+                    : Console.text("lit, cosine %.6g, specular %.6g, falloff %.6g", light.cosine(), light.specular(), light.falloff());
         };
+    }
+
+    private static String samples(PixelExplainer explainer, LightReport light) {
+        String between = light.blocker() < 0 ? "" : " behind " + explainer.geometry().shape(light.blocker()).name();
+        return Console.text("sees %d of %d samples%s, cosine · falloff %.6g, specular · falloff %.6g", light.seen(), light.samples(), between,
+                light.cosine(), light.specular());
     }
 
     private static String rgb(float[] c) {

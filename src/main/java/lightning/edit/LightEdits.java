@@ -115,8 +115,14 @@ public final class LightEdits {
             Vec3 position = view.camera().from().plus(view.right().times(distance / 2)).plus(view.up().times(distance / 2));
             Light light = Light.of(type.name().toLowerCase(Locale.ROOT), type)
                     .withPosition(position).withDirection(view.camera().to().minus(position));
-            return add(scene, light).or(scene);
+            // A surface is as large as one finds in a studio: half as wide as it is far away.
+            return add(scene, type.isSurface() ? light.withArea(light.area().withRadius(size(distance)).withWidth(2 * size(distance))
+                    .withHeight(2 * size(distance))) : light).or(scene);
         });
+    }
+
+    private static double size(double distance) {
+        return Math.min(distance / 4, Limits.MAX_EXTENT / 2);
     }
 
     public static Change delete(Scene scene, String name) {

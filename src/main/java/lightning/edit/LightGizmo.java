@@ -9,7 +9,8 @@ import lightning.scene.Light;
 /**
  * The wireframe that stands for a light in the preview (paper §3.2): a sphere for a point light, a short fat cone for a
  * spot, whose opening follows its angle, a long thin cone for a directional light. About the same size on the screen at
- * every distance.
+ * every distance. A light that is larger than a point shows its outline besides, as large as it is, and a surface an arrow to where
+ * it shines.
  *
  * @param light the light
  * @param lines in the scene
@@ -62,7 +63,13 @@ public record LightGizmo(Light light, List<Line> lines) {
     public static LightGizmo of(Light light, PreviewCamera view, Viewport canvas, double size) {
         double depth = Math.max(view.depth(light.position()), NEAR * view.distance());
         double pixel = size * view.pixelScale(depth, canvas.height());
-        return new LightGizmo(light, switch (light.type()) {
+        List<Line> lines = new ArrayList<>(sign(light, pixel));
+        lines.addAll(outline(light));
+        return new LightGizmo(light, lines);
+    }
+
+    private static List<Line> sign(Light light, double pixel) {
+        return switch (light.type()) {
             case POINT -> sphere(light.position(), RADIUS * pixel);
             case SPOT -> {
                 double half = Math.toRadians(light.angle());
@@ -75,7 +82,37 @@ public record LightGizmo(Light light, List<Line> lines) {
                 // The tip leads, as an arrow's.
                 yield cone(light.position().plus(axis.times(LONG_LENGTH * pixel)), light.position(), axis, THIN_RADIUS * pixel);
             }
-        });
+            case RECT, DISC -> arrow(light.position(), light.direction().normalized(), SPOT_LENGTH * pixel);
+        };
+    }
+
+    /** The border of what a light is, in its own size; of a directional light, which is nowhere, nothing. */
+    private static List<Line> outline(Light light) {
+        Vec3 axis = light.direction().normalized();
+        double radius = light.area().radius();
+        return switch (light.type()) {
+            case DIRECTIONAL -> List.of();
+            case POINT, SPOT -> radius > 0 ? sphere(light.position(), radius) : List.of();
+            case DISC -> polygon(circle(light.position(), axis, radius));
+            case RECT -> {
+                Vec3 right = light.area().right(axis);
+                Vec3 half = right.times(light.area().width() / 2);
+                Vec3 top = right.cross(axis).times(light.area().height() / 2);
+                Vec3 at = light.position();
+                yield polygon(List.of(at.plus(half).plus(top), at.minus(half).plus(top), at.minus(half).minus(top),
+                        at.plus(half).minus(top)));
+            }
+        };
+    }
+
+    private static List<Line> arrow(Vec3 from, Vec3 axis, double length) {
+        Vec3 tip = from.plus(axis.times(length));
+        List<Line> lines = new ArrayList<>(List.of(new Line(from, tip)));
+        List<Vec3> rim = circle(from.plus(axis.times(0.7 * length)), axis, 0.15 * length);
+        for (int i = 0; i < SIDES; i += SIDES / 4) {
+            lines.add(new Line(tip, rim.get(i)));
+        }
+        return lines;
     }
 
     private static List<Line> sphere(Vec3 center, double radius) {

@@ -8,6 +8,7 @@ import lightning.math.Rgb;
 import lightning.scene.Antialias;
 import lightning.scene.Attenuation;
 import lightning.scene.BarnDoors;
+import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Rig;
 import lightning.scene.Sampling;
@@ -36,11 +37,15 @@ public enum Effect {
             scene -> Without.lights(scene, l -> l.withDoors(BarnDoors.OPEN))),
     BANKS("banks of lights", Uses::banks, scene -> scene.withRig(Rig.of(scene.lights().stream().map(l -> l.withBank("")).toList())),
             UnaryOperator.identity(), false),
+    SOFT_SHADOWS("soft shadows", uses -> uses.lights(Light::isArea), scene -> Without.lights(scene, Without::area),
+            UnaryOperator.identity(), false),
     ANTIALIASING("anti-aliasing", Uses::fineSamples, scene -> scene.withPicture(scene.picture()
             .withSampling(new Sampling(Antialias.OFF, scene.picture().sampling().grid())))),
     DIRECTIONAL_LIGHTS("directional lights", LightType.DIRECTIONAL),
     POINT_LIGHTS("point lights", LightType.POINT),
     SPOT_LIGHTS("spot lights", LightType.SPOT),
+    RECT_LIGHTS("rectangular lights", LightType.RECT),
+    DISC_LIGHTS("disc lights", LightType.DISC),
     SPHERES("spheres", Solid.Sphere.class),
     CONES("cones", Solid.Cone.class),
     CYLINDERS("cylinders", Solid.Cylinder.class),

@@ -20,7 +20,7 @@ public record ViewEffects(Set<Effect> hidden, Set<Effect> forced, boolean litTex
     public static final ViewEffects ALL = new ViewEffects(Set.of(), Set.of(), true);
     /** The fast shading of the preview (paper §3.3). */
     public static final ViewEffects PREVIEW =
-            new ViewEffects(EnumSet.of(Effect.SHADOWS, Effect.REFLECTION, Effect.ANTIALIASING), Set.of(), true);
+            new ViewEffects(EnumSet.of(Effect.SHADOWS, Effect.SOFT_SHADOWS, Effect.REFLECTION, Effect.ANTIALIASING), Set.of(), true);
     /** The same with textures that emit their colours, as the paper has it (§3.1): no light's pool can be seen on them. */
     public static final ViewEffects PREVIEW_1998 = PREVIEW.withLitTextures(false);
 

@@ -22,6 +22,11 @@ final class Without {
         return s.withLights(s.lights().stream().map(change).toList());
     }
 
+    /** The light as a point, or as one direction. */
+    static Light area(Light light) {
+        return light.withArea(light.area().withRadius(0).withSpread(0).withWidth(0).withHeight(0));
+    }
+
     static Scene shapes(Scene s, Class<? extends Solid> type) {
         return s.withNodes(nodes(s.nodes(), type));
     }

@@ -58,6 +58,10 @@ public record LightsBack(byte[] bytes, Map<String, Integer> notes) {
             vector(out, "direction", light.direction());
             vector(out, "attenuation",
                     new Vec3(light.attenuation().constant(), light.attenuation().linear(), light.attenuation().quadratic()));
+            out.put("radius", light.area().radius()).put("spread", light.area().spread());
+            out.put("width", light.area().width()).put("height", light.area().height());
+            vector(out, "up", light.area().up());
+            out.put("samples", light.area().samples());
             out.put("angle", light.angle()).put("dropoff", light.dropoff());
             out.putArray("doors").add(light.doors().left()).add(light.doors().right()).add(light.doors().bottom()).add(light.doors().top());
             out.put("feather", light.feather()).put("on", light.on()).put("solo", light.solo()).put("bank", light.bank());
@@ -77,16 +81,18 @@ public record LightsBack(byte[] bytes, Map<String, Integer> notes) {
         Rgb color = light.color().times(1 / most);
         notes.add("lights that are dark, which have intensity 0", shines ? 0 : 1);
         double intensity = shines ? most * light.intensity() * strength(light, notes) / units.intensityOfOne(type) : 0;
-        double outer = Math.toRadians(Math.min(light.angle(), 90));
+        double outer = Math.toRadians(type.isSurface() ? 90 : Math.min(light.angle(), 90));
+        notes.add("lights that are larger than a point, which are one there", light.isArea() ? 1 : 0);
         notes.add("spots wider than 90 degrees", type.hasCone() && light.angle() > 90 ? 1 : 0);
-        notes.add("edges of spots, which fade otherwise there", type.hasCone() && light.dropoff() > 0 ? 1 : 0);
+        notes.add("edges of spots, which fade otherwise there", type.hasCone() && light.dropoff() > 0 || type.isSurface() ? 1 : 0);
+        double dropoff = type.isSurface() ? 1 : light.dropoff();
         notes.add("barn doors", type.hasCone() && !light.doors().isOpen() ? 1 : 0);
         GltfLight.Type kind = switch (type) {
             case DIRECTIONAL -> GltfLight.Type.DIRECTIONAL;
             case POINT -> GltfLight.Type.POINT;
-            case SPOT -> GltfLight.Type.SPOT;
+            case SPOT, RECT, DISC -> GltfLight.Type.SPOT;
         };
-        return new GltfLights.Placed(new GltfLight(0, light.name(), kind, color, intensity, inner(light.dropoff(), outer), outer, false),
+        return new GltfLights.Placed(new GltfLight(0, light.name(), kind, color, intensity, inner(dropoff, outer), outer, false),
                 light.position(), light.direction().normalized());
     }
 

@@ -2,9 +2,11 @@ package lightning.pov;
 
 import java.util.ArrayList;
 import java.util.List;
+import lightning.math.Transform;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Light;
+import lightning.scene.LightType;
 import lightning.scene.Scene;
 
 /** Writes lights; those that do not shine are left out. */
@@ -35,7 +37,9 @@ final class PovLight {
             case DIRECTIONAL -> words.add("parallel point_at " + PovText.vector(extent.center()));
             case POINT -> {}
             case SPOT -> words.addAll(spot(light));
+            case RECT, DISC -> words.addAll(surface(light));
         }
+        words.addAll(area(light));
         if (fade.distance() > 0) {
             words.add("fade_distance " + fade.distance() + " fade_power " + fade.power());
         }
@@ -73,5 +77,38 @@ final class PovLight {
         Vec3 target = light.position().plus(light.direction().normalized().times(extent.radius()));
         return List.of("spotlight point_at " + PovText.vector(target),
                 "radius " + angle + " falloff " + angle + " tightness " + light.dropoff());
+    }
+
+    /** A half space, fading by the cosine. */
+    private List<String> surface(Light light) {
+        Vec3 target = light.position().plus(light.direction().normalized().times(extent.radius()));
+        return List.of("spotlight point_at " + PovText.vector(target), "radius 90 falloff 90 tightness 1");
+    }
+
+    /** POV-Ray has a grid on a rectangle, whole or cut to an ellipse; a ball is one that always faces the point that is lit. */
+    private List<String> area(Light light) {
+        if (!light.isArea()) {
+            return List.of();
+        }
+        Vec3 axis = light.direction().normalized();
+        Vec3 right = light.area().right(axis);
+        Vec3 top = right.cross(axis);
+        boolean rect = light.type() == LightType.RECT;
+        double far = FAR * extent.radius();
+        double radius = light.type().hasPosition() ? light.area().radius()
+                : far * Transform.sinDegrees(light.area().spread()) / Math.max(Transform.cosDegrees(light.area().spread()), 0.01);
+        double width = rect ? light.area().width() : 2 * radius;
+        double height = rect ? light.area().height() : 2 * radius;
+        // A side of more than half the samples leaves no grid.
+        int across = Math.max(2, (int) Math.round(Math.sqrt(light.area().samples())));
+        losses.add("light " + light.name() + ": POV-Ray's area light has a grid of " + across + " × " + across
+                + " samples, and fades and highlights as its centre does");
+        String shape = switch (light.type()) {
+            case RECT -> "";
+            case DISC, DIRECTIONAL -> " circular";
+            case POINT, SPOT -> " circular orient";
+        };
+        return List.of("area_light " + PovText.vector(right.times(width)) + ", " + PovText.vector(top.times(height)) + ", " + across + ", "
+                + across + shape + " jitter adaptive 2");
     }
 }

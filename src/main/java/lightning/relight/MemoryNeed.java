@@ -1,7 +1,6 @@
 package lightning.relight;
 
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import lightning.cache.PixelCache;
 import lightning.column.ColumnKind;
@@ -41,12 +40,12 @@ public final class MemoryNeed {
         Sampling sampling = picture.sampling();
         boolean mirrors = picture.depth() > 0 && scene.materials().stream().anyMatch(m -> !m.reflective().isBlack());
         boolean edges = sampling.antialias() == Antialias.EDGES;
-        long light = ColumnKind.bytesPerRow(switch (options.accuracy()) {
-            case EXACT -> EnumSet.allOf(LightRows.Column.class);
-            case RATIO -> EnumSet.allOf(RatioRows.Column.class);
-        });
+        long lights = scene.lights().stream().mapToLong(light -> ColumnKind.bytesPerRow(switch (options.accuracy()) {
+            case EXACT -> LightRows.columns(light);
+            case RATIO -> RatioRows.columns(light);
+        })).sum();
         long row = Part.HIT.bytesPerRow() + Part.TEXEL.bytesPerRow() + (edges ? Part.CODE.bytesPerRow() : 0)
-                + light * scene.lights().size();
+                + lights;
         long levels = mirrors ? picture.depth() : 0;
         long mirrored = mirrors ? COLOR + levels * (options.storage() == MirrorStorage.FULL_ROWS ? row : Integer.BYTES) : 0;
         long samples = switch (sampling.antialias()) {

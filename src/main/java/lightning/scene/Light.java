@@ -12,12 +12,13 @@ import lightning.math.Vec3;
  * @param direction   where it shines to, any length
  * @param angle       half the opening of a spot's cone
  * @param dropoff     the exponent of a spot's fall from its axis
+ * @param area        how large it is
  * @param on          whether it shines
  * @param solo        whether it shines alone: where any light is solo, the others are dark
  * @param bank       the name of the bank that it belongs to; empty where it belongs to none
  */
 public record Light(String name, LightType type, Rgb color, double intensity, Vec3 position, Vec3 direction,
-        Attenuation attenuation, double angle, double dropoff, BarnDoors doors, double feather, boolean on, boolean solo, String bank) {
+        Attenuation attenuation, double angle, double dropoff, BarnDoors doors, double feather, Area area, boolean on, boolean solo, String bank) {
 
     public Light {
         Limits.name(name);
@@ -28,6 +29,12 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
         LightAttribute.ANGLE.check(angle);
         LightAttribute.DROPOFF.check(dropoff);
         LightAttribute.FEATHER.check(feather);
+        LightAttribute.RADIUS.check(area.radius());
+        LightAttribute.SPREAD.check(area.spread());
+        LightAttribute.WIDTH.check(area.width());
+        LightAttribute.HEIGHT.check(area.height());
+        LightAttribute.UP.check(area.up());
+        LightAttribute.SAMPLES.check(area.samples());
         LightAttribute.BANK.check(bank);
     }
 
@@ -36,7 +43,7 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
         return new Light(name, type, LightAttribute.COLOR.initial(), LightAttribute.INTENSITY.initial(),
                 LightAttribute.POSITION.initial(), LightAttribute.DIRECTION.initial(), LightAttribute.ATTENUATION.initial(),
                 LightAttribute.ANGLE.initial(), LightAttribute.DROPOFF.initial(), LightAttribute.DOORS.initial(),
-                LightAttribute.FEATHER.initial(),
+                LightAttribute.FEATHER.initial(), Area.DEFAULT,
                 LightAttribute.ON.initial(),
                 LightAttribute.SOLO.initial(), LightAttribute.BANK.initial());
     }
@@ -46,60 +53,73 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
         return color.times(intensity);
     }
 
+    /** Whether it is larger than a point, so that its shadows are soft. */
+    public boolean isArea() {
+        return switch (type) {
+            case DIRECTIONAL -> area.spread() > 0;
+            case POINT, SPOT, DISC -> area.radius() > 0;
+            case RECT -> area.width() > 0 || area.height() > 0;
+        };
+    }
+
     public Light withName(String v) {
-        return new Light(v, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, on, solo, bank);
+        return new Light(v, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, area, on, solo, bank);
     }
 
     public Light withType(LightType v) {
-        return new Light(name, v, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, on, solo, bank);
+        return new Light(name, v, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, area, on, solo, bank);
     }
 
     public Light withColor(Rgb v) {
-        return new Light(name, type, v, intensity, position, direction, attenuation, angle, dropoff, doors, feather, on, solo, bank);
+        return new Light(name, type, v, intensity, position, direction, attenuation, angle, dropoff, doors, feather, area, on, solo, bank);
     }
 
     public Light withIntensity(double v) {
-        return new Light(name, type, color, v, position, direction, attenuation, angle, dropoff, doors, feather, on, solo, bank);
+        return new Light(name, type, color, v, position, direction, attenuation, angle, dropoff, doors, feather, area, on, solo, bank);
     }
 
     public Light withPosition(Vec3 v) {
-        return new Light(name, type, color, intensity, v, direction, attenuation, angle, dropoff, doors, feather, on, solo, bank);
+        return new Light(name, type, color, intensity, v, direction, attenuation, angle, dropoff, doors, feather, area, on, solo, bank);
     }
 
     public Light withDirection(Vec3 v) {
-        return new Light(name, type, color, intensity, position, v, attenuation, angle, dropoff, doors, feather, on, solo, bank);
+        return new Light(name, type, color, intensity, position, v, attenuation, angle, dropoff, doors, feather, area, on, solo, bank);
     }
 
     public Light withAttenuation(Attenuation v) {
-        return new Light(name, type, color, intensity, position, direction, v, angle, dropoff, doors, feather, on, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, v, angle, dropoff, doors, feather, area, on, solo, bank);
     }
 
     public Light withAngle(double v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, v, dropoff, doors, feather, on, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, v, dropoff, doors, feather, area, on, solo, bank);
     }
 
     public Light withDropoff(double v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, v, doors, feather, on, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, v, doors, feather, area, on, solo, bank);
     }
 
     public Light withDoors(BarnDoors v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, v, feather, on, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, v, feather, area, on, solo, bank);
     }
 
     public Light withFeather(double v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, v, on, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, v, area, on, solo, bank);
+    }
+
+    public Light withArea(Area v) {
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, v, on, solo, bank);
     }
 
     public Light withOn(boolean v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, v, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, area, v, solo, bank);
     }
 
     public Light withSolo(boolean v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, on, v, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, area, on, v, bank);
     }
 
     /** @param v a bank's name, or empty */
     public Light withBank(String v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, on, solo, v);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, area, on, solo, v);
     }
 }

@@ -1,7 +1,9 @@
 package lightning.scene;
 
 import static lightning.scene.LightType.DIRECTIONAL;
+import static lightning.scene.LightType.DISC;
 import static lightning.scene.LightType.POINT;
+import static lightning.scene.LightType.RECT;
 import static lightning.scene.LightType.SPOT;
 
 import java.util.List;
@@ -26,6 +28,7 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
         SWITCHES,
         COLOUR,
         CONE,
+        AREA,
         ATTENUATION,
         PLACE
     }
@@ -38,13 +41,13 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
             Light::intensity, Light::withIntensity, Section.COLOUR, all(LightTerm.WEIGHT));
     public static final LightAttribute<Vec3> POSITION = new LightAttribute<>("at", "position", Quantity.position(), Vec3.ZERO,
             "scene units", Light::position, Light::withPosition, Section.PLACE,
-            Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE));
+            Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
     public static final LightAttribute<Vec3> DIRECTION = of("direction", Quantity.direction(), new Vec3(0, -1, 0),
             "any length but 0", Light::direction, Light::withDirection, Section.PLACE,
-            Map.of(DIRECTIONAL, LightTerm.SOURCE, SPOT, LightTerm.AXIS));
+            Map.of(DIRECTIONAL, LightTerm.SOURCE, SPOT, LightTerm.AXIS, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
     public static final LightAttribute<Attenuation> ATTENUATION = of("attenuation", Quantity.attenuation(), Attenuation.NONE,
             "per scene unit to the power 0, 1, 2", Light::attenuation, Light::withAttenuation, Section.ATTENUATION,
-            Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF));
+            Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
     public static final LightAttribute<Double> ANGLE = of("angle", Quantity.number(0, Limits.MAX_ANGLE, 1), 30.0,
             "degrees from the axis", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.OPENING));
     public static final LightAttribute<Double> DROPOFF = of("dropoff", Quantity.number(0, Limits.MAX_DROPOFF, 0.1), 0.0,
@@ -53,6 +56,23 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
             Light::doors, Light::withDoors, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<Double> FEATHER = of("feather", Quantity.number(0, Limits.MAX_FEATHER, 1), 0.0,
             "degrees inside the edge of a door", Light::feather, Light::withFeather, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
+    public static final LightAttribute<Double> RADIUS = of("radius", Quantity.number(0, Limits.MAX_EXTENT, 0.1), Area.DEFAULT.radius(),
+            "scene units", l -> l.area().radius(), (l, v) -> l.withArea(l.area().withRadius(v)), Section.AREA,
+            Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
+    public static final LightAttribute<Double> SPREAD = of("spread", Quantity.number(0, Limits.MAX_SPREAD, 0.5), Area.DEFAULT.spread(),
+            "degrees from the direction", l -> l.area().spread(), (l, v) -> l.withArea(l.area().withSpread(v)), Section.AREA,
+            Map.of(DIRECTIONAL, LightTerm.SOURCE));
+    public static final LightAttribute<Double> WIDTH = of("width", Quantity.number(0, Limits.MAX_EXTENT, 0.1), Area.DEFAULT.width(),
+            "scene units", l -> l.area().width(), (l, v) -> l.withArea(l.area().withWidth(v)), Section.AREA,
+            Map.of(RECT, LightTerm.SOURCE));
+    public static final LightAttribute<Double> HEIGHT = of("height", Quantity.number(0, Limits.MAX_EXTENT, 0.1), Area.DEFAULT.height(),
+            "scene units", l -> l.area().height(), (l, v) -> l.withArea(l.area().withHeight(v)), Section.AREA,
+            Map.of(RECT, LightTerm.SOURCE));
+    public static final LightAttribute<Vec3> UP = of("up", Quantity.direction(), Area.DEFAULT.up(), "any length but 0",
+            l -> l.area().up(), (l, v) -> l.withArea(l.area().withUp(v)), Section.AREA, Map.of(RECT, LightTerm.SOURCE));
+    public static final LightAttribute<Integer> SAMPLES = of("samples", Quantity.whole(Limits.MIN_LIGHT_SAMPLES, Limits.MAX_LIGHT_SAMPLES),
+            Area.DEFAULT.samples(), "of a light that is larger than a point", l -> l.area().samples(),
+            (l, v) -> l.withArea(l.area().withSamples(v)), Section.AREA, all(LightTerm.SOURCE));
     public static final LightAttribute<Boolean> ON = of("on", Choice.YES_OR_NO, true, "", Light::on, Light::withOn,
             Section.SWITCHES, Map.of());
     public static final LightAttribute<Boolean> SOLO = of("solo", Choice.YES_OR_NO, false, "", Light::solo, Light::withSolo,
@@ -62,7 +82,8 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
 
     /** All of them. */
     public static final List<LightAttribute<?>> ALL =
-            List.of(TYPE, COLOR, INTENSITY, POSITION, DIRECTION, ATTENUATION, ANGLE, DROPOFF, DOORS, FEATHER, ON, SOLO, BANK);
+            List.of(TYPE, COLOR, INTENSITY, POSITION, DIRECTION, ATTENUATION, ANGLE, DROPOFF, DOORS, FEATHER, RADIUS, SPREAD, WIDTH, HEIGHT,
+                    UP, SAMPLES, ON, SOLO, BANK);
 
     private final Section section;
     private final Map<LightType, LightTerm> terms;
@@ -84,7 +105,7 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
     }
 
     private static Map<LightType, LightTerm> all(LightTerm term) {
-        return Map.of(DIRECTIONAL, term, POINT, term, SPOT, term);
+        return Map.of(DIRECTIONAL, term, POINT, term, SPOT, term, RECT, term, DISC, term);
     }
 
     public Section section() {
@@ -94,6 +115,11 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
     /** What it changes of a light of this type; empty where it does not act, and for those that decide about others. */
     public Optional<LightTerm> term(LightType type) {
         return Optional.ofNullable(terms.get(type));
+    }
+
+    /** What it changes of this light; samples change nothing of one that is a point. */
+    public Optional<LightTerm> term(Light light) {
+        return this == SAMPLES && !light.isArea() ? Optional.empty() : term(light.type());
     }
 
     /** Whether it acts on the picture of a light of this type. The value is kept all the same (paper §4.5). */
@@ -109,7 +135,7 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
     /** Whether a light takes it over from another whose settings it is given: all but where it is and whether it shines. */
     public boolean isSetting() {
         return switch (section) {
-            case KIND, COLOUR, CONE, ATTENUATION -> true;
+            case KIND, COLOUR, CONE, AREA, ATTENUATION -> true;
             case PLACE, SWITCHES -> false;
         };
     }

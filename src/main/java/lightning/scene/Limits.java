@@ -40,6 +40,11 @@ public final class Limits {
     public static final double MAX_ANGLE = 180;
     public static final double MAX_FEATHER = 90;
     public static final double MAX_DROPOFF = 1e6;
+    /** The radius, width and height of a light. */
+    public static final double MAX_EXTENT = 1e9;
+    public static final double MAX_SPREAD = 90;
+    public static final int MIN_LIGHT_SAMPLES = 4;
+    public static final int MAX_LIGHT_SAMPLES = 64;
     public static final double MAX_SHININESS = 1e6;
     public static final double MIN_FOV = 0.01;
     public static final double MAX_FOV = 170;

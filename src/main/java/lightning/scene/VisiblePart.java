@@ -50,7 +50,7 @@ public final class VisiblePart {
         }
         Light acting = Light.of(name, light.type());
         for (LightAttribute<?> attribute : LightAttribute.ALL) {
-            if (attribute.term(light.type()).isPresent()) {
+            if (attribute.term(light).isPresent()) {
                 acting = attribute.copy(light, acting);
             }
         }

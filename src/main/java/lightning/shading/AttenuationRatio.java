@@ -50,7 +50,7 @@ final class AttenuationRatio {
             return;
         }
         terms.aim(rows, lamp);
-        if (lamp.type().hasCone()) {
+        if (lamp.hasCone()) {
             terms.aimCone(rows, lamp);
         }
         terms.factors(rows, lamp, to);

@@ -10,6 +10,9 @@ public interface Columns {
     /** A state column for {@code rows} rows; contents undefined. */
     byte[] states(int rows);
 
+    /** A column of sets of samples for {@code rows} rows; contents undefined. */
+    short[] shorts(int rows);
+
     /** New memory each time, just long enough. */
     Columns FRESH = new Columns() {
         @Override
@@ -20,6 +23,11 @@ public interface Columns {
         @Override
         public byte[] states(int rows) {
             return new byte[rows];
+        }
+
+        @Override
+        public short[] shorts(int rows) {
+            return new short[HitRows.padded(rows)];
         }
     };
 }

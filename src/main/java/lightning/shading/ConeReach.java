@@ -18,7 +18,8 @@ final class ConeReach {
      * <p>Seen from the light, the ball around the box lies within an angle β of its centre's direction, sin β being its radius
      * over its distance. With θ between that direction and the axis, every point of the ball is θ − β or more off the axis, and
      * outside the cone if cos(θ − β) is less than the cosine of the cone's half opening. A ball that holds the light or meets
-     * the axis is taken to be reached.
+     * the axis is taken to be reached. A sample of a larger light at c from its centre sees a point p as the centre sees p − c, so the
+     * ball is larger by what c may be.
      */
     static boolean mayReach(Lamp lamp, PointBox box) {
         Vec3 source = lamp.source();
@@ -26,7 +27,8 @@ final class ConeReach {
         double y = (box.low(1) + (double) box.high(1)) / 2 - source.y();
         double z = (box.low(2) + (double) box.high(2)) / 2 - source.z();
         double distance = Math.sqrt(x * x + y * y + z * z);
-        double sinBeta = (radius(box) + ROUNDINGS * Math.ulp(largest(box, source))) / distance;
+        double extent = lamp.isArea() ? (1 + MARGIN) * lamp.area().extent() : 0;
+        double sinBeta = (radius(box) + extent + ROUNDINGS * Math.ulp(largest(box, source))) / distance;
         if (!(sinBeta < 1)) {
             return true;
         }

@@ -10,7 +10,8 @@ import lightning.trace.MaterialTable;
  *
  * <p>A pixel's code is the sum over all that its ray meets, mirror after mirror: a number for what is hit and in how
  * many mirrors, and one for each light that shines, of the row's state and, where it is lit and its material is
- * specular, its specular term in coarse steps.
+ * specular, its specular term in coarse steps. A light that is larger than a point has no such steps, for its highlights are soft,
+ * and none in its penumbra: a row that sees any of its samples is lit.
  */
 public final class EdgeCoder {
     /** Steps of a specular term from 0 to 1. */
@@ -60,7 +61,7 @@ public final class EdgeCoder {
         int[] sums = level == 0 ? lights : mirroredLights;
         short[] pixel = pixels[level];
         for (int r = 0; r < rows.runs; r++) {
-            boolean specular = layer.specular != null && materials.isSpecular(rows.runMaterial[r]);
+            boolean specular = layer.specular != null && layer.seen == null && materials.isSpecular(rows.runMaterial[r]);
             for (int i = rows.runStart(r); i < rows.runEnd[r]; i++) {
                 int code = code(light, layer.state(i), specular, specular ? layer.specular[i] : 0);
                 sums[pixel[i]] += level == 0 ? code : HitCode.seen(code, level);

@@ -7,6 +7,8 @@ import lightning.scene.Material;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
 import lightning.trace.Tracer;
+import lightning.trace.tree.Beam;
+import lightning.trace.tree.Bvh;
 import lightning.trace.tree.Candidates;
 
 /**
@@ -34,6 +36,11 @@ record ForcedDemands(Set<Effect> forced) implements Demands {
     }
 
     @Override
+    public boolean mayBlock(Candidates blockers, Bvh bvh, Beam part) {
+        return forced.contains(Effect.SHADOWS) || OF_SCENE.mayBlock(blockers, bvh, part);
+    }
+
+    @Override
     public boolean isSpecular(MaterialTable materials, int material) {
         return forced.contains(Effect.SPECULAR) || OF_SCENE.isSpecular(materials, material);
     }
@@ -41,7 +48,7 @@ record ForcedDemands(Set<Effect> forced) implements Demands {
     @Override
     public boolean fallsOff(Lamp lamp) {
         return OF_SCENE.fallsOff(lamp)
-                || lamp.type().hasPosition()
+                || !lamp.isArea() && lamp.type().hasPosition()
                         && (forced.contains(Effect.ATTENUATION) || forced.contains(Effect.DROPOFF) || forced.contains(Effect.BARN_DOORS));
     }
 }

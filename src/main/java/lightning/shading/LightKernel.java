@@ -17,9 +17,10 @@ import lightning.trace.Tracer;
  * scratch memory: one for each thread.
  */
 public final class LightKernel {
-    private static final int WAY = LightRows.CLEAR | LightRows.BLOCKED;
+    static final int WAY = LightRows.CLEAR | LightRows.BLOCKED;
 
     private final ShadowCaster shadows;
+    private final AreaKernel areas;
     private final Tracer tracer;
     private final Terms terms;
     private final TermColumns written;
@@ -38,6 +39,7 @@ public final class LightKernel {
         demands = Demands.of(view);
         shadows = new ShadowCaster(geometry, tracer, view);
         written = new TermColumns(geometry.materials(), terms, demands);
+        areas = new AreaKernel(shadows, tracer, terms, written, demands);
     }
 
     /** What computes the terms. */
@@ -57,6 +59,10 @@ public final class LightKernel {
 
     /** The light's whole diffuse and specular terms: the paper's worst case (§4.5). */
     public LightRows full(HitRows rows, Lamp lamp, Columns columns) {
+        if (lamp.isArea()) {
+            rowsTouched += rows.count;
+            return areas.full(rows, lamp, columns);
+        }
         if (!demands.reaches(lamp, rows, tracer)) {
             return LightRows.UNREACHED;
         }
@@ -64,7 +70,7 @@ public final class LightKernel {
         terms.cosines(rows, cosine);
         int words = RowBits.words(rows.count);
         terms.facing(cosine, rows.count, facing);
-        if (lamp.type().hasCone()) {
+        if (lamp.hasCone()) {
             terms.inside(facing, rows.count, lamp.cosAngle(), chosen);
         } else {
             System.arraycopy(facing, 0, chosen, 0, words);
@@ -104,7 +110,7 @@ public final class LightKernel {
 
     private void aim(HitRows rows, Lamp lamp) {
         terms.aim(rows, lamp);
-        if (lamp.type().hasCone()) {
+        if (lamp.hasCone()) {
             terms.aimCone(rows, lamp);
         }
     }
@@ -132,11 +138,14 @@ public final class LightKernel {
         if (before.state == LightRows.UNREACHED.state) {
             return cone.looksAt(LightRows.OUTSIDE) ? full(rows, lamp, columns) : before;
         }
+        if (lamp.isArea()) {
+            return areaPartial(rows, lamp, before, cone, falloff, columns);
+        }
         int looked = looksAt(rows, before, cone);
         if (looked == 0 && !(falloff && before.lit > 0)) {
             return before;
         }
-        if (looked > 0 || lamp.type().hasCone()) {
+        if (looked > 0 || lamp.hasCone()) {
             aim(rows, lamp);
         } else {
             terms.measure(rows, lamp);
@@ -149,6 +158,15 @@ public final class LightKernel {
         }
         float[] falloffs = falloff || before.falloff == null ? written.falloffs(rows, lamp, columns) : before.falloff;
         return moved.with(LightRows.Column.FALLOFF, falloffs);
+    }
+
+    /** Whatever happens to the cone, every row that faces the light may have other samples in it. */
+    private LightRows areaPartial(HitRows rows, Lamp lamp, LightRows before, ConeChange cone, boolean falloff, Columns columns) {
+        if (cone == ConeChange.NONE && !(falloff && before.lit > 0)) {
+            return before;
+        }
+        rowsTouched += cone == ConeChange.NONE ? before.lit : rows.count;
+        return areas.partial(rows, lamp, before, cone != ConeChange.NONE, columns);
     }
 
     /**
@@ -195,6 +213,9 @@ public final class LightKernel {
     /** All terms anew for rows whose states are known: no shadow ray is cast. */
     public LightRows again(HitRows rows, Lamp lamp, LightLayer before, Columns columns) {
         rowsTouched += before.lit();
+        if (lamp.isArea()) {
+            return areas.again(rows, lamp, before, columns);
+        }
         if (before.lit() == 0) {
             return LightRows.unlit(before.states());
         }
@@ -217,6 +238,10 @@ public final class LightKernel {
         }
         if (!written.hasSpecular(rows)) {
             return before.specular == null ? before : before.with(LightRows.Column.SPECULAR, null);
+        }
+        if (lamp.isArea()) {
+            rowsTouched += before.lit;
+            return before.with(LightRows.Column.SPECULAR, areas.again(rows, lamp, before, columns).specular);
         }
         RowBits.inState(before.state, rows.count, LightRows.LIT, lit);
         System.arraycopy(lit, 0, litBefore, 0, RowBits.words(rows.count));
@@ -257,14 +282,15 @@ public final class LightKernel {
         Set<LightRows.Column> known = EnumSet.allOf(LightRows.Column.class);
         boolean fades = before.falloff != null && (added == null || added.falloff != null);
         known.removeIf(kind -> kind == LightRows.Column.FALLOFF && !fades
-                || kind == LightRows.Column.SPECULAR && !written.hasSpecular(rows));
+                || kind == LightRows.Column.SPECULAR && !written.hasSpecular(rows)
+                || LightRows.Column.SEEN.contains(kind) && !before.columns().has(kind) && (added == null || !added.columns().has(kind)));
         ColumnSet<LightRows.Column> columns = ColumnSet.room(LightRows.Column.class, known, rows.count);
         splice.fill(columns, before.columns(), added == null ? null : added.columns());
         byte[] state = (byte[]) columns.get(LightRows.Column.STATE);
         RowBits.inState(state, rows.count, LightRows.LIT, lit);
         int count = RowBits.count(lit, rows.count);
         if (count == 0) {
-            return LightRows.unlit(state);
+            return LightRows.unlit(state, LightRows.seen(columns, LightRows.Column.SEEN));
         }
         return new LightRows(fades || added == null ? columns
                 : columns.with(LightRows.Column.FALLOFF, falloffs(rows, lamp)), count);
@@ -299,7 +325,7 @@ public final class LightKernel {
         System.arraycopy(before.state, 0, state, 0, rows.count);
         Arrays.fill(chosen, 0);
         terms.cosines(rows, cosine);
-        boolean cone = lamp.type().hasCone();
+        boolean cone = lamp.hasCone();
         for (int i = 0; i < rows.count; i++) {
             if (!change.looksAt(before.state(i))) {
                 continue;

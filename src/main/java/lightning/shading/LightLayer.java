@@ -5,6 +5,9 @@ public sealed interface LightLayer permits LightRows, RatioRows {
     /** State and way of each row, see {@link LightRows}. */
     byte[] states();
 
+    /** To which samples of a light each row's ways are free, see {@link LightRows#seen}. */
+    short[][] seen();
+
     /** How many rows are lit. */
     int lit();
 

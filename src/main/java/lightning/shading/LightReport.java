@@ -8,13 +8,15 @@ import lightning.scene.Light;
  * @param light     the light
  * @param state     why it reaches the point or not
  * @param blocker   the index of the nearest shape between the point and the light; −1 if there is none or nobody looked
- * @param cosine    N·L, also below 0
+ * @param seen      of how many of its samples the light reaches the point
+ * @param samples   how many samples it has; 1 for a point
+ * @param cosine    N·L, also below 0; of a light with samples the mean of the cosine times the falloff, and the next two likewise
  * @param specular  max(V·R, 0)<sup>shininess</sup>; 0 where the light does not reach
  * @param falloff   atten·spot; 0 where the light does not reach
  * @param diffuse   its part of Σ Idiff, linear, {@code float[3]}
  * @param highlight its part of Σ Ispec, linear, {@code float[3]}
  */
-public record LightReport(Light light, State state, int blocker, float cosine, float specular, float falloff, float[] diffuse,
+public record LightReport(Light light, State state, int blocker, int seen, int samples, float cosine, float specular, float falloff, float[] diffuse,
         float[] highlight) {
 
     /** Decided in this order, but for {@link #DARK}, which comes first. */

@@ -1,9 +1,13 @@
 package lightning.shading;
 
 import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
 import lightning.column.ColumnKind;
 import lightning.column.ColumnSet;
 import lightning.column.Element;
+import lightning.scene.Light;
 
 /**
  * One light's layer over the hit rows of one tile and level: state, cosine, specular term and
@@ -24,13 +28,22 @@ public final class LightRows implements LightLayer {
     /** Whether the way to the light is free, as far as known; kept apart from the state. */
     public static final int CLEAR = 4;
     public static final int BLOCKED = 8;
+    /** Samples in a column of those that a row sees. */
+    static final int SAMPLES = 16;
 
     /** All columns that there are: what makes, counts and splices layers knows no others. */
     public enum Column implements ColumnKind {
         STATE(Element.BYTE),
         COSINE(Element.FLOAT),
         SPECULAR(Element.FLOAT),
-        FALLOFF(Element.FLOAT);
+        FALLOFF(Element.FLOAT),
+        /** Of a light that is larger than a point: to which of its samples 0…15, 16…31 and so on a row's ways are free. */
+        SEEN_0(Element.SHORT),
+        SEEN_1(Element.SHORT),
+        SEEN_2(Element.SHORT),
+        SEEN_3(Element.SHORT);
+
+        static final List<Column> SEEN = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
 
         private final Element element;
 
@@ -55,13 +68,20 @@ public final class LightRows implements LightLayer {
     public final float[] specular;
     /** atten·spot; null where no row is lit or the light does not fall off. */
     public final float[] falloff;
+    /** The columns of the samples seen, as many as there are for the light; null where it has one sample or no row sees any. */
+    final short[][] seen;
     /** How many rows are lit. */
     public final int lit;
 
     private final ColumnSet<Column> columns;
 
     public LightRows(byte[] state, float[] cosine, float[] specular, float[] falloff, int lit) {
-        this(ColumnSet.of(Column.class, state, cosine, specular, falloff), lit);
+        this(state, cosine, specular, falloff, null, lit);
+    }
+
+    LightRows(byte[] state, float[] cosine, float[] specular, float[] falloff, short[][] seen, int lit) {
+        this(ColumnSet.of(Column.class, state, cosine, specular, falloff, samples(seen, 0), samples(seen, 1), samples(seen, 2),
+                samples(seen, 3)), lit);
     }
 
     LightRows(ColumnSet<Column> columns, int lit) {
@@ -71,11 +91,43 @@ public final class LightRows implements LightLayer {
         cosine = (float[]) columns.get(Column.COSINE);
         specular = (float[]) columns.get(Column.SPECULAR);
         falloff = (float[]) columns.get(Column.FALLOFF);
+        seen = seen(columns, Column.SEEN);
+    }
+
+    /** The column of the samples from 16·{@code group} on, or null. */
+    static short[] samples(short[][] seen, int group) {
+        return seen == null || seen.length <= group ? null : seen[group];
+    }
+
+    /** The columns of samples that there are, the first ones; null where there is none. */
+    static <C extends Enum<C> & ColumnKind> short[][] seen(ColumnSet<C> columns, List<C> kinds) {
+        return !columns.has(kinds.getFirst()) ? null
+                : kinds.stream().filter(columns::has).map(kind -> (short[]) columns.get(kind)).toArray(short[][]::new);
+    }
+
+    /** The columns that layers of a light may have. */
+    public static Set<Column> columns(Light light) {
+        Set<Column> columns = EnumSet.allOf(Column.class);
+        columns.removeAll(Column.SEEN.subList(groups(light), Column.SEEN.size()));
+        if (light.isArea()) {
+            columns.remove(Column.FALLOFF);
+        }
+        return columns;
+    }
+
+    /** How many columns tell of the samples of a light; 0 for a point. */
+    static int groups(Light light) {
+        return light.isArea() ? (light.area().samples() - 1) / SAMPLES + 1 : 0;
     }
 
     /** A layer of which no row is lit. */
     static LightRows unlit(byte[] state) {
         return new LightRows(state, null, null, null, 0);
+    }
+
+    /** A layer of which no row is lit, though ways of some may be free. */
+    static LightRows unlit(byte[] state, short[][] seen) {
+        return new LightRows(state, null, null, null, seen, 0);
     }
 
     /** This layer with another column, or with none where it is null; the same rows are lit. */
@@ -102,6 +154,11 @@ public final class LightRows implements LightLayer {
     @Override
     public byte[] states() {
         return state;
+    }
+
+    @Override
+    public short[][] seen() {
+        return seen;
     }
 
     @Override

@@ -64,7 +64,7 @@ public final class LightingEquation {
 
     /** Whether the row is in the light's cone; a row exactly on it is. */
     boolean insideCone() {
-        return !lamp.type().hasCone() || axisCosine() >= lamp.cosAngle();
+        return !lamp.hasCone() || axisCosine() >= lamp.cosAngle();
     }
 
     /**
@@ -90,9 +90,9 @@ public final class LightingEquation {
         return switch (lamp.type()) {
             case DIRECTIONAL -> 1;
             case POINT -> (float) attenuation();
-            case SPOT -> {
+            case SPOT, RECT, DISC -> {
                 double c = axisCosine();
-                yield (float) (attenuation() * Power.of(c > 0 ? c : 0, lamp.light().dropoff()) * door);
+                yield (float) (attenuation() * Power.of(c > 0 ? c : 0, lamp.dropoff()) * door);
             }
         };
     }
@@ -107,6 +107,11 @@ public final class LightingEquation {
     /** One channel of the sum's term: the weight over cosine (or specular term) and falloff. */
     static float contribution(float weight, float term, float falloff) {
         return weight * (term * falloff);
+    }
+
+    /** The mean of a light's samples, from their sum, first to last, of exact products {@code term·falloff}. */
+    static float mean(double sum, int samples) {
+        return (float) (sum / samples);
     }
 
     /** Adds {@code terms[from … to)} as a balanced tree: the first half's sum plus the second's. */

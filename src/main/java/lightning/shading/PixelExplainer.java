@@ -94,7 +94,34 @@ public final class PixelExplainer {
     }
 
     private LightReport report(Luminaire light, SurfacePoint at) {
-        var equation = new LightingEquation(light.lamp());
+        return light.lamp().isArea() && !light.isDark() ? area(light, at) : report(light, light.lamp(), at);
+    }
+
+    /** The means of a light's samples; of those that do not reach the point, the one that comes farthest tells why. */
+    private LightReport area(Luminaire light, SurfacePoint at) {
+        int samples = light.lamp().area().samples();
+        double diffuse = 0;
+        double specular = 0;
+        int seen = 0;
+        LightReport farthest = null;
+        LightReport blocked = null;
+        for (int s = 0; s < samples; s++) {
+            LightReport one = report(light, light.lamp().sample(LampArea.turn(at.px(), at.py(), at.pz()), s), at);
+            diffuse += (double) one.falloff() * (one.state() == LightReport.State.LIT ? one.cosine() : 0);
+            specular += (double) one.specular() * one.falloff();
+            seen += one.state() == LightReport.State.LIT ? 1 : 0;
+            farthest = farthest == null || one.state().compareTo(farthest.state()) > 0 ? one : farthest;
+            blocked = blocked == null && one.state() == LightReport.State.SHADOWED ? one : blocked;
+        }
+        float cosine = LightingEquation.mean(diffuse, samples);
+        float highlight = LightingEquation.mean(specular, samples);
+        return new LightReport(light.light(), farthest.state(), blocked == null ? -1 : blocked.blocker(), seen, samples,
+                seen == 0 ? farthest.cosine() : cosine, highlight, seen == 0 ? 0 : 1, contribution(light, cosine, 1),
+                contribution(light, highlight, 1));
+    }
+
+    private LightReport report(Luminaire light, Lamp lamp, SurfacePoint at) {
+        var equation = new LightingEquation(lamp);
         equation.at(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz());
         float cosine = equation.cosine(at.nx(), at.ny(), at.nz());
         int blocker = -1;
@@ -106,15 +133,15 @@ public final class PixelExplainer {
         } else if (!equation.insideCone()) {
             state = LightReport.State.OUTSIDE;
         } else {
-            blocker = blocker(light.lamp(), at);
+            blocker = blocker(lamp, at);
             state = blocker < 0 ? LightReport.State.LIT : LightReport.State.SHADOWED;
         }
         if (state != LightReport.State.LIT) {
-            return new LightReport(light.light(), state, blocker, cosine, 0, 0, NONE, NONE);
+            return new LightReport(light.light(), state, blocker, 0, 1, cosine, 0, 0, NONE, NONE);
         }
         float specular = equation.specular(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(), materials.shininess(at.material()));
         float falloff = equation.falloff();
-        return new LightReport(light.light(), state, blocker, cosine, specular, falloff,
+        return new LightReport(light.light(), state, blocker, 1, 1, cosine, specular, falloff,
                 contribution(light, cosine, falloff), contribution(light, specular, falloff));
     }
 

@@ -1,5 +1,6 @@
 package lightning.shading;
 
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Set;
 import lightning.column.ColumnSet;
@@ -69,11 +70,17 @@ public final class RatioKernel {
         }
         System.arraycopy(layer.state, 0, states, 0, rows.count);
         if (layer.lit == 0) {
-            return new RatioRows(states, null, null, 0);
+            return new RatioRows(states, null, null, kept(rows, layer.seen), 0);
         }
         float[][] diffuse = weighted(rows, light, layer.cosine, layer.falloff);
         float[][] specular = layer.specular == null ? null : weighted(rows, light, layer.specular, layer.falloff);
-        return new RatioRows(states, diffuse, specular, layer.lit);
+        return new RatioRows(states, diffuse, specular, kept(rows, layer.seen), layer.lit);
+    }
+
+    /** A copy that stays, just long enough. */
+    private static short[][] kept(HitRows rows, short[][] seen) {
+        return seen == null ? null
+                : Arrays.stream(seen).map(column -> Arrays.copyOf(column, HitRows.padded(rows.count))).toArray(short[][]::new);
     }
 
     private static float[][] weighted(HitRows rows, Luminaire light, float[] term, float[] falloff) {
@@ -93,6 +100,9 @@ public final class RatioKernel {
 
     /** The paper's updates of colour, intensity, attenuation, dropoff and angle, alone or together. */
     public RatioRows partial(HitRows rows, Luminaire from, Luminaire to, RatioRows before, ConeChange cone, boolean falloff) {
+        if (to.lamp().isArea() && (cone != ConeChange.NONE || falloff)) {
+            return anew(rows, to, before, cone);
+        }
         IntensityRatio intensity = IntensityRatio.between(from, to);
         if (!intensity.isUsable()) {
             return full(rows, to);
@@ -110,13 +120,26 @@ public final class RatioKernel {
         return cone == ConeChange.NONE ? scaled : moved(rows, to, before, scaled, cone);
     }
 
+    /** Samples of one row fall off by different ratios, so that no ratio of their sum is known: it is computed anew, without a ray. */
+    private RatioRows anew(HitRows rows, Luminaire light, RatioRows before, ConeChange cone) {
+        scratch.reset();
+        LightRows known = known(before);
+        LightRows now = exact.partial(rows, light.lamp(), known, cone, true, scratch);
+        return now == known ? before : contributions(rows, light, now, Columns.FRESH.states(rows.count));
+    }
+
+    /** A layer of which the states are known and what samples see. */
+    private static LightRows known(RatioRows before) {
+        return new LightRows(before.states(), ZEROS, before.specular == null ? null : ZEROS, null, before.seen(), before.lit());
+    }
+
     private RatioRows scaled(HitRows rows, RatioRows before, IntensityRatio intensity, boolean falloff) {
         if (before.lit() == 0 || !falloff && intensity.equals(IntensityRatio.NONE)) {
             return before;
         }
         rowsScaled += before.lit();
         return new RatioRows(before.states(), scaled(rows, before.diffuse, intensity, falloff),
-                before.specular == null ? null : scaled(rows, before.specular, intensity, falloff), before.lit());
+                before.specular == null ? null : scaled(rows, before.specular, intensity, falloff), before.seen(), before.lit());
     }
 
     private float[][] scaled(HitRows rows, float[][] from, IntensityRatio intensity, boolean falloff) {
@@ -141,7 +164,7 @@ public final class RatioKernel {
     /** Removes rows that left the cone and adds those that entered it; {@code scaled} holds the others. */
     private RatioRows moved(HitRows rows, Luminaire light, RatioRows before, RatioRows scaled, ConeChange cone) {
         scratch.reset();
-        LightRows known = new LightRows(before.states(), ZEROS, before.specular == null ? null : ZEROS, null, before.lit());
+        LightRows known = known(before);
         LightRows now = exact.partial(rows, light.lamp(), known, cone, false, scratch);
         return now.state == known.state ? scaled : joined(rows, light, before, scaled, now);
     }
@@ -194,10 +217,10 @@ public final class RatioKernel {
             return before;
         }
         scratch.reset();
-        LightRows known = new LightRows(before.states(), ZEROS, before.specular == null ? null : ZEROS, null, before.lit());
+        LightRows known = known(before);
         LightRows now = exact.speculars(rows, light.lamp(), known, changed, scratch);
         if (now.specular == null) {
-            return new RatioRows(before.states(), before.diffuse, null, before.lit());
+            return new RatioRows(before.states(), before.diffuse, null, before.seen(), before.lit());
         }
         LightRows faded = exact.partial(rows, light.lamp(), now, ConeChange.NONE, true, scratch);
         float[][] specular = weighted(rows, light, faded.specular, faded.falloff);
@@ -206,7 +229,7 @@ public final class RatioKernel {
                 take(before.specular, specular, i);
             }
         }
-        return new RatioRows(before.states(), before.diffuse, specular, before.lit());
+        return new RatioRows(before.states(), before.diffuse, specular, before.seen(), before.lit());
     }
 
     /**
@@ -223,6 +246,8 @@ public final class RatioKernel {
         if (!exact.hasSpecular(splice.rows())) {
             known.removeAll(RatioRows.Column.SPECULAR);
         }
+        known.removeIf(kind -> RatioRows.Column.SEEN.contains(kind) && !before.columns().has(kind)
+                && (added == null || !added.columns().has(kind)));
         ColumnSet<RatioRows.Column> columns = ColumnSet.room(RatioRows.Column.class, known, splice.rows().count);
         splice.fill(columns, before.columns(), added == null ? null : added.columns());
         byte[] states = (byte[]) columns.get(RatioRows.Column.STATE);
@@ -230,7 +255,7 @@ public final class RatioKernel {
         for (byte state : states) {
             lit += (state & LightRows.STATE) == LightRows.LIT ? 1 : 0;
         }
-        return lit == 0 ? new RatioRows(states, null, null, 0) : new RatioRows(columns, lit);
+        return lit == 0 ? new RatioRows(states, null, null, LightRows.seen(columns, RatioRows.Column.SEEN), 0) : new RatioRows(columns, lit);
     }
 
     private static void take(float[][] from, float[][] to, int row) {

@@ -1,9 +1,12 @@
 package lightning.shading;
 
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import lightning.column.ColumnKind;
 import lightning.column.ColumnSet;
 import lightning.column.Element;
+import lightning.scene.Light;
 
 /**
  * One light's layer as the paper stores it (§2.4): the finished contributions, weight and falloff
@@ -19,9 +22,14 @@ public final class RatioRows implements LightLayer {
         DIFFUSE_BLUE(Element.FLOAT),
         SPECULAR_RED(Element.FLOAT),
         SPECULAR_GREEN(Element.FLOAT),
-        SPECULAR_BLUE(Element.FLOAT);
+        SPECULAR_BLUE(Element.FLOAT),
+        SEEN_0(Element.SHORT),
+        SEEN_1(Element.SHORT),
+        SEEN_2(Element.SHORT),
+        SEEN_3(Element.SHORT);
 
         static final List<Column> DIFFUSE = List.of(DIFFUSE_RED, DIFFUSE_GREEN, DIFFUSE_BLUE);
+        static final List<Column> SEEN = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
         static final List<Column> SPECULAR = List.of(SPECULAR_RED, SPECULAR_GREEN, SPECULAR_BLUE);
 
         private final Element element;
@@ -37,7 +45,7 @@ public final class RatioRows implements LightLayer {
     }
 
     /** No row is reached: shared, as {@link LightRows#UNREACHED}. */
-    static final RatioRows UNREACHED = new RatioRows(LightRows.UNREACHED.state, null, null, 0);
+    static final RatioRows UNREACHED = new RatioRows(LightRows.UNREACHED.state, null, null, null, 0);
 
     private final byte[] states;
     private final int lit;
@@ -46,11 +54,15 @@ public final class RatioRows implements LightLayer {
     /** Specular contributions; null where no row is lit or none is specular. */
     final float[][] specular;
 
+    /** To which samples of its light each row's ways are free; see {@link LightRows#seen}. */
+    private final short[][] seen;
+
     private final ColumnSet<Column> columns;
 
-    RatioRows(byte[] states, float[][] diffuse, float[][] specular, int lit) {
+    RatioRows(byte[] states, float[][] diffuse, float[][] specular, short[][] seen, int lit) {
         this(ColumnSet.of(Column.class, states, channel(diffuse, 0), channel(diffuse, 1), channel(diffuse, 2), channel(specular, 0),
-                channel(specular, 1), channel(specular, 2)), lit);
+                channel(specular, 1), channel(specular, 2), LightRows.samples(seen, 0), LightRows.samples(seen, 1),
+                LightRows.samples(seen, 2), LightRows.samples(seen, 3)), lit);
     }
 
     RatioRows(ColumnSet<Column> columns, int lit) {
@@ -59,6 +71,14 @@ public final class RatioRows implements LightLayer {
         states = (byte[]) columns.get(Column.STATE);
         diffuse = colors(columns, Column.DIFFUSE);
         specular = colors(columns, Column.SPECULAR);
+        seen = LightRows.seen(columns, Column.SEEN);
+    }
+
+    /** The columns that layers of a light may have. */
+    public static Set<Column> columns(Light light) {
+        Set<Column> columns = EnumSet.allOf(Column.class);
+        columns.removeAll(Column.SEEN.subList(LightRows.groups(light), Column.SEEN.size()));
+        return columns;
     }
 
     private static float[] channel(float[][] colors, int c) {
@@ -73,6 +93,11 @@ public final class RatioRows implements LightLayer {
     @Override
     public byte[] states() {
         return states;
+    }
+
+    @Override
+    public short[][] seen() {
+        return seen;
     }
 
     @Override

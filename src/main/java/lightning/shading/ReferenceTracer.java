@@ -1,6 +1,8 @@
 package lightning.shading;
 
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
 import lightning.image.Film;
 import lightning.math.Ray;
 import lightning.math.Rgb;
@@ -26,6 +28,8 @@ public final class ReferenceTracer {
     private final MaterialTable materials;
     private final Luminaire[] lights;
     private final WayEnd[] ends;
+    /** Where ways to the samples of larger lights end. */
+    private final Map<Vec3, WayEnd> sampleEnds = new HashMap<>();
     private final ReferenceTracer mirrors;
 
     public ReferenceTracer(Scene scene) {
@@ -123,31 +127,61 @@ public final class ReferenceTracer {
     private float[][] terms(SurfacePoint at) {
         float[][] terms = new float[lights.length][3];
         for (int l = 0; l < lights.length; l++) {
-            LightingEquation equation = new LightingEquation(lights[l].lamp());
-            equation.at(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz());
-            float cosine = equation.cosine(at.nx(), at.ny(), at.nz());
-            if (state(l, at, equation, cosine) == LightRows.LIT) {
-                terms[l][0] = cosine;
-                terms[l][1] = equation.specular(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(),
-                        materials.shininess(at.material()));
-                terms[l][2] = equation.falloff();
-            }
+            Lamp lamp = lights[l].lamp();
+            terms[l] = lamp.isArea() ? mean(lamp, at) : terms(lamp, at, ends[l]);
         }
         return terms;
     }
 
-    private int state(int light, SurfacePoint at, LightingEquation equation, float cosine) {
+    /** Cosine, specular term and falloff of a light that is a point. */
+    private float[] terms(Lamp lamp, SurfacePoint at, WayEnd end) {
+        LightingEquation equation = equation(lamp, at);
+        float cosine = equation.cosine(at.nx(), at.ny(), at.nz());
+        if (state(lamp, at, end, equation, cosine) != LightRows.LIT) {
+            return new float[3];
+        }
+        return new float[] {cosine, specular(equation, at), equation.falloff()};
+    }
+
+    /** The means over the samples of a larger light, falloff and all. */
+    private float[] mean(Lamp lamp, SurfacePoint at) {
+        int samples = lamp.area().samples();
+        double diffuse = 0;
+        double specular = 0;
+        for (int s = 0; s < samples; s++) {
+            Lamp sample = lamp.sample(LampArea.turn(at.px(), at.py(), at.pz()), s);
+            float[] terms = terms(sample, at, end(sample));
+            diffuse += (double) terms[0] * terms[2];
+            specular += (double) terms[1] * terms[2];
+        }
+        return new float[] {LightingEquation.mean(diffuse, samples), LightingEquation.mean(specular, samples), 1};
+    }
+
+    private WayEnd end(Lamp sample) {
+        return sample.type().hasPosition() ? sampleEnds.computeIfAbsent(sample.source(), geometry::endOfAll) : null;
+    }
+
+    private static LightingEquation equation(Lamp lamp, SurfacePoint at) {
+        LightingEquation equation = new LightingEquation(lamp);
+        equation.at(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz());
+        return equation;
+    }
+
+    private float specular(LightingEquation equation, SurfacePoint at) {
+        return equation.specular(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(), materials.shininess(at.material()));
+    }
+
+    private int state(Lamp lamp, SurfacePoint at, WayEnd end, LightingEquation equation, float cosine) {
         return !(cosine > 0) ? LightRows.AWAY
                 : !equation.insideCone() ? LightRows.OUTSIDE
-                : isVisible(light, at) ? LightRows.LIT : LightRows.SHADOWED;
+                : isVisible(lamp, end, at) ? LightRows.LIT : LightRows.SHADOWED;
     }
 
     /** Whether nothing stands between a point and a light. */
-    private boolean isVisible(int light, SurfacePoint at) {
+    private boolean isVisible(Lamp lamp, WayEnd end, SurfacePoint at) {
         Vec3 point = new Vec3(at.px(), at.py(), at.pz());
-        Lamp lamp = lights[light].lamp();
         return lamp.type().hasPosition()
-                ? !geometry.blockedByAny(point, ends[light])
+                ? !geometry.blockedByAny(point, end)
                 : !geometry.blockedByAny(new Ray(point, lamp.source()), Double.POSITIVE_INFINITY);
     }
 
@@ -178,12 +212,24 @@ public final class ReferenceTracer {
     }
 
     private int look(int light, SurfacePoint at) {
-        LightingEquation equation = new LightingEquation(lights[light].lamp());
-        equation.at(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz());
-        float specular = equation.specular(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(),
-                materials.shininess(at.material()));
-        return EdgeCoder.code(light, state(light, at, equation, equation.cosine(at.nx(), at.ny(), at.nz())),
-                materials.isSpecular(at.material()), specular);
+        Lamp lamp = lights[light].lamp();
+        if (lamp.isArea()) {
+            return EdgeCoder.code(light, farthest(lamp, at), false, 0);
+        }
+        LightingEquation equation = equation(lamp, at);
+        return EdgeCoder.code(light, state(lamp, at, ends[light], equation, equation.cosine(at.nx(), at.ny(), at.nz())),
+                materials.isSpecular(at.material()), specular(equation, at));
+    }
+
+    /** The state of the sample that comes farthest: lit where any is, else shadowed where any shines here. */
+    private int farthest(Lamp lamp, SurfacePoint at) {
+        int farthest = LightRows.AWAY;
+        for (int s = 0; s < lamp.area().samples(); s++) {
+            Lamp sample = lamp.sample(LampArea.turn(at.px(), at.py(), at.pz()), s);
+            LightingEquation equation = equation(sample, at);
+            farthest = Math.max(farthest, state(sample, at, end(sample), equation, equation.cosine(at.nx(), at.ny(), at.nz())));
+        }
+        return farthest;
     }
 
     /** The pixels that have several samples: {@code boolean[width * height]}, line by line. */

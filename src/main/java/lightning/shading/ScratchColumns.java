@@ -7,6 +7,8 @@ import java.util.List;
 public final class ScratchColumns implements Columns {
     private final List<float[]> floats = new ArrayList<>();
     private final List<byte[]> states = new ArrayList<>();
+    private final List<short[]> shorts = new ArrayList<>();
+    private int shortsUsed;
     private int floatsUsed;
     private int statesUsed;
 
@@ -14,6 +16,7 @@ public final class ScratchColumns implements Columns {
     public void reset() {
         floatsUsed = 0;
         statesUsed = 0;
+        shortsUsed = 0;
     }
 
     @Override
@@ -30,5 +33,13 @@ public final class ScratchColumns implements Columns {
             states.add(new byte[Terms.ROWS]);
         }
         return states.get(statesUsed++);
+    }
+
+    @Override
+    public short[] shorts(int rows) {
+        if (shortsUsed == shorts.size()) {
+            shorts.add(new short[Terms.ROWS]);
+        }
+        return shorts.get(shortsUsed++);
     }
 }

@@ -8,8 +8,10 @@ import lightning.effects.ViewEffects;
 import lightning.math.Vec3;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
+import lightning.trace.RowWays;
 import lightning.trace.ShapeChange;
 import lightning.trace.Tracer;
+import lightning.trace.tree.WayEnd;
 import lightning.trace.Ways;
 import lightning.trace.tree.Beam;
 import lightning.trace.tree.BoxRay;
@@ -18,6 +20,9 @@ import lightning.trace.tree.Candidates;
 
 /** Asks for chosen rows whether the way to a light is free. Holds scratch memory: one for each thread. */
 final class ShadowCaster {
+    /** Rows that are told together whether anything can block them: two lines of a tile. */
+    private static final int GROUP = 64;
+
     private final Geometry geometry;
     private final Tracer tracer;
     private final Demands demands;
@@ -26,6 +31,12 @@ final class ShadowCaster {
     private final Candidates blockers = new Candidates();
     /** Where the ways to lights lead that rays were cast to. */
     private final Map<Vec3, Ways> ways = new HashMap<>();
+    /** Where the ways to the samples of areas end, by their place in the area. */
+    private final Map<LampArea, WayEnd[]> ends = new HashMap<>();
+    private WayEnd[] area;
+    /** The rows whose ways to the area may be blocked. */
+    private final int[] doubtful = RowBits.room();
+    private final int[] asked = RowBits.room();
     private final boolean casts;
     private long rays;
 
@@ -108,6 +119,73 @@ final class ShadowCaster {
             ray.enter(x, y, z, to.x(), to.y(), to.z());
         }
         return boxes.touches(ray, way.ends() ? 1 : Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * Turns to an area: finds the shapes that can stand between any row of the tile and any of its samples.
+     *
+     * @param ways gets what all of them have alike
+     */
+    void aim(HitRows rows, LampArea towards, RowWays ways, boolean toPoints) {
+        beam.clear();
+        beam.origins(rows.box(tracer));
+        ways.ends = toPoints;
+        ways.open = true;
+        if (toPoints) {
+            beam.towards(towards.low(), towards.high());
+            area = ends.computeIfAbsent(towards, this::ends);
+            ways.open = Arrays.stream(area).allMatch(WayEnd::isOpen);
+        } else {
+            beam.along(towards.low(), towards.high());
+        }
+        blockers.collect(geometry.bvh(), beam);
+        blockers.leaveOut(geometry.bvh(), beam);
+        doubt(rows, towards, toPoints);
+    }
+
+    /** Finds the rows whose ways to an area may be blocked, {@link #GROUP} together. */
+    private void doubt(HitRows rows, LampArea towards, boolean toPoints) {
+        Arrays.fill(doubtful, 0);
+        for (int first = 0; first < rows.count && demands.meets(blockers); first += GROUP) {
+            int end = Math.min(rows.count, first + GROUP);
+            beam.clear();
+            for (int i = first; i < end; i++) {
+                beam.origin(rows.px[i], rows.py[i], rows.pz[i]);
+            }
+            if (toPoints) {
+                beam.towards(towards.low(), towards.high());
+            } else {
+                beam.along(towards.low(), towards.high());
+            }
+            if (demands.mayBlock(blockers, geometry.bvh(), beam)) {
+                Arrays.fill(doubtful, first / RowBits.WIDTH, (end - 1) / RowBits.WIDTH + 1, -1);
+            }
+        }
+    }
+
+    private WayEnd[] ends(LampArea towards) {
+        WayEnd[] all = new WayEnd[towards.x.length];
+        Arrays.setAll(all, i -> geometry.end(new Vec3(towards.x[i], towards.y[i], towards.z[i])));
+        return all;
+    }
+
+    /** Where the way to one place of the area that it was turned to ends. */
+    WayEnd end(int place) {
+        return area[place];
+    }
+
+    /** As {@link #cast(HitRows, Lamp, int[], int[])}, to samples of the area that it was turned to; ways that nothing can block cast no ray. */
+    void cast(HitRows rows, RowWays way, int[] chosen, int[] blocked) {
+        int count = 0;
+        for (int b = 0; b < RowBits.words(rows.count) && casts; b++) {
+            asked[b] = chosen[b] & doubtful[b];
+            count += Integer.bitCount(asked[b]);
+        }
+        Arrays.fill(blocked, 0);
+        rays += count;
+        if (count > 0) {
+            tracer.blocked(rows, asked, way, blockers, blocked);
+        }
     }
 
     /** Finds the shapes that can stand between any row of the tile and the light. */

@@ -50,13 +50,18 @@ final class TermColumns {
             }
             terms.select(before, kept, rows.count, column);
         }
+        speculars(rows, asked, column);
+        return column;
+    }
+
+    /** Writes the specular term of those rows of a set whose material has one. */
+    void speculars(HitRows rows, int[] asked, float[] column) {
         for (int r = 0; r < rows.runs; r++) {
             int material = rows.runMaterial[r];
             if (isSpecular(material)) {
                 terms.speculars(rows, rows.runStart(r), rows.runEnd[r], asked, materials.shininess(material), column);
             }
         }
-        return column;
     }
 
     /** Whether any of the rows' materials has a specular term. */

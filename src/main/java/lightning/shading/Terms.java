@@ -1,6 +1,7 @@
 package lightning.shading;
 
 import lightning.trace.HitRows;
+import lightning.trace.RowWays;
 
 /**
  * The terms of the {@link LightingEquation} for one light over all rows of a tile. Whoever computes them gives the equation's
@@ -15,6 +16,9 @@ public interface Terms {
 
     /** As {@link LightingEquation#at}. */
     void aim(HitRows rows, Lamp lamp);
+
+    /** The same where each row sees the light elsewhere. */
+    void aim(HitRows rows, Lamp lamp, RowWays ways);
 
     /** Measures the distances to a point light: all that its falloffs need of aiming. */
     void measure(HitRows rows, Lamp lamp);
@@ -46,6 +50,13 @@ public interface Terms {
 
     /** Writes {@link LightingEquation#falloff} of all rows: of a point light that was measured, or of a spot light whose cone was aimed. */
     void falloffs(HitRows rows, Lamp lamp, float[] to);
+
+    /**
+     * Adds {@code term · falloff} of the rows of a set to their sums; the product is exact.
+     *
+     * @param falloff null where it is 1
+     */
+    void add(float[] term, float[] falloff, int[] which, int rows, double[] sum);
 
     /** Writes the falloff before it is rounded to float. */
     void factors(HitRows rows, Lamp lamp, double[] to);

@@ -46,6 +46,9 @@ public interface Tracer {
      */
     void blocked(HitRows rows, int[] chosen, Ways ways, Candidates candidates, int[] blocked);
 
+    /** The same where each row's way leads elsewhere. */
+    void blocked(HitRows rows, int[] chosen, RowWays ways, Candidates candidates, int[] blocked);
+
     /** The box of points {@code 0 … count − 1}, at least one. */
     PointBox box(float[] x, float[] y, float[] z, int count);
 

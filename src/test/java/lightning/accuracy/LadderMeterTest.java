@@ -4,12 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.image.Film;
 import lightning.math.Vec3;
 import lightning.scene.Antialias;
 import lightning.scene.Light;
+import lightning.scene.LightType;
 import lightning.scene.Picture;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
@@ -35,7 +37,8 @@ class LadderMeterTest {
     @Test
     void ladder_hasEveryLevelWithItsSamples() {
         Ladder ladder = meter.measure(before, moved, Progress.NONE);
-        assertThat(ladder.rungs()).extracting(Rung::grade).containsExactly(Grade.values());
+        assertThat(ladder.rungs()).extracting(Rung::grade)
+                .containsExactlyElementsOf(EnumSet.complementOf(EnumSet.of(Grade.FEW_SAMPLES)));
         assertThat(ladder.rungs()).allSatisfy(rung -> {
             assertThat(rung.time().milliseconds()).hasSize(2);
             assertThat(rung.film().width()).isEqualTo(41);
@@ -44,6 +47,15 @@ class LadderMeterTest {
         });
         assertThat(ladder.fullRays().eye()).isEqualTo(41 * 41);
         assertThat(ladder.saving(Grade.FULL_TRACE)).isZero();
+    }
+
+    @Test
+    void softLights_getALevelOfFewSamplesThatIsOff() {
+        Light large = moved.lights().getFirst();
+        Scene soft = moved.withLight(large.withType(LightType.DISC).withArea(large.area().withRadius(1)));
+        Ladder ladder = meter.measure(soft, soft.withLight(soft.lights().getFirst().withIntensity(0.7)), Progress.NONE);
+        assertThat(ladder.rungs()).extracting(Rung::grade).containsExactly(Grade.values());
+        assertThat(ladder.rung(Grade.FEW_SAMPLES).error().values()).isPositive();
     }
 
     @Test

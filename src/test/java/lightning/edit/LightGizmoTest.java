@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.stream.Stream;
 import lightning.math.Vec3;
+import lightning.scene.Area;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import net.jqwik.api.Arbitrary;
@@ -50,11 +51,28 @@ class LightGizmoTest {
                 .allSatisfy(p -> assertThat(p.minus(middle).length() / pixel).isCloseTo(12, within(1e-9)));
     }
 
+    /** Without an outline, which has the size of the light. */
+    private Light point(LightType type) {
+        return light(type).withArea(Area.DEFAULT.withWidth(0).withHeight(0));
+    }
+
+    @Test
+    void outlineOfALargerLight_hasItsOwnSize() {
+        Light rect = light(LightType.RECT).withArea(Area.DEFAULT.withWidth(3).withHeight(1));
+        List<LightGizmo.Line> small = LightGizmo.of(rect, view, CANVAS, 1).lines();
+        List<LightGizmo.Line> large = LightGizmo.of(rect, view, CANVAS, 1.6).lines();
+        assertThat(large.subList(large.size() - 4, large.size())).isEqualTo(small.subList(small.size() - 4, small.size()))
+                .extracting(line -> line.to().minus(line.from()).length()).satisfies(lengths -> {
+                    assertThat(lengths.get(0)).isCloseTo(3, within(1e-9));
+                    assertThat(lengths.get(1)).isCloseTo(1, within(1e-9));
+                });
+    }
+
     @Test
     void size_multipliesEveryLengthOfTheGizmo() {
         for (LightType type : LightType.values()) {
-            List<LightGizmo.Line> small = LightGizmo.of(light(type), view, CANVAS, 1).lines();
-            List<LightGizmo.Line> large = LightGizmo.of(light(type), view, CANVAS, 1.6).lines();
+            List<LightGizmo.Line> small = LightGizmo.of(point(type), view, CANVAS, 1).lines();
+            List<LightGizmo.Line> large = LightGizmo.of(point(type), view, CANVAS, 1.6).lines();
             for (int i = 0; i < small.size(); i++) {
                 Vec3 expected = middle.plus(small.get(i).to().minus(middle).times(1.6));
                 assertThat(large.get(i).to().minus(expected).length()).isLessThan(1e-9);

@@ -253,7 +253,7 @@ class LightWorkTest {
             SeenRows seen = studio.seen();
             Light before = studio.key();
             Update update = studio.edit(l -> l.withType(to));
-            if (from.hasPosition() && to.hasPosition()) {
+            if (from.hasPosition() && to.hasPosition() && !from.isSurface() && !to.isSurface()) {
                 assertPlan(update, TURN);
                 assertWork(update, seen.count(0, seen.facing(before)), rows(studio), 0,
                         from == LightType.SPOT ? seen.count(0, seen.outside(before)) : 0);

@@ -48,6 +48,7 @@ public final class EditArbitraries {
                 LightArbitraries.doors().map(d -> new LightChange.Anew<>(LightAttribute.DOORS, d)),
                 LightArbitraries.feathers().map(f -> new LightChange.Anew<>(LightAttribute.FEATHER, f)),
                 LightArbitraries.types().map(LightChange.Type::new),
+                LightArbitraries.areas().map(LightChange.Size::new),
                 Arbitraries.of(new LightChange.SwitchOn()),
                 Arbitraries.of(new LightChange.SwitchOn()),
                 Arbitraries.of(new LightChange.SwitchSolo()),

@@ -2,6 +2,7 @@ package lightning.sample;
 
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.scene.Area;
 import lightning.scene.Attenuation;
 import lightning.scene.Bank;
 import lightning.scene.BarnDoors;
@@ -17,10 +18,11 @@ final class LightArbitraries {
     private LightArbitraries() {}
 
     static Arbitrary<LightSeed> lights() {
-        return Combinators.combine(types(), colors(), intensities(), attenuations(), angles(), dropoffs(), on(), solo())
-                .as((type, color, intensity, attenuation, angle, dropoff, on, solo) -> Light.of("l", type).withColor(color)
+        return Combinators.combine(types(), colors(), intensities(), attenuations(), angles(), dropoffs(),
+                Combinators.combine(on(), solo()).as((on, solo) -> new boolean[] {on, solo}), areas())
+                .as((type, color, intensity, attenuation, angle, dropoff, shines, area) -> Light.of("l", type).withColor(color)
                         .withIntensity(intensity).withAttenuation(attenuation).withAngle(angle).withDropoff(dropoff)
-                        .withOn(on).withSolo(solo))
+                        .withOn(shines[0]).withSolo(shines[1]).withArea(area))
                 .flatMap(light -> doors().map(light::withDoors)).flatMap(light -> feathers().map(light::withFeather))
                 .flatMap(light -> Combinators.combine(places(), aims()).as((at, aim) -> new LightSeed(light, at, aim)));
     }
@@ -74,6 +76,21 @@ final class LightArbitraries {
                 Tuple.of(2, Arbitraries.of(0.0, 1.0, 1e-300, 1000.0)));
         Arbitrary<Rgb> gels = Arbitraries.frequencyOf(Tuple.of(3, Numbers.colors()), Tuple.of(2, Arbitraries.of(Rgb.WHITE, Rgb.BLACK)));
         return Combinators.combine(gels, masters, on(), solo()).as((gel, master, on, solo) -> new Bank(name, gel, master, on, solo));
+    }
+
+    /** Half of them points. */
+    static Arbitrary<Area> areas() {
+        Arbitrary<Double> length = Arbitraries.frequencyOf(Tuple.of(4, Arbitraries.of(0.0)), Tuple.of(3, Numbers.between(0, 2)),
+                Tuple.of(1, Numbers.between(-9, 9).map(e -> Math.pow(10, e))));
+        Arbitrary<Double> spread = Arbitraries.frequencyOf(Tuple.of(4, Arbitraries.of(0.0)), Tuple.of(3, Numbers.between(0, 15)),
+                Tuple.of(1, Arbitraries.of(1e-9, 90.0)));
+        Arbitrary<Vec3> up = Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Vec3.Y, new Vec3(0, -1, 0))),
+                Tuple.of(1, Numbers.vectors(-2, 2).filter(v -> v.maxAbs() > 1e-3)));
+        return Combinators.combine(length, spread, length, length, up, samples()).as(Area::new);
+    }
+
+    static Arbitrary<Integer> samples() {
+        return Arbitraries.frequency(Tuple.of(16, 4), Tuple.of(3, 5), Tuple.of(2, 17), Tuple.of(1, 33), Tuple.of(1, 64));
     }
 
     private static Arbitrary<Boolean> on() {

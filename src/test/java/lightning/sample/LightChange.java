@@ -1,6 +1,7 @@
 package lightning.sample;
 
 import lightning.math.Rgb;
+import lightning.scene.Area;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
@@ -52,6 +53,13 @@ sealed interface LightChange {
         @Override
         public Light on(Light light, Scene scene) {
             return light.withType(to);
+        }
+    }
+
+    record Size(Area to) implements LightChange {
+        @Override
+        public Light on(Light light, Scene scene) {
+            return light.withArea(to);
         }
     }
 

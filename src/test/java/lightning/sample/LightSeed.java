@@ -1,7 +1,10 @@
 package lightning.sample;
 
 import lightning.math.Vec3;
+import lightning.scene.Area;
+import lightning.scene.Camera;
 import lightning.scene.Light;
+import lightning.scene.Limits;
 import lightning.scene.Scene;
 
 /**
@@ -16,7 +19,18 @@ record LightSeed(Light attributes, Place at, Place aim) {
     /** The light of the given name. */
     Light in(Scene scene, String name) {
         Vec3 position = at.in(scene);
-        return attributes.withName(name).withPosition(position).withDirection(direction(position, aim.in(scene)));
+        return attributes.withName(name).withPosition(position).withDirection(direction(position, aim.in(scene)))
+                .withArea(sized(attributes.area(), scene.camera()));
+    }
+
+    /** Sizes are told for a camera 7 units away from what it looks at. */
+    private static Area sized(Area area, Camera camera) {
+        double unit = camera.from().minus(camera.to()).length() / 7;
+        return area.withRadius(length(unit, area.radius())).withWidth(length(unit, area.width())).withHeight(length(unit, area.height()));
+    }
+
+    private static double length(double unit, double length) {
+        return Math.min(unit * length, Limits.MAX_EXTENT);
     }
 
     /** The direction to what is aimed at; down where there is none. */

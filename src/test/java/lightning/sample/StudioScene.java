@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.scene.Area;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
 import lightning.scene.Light;
@@ -40,10 +41,11 @@ public final class StudioScene {
         return scene.withLights(lights).withPicture(scene.picture().withSize(width, height));
     }
 
-    /** A light with rows of every state: lit and shadowed ones, and a spot's outside its cone. */
+    /** A light with rows of every state: lit and shadowed ones, and a spot's outside its cone. It is a point, whatever its type. */
     public static Light key(LightType type) {
         return Light.of(KEY, type).withPosition(new Vec3(2, 4, 2)).withDirection(new Vec3(-2, -4.5, -2.2))
-                .withAttenuation(new Attenuation(0.1, 0.2, 0.01)).withAngle(20).withDropoff(2);
+                .withAttenuation(new Attenuation(0.1, 0.2, 0.01)).withAngle(20).withDropoff(2)
+                .withArea(Area.DEFAULT.withWidth(0).withHeight(0));
     }
 
     private static Material material(String name, Rgb reflective) {

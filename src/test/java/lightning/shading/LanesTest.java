@@ -8,6 +8,7 @@ import lightning.engine.choice.Engines;
 import lightning.engine.lanes.PowerLanes;
 import lightning.math.Power;
 import lightning.math.Vec3;
+import lightning.scene.Area;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
 import lightning.scene.Light;
@@ -57,7 +58,7 @@ class LanesTest {
         float[] falloff = new float[1024];
         lanes.aim(rows, lamp);
         lanes.cosines(rows, cosine);
-        if (type.hasCone()) {
+        if (lamp.hasCone()) {
             lanes.aimCone(rows, lamp);
         }
         int from = random.nextInt(count);
@@ -76,7 +77,7 @@ class LanesTest {
         for (int i = 0; i < count; i++) {
             equation.at(rows.px[i], rows.py[i], rows.pz[i], rows.nx[i], rows.ny[i], rows.nz[i]);
             assertSameBits(cosine[i], equation.cosine(rows.nx[i], rows.ny[i], rows.nz[i]), "cosine");
-            if (type.hasCone()) {
+            if (lamp.hasCone()) {
                 assertThat(lanes.isInside(i, lamp.cosAngle())).isEqualTo(equation.insideCone());
             }
             if (type.hasPosition()) {
@@ -132,7 +133,8 @@ class LanesTest {
         double[] angles = {0, 1e-3, 30, 90, 120, 180};
         Light light = Light.of("l", type).withPosition(position).withDirection(unit(random))
                 .withAngle(angles[random.nextInt(angles.length)]).withDropoff(EXPONENTS[random.nextInt(EXPONENTS.length)])
-                .withAttenuation(new Attenuation(random.nextInt(2), random.nextInt(2) * random.nextDouble(), random.nextInt(2)));
+                .withAttenuation(new Attenuation(random.nextInt(2), random.nextInt(2) * random.nextDouble(), random.nextInt(2)))
+                .withArea(new Area(0, 0, 0, 0, Vec3.Y, 4));
         Camera atOrigin = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);
         return Lamp.of(light, new Scene(Picture.DEFAULT, atOrigin, World.DEFAULT, List.of(), List.of(), List.of(light)));
     }

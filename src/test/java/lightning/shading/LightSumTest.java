@@ -73,7 +73,7 @@ class LightSumTest {
         boolean specular = random.nextBoolean();
         if (kept) {
             return new RatioRows(new byte[rows], new float[][] {column(), column(), column()},
-                    specular ? new float[][] {column(), column(), column()} : null, 1);
+                    specular ? new float[][] {column(), column(), column()} : null, null, 1);
         }
         return new LightRows(new byte[rows], column(), specular ? column() : null, random.nextBoolean() ? column() : null, 1);
     }

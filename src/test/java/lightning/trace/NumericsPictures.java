@@ -34,6 +34,8 @@ final class NumericsPictures {
         write("acne", panel(x -> shadowed(x, at, 2, Leaving.FROM_THE_HIT)), panel(x -> shadowed(x, at, 2, Leaving.LIGHTNING)));
         write("epsilon", panel(x -> shadowed(x, new Vec3(0, 0, -4e-4), 1e-4, Leaving.BY_EPSILON)),
                 panel(x -> shadowed(x, new Vec3(0, 0, -4e-4), 1e-4, Leaving.LIGHTNING)));
+        Vec3 small = new Vec3(0, 0, -4e-4);
+        write("penumbra", panel(x -> soft(x, small, 1e-4, Leaving.BY_EPSILON)), panel(x -> soft(x, small, 1e-4, Leaving.LIGHTNING)));
         write("lamp", panel(x -> lamp(x, false)), panel(x -> lamp(x, true)));
         write("far-scene", panel(x -> normalFromFloats(x, new Vec3(4e6, 2e6, -3e6))), panel(x -> normalFromFloats(x, Vec3.ZERO)));
     }
@@ -77,8 +79,27 @@ final class NumericsPictures {
 
     private enum Leaving { FROM_THE_HIT, BY_EPSILON, LIGHTNING }
 
-    /** A ball over a floor, seen from the origin, with its shadow. */
+    /** The same by a light as wide as 40 degrees, the mean of 256 directions. */
+    private static double soft(double[] x, Vec3 at, double scale, Leaving leaving) {
+        int samples = 256;
+        Vec3 right = TO_LIGHT.cross(Vec3.Y).normalized();
+        Vec3 up = right.cross(TO_LIGHT);
+        double sum = 0;
+        for (int s = 0; s < samples; s++) {
+            double radius = Math.tan(Math.toRadians(20)) * Math.sqrt((s + 0.5) / samples);
+            double turn = 2 * Math.PI * 0.6180339887498949 * s;
+            sum += shadowed(x, at, scale, leaving,
+                    TO_LIGHT.plus(right.times(radius * Math.cos(turn))).plus(up.times(radius * Math.sin(turn))).normalized());
+        }
+        return sum / samples;
+    }
+
     private static double shadowed(double[] x, Vec3 at, double scale, Leaving leaving) {
+        return shadowed(x, at, scale, leaving, TO_LIGHT);
+    }
+
+    /** A ball over a floor, seen from the origin, with its shadow. */
+    private static double shadowed(double[] x, Vec3 at, double scale, Leaving leaving, Vec3 toLight) {
         Geometry geometry = new Geometry(TraceScenes.ballOnFloor(at, scale));
         Vec3 forward = at.normalized();
         Vec3 right = forward.cross(Vec3.Y).normalized();
@@ -97,10 +118,10 @@ final class NumericsPictures {
         double least = leaving == Leaving.BY_EPSILON ? 1e-4 : 0;
         boolean dark = false;
         for (int s = 0; s < geometry.primitiveCount(); s++) {
-            double t = geometry.distance(s, new Ray(from, TO_LIGHT));
+            double t = geometry.distance(s, new Ray(from, toLight));
             dark |= t > least && t < Form.MISS;
         }
-        return 0.1 + (dark ? 0 : Math.max(0, TO_LIGHT.dot(normal)));
+        return 0.1 + (dark ? 0 : Math.max(0, toLight.dot(normal)));
     }
 
     /** A lamp on a tilted square above a floor, seen from above; {@code lies} is whether it is asked if the lamp lies on the square. */

@@ -65,7 +65,7 @@ public final class LightListPane extends VBox {
         MenuButton add = new MenuButton("Add Light", new FontIcon(MaterialDesignP.PLUS));
         add.setId("add-light");
         CommandItems items = CommandItems.of(model);
-        for (LightType type : List.of(LightType.POINT, LightType.SPOT, LightType.DIRECTIONAL)) {
+        for (LightType type : List.of(LightType.POINT, LightType.SPOT, LightType.DIRECTIONAL, LightType.RECT, LightType.DISC)) {
             MenuItem item = items.value(Command.ADD_LIGHT, LightTypes.title(type), () -> add(type));
             item.setGraphic(new FontIcon(LightTypes.icon(type)));
             add.getItems().add(item);

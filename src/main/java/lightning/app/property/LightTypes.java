@@ -4,6 +4,7 @@ import java.util.Locale;
 import javafx.util.StringConverter;
 import lightning.scene.LightType;
 import org.kordamp.ikonli.Ikon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignL;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignW;
@@ -29,6 +30,8 @@ final class LightTypes {
             case POINT -> "Point";
             case SPOT -> "Spot";
             case DIRECTIONAL -> "Directional";
+            case RECT -> "Rectangle";
+            case DISC -> "Disc";
         };
     }
 
@@ -37,6 +40,8 @@ final class LightTypes {
             case POINT -> MaterialDesignL.LIGHTBULB_ON_OUTLINE;
             case SPOT -> MaterialDesignS.SPOTLIGHT_BEAM;
             case DIRECTIONAL -> MaterialDesignW.WHITE_BALANCE_SUNNY;
+            case RECT -> MaterialDesignC.CARD_OUTLINE;
+            case DISC -> MaterialDesignC.CIRCLE_OUTLINE;
         };
     }
 

@@ -54,7 +54,7 @@ public final class PropertyPane extends VBox {
         color.setId("color");
         bank = new BankSection(model);
         ScrollPane scroll = Sections.scroll(Stream.of(Stream.of(header),
-                Stream.of(Section.COLOUR, Section.CONE, Section.ATTENUATION, Section.PLACE).map(this::section),
+                Stream.of(Section.COLOUR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE).map(this::section),
                 Stream.of(Sections.section("Bank", bank), Sections.section("Scene", dial(Dial.AMBIENCE, "")))).flatMap(s -> s)
                 .toArray(Node[]::new));
         setVgrow(scroll, Priority.ALWAYS);

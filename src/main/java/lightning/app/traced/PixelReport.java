@@ -71,9 +71,14 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<Lig
                 case AWAY -> "facing away";
                 case OUTSIDE -> "outside the cone";
                 case SHADOWED -> "shadowed";
-                case LIT -> Math.round(100 * share(light) / Math.max(total, Float.MIN_NORMAL)) + " %";
+                case LIT -> Math.round(100 * share(light) / Math.max(total, Float.MIN_NORMAL)) + " %" + samples(light);
             });
         }
         return lines;
+    }
+
+    /** Of how many of its samples a light reaches the pixel, where that is not all of it. */
+    private static String samples(LightReport light) {
+        return light.seen() == light.samples() ? "" : ", " + light.seen() + " of " + light.samples() + " samples";
     }
 }

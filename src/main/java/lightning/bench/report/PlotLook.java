@@ -85,6 +85,7 @@ final class PlotLook {
         return switch (grade) {
             case HALF_RESOLUTION -> new Rectangle2D.Double(-4, -4, 8, 8);
             case FAST_SHADING -> polygon(0, -5, 5, 4, -5, 4);
+            case FEW_SAMPLES -> polygon(-6, 0, 0, -3, 6, 0, 0, 3);
             case RATIO -> polygon(0, -5.5, 5.5, 0, 0, 5.5, -5.5, 0);
             case EXACT -> new Ellipse2D.Double(-4, -4, 8, 8);
             case EXACT_UPDATED -> polygon(0, 5, 5, -4, -5, -4);

@@ -111,7 +111,7 @@ public final class Tables {
     private String floors() {
         return table(List.of("scene", "edit", "ms", "floor ms", "times the floor"), large().flatMap(s -> s.edits().stream()
                 .filter(e -> List.of("color", "attenuation", "position").contains(e.edit())).map(e -> {
-                    RungResult exact = e.values().getFirst().rungs().get(Grade.EXACT.ordinal());
+                    RungResult exact = e.values().getFirst().rung(Grade.EXACT);
                     return List.of(s.scene(), e.edit(), number(exact.time().median()), number(exact.work().floorMs()),
                             number(exact.work().timesFloor()));
                 })));

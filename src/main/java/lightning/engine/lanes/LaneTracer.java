@@ -12,10 +12,12 @@ import lightning.trace.HitRows;
 import lightning.trace.RayColumns;
 import lightning.trace.SamplePlaces;
 import lightning.trace.Tracer;
+import lightning.trace.RowWays;
 import lightning.trace.Ways;
 import lightning.trace.solid.Lanes;
 import lightning.trace.tree.Candidates;
 import lightning.trace.tree.PointBox;
+import lightning.trace.tree.WayEnd;
 
 /** Traces the rays of a tile in packets, one lane for each ray. */
 final class LaneTracer implements Tracer {
@@ -164,6 +166,63 @@ final class LaneTracer implements Tracer {
                 }
             }
             blocked[b] = bits;
+        }
+    }
+
+    @Override
+    public void blocked(HitRows rows, int[] chosen, RowWays ways, Candidates candidates, int[] blocked) {
+        packet.end = WayEnd.OPEN;
+        for (int b = 0, row = 0; row < rows.count; b++, row += WORD) {
+            int bits = 0;
+            for (int part = 0; chosen[b] != 0 && part < WORD; part += W) {
+                int asked = chosen[b] >>> part & -1 >>> -W;
+                if (asked != 0) {
+                    load(rows, ways, row + part);
+                    bits |= (ways.open ? blocked(asked, ways.limit(), candidates) : blockedByEnds(ways, row + part, asked, candidates))
+                            << part;
+                }
+            }
+            blocked[b] = bits;
+        }
+    }
+
+    /** Lanes whose ways end alike go together. */
+    private int blockedByEnds(RowWays ways, int row, int asked, Candidates candidates) {
+        int bits = 0;
+        for (int left = asked; left != 0;) {
+            packet.end = ways.end[row + Integer.numberOfTrailingZeros(left)];
+            int alike = 0;
+            for (int lanes = left; lanes != 0; lanes &= lanes - 1) {
+                int i = Integer.numberOfTrailingZeros(lanes);
+                WayEnd end = ways.end[row + i];
+                alike |= (end == packet.end || end.isOpen() && packet.end.isOpen() ? 1 : 0) << i;
+            }
+            bits |= blocked(alike, ways.limit(), candidates);
+            left &= ~alike;
+        }
+        return bits;
+    }
+
+    /** Which of the packet's lanes in {@code asked} are blocked. */
+    private int blocked(int asked, double limit, Candidates candidates) {
+        for (int i = 0; i < W; i++) {
+            packet.limit[i] = (asked >>> i & 1) != 0 ? limit : -1;
+        }
+        return packets.blocked(packet, W, candidates) & asked;
+    }
+
+    private void load(HitRows rows, RowWays ways, int row) {
+        axis(rows.px, row, ways.x, ways.ends, packet.ox, packet.dx);
+        axis(rows.py, row, ways.y, ways.ends, packet.oy, packet.dy);
+        axis(rows.pz, row, ways.z, ways.ends, packet.oz, packet.dz);
+    }
+
+    private static void axis(float[] points, int row, double[] source, boolean ends, double[] origin, double[] direction) {
+        for (int i = 0; i < W; i += Lanes.COUNT) {
+            DoubleVector o = (DoubleVector) FloatVector.fromArray(HALF, points, row + i).castShape(DOUBLES, 0);
+            DoubleVector s = DoubleVector.fromArray(DOUBLES, source, row + i);
+            o.intoArray(origin, i);
+            (ends ? s.sub(o) : s).intoArray(direction, i);
         }
     }
 

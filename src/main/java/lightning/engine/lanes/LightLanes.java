@@ -12,6 +12,7 @@ import lightning.shading.LightingEquation;
 import lightning.shading.RowBits;
 import lightning.shading.Terms;
 import lightning.trace.HitRows;
+import lightning.trace.RowWays;
 
 /**
  * {@link LightingEquation} in lanes, over all rows of a tile: the same operations in the same order.
@@ -50,6 +51,20 @@ final class LightLanes implements Terms {
     }
 
     @Override
+    public void aim(HitRows rows, Lamp lamp, RowWays ways) {
+        if (!lamp.type().hasPosition()) {
+            System.arraycopy(ways.x, 0, lx, 0, HitRows.padded(rows.count));
+            System.arraycopy(ways.y, 0, ly, 0, HitRows.padded(rows.count));
+            System.arraycopy(ways.z, 0, lz, 0, HitRows.padded(rows.count));
+            return;
+        }
+        for (int i = 0; i < rows.count; i += LANES) {
+            aimAtPoint(rows, i, DoubleVector.fromArray(D, ways.x, i), DoubleVector.fromArray(D, ways.y, i),
+                    DoubleVector.fromArray(D, ways.z, i));
+        }
+    }
+
+    @Override
     public void measure(HitRows rows, Lamp lamp) {
         double x = lamp.source().x();
         double y = lamp.source().y();
@@ -64,9 +79,14 @@ final class LightLanes implements Terms {
 
     private void aimAtPoint(HitRows rows, double x, double y, double z) {
         for (int i = 0; i < rows.count; i += LANES) {
-            DoubleVector vx = DoubleVector.broadcast(D, x).sub(load(rows.px, i));
-            DoubleVector vy = DoubleVector.broadcast(D, y).sub(load(rows.py, i));
-            DoubleVector vz = DoubleVector.broadcast(D, z).sub(load(rows.pz, i));
+            aimAtPoint(rows, i, DoubleVector.broadcast(D, x), DoubleVector.broadcast(D, y), DoubleVector.broadcast(D, z));
+        }
+    }
+
+    private void aimAtPoint(HitRows rows, int i, DoubleVector x, DoubleVector y, DoubleVector z) {
+            DoubleVector vx = x.sub(load(rows.px, i));
+            DoubleVector vy = y.sub(load(rows.py, i));
+            DoubleVector vz = z.sub(load(rows.pz, i));
             DoubleVector d = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).lanewise(VectorOperators.SQRT);
             VectorMask<Double> here = d.compare(VectorOperators.LT, LightingEquation.NO_DISTANCE);
             DoubleVector inverse = DoubleVector.broadcast(D, 1).div(d);
@@ -74,7 +94,6 @@ final class LightLanes implements Terms {
             vx.mul(inverse).blend(load(rows.nx, i), here).intoArray(lx, i);
             vy.mul(inverse).blend(load(rows.ny, i), here).intoArray(ly, i);
             vz.mul(inverse).blend(load(rows.nz, i), here).intoArray(lz, i);
-        }
     }
 
     @Override
@@ -141,23 +160,35 @@ final class LightLanes implements Terms {
 
     @Override
     public void falloffs(HitRows rows, Lamp lamp, float[] to) {
-        if (lamp.type().hasCone()) {
-            spots(rows, lamp.light().dropoff());
+        if (lamp.hasCone()) {
+            spots(rows, lamp.dropoff());
         }
         Attenuation a = lamp.light().attenuation();
-        boolean cone = lamp.type().hasCone();
+        boolean cone = lamp.hasCone();
         for (int i = 0; i < rows.count; i += LANES) {
             store(factor(a, cone, i), to, i);
         }
     }
 
     @Override
+    public void add(float[] term, float[] falloff, int[] which, int rows, double[] sum) {
+        for (int b = 0, row = 0; row < rows; b++, row += RowBits.WIDTH) {
+            for (int i = row; which[b] != 0 && i < row + RowBits.WIDTH; i += LANES) {
+                DoubleVector t = load(term, i);
+                DoubleVector faded = falloff == null ? t : t.mul(load(falloff, i));
+                DoubleVector old = DoubleVector.fromArray(D, sum, i);
+                old.blend(old.add(faded), VectorMask.fromLong(D, which[b] >>> i - row)).intoArray(sum, i);
+            }
+        }
+    }
+
+    @Override
     public void factors(HitRows rows, Lamp lamp, double[] to) {
-        if (lamp.type().hasCone()) {
-            spots(rows, lamp.light().dropoff());
+        if (lamp.hasCone()) {
+            spots(rows, lamp.dropoff());
         }
         Attenuation a = lamp.light().attenuation();
-        boolean cone = lamp.type().hasCone();
+        boolean cone = lamp.hasCone();
         for (int i = 0; i < rows.count; i += LANES) {
             factor(a, cone, i).intoArray(to, i);
         }

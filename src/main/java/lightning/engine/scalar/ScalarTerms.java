@@ -8,6 +8,7 @@ import lightning.shading.LightingEquation;
 import lightning.shading.RowBits;
 import lightning.shading.Terms;
 import lightning.trace.HitRows;
+import lightning.trace.RowWays;
 
 /** {@link Terms} in plain loops, row by row. */
 final class ScalarTerms implements Terms {
@@ -31,6 +32,24 @@ final class ScalarTerms implements Terms {
             return;
         }
         for (int i = 0; i < rows.count; i++) {
+            aimAtPoint(rows, i, x, y, z);
+        }
+    }
+
+    @Override
+    public void aim(HitRows rows, Lamp lamp, RowWays ways) {
+        for (int i = 0; i < rows.count; i++) {
+            if (lamp.type().hasPosition()) {
+                aimAtPoint(rows, i, ways.x[i], ways.y[i], ways.z[i]);
+            } else {
+                lx[i] = ways.x[i];
+                ly[i] = ways.y[i];
+                lz[i] = ways.z[i];
+            }
+        }
+    }
+
+    private void aimAtPoint(HitRows rows, int i, double x, double y, double z) {
             double vx = x - rows.px[i];
             double vy = y - rows.py[i];
             double vz = z - rows.pz[i];
@@ -41,7 +60,6 @@ final class ScalarTerms implements Terms {
             lx[i] = here ? rows.nx[i] : vx * inverse;
             ly[i] = here ? rows.ny[i] : vy * inverse;
             lz[i] = here ? rows.nz[i] : vz * inverse;
-        }
     }
 
     @Override
@@ -138,6 +156,15 @@ final class ScalarTerms implements Terms {
     }
 
     @Override
+    public void add(float[] term, float[] falloff, int[] which, int rows, double[] sum) {
+        for (int i = 0; i < rows; i++) {
+            if (RowBits.contains(which, i)) {
+                sum[i] += falloff == null ? term[i] : (double) term[i] * falloff[i];
+            }
+        }
+    }
+
+    @Override
     public void factors(HitRows rows, Lamp lamp, double[] to) {
         for (int i = 0; i < rows.count; i++) {
             to[i] = factor(lamp, i);
@@ -149,6 +176,6 @@ final class ScalarTerms implements Terms {
         double d = distance[i];
         double factor = 1 / (a.constant() + a.linear() * d + a.quadratic() * (d * d));
         factor = factor < 1 ? factor : 1;
-        return lamp.type().hasCone() ? factor * Power.of(axisCosine[i] > 0 ? axisCosine[i] : 0, lamp.light().dropoff()) : factor;
+        return lamp.hasCone() ? factor * Power.of(axisCosine[i] > 0 ? axisCosine[i] : 0, lamp.dropoff()) : factor;
     }
 }

@@ -6,6 +6,7 @@ import lightning.trace.HitRows;
 import lightning.trace.RayColumns;
 import lightning.trace.SamplePlaces;
 import lightning.trace.Tracer;
+import lightning.trace.RowWays;
 import lightning.trace.Ways;
 import lightning.trace.primitive.PrimitiveTable;
 import lightning.trace.primitive.Surface;
@@ -123,6 +124,31 @@ final class ScalarTracer implements Tracer {
                     walk.enter(px, py, pz, x, y, z);
                 }
                 bits |= (walk.blocked(limit, candidates) ? 1 : 0) << i;
+            }
+            blocked[b] = bits;
+        }
+    }
+
+    @Override
+    public void blocked(HitRows rows, int[] chosen, RowWays ways, Candidates candidates, int[] blocked) {
+        double limit = ways.limit();
+        walk.leadTo(WayEnd.OPEN);
+        for (int b = 0, first = 0; first < rows.count; b++, first += WORD) {
+            int bits = 0;
+            for (int left = chosen[b]; left != 0; left &= left - 1) {
+                int i = first + Integer.numberOfTrailingZeros(left);
+                double px = rows.px[i];
+                double py = rows.py[i];
+                double pz = rows.pz[i];
+                if (!ways.open) {
+                    walk.leadTo(ways.end[i]);
+                }
+                if (ways.ends) {
+                    walk.enter(px, py, pz, ways.x[i] - px, ways.y[i] - py, ways.z[i] - pz);
+                } else {
+                    walk.enter(px, py, pz, ways.x[i], ways.y[i], ways.z[i]);
+                }
+                bits |= (walk.blocked(limit, candidates) ? 1 : 0) << i - first;
             }
             blocked[b] = bits;
         }

@@ -105,9 +105,12 @@ public final class Dispatcher {
 
     /**
      * The light, without the layers that it has where other shapes decide whether it lies on one that stays as it is: they may
-     * then differ everywhere.
+     * then differ everywhere. Of a light that is larger than a point it is not asked for each of its samples: it is computed anew.
      */
     private static KnownLight kept(KnownLight light, Scene scene, ShapeChange shapes) {
+        if (shapes != ShapeChange.NONE && light.stamp() != null && light.stamp().light().isArea()) {
+            return null;
+        }
         boolean stays = light.stamp() == null || !light.stamp().light().type().hasPosition()
                 || shapes.keepsEnd(Lamp.of(light.stamp().light(), scene).source());
         return stays ? light : null;

@@ -31,8 +31,8 @@ record LightDifference(boolean moved, ConeChange cone, boolean falloff, boolean 
     private static Set<LightTerm> changed(Light before, Light wanted) {
         Set<LightTerm> changed = EnumSet.noneOf(LightTerm.class);
         for (LightAttribute<?> attribute : before == wanted ? List.<LightAttribute<?>>of() : LightAttribute.ALL) {
-            Optional<LightTerm> was = attribute.term(before.type());
-            Optional<LightTerm> is = attribute.term(wanted.type());
+            Optional<LightTerm> was = attribute.term(before);
+            Optional<LightTerm> is = attribute.term(wanted);
             if (!was.equals(is) || is.isPresent() && !attribute.isAlike(before, wanted)) {
                 was.ifPresent(changed::add);
                 is.ifPresent(changed::add);

@@ -1,6 +1,7 @@
 package lightning.trace.tree;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 import lightning.trace.primitive.PrimitiveTable;
 
 /**
@@ -93,9 +94,27 @@ public final class Candidates {
 
     /** Leaves out the primitives of all materials but one; does nothing where there are too many. */
     public void keepMaterial(PrimitiveTable primitives, int material) {
+        keep(s -> primitives.material[s] == material);
+    }
+
+    /** Leaves out the squares that all ways of a beam are on one side of. */
+    public void leaveOut(Bvh bvh, Beam beam) {
+        keep(s -> !beam.isOnOneSide(bvh.primitives, s));
+    }
+
+    /** Whether any of these may block a way of a beam that is a part of the one that they were collected for. */
+    public boolean mayBlock(Bvh bvh, Beam part) {
+        boolean may = tooMany;
+        for (int c = 0; c < count && !may; c++) {
+            may = part.touches(boxes, 6 * c) < Double.POSITIVE_INFINITY && !part.isOnOneSide(bvh.primitives, primitive[c]);
+        }
+        return may;
+    }
+
+    private void keep(IntPredicate which) {
         int kept = 0;
         for (int c = 0; c < count; c++) {
-            if (primitives.material[primitive[c]] == material) {
+            if (which.test(primitive[c])) {
                 since[kept] = since[c];
                 primitive[kept] = primitive[c];
                 System.arraycopy(boxes, 6 * c, boxes, 6 * kept++, 6);

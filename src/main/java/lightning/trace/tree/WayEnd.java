@@ -125,6 +125,11 @@ public final class WayEnd {
         return point;
     }
 
+    /** Whether it lies on no primitive. */
+    public boolean isOpen() {
+        return primitive.length == 0;
+    }
+
     /** The index of a primitive for {@link #touches(int, double, double, double)}, negative where the light is not on it. */
     public int indexOf(int s) {
         return primitive.length == 0 ? -1 : Arrays.binarySearch(primitive, s);

@@ -1,0 +1,346 @@
+package lightning.shading;
+
+import java.util.Arrays;
+import lightning.scene.Limits;
+import lightning.trace.HitRows;
+import lightning.trace.RowWays;
+import lightning.trace.Tracer;
+
+/**
+ * The second stage for one tile and a light that is larger than a point: its terms are means over samples. Holds scratch memory:
+ * one for each thread.
+ *
+ * <p>Which samples a row's ways are free to is asked for all that it faces as soon as one of them has it in its cone, and kept:
+ * no later edit of the cone or of the falloff asks again.
+ */
+final class AreaKernel {
+    private static final int MOST = Limits.MAX_LIGHT_SAMPLES;
+
+    private final ShadowCaster shadows;
+    private final Tracer tracer;
+    private final Terms terms;
+    private final TermColumns written;
+    private final Demands demands;
+    private final int[] turn = new int[Terms.ROWS];
+    private final RowWays ways = new RowWays();
+    /** For each sample the rows that face it, those that it has in its cone, and those with a free way to it. */
+    private final int[][] facing = sets();
+    private final int[][] inside = sets();
+    private final int[][] clear = sets();
+    private final int[] chosen = RowBits.room();
+    private final int[] blocked = RowBits.room();
+    private final int[] asked = RowBits.room();
+    private final int[] anyFacing = RowBits.room();
+    private final int[] anyInside = RowBits.room();
+    private final int[] anyClear = RowBits.room();
+    private final int[] anyLit = RowBits.room();
+    private final float[] cosine = new float[Terms.ROWS];
+    private final float[] falloff = new float[Terms.ROWS];
+    private final float[] specular = new float[Terms.ROWS];
+    private final double[] factors = new double[Terms.ROWS];
+    private final double[] diffuseSum = new double[Terms.ROWS];
+    private final double[] specularSum = new double[Terms.ROWS];
+
+    AreaKernel(ShadowCaster shadows, Tracer tracer, Terms terms, TermColumns written, Demands demands) {
+        this.shadows = shadows;
+        this.tracer = tracer;
+        this.terms = terms;
+        this.written = written;
+        this.demands = demands;
+    }
+
+    private static int[][] sets() {
+        int[][] sets = new int[MOST][];
+        Arrays.setAll(sets, _ -> RowBits.room());
+        return sets;
+    }
+
+    /** All of it, from nothing. */
+    LightRows full(HitRows rows, Lamp lamp, Columns columns) {
+        if (!demands.reaches(lamp, rows, tracer)) {
+            return LightRows.UNREACHED;
+        }
+        byte[] state = columns.states(rows.count);
+        Arrays.fill(state, 0, rows.count, LightRows.AWAY);
+        turns(rows);
+        if (rows.count > 0 && !lamp.type().hasCone()) {
+            return atOnce(rows, lamp, state, columns);
+        }
+        look(rows, lamp);
+        for (int s = 0; s < lamp.area().samples(); s++) {
+            Arrays.fill(clear[s], 0);
+        }
+        cast(rows, lamp, anyInside);
+        return layer(rows, lamp, state, anyInside, columns);
+    }
+
+    /** All of it for a light whose cone no edit changes in place: a sample is aimed at once. */
+    private LightRows atOnce(HitRows rows, Lamp lamp, byte[] state, Columns columns) {
+        int words = RowBits.words(rows.count);
+        boolean shines = written.hasSpecular(rows);
+        begin();
+        shadows.aim(rows, lamp.area(), ways, lamp.type().hasPosition());
+        for (int s = 0; s < lamp.area().samples(); s++) {
+            aim(rows, lamp, s);
+            look(rows, lamp, s);
+            ends(rows, s);
+            shadows.cast(rows, ways, inside[s], blocked);
+            for (int b = 0; b < words; b++) {
+                clear[s][b] = inside[s][b] & ~blocked[b];
+            }
+            add(rows, lamp, s, clear[s], shines);
+        }
+        short[][] seen = states(rows, lamp, state, anyInside, columns);
+        return means(rows, lamp, state, seen, shines, columns);
+    }
+
+    private void begin() {
+        Arrays.fill(anyFacing, 0);
+        Arrays.fill(anyInside, 0);
+        Arrays.fill(diffuseSum, 0);
+        Arrays.fill(specularSum, 0);
+    }
+
+    /**
+     * After an edit that leaves the light where it is.
+     *
+     * @param cone whether rows may enter or leave the cone; else the falloff alone is another
+     */
+    LightRows partial(HitRows rows, Lamp lamp, LightRows before, boolean cone, Columns columns) {
+        if (!cone) {
+            return again(rows, lamp, before, columns);
+        }
+        turns(rows);
+        look(rows, lamp);
+        byte[] state = columns.states(rows.count);
+        System.arraycopy(before.state, 0, state, 0, rows.count);
+        known(rows, lamp, before.seen);
+        Arrays.fill(asked, 0);
+        // Rows that were asked before have their answers.
+        for (int i = 0; i < rows.count; i++) {
+            if ((state[i] & LightKernel.WAY) == 0 && RowBits.contains(anyInside, i)) {
+                RowBits.add(asked, i);
+            }
+        }
+        cast(rows, lamp, asked);
+        return layer(rows, lamp, state, asked, columns);
+    }
+
+    /** All terms anew for rows whose ways are known: no shadow ray is cast. */
+    LightRows again(HitRows rows, Lamp lamp, LightLayer before, Columns columns) {
+        if (before.lit() == 0) {
+            return LightRows.unlit(before.states(), before.seen());
+        }
+        turns(rows);
+        known(rows, lamp, before.seen());
+        RowBits.inState(before.states(), rows.count, LightRows.LIT, anyLit);
+        return terms(rows, lamp, before.states(), before.seen(), columns);
+    }
+
+    private void turns(HitRows rows) {
+        for (int i = 0; i < rows.count; i++) {
+            turn[i] = LampArea.turn(rows.px[i], rows.py[i], rows.pz[i]);
+        }
+    }
+
+    /** Leads each row's way to its place of sample {@code s}, and aims the terms there. */
+    private void aim(HitRows rows, Lamp lamp, int s) {
+        lead(rows, lamp, s);
+        terms.aim(rows, lamp, ways);
+        if (lamp.hasCone()) {
+            terms.aimCone(rows, lamp);
+        }
+    }
+
+    /** Finds out which rows face which samples and are in their cones. */
+    private void look(HitRows rows, Lamp lamp) {
+        begin();
+        for (int s = 0; s < lamp.area().samples(); s++) {
+            aim(rows, lamp, s);
+            look(rows, lamp, s);
+        }
+    }
+
+    /** The same for sample {@code s}, which was aimed at; leaves the cosines. */
+    private void look(HitRows rows, Lamp lamp, int s) {
+        int words = RowBits.words(rows.count);
+        terms.cosines(rows, cosine);
+        terms.facing(cosine, rows.count, facing[s]);
+        if (lamp.hasCone()) {
+            terms.inside(facing[s], rows.count, lamp.cosAngle(), inside[s]);
+        } else {
+            System.arraycopy(facing[s], 0, inside[s], 0, words);
+        }
+        for (int b = 0; b < words; b++) {
+            anyFacing[b] |= facing[s][b];
+            anyInside[b] |= inside[s][b];
+        }
+    }
+
+    /** Asks rows for all samples that they face; adds the free ways to those that are known. */
+    private void cast(HitRows rows, Lamp lamp, int[] which) {
+        int words = RowBits.words(rows.count);
+        if (RowBits.count(which, rows.count) == 0) {
+            return;
+        }
+        shadows.aim(rows, lamp.area(), ways, lamp.type().hasPosition());
+        for (int s = 0; s < lamp.area().samples(); s++) {
+            for (int b = 0; b < words; b++) {
+                chosen[b] = facing[s][b] & which[b];
+            }
+            lead(rows, lamp, s);
+            ends(rows, s);
+            shadows.cast(rows, ways, chosen, blocked);
+            for (int b = 0; b < words; b++) {
+                clear[s][b] |= chosen[b] & ~blocked[b];
+            }
+        }
+    }
+
+    private void lead(HitRows rows, Lamp lamp, int s) {
+        LampArea area = lamp.area();
+        int at = LampArea.TURNS * s;
+        // Lanes that run over the end need a way too, whichever.
+        for (int i = 0; i < HitRows.padded(rows.count); i++) {
+            int k = at + turn[i];
+            ways.x[i] = area.x[k];
+            ways.y[i] = area.y[k];
+            ways.z[i] = area.z[k];
+        }
+    }
+
+    private void ends(HitRows rows, int s) {
+        for (int i = 0; i < rows.count && !ways.open; i++) {
+            ways.end[i] = shadows.end(LampArea.TURNS * s + turn[i]);
+        }
+    }
+
+    /** Reads which ways are known to be free. */
+    private void known(HitRows rows, Lamp lamp, short[][] seen) {
+        for (int s = 0; s < lamp.area().samples(); s++) {
+            int[] set = clear[s];
+            Arrays.fill(set, 0);
+            short[] column = seen == null ? null : seen[s / LightRows.SAMPLES];
+            if (column != null) {
+                for (int i = 0; i < rows.count; i++) {
+                    set[i / RowBits.WIDTH] |= (column[i] >>> s % LightRows.SAMPLES & 1) << i % RowBits.WIDTH;
+                }
+            }
+        }
+    }
+
+    /**
+     * The layer of rows that were looked at.
+     *
+     * @param state of before; gets the states
+     * @param fresh the rows that were asked just now
+     */
+    private LightRows layer(HitRows rows, Lamp lamp, byte[] state, int[] fresh, Columns columns) {
+        return terms(rows, lamp, state, states(rows, lamp, state, fresh, columns), columns);
+    }
+
+    /** Writes the states; what is seen, and the rows that are lit to {@link #anyLit}. */
+    private short[][] states(HitRows rows, Lamp lamp, byte[] state, int[] fresh, Columns columns) {
+        Arrays.fill(anyLit, 0);
+        Arrays.fill(anyClear, 0);
+        int words = RowBits.words(rows.count);
+        for (int s = 0; s < lamp.area().samples(); s++) {
+            for (int b = 0; b < words; b++) {
+                anyClear[b] |= clear[s][b];
+                anyLit[b] |= clear[s][b] & inside[s][b];
+            }
+        }
+        for (int i = 0; i < rows.count; i++) {
+            int way = RowBits.contains(fresh, i) ? RowBits.contains(anyClear, i) ? LightRows.CLEAR : LightRows.BLOCKED
+                    : state[i] & LightKernel.WAY;
+            state[i] = (byte) (way | (!RowBits.contains(anyFacing, i) ? LightRows.AWAY
+                    : !RowBits.contains(anyInside, i) ? LightRows.OUTSIDE
+                    : RowBits.contains(anyLit, i) ? LightRows.LIT : LightRows.SHADOWED));
+        }
+        return RowBits.count(anyClear, rows.count) == 0 ? null : seen(rows, lamp, columns);
+    }
+
+    private short[][] seen(HitRows rows, Lamp lamp, Columns columns) {
+        int samples = lamp.area().samples();
+        short[][] seen = new short[(samples - 1) / LightRows.SAMPLES + 1][];
+        for (int k = 0; k < seen.length; k++) {
+            seen[k] = columns.shorts(rows.count);
+            int first = k * LightRows.SAMPLES;
+            int count = Math.min(LightRows.SAMPLES, samples - first);
+            for (int i = 0; i < rows.count; i++) {
+                int bits = 0;
+                for (int s = 0; s < count; s++) {
+                    bits |= (clear[first + s][i / RowBits.WIDTH] >>> i % RowBits.WIDTH & 1) << s;
+                }
+                seen[k][i] = (short) bits;
+            }
+        }
+        return seen;
+    }
+
+    /** The means over all samples, of which the free ways are known; rows that are lit are in {@link #anyLit}. */
+    private LightRows terms(HitRows rows, Lamp lamp, byte[] state, short[][] seen, Columns columns) {
+        if (RowBits.count(anyLit, rows.count) == 0) {
+            return LightRows.unlit(state, seen);
+        }
+        boolean shines = written.hasSpecular(rows);
+        int samples = lamp.area().samples();
+        Arrays.fill(diffuseSum, 0);
+        Arrays.fill(specularSum, 0);
+        for (int s = 0; s < samples; s++) {
+            aim(rows, lamp, s);
+            if (lamp.hasCone()) {
+                terms.inside(clear[s], rows.count, lamp.cosAngle(), chosen);
+            } else {
+                System.arraycopy(clear[s], 0, chosen, 0, chosen.length);
+            }
+            terms.cosines(rows, cosine);
+            add(rows, lamp, s, chosen, shines);
+        }
+        return means(rows, lamp, state, seen, shines, columns);
+    }
+
+    /** Adds what a sample gives that was aimed at and whose cosines are there to the sums of the rows of a set. */
+    private void add(HitRows rows, Lamp lamp, int s, int[] which, boolean shines) {
+        float[] fading = lamp.fades() ? falloff : null;
+        if (lamp.fades()) {
+            falloffs(rows, lamp, s);
+        }
+        terms.add(cosine, fading, which, rows.count, diffuseSum);
+        if (shines) {
+            written.speculars(rows, which, specular);
+            terms.add(specular, fading, which, rows.count, specularSum);
+        }
+    }
+
+    private void falloffs(HitRows rows, Lamp lamp, int s) {
+        if (!DoorFactor.acts(lamp)) {
+            terms.falloffs(rows, lamp, falloff);
+            return;
+        }
+        DoorFactor[] doors = new DoorFactor[LampArea.TURNS];
+        Arrays.setAll(doors, t -> DoorFactor.of(lamp.sample(t, s)));
+        terms.factors(rows, lamp, factors);
+        for (int i = 0; i < rows.count; i++) {
+            falloff[i] = (float) (factors[i] * doors[turn[i]].at(rows.px[i], rows.py[i], rows.pz[i]));
+        }
+    }
+
+    private LightRows means(HitRows rows, Lamp lamp, byte[] state, short[][] seen, boolean shines, Columns columns) {
+        int lit = RowBits.count(anyLit, rows.count);
+        if (lit == 0) {
+            return LightRows.unlit(state, seen);
+        }
+        int samples = lamp.area().samples();
+        return new LightRows(state, mean(diffuseSum, samples, rows, columns), shines ? mean(specularSum, samples, rows, columns) : null,
+                null, seen, lit);
+    }
+
+    private static float[] mean(double[] sum, int samples, HitRows rows, Columns columns) {
+        float[] mean = columns.floats(rows.count);
+        for (int i = 0; i < rows.count; i++) {
+            mean[i] = LightingEquation.mean(sum[i], samples);
+        }
+        return mean;
+    }
+}
