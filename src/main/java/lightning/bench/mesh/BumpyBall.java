@@ -35,9 +35,9 @@ public final class BumpyBall {
         return new Mesh(position, triangle, null, null, null);
     }
 
-    /** Equal angles make squares of nearly one size. */
+    /** Equal angles make squares of nearly one size; the ends are exact, so that grids meet without a crack. */
     private static double angle(int i, int n) {
-        return Math.tan(Math.PI / 4 * (2.0 * i / n - 1));
+        return i == 0 ? -1 : i == n ? 1 : Math.tan(Math.PI / 4 * (2.0 * i / n - 1));
     }
 
     private static void put(int side, double u, double v, float[] to, int at) {
@@ -45,7 +45,7 @@ public final class BumpyBall {
         p[side % 3] = side < 3 ? 1 : -1;
         p[(side + 1) % 3] = u;
         p[(side + 2) % 3] = v;
-        double length = Math.sqrt(1 + u * u + v * v);
+        double length = Math.sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
         double radius = 1;
         double height = LARGEST;
         double often = 5 / length;
