@@ -70,8 +70,12 @@ public record Scene(Picture picture, Camera camera, World world, Stage stage, Ri
      * serves the other's: they differ in lights, materials, the world and how deep mirrors are followed at most.
      */
     public boolean showsSameShapes(Scene o) {
-        return picture.width() == o.picture.width() && picture.height() == o.picture.height()
-                && camera.equals(o.camera) && nodes().equals(o.nodes());
+        return hasSameView(o) && nodes().equals(o.nodes());
+    }
+
+    /** Whether both are seen by the same camera at the same size. */
+    public boolean hasSameView(Scene o) {
+        return picture.width() == o.picture.width() && picture.height() == o.picture.height() && camera.equals(o.camera);
     }
 
     /**

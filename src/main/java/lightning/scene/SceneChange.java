@@ -6,9 +6,13 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import lightning.math.Vec3;
 
 /** Says what changed from one scene to another: {@code key: intensity 1 → 1.2}. */
 public final class SceneChange {
+    /** Of more shapes and groups than this it is not told what changed. */
+    private static final int MOST_NODES = 3;
+
     private final boolean brief;
     private final List<String> parts = new ArrayList<>();
 
@@ -51,8 +55,8 @@ public final class SceneChange {
             add(new Change("anti-aliasing", sampling(before), sampling(after)));
             add(new Change("size", size(before), size(after)));
         }
-        boolean known = materials(before, after);
-        boolean other = !known || !before.withPicture(after.picture()).showsSameShapes(after)
+        boolean known = materials(before, after) & nodes(before, after);
+        boolean other = !known || !before.withPicture(after.picture()).hasSameView(after)
                 || !before.world().background().equals(after.world().background());
         if (other || parts.isEmpty()) {
             parts.add("the scene");
@@ -127,6 +131,74 @@ public final class SceneChange {
             }
         }
         return names(after).equals(names(before)) || addsDefault(before, after);
+    }
+
+    /** Adds what changed of each shape and group; false if the change is more than values of theirs, or of too many to tell. */
+    private boolean nodes(Scene before, Scene after) {
+        if (before.nodes().equals(after.nodes())) {
+            return true;
+        }
+        List<Node> from = new ArrayList<>();
+        List<Node> to = new ArrayList<>();
+        collect(before.nodes(), from);
+        collect(after.nodes(), to);
+        if (from.size() != to.size()) {
+            return false;
+        }
+        List<String> changed = new ArrayList<>();
+        for (int i = 0; i < from.size() && changed.size() <= MOST_NODES; i++) {
+            Node a = from.get(i);
+            Node b = to.get(i);
+            if (a != b && (!a.name().equals(b.name()) || !solid(a).equals(solid(b)))) {
+                return false;
+            }
+            List<Change> changes = a == b ? List.of() : changes(a, b);
+            if (!changes.isEmpty()) {
+                changed.add(joined(a.name(), changes));
+            }
+        }
+        if (changed.size() > MOST_NODES) {
+            return false;
+        }
+        parts.addAll(changed);
+        return true;
+    }
+
+    private static void collect(List<Node> nodes, List<Node> to) {
+        for (Node node : nodes) {
+            to.add(node);
+            if (node instanceof Group g) {
+                collect(g.children(), to);
+            }
+        }
+    }
+
+    private static Optional<Solid> solid(Node node) {
+        return node instanceof Shape s ? Optional.of(s.solid()) : Optional.empty();
+    }
+
+    private static List<Change> changes(Node a, Node b) {
+        List<Change> changes = new ArrayList<>();
+        if (a instanceof Shape s && b instanceof Shape t && !s.material().equals(t.material())) {
+            changes.add(new Change("material", s.material(), t.material()));
+        }
+        change("at", a.placement().at(), b.placement().at(), changes);
+        change("rotate", a.placement().rotate(), b.placement().rotate(), changes);
+        change("scale", a.placement().scale(), b.placement().scale(), changes);
+        if (a.visible() != b.visible()) {
+            changes.add(new Change("visible", a.visible() ? "yes" : "no", b.visible() ? "yes" : "no"));
+        }
+        return changes;
+    }
+
+    private static void change(String title, Vec3 a, Vec3 b, List<Change> changes) {
+        if (!a.equals(b)) {
+            changes.add(new Change(title, text(a), text(b)));
+        }
+    }
+
+    private static String text(Vec3 v) {
+        return Limits.text(v.x()) + " " + Limits.text(v.y()) + " " + Limits.text(v.z());
     }
 
     private static boolean addsDefault(Scene before, Scene after) {

@@ -52,6 +52,15 @@ class SceneChangeTest {
     }
 
     @Test
+    void shapes_areToldWithBothValues() {
+        Node node = scene.nodes().getFirst();
+        Placement p = node.placement();
+        Node moved = node.withPlacement(new Placement(new Vec3(1, 2, 3), p.rotate(), p.scale())).withVisible(false);
+        assertThat(to(scene.withNode(node.name(), moved))).startsWith(node.name() + ": at ").endsWith(" → 1 2 3, visible yes → no");
+        assertThat(to(scene.withNodes(List.of()))).isEqualTo("the scene");
+    }
+
+    @Test
     void changeBeyondFourDigits_isALittle() {
         assertThat(to(scene.withLight(sun.withIntensity(sun.intensity() + 1e-9)))).isEqualTo("sun: a little");
     }

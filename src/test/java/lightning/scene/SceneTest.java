@@ -46,4 +46,10 @@ class SceneTest {
             assertThat(scene.showsSameShapes(other)).isFalse();
         }
     }
+
+    @Test
+    void otherShapes_haveTheSameView() {
+        assertThat(scene.hasSameView(scene.withNodes(List.of()))).isTrue();
+        assertThat(scene.hasSameView(scene.withPicture(scene.picture().withSize(3, scene.picture().height())))).isFalse();
+    }
 }

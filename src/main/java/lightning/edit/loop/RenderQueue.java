@@ -101,8 +101,8 @@ final class RenderQueue {
     private boolean isUselessFor(Scene wanted) {
         return switch (running) {
             case null -> false;
-            case Work.Render r -> !r.scene().showsSameShapes(wanted);
-            case Work.Reopen r -> r.scene() != null && !r.scene().showsSameShapes(wanted);
+            case Work.Render r -> !r.scene().hasSameView(wanted);
+            case Work.Reopen r -> r.scene() != null && !r.scene().hasSameView(wanted);
             case Work.Reflections _ -> true;
             case Work.Finish _,Work.Verify _,Work.Looks _,Work.Forget _ -> false;
         };
