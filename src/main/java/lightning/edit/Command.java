@@ -34,6 +34,8 @@ public enum Command {
     EDIT_MATERIAL("Edit Material of Shape", "Edit the material of the shape under the mouse", "mdi2p-palette-outline", "", Obstacles.NONE),
     CHOOSE_TEXTURE("Choose Texture", "Give the material a picture that lies beside the scene", "mdi2i-image-plus", "", Obstacles.NONE),
 
+    CHOOSE_GOBO("Choose Gobo", "Let the light project a picture that lies beside the scene", "mdi2p-projector", "", Obstacles.NONE),
+
     ADD_LIGHT("Add Light", "Add a light to the scene", "mdi2l-lightbulb-on-outline", "Shortcut+L", Obstacles.alone(Obstacles::noRoom)),
     DUPLICATE_LIGHT("Duplicate Light", "Add a light like the selected one", "mdi2c-content-duplicate", "Shortcut+D",
             Obstacles.alone(Obstacles::noLightOrNoRoom)),

@@ -35,6 +35,8 @@ public enum Effect {
             scene -> Without.lights(scene, l -> l.withDropoff(0))),
     BARN_DOORS("barn doors", uses -> uses.lights(l -> l.type().hasCone() && !l.doors().isOpen()),
             scene -> Without.lights(scene, l -> l.withDoors(BarnDoors.OPEN))),
+    GOBOS("gobos", uses -> uses.lights(l -> l.type().hasCone() && l.gobo().isPresent()),
+            scene -> Without.lights(scene, l -> l.withGobo(Optional.empty()))),
     BANKS("banks of lights", Uses::banks, scene -> scene.withRig(Rig.of(scene.lights().stream().map(l -> l.withBank("")).toList())),
             UnaryOperator.identity(), false),
     SOFT_SHADOWS("soft shadows", uses -> uses.lights(Light::isArea), scene -> Without.lights(scene, Without::area),

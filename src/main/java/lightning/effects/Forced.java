@@ -18,9 +18,9 @@ final class Forced {
         return Without.materials(scene, m -> m.texture().isPresent() ? m : m.withTexture(Optional.of(WHITE)));
     }
 
-    /** Every point light is a spot light whose cone is all around, which does not drop off and has no barn doors. */
+    /** Every point light is a spot light whose cone is all around, which does not drop off and has neither barn doors nor a gobo. */
     static Scene widestCones(Scene scene) {
         return Without.lights(scene, l -> l.type() == LightType.POINT
-                ? l.withType(LightType.SPOT).withAngle(180).withDropoff(0).withDoors(BarnDoors.OPEN) : l);
+                ? l.withType(LightType.SPOT).withAngle(180).withDropoff(0).withDoors(BarnDoors.OPEN).withGobo(Optional.empty()) : l);
     }
 }

@@ -64,6 +64,7 @@ public record LightsBack(byte[] bytes, Map<String, Integer> notes) {
             out.put("samples", light.area().samples());
             out.put("angle", light.angle()).put("dropoff", light.dropoff());
             out.putArray("doors").add(light.doors().left()).add(light.doors().right()).add(light.doors().bottom()).add(light.doors().top());
+            light.gobo().ifPresent(gobo -> out.put("gobo", gobo.file()));
             out.put("feather", light.feather()).put("on", light.on()).put("solo", light.solo()).put("bank", light.bank());
         }
         ObjectNode root = JSON.createObjectNode();
@@ -87,6 +88,7 @@ public record LightsBack(byte[] bytes, Map<String, Integer> notes) {
         notes.add("edges of spots, which fade otherwise there", type.hasCone() && light.dropoff() > 0 || type.isSurface() ? 1 : 0);
         double dropoff = type.isSurface() ? 1 : light.dropoff();
         notes.add("barn doors", type.hasCone() && !light.doors().isOpen() ? 1 : 0);
+        notes.add("gobos", type.hasCone() && light.gobo().isPresent() ? 1 : 0);
         GltfLight.Type kind = switch (type) {
             case DIRECTIONAL -> GltfLight.Type.DIRECTIONAL;
             case POINT -> GltfLight.Type.POINT;

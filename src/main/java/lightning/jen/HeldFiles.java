@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import lightning.mesh.Mesh;
+import lightning.scene.Gobo;
 import lightning.scene.Group;
 import lightning.scene.Node;
 import lightning.scene.Scene;
@@ -23,7 +24,9 @@ record HeldFiles(Scene scene, Optional<Path> folder) implements SceneFiles {
     public Texture texture(String file) {
         Optional<Texture> held = scene.materials().stream().flatMap(m -> m.texture().stream()).filter(t -> t.file().equals(file))
                 .map(TextureMap::image).findFirst();
-        return held.orElseGet(() -> read("texture", file, f -> new TextureFolder(f).load(file)));
+        Optional<Texture> projected = scene.lights().stream().flatMap(l -> l.gobo().stream()).filter(g -> g.file().equals(file))
+                .map(Gobo::image).findFirst();
+        return held.or(() -> projected).orElseGet(() -> read("texture", file, f -> new TextureFolder(f).load(file)));
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import lightning.scene.Attribute;
 import lightning.scene.Choice;
+import lightning.scene.Gobo;
 import lightning.scene.Kind;
 import lightning.scene.Limits;
 import lightning.scene.Quantity;
@@ -61,9 +62,10 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
             case Choice<V> c -> List.of(choice(a.name(), new Value.Word(c.text(a.initial())), c.words(),
                     t -> new Value.Word(c.text(a.of(t)))));
             case Kind.Naming _ -> List.of(name(a.name(), new Value.Absent(), a.unit(), t -> named((String) a.of(t))));
+            case Kind.Projecting _ -> List.of(pictured(a, t -> ((Optional<?>) a.of(t)).<Value>map(g -> new Value.Quoted(((Gobo) g).file()))
+                    .orElse(new Value.Absent())));
             case Kind.Texturing _ -> List.of(
-                    quoted(a.name(), "a PNG or JPEG file", v -> FileName.check(a.name(), ((Value.Quoted) v).file(), TextureFolder.NAME),
-                            t -> picture(a.of(t), map -> new Value.Quoted(map.file()))),
+                    pictured(a, t -> picture(a.of(t), map -> new Value.Quoted(map.file()))),
                     Property.<T>numbers(REPEAT, List.of(" u", " v"), Value.of(1, 1), -Limits.MAX_REPEAT, Limits.MAX_REPEAT,
                             "times, needs a texture", t -> picture(a.of(t), map -> Value.of(map.repeatU(), map.repeatV())))
                             .also(v -> new TextureMap("", ((Value.Numbers) v).all().get(0), ((Value.Numbers) v).all().get(1), null)));
@@ -72,6 +74,10 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
 
     private static Value named(String name) {
         return name.isEmpty() ? new Value.Absent() : new Value.Name(name);
+    }
+
+    private static <T> Property<T> pictured(Attribute<T, ?> a, Function<T, Value> get) {
+        return quoted(a.name(), "a PNG or JPEG file", v -> FileName.check(a.name(), ((Value.Quoted) v).file(), TextureFolder.NAME), get);
     }
 
     private static Value picture(Object map, Function<TextureMap, Value> get) {

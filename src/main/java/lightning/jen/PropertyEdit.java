@@ -99,6 +99,22 @@ public final class PropertyEdit {
     }
 
     /**
+     * The scene with a picture, read from a file, that a light projects.
+     *
+     * @param file   its name; empty for none
+     * @param folder where the picture is looked for, as if the scene file were in it
+     * @throws IllegalArgumentException if there is no such light, or no such picture
+     */
+    public static Scene gobo(Scene scene, String light, String file, Path folder) {
+        String property = LightAttribute.GOBO.name();
+        if (file.isEmpty()) {
+            return set(scene, NameText.of(light), property, NONE);
+        }
+        FileName.check(property, file, TextureFolder.NAME);
+        return set(scene, NameText.of(light), property, new Value.Quoted(file).text(), new HeldFiles(scene, Optional.of(folder)));
+    }
+
+    /**
      * The names of the pictures that {@link #texture(Scene, String, String, Path)} would find by them, in alphabetical order.
      *
      * @param folder where pictures are looked for, as if the scene file were in it
@@ -254,7 +270,7 @@ public final class PropertyEdit {
 
     /** Whether {@code none} takes the property away; in quotes it is a name as any other. */
     private static boolean canBeNone(BlockType<?> type, String property) {
-        return type == Blocks.MATERIAL && property.equals("texture") || type == Blocks.LIGHT && property.equals(LightAttribute.BANK.name());
+        return type == Blocks.MATERIAL && property.equals("texture") || type == Blocks.LIGHT && (property.equals(LightAttribute.BANK.name()) || property.equals(LightAttribute.GOBO.name()));
     }
 
     private static Value value(BlockType<?> type, String name, String property, String text) {

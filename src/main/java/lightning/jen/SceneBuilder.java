@@ -13,6 +13,7 @@ import lightning.mesh.Mesh;
 import lightning.scene.Bank;
 import lightning.scene.Camera;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
 import lightning.scene.Limits;
 import lightning.scene.Material;
 import lightning.scene.Node;
@@ -181,7 +182,8 @@ final class SceneBuilder {
         Mesh mesh = mesh(block);
         if (!problems.isEmpty() && (type.named() && block.name.isEmpty()
                 || type.header().filter(p -> !values.containsKey(p.name())).isPresent()
-                || block.isWritten("texture") && image == null || block.isWritten(Blocks.FILE) && mesh == null)) {
+                || (block.isWritten("texture") || block.isWritten(LightAttribute.GOBO.name())) && image == null
+                || block.isWritten(Blocks.FILE) && mesh == null)) {
             return Optional.empty();
         }
         try {
@@ -192,8 +194,14 @@ final class SceneBuilder {
         }
     }
 
+    /** What names a picture: no block has two such properties. */
+    private static Block.Entry picture(Block block) {
+        Block.Entry texture = block.entry("texture");
+        return texture == null ? block.entry(LightAttribute.GOBO.name()) : texture;
+    }
+
     private Texture image(Block block) {
-        Block.Entry entry = block.entry("texture");
+        Block.Entry entry = picture(block);
         if (entry == null) {
             return null;
         }

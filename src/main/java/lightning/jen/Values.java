@@ -6,6 +6,7 @@ import java.util.Optional;
 import lightning.math.Vec3;
 import lightning.scene.Attribute;
 import lightning.scene.Choice;
+import lightning.scene.Gobo;
 import lightning.scene.Kind;
 import lightning.scene.Quantity;
 import lightning.scene.Solid;
@@ -37,8 +38,13 @@ record Values(Map<String, Value> all, SceneFiles files) {
             case Quantity<V> n -> n.join().apply(numbers(attribute.name()));
             case Choice<V> c -> c.value(word(attribute.name()));
             case Kind.Naming _ -> unchecked(all.get(attribute.name()) instanceof Value.Name(String name) ? name : "");
+            case Kind.Projecting _ -> unchecked(gobo(attribute.name()));
             case Kind.Texturing _ -> unchecked(picture(attribute.name()));
         };
+    }
+
+    private Optional<Gobo> gobo(String property) {
+        return all.get(property) instanceof Value.Quoted(String file) ? Optional.of(new Gobo(file, files.texture(file))) : Optional.empty();
     }
 
     private Optional<TextureMap> picture(String property) {

@@ -64,7 +64,7 @@ final class PovLight {
 
     /** A hard edge at the angle, and the axis' cosine to the power of the dropoff. */
     private List<String> spot(Light light) {
-        if (light.angle() == 180 && light.dropoff() == 0 && light.doors().isOpen()) {
+        if (light.angle() == 180 && light.dropoff() == 0 && light.doors().isOpen() && light.gobo().isEmpty()) {
             return List.of();
         }
         if (light.angle() >= 90) {
@@ -72,6 +72,9 @@ final class PovLight {
         }
         if (!light.doors().isOpen()) {
             losses.add("light " + light.name() + ": its barn doors are left out");
+        }
+        if (light.gobo().isPresent()) {
+            losses.add("light " + light.name() + ": its gobo is left out");
         }
         double angle = Math.min(light.angle(), 90);
         Vec3 target = light.position().plus(light.direction().normalized().times(extent.radius()));

@@ -7,7 +7,7 @@ import java.util.Optional;
  *
  * @param <V> the type of a value
  */
-public sealed interface Kind<V> permits Quantity, Choice, Kind.Naming, Kind.Texturing {
+public sealed interface Kind<V> permits Quantity, Choice, Kind.Naming, Kind.Projecting, Kind.Texturing {
 
     /**
      * Refuses a value that no scene may hold.
@@ -40,6 +40,24 @@ public sealed interface Kind<V> permits Quantity, Choice, Kind.Naming, Kind.Text
         @Override
         public String text(String value) {
             return value.isEmpty() ? "none" : value;
+        }
+    }
+
+    /** A picture that is projected, or none. */
+    record Projecting() implements Kind<Optional<Gobo>> {
+        @Override
+        public void check(String what, Optional<Gobo> value) {
+            // Every picture has checked itself.
+        }
+
+        @Override
+        public boolean alike(Optional<Gobo> a, Optional<Gobo> b) {
+            return a.map(Gobo::image).equals(b.map(Gobo::image));
+        }
+
+        @Override
+        public String text(Optional<Gobo> value) {
+            return value.map(Gobo::file).orElse("none");
         }
     }
 

@@ -56,6 +56,8 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
             Light::doors, Light::withDoors, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<Double> FEATHER = of("feather", Quantity.number(0, Limits.MAX_FEATHER, 1), 0.0,
             "degrees inside the edge of a door", Light::feather, Light::withFeather, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
+    public static final LightAttribute<Optional<Gobo>> GOBO = of("gobo", new Kind.Projecting(), Optional.empty(), "a PNG or JPEG file",
+            Light::gobo, Light::withGobo, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<Double> RADIUS = of("radius", Quantity.number(0, Limits.MAX_EXTENT, 0.1), Area.DEFAULT.radius(),
             "scene units", l -> l.area().radius(), (l, v) -> l.withArea(l.area().withRadius(v)), Section.AREA,
             Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
@@ -82,7 +84,7 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
 
     /** All of them. */
     public static final List<LightAttribute<?>> ALL =
-            List.of(TYPE, COLOR, INTENSITY, POSITION, DIRECTION, ATTENUATION, ANGLE, DROPOFF, DOORS, FEATHER, RADIUS, SPREAD, WIDTH, HEIGHT,
+            List.of(TYPE, COLOR, INTENSITY, POSITION, DIRECTION, ATTENUATION, ANGLE, DROPOFF, DOORS, FEATHER, GOBO, RADIUS, SPREAD, WIDTH, HEIGHT,
                     UP, SAMPLES, ON, SOLO, BANK);
 
     private final Section section;

@@ -314,12 +314,12 @@ final class AreaKernel {
     }
 
     private void falloffs(HitRows rows, Lamp lamp, int s) {
-        if (!DoorFactor.acts(lamp)) {
+        if (!Shaping.acts(lamp)) {
             terms.falloffs(rows, lamp, falloff);
             return;
         }
-        DoorFactor[] doors = new DoorFactor[LampArea.TURNS];
-        Arrays.setAll(doors, t -> DoorFactor.of(lamp.sample(t, s)));
+        Shaping[] doors = new Shaping[LampArea.TURNS];
+        Arrays.setAll(doors, t -> Shaping.of(lamp.sample(t, s)));
         terms.factors(rows, lamp, factors);
         for (int i = 0; i < rows.count; i++) {
             falloff[i] = (float) (factors[i] * doors[turn[i]].at(rows.px[i], rows.py[i], rows.pz[i]));

@@ -54,7 +54,7 @@ final class AttenuationRatio {
             terms.aimCone(rows, lamp);
         }
         terms.factors(rows, lamp, to);
-        DoorFactor doors = DoorFactor.of(lamp);
+        Shaping doors = Shaping.of(lamp);
         if (doors != null) {
             doors.multiply(rows, to);
         }

@@ -49,6 +49,7 @@ record ForcedDemands(Set<Effect> forced) implements Demands {
     public boolean fallsOff(Lamp lamp) {
         return OF_SCENE.fallsOff(lamp)
                 || !lamp.isArea() && lamp.type().hasPosition()
-                        && (forced.contains(Effect.ATTENUATION) || forced.contains(Effect.DROPOFF) || forced.contains(Effect.BARN_DOORS));
+                        && (forced.contains(Effect.ATTENUATION) || forced.contains(Effect.DROPOFF) || forced.contains(Effect.BARN_DOORS)
+                                || forced.contains(Effect.GOBOS));
     }
 }

@@ -48,7 +48,7 @@ public record Lamp(Light light, Vec3 source, Vec3 axis, double cosAngle, double 
         return switch (type()) {
             case DIRECTIONAL -> false;
             case POINT -> !light.attenuation().isNone();
-            case SPOT -> !light.attenuation().isNone() || dropoff != 0 || DoorFactor.acts(this);
+            case SPOT -> !light.attenuation().isNone() || dropoff != 0 || Shaping.acts(this);
             case RECT, DISC -> true;
         };
     }

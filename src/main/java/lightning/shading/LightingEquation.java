@@ -24,12 +24,12 @@ public final class LightingEquation {
     private double ly;
     private double lz;
     private double distance;
-    private final DoorFactor doors;
+    private final Shaping doors;
     private double door;
 
     LightingEquation(Lamp lamp) {
         this.lamp = lamp;
-        doors = DoorFactor.of(lamp);
+        doors = Shaping.of(lamp);
     }
 
     /** Turns to a row: its point and its unit normal. At distance 0 the light stands straight above. */

@@ -84,7 +84,7 @@ final class TermColumns {
             return null;
         }
         float[] column = columns.floats(rows.count);
-        DoorFactor doors = DoorFactor.of(lamp);
+        Shaping doors = Shaping.of(lamp);
         if (doors == null) {
             terms.falloffs(rows, lamp, column);
         } else {

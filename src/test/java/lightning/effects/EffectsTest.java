@@ -101,8 +101,8 @@ class EffectsTest {
     }
 
     @Test
-    void bird_callsForAllButDoorsBanksSeveralSamplesSoftLightsFrustumsAndMeshes() throws Exception {
-        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.BARN_DOORS, Effect.BANKS,
+    void bird_callsForAllButDoorsGobosBanksSeveralSamplesSoftLightsFrustumsAndMeshes() throws Exception {
+        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.BARN_DOORS, Effect.GOBOS, Effect.BANKS,
                 Effect.SOFT_SHADOWS, Effect.ANTIALIASING, Effect.RECT_LIGHTS, Effect.DISC_LIGHTS, Effect.FRUSTUMS, Effect.MESHES);
     }
 }

@@ -87,7 +87,7 @@ class BlocksTest {
                 case Value.Word(String word) -> p.checkWord(word);
                 case Value.Name(String name) -> lightning.scene.Limits.name(name);
                 case Value.Quoted q -> p.checkTogether(q);
-                case Value.Absent a -> assertThat(p.name()).isIn("texture", "bank", Blocks.FILE, Blocks.PART);
+                case Value.Absent a -> assertThat(p.name()).isIn("texture", "gobo", "bank", Blocks.FILE, Blocks.PART);
             }
         }));
     }

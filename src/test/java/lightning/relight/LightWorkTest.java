@@ -4,6 +4,7 @@ import static lightning.relight.Studio.assertWork;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
@@ -11,8 +12,11 @@ import lightning.relight.plan.LightUpdate;
 import lightning.relight.plan.UpdatePlan;
 import lightning.sample.StudioScene;
 import lightning.scene.Attenuation;
+import lightning.scene.BarnDoors;
+import lightning.scene.Gobo;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Texture;
 import lightning.shading.ConeChange;
 import lightning.shading.SeenRows;
 import org.junit.jupiter.api.Test;
@@ -119,6 +123,20 @@ class LightWorkTest {
             } else {
                 assertPlan(update, FALLOFF);
                 assertWork(update, seen.count(0, seen.lit(studio.key())), rows(studio), 0, 0);
+            }
+        }
+    }
+
+    @Test
+    void doorsAndGobo_rewriteTheFalloffOfLitRows() {
+        var gobo = Optional.of(new Gobo("half.png", new Texture(1, 2, new float[] {1, 1, 1, 0, 0, 0})));
+        try (Studio studio = Studio.of(LightType.SPOT)) {
+            SeenRows seen = studio.seen();
+            long lit = seen.count(0, seen.lit(studio.key()));
+            for (Update update : List.of(studio.edit(l -> l.withDoors(new BarnDoors(5, 90, 90, -10))), studio.edit(l -> l.withFeather(10)),
+                    studio.edit(l -> l.withGobo(gobo)), studio.edit(l -> l.withGobo(Optional.empty()).withDoors(BarnDoors.OPEN)))) {
+                assertPlan(update, FALLOFF);
+                assertWork(update, lit, rows(studio), 0, 0);
             }
         }
     }

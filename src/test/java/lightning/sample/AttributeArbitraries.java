@@ -64,7 +64,7 @@ public final class AttributeArbitraries {
         return switch (attribute.kind()) {
             case Quantity<V> q -> Arbitraries.frequencyOf(Tuple.of(6, numbers(q)), Tuple.of(1, known));
             case Choice<V> c -> Arbitraries.of(c.all());
-            case Kind.Naming _,Kind.Texturing _ -> known;
+            case Kind.Naming _,Kind.Projecting _,Kind.Texturing _ -> known;
         };
     }
 

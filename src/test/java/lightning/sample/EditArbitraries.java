@@ -46,6 +46,7 @@ public final class EditArbitraries {
                 LightArbitraries.angles().map(LightChange.Angle::new),
                 LightArbitraries.dropoffs().map(LightChange.Dropoff::new),
                 LightArbitraries.doors().map(d -> new LightChange.Anew<>(LightAttribute.DOORS, d)),
+                LightArbitraries.gobos().map(g -> new LightChange.Anew<>(LightAttribute.GOBO, g)),
                 LightArbitraries.feathers().map(f -> new LightChange.Anew<>(LightAttribute.FEATHER, f)),
                 LightArbitraries.types().map(LightChange.Type::new),
                 LightArbitraries.areas().map(LightChange.Size::new),

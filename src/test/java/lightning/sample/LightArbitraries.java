@@ -1,11 +1,13 @@
 package lightning.sample;
 
+import java.util.Optional;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Area;
 import lightning.scene.Attenuation;
 import lightning.scene.Bank;
 import lightning.scene.BarnDoors;
+import lightning.scene.Gobo;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import net.jqwik.api.Arbitraries;
@@ -24,6 +26,7 @@ final class LightArbitraries {
                         .withIntensity(intensity).withAttenuation(attenuation).withAngle(angle).withDropoff(dropoff)
                         .withOn(shines[0]).withSolo(shines[1]).withArea(area))
                 .flatMap(light -> doors().map(light::withDoors)).flatMap(light -> feathers().map(light::withFeather))
+                .flatMap(light -> gobos().map(light::withGobo))
                 .flatMap(light -> Combinators.combine(places(), aims()).as((at, aim) -> new LightSeed(light, at, aim)));
     }
 
@@ -64,6 +67,11 @@ final class LightArbitraries {
         Arbitrary<Double> door = Numbers.betweenOr(-20, 40, 90.0, 90.0, 0.0, -90.0);
         return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(BarnDoors.OPEN)),
                 Tuple.of(1, Combinators.combine(door, door, door, door).as(BarnDoors::new)));
+    }
+
+    static Arbitrary<Optional<Gobo>> gobos() {
+        return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(Optional.<Gobo>empty())),
+                Tuple.of(1, MaterialArbitraries.images().map(image -> Optional.of(new Gobo("sample.png", image)))));
     }
 
     static Arbitrary<Double> feathers() {

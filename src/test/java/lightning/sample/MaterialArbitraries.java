@@ -69,7 +69,7 @@ final class MaterialArbitraries {
         return Arbitraries.of(1.0, 2.0, -1.0, 3.7, 1e-6, 1e6);
     }
 
-    private static Arbitrary<Texture> images() {
+    static Arbitrary<Texture> images() {
         return Arbitraries.randomValue(random -> {
             int width = 1 + random.nextInt(4);
             int height = 1 + random.nextInt(4);

@@ -78,6 +78,7 @@ public final class PropertyPane extends VBox {
                 case POSITION, DIRECTION -> List.of(Sections.caption(Sections.title(attribute.title())), vector(attribute, q));
                 case EACH -> Dial.of(attribute).stream().map(d -> dial(d, attribute.unit().startsWith("degrees") ? " °" : "")).toList();
             };
+            case Kind.Projecting _ -> List.of(Sections.caption(Sections.title(attribute.title())), new GoboPart(model));
             case Choice<V> _,Kind.Naming _,Kind.Texturing _ ->
                     throw new IllegalStateException("there is no widget for " + attribute.title());
         };

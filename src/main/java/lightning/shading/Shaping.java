@@ -2,20 +2,27 @@ package lightning.shading;
 
 import lightning.math.Vec3;
 import lightning.scene.BarnDoors;
+import lightning.scene.Gobo;
 import lightning.scene.LightType;
+import lightning.scene.Texture;
 import lightning.trace.HitRows;
 
 /**
- * What a spot light's barn doors leave of its light in a direction, a factor of its falloff.
+ * What a spot light's barn doors and gobo leave of its light in a direction, a factor of its falloff.
  *
  * <p>Seen from the light, which looks along its axis with y upwards, a point lies at an angle to the right and at one to the top, each taken
  * in the plane of the axis and that side. A door at angle θ leaves 1 up to θ less the feather, 0 beyond θ, and between them
  * t²(3 − 2t), t being how far inside of θ the point lies over the feather; without feather a point on the edge is lit. The factors of the four
- * doors are multiplied. A light that looks straight up or down has z upwards.
+ * doors are multiplied. A gobo is a square that just holds the cone where it is less than 89 degrees wide, and else what a cone of 89 degrees
+ * would hold; seen from the light its left is left and its top is up. Between the centres of its pixels it is interpolated bilinearly,
+ * beyond the outermost ones it goes on as they are; what passes is its luminance, 0.2126 R + 0.7152 G + 0.0722 B of linear light
+ * (ITU-R BT.709). A light that looks straight up or down has z upwards.
  */
-final class DoorFactor {
+final class Shaping {
     /** Below this length of axis × y the light looks straight up or down. */
     private static final double STRAIGHT = 1e-6;
+    /** The widest half angle that a gobo is spread over, in degrees. */
+    private static final double WIDEST = 89;
 
     private final Vec3 source;
     private final Vec3 axis;
@@ -23,8 +30,12 @@ final class DoorFactor {
     private final Vec3 up;
     private final BarnDoors doors;
     private final double feather;
+    private final Texture gobo;
+    /** Half the gobo's side, at distance 1 along the axis. */
+    private final double reach;
+    private final float[] color = new float[3];
 
-    private DoorFactor(Lamp lamp) {
+    private Shaping(Lamp lamp) {
         source = lamp.source();
         axis = lamp.axis();
         Vec3 side = axis.cross(Vec3.Y);
@@ -32,16 +43,18 @@ final class DoorFactor {
         up = right.cross(axis);
         doors = lamp.light().doors();
         feather = lamp.light().feather();
+        gobo = lamp.light().gobo().map(Gobo::image).orElse(null);
+        reach = StrictMath.tan(Math.toRadians(Math.min(lamp.light().angle(), WIDEST)));
     }
 
-    /** Whether doors of a lamp cut anything off. */
+    /** Whether anything stands before a lamp. */
     static boolean acts(Lamp lamp) {
-        return lamp.type() == LightType.SPOT && !lamp.light().doors().isOpen();
+        return lamp.type() == LightType.SPOT && (!lamp.light().doors().isOpen() || lamp.light().gobo().isPresent());
     }
 
-    /** The doors of a lamp; null where they cut nothing off. */
-    static DoorFactor of(Lamp lamp) {
-        return acts(lamp) ? new DoorFactor(lamp) : null;
+    /** What stands before a lamp; null where nothing does. */
+    static Shaping of(Lamp lamp) {
+        return acts(lamp) ? new Shaping(lamp) : null;
     }
 
     /** The factor at a point in render space, 0 … 1. */
@@ -53,7 +66,22 @@ final class DoorFactor {
         double side = x * right.x() + y * right.y() + z * right.z();
         double height = x * up.x() + y * up.y() + z * up.z();
         return left(-side, ahead, doors.left()) * left(side, ahead, doors.right())
-                * left(-height, ahead, doors.bottom()) * left(height, ahead, doors.top());
+                * left(-height, ahead, doors.bottom()) * left(height, ahead, doors.top())
+                * (gobo == null ? 1 : projected(side, height, ahead * reach));
+    }
+
+    /** What the gobo lets through; {@code extent} is half its side where the point is. */
+    private double projected(double side, double height, double extent) {
+        // In a cone without an opening all light goes through the middle.
+        boolean middle = !(extent > 0);
+        double x = middle ? 0.5 * gobo.width() : (1 + side / extent) / 2 * gobo.width();
+        double y = middle ? 0.5 * gobo.height() : (1 - height / extent) / 2 * gobo.height();
+        double column = Math.clamp(x - 0.5, 0, gobo.width() - 1.0);
+        double row = Math.clamp(y - 0.5, 0, gobo.height() - 1.0);
+        int x0 = (int) column;
+        int y0 = (int) row;
+        gobo.mix(x0, y0, Math.min(x0 + 1, gobo.width() - 1), Math.min(y0 + 1, gobo.height() - 1), column - x0, row - y0, color);
+        return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
     }
 
     /** What one door leaves; the point is so far across to its side, and so far ahead of the light. */

@@ -3,23 +3,25 @@ package lightning.shading;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Optional;
 import lightning.math.Vec3;
 import lightning.sample.StudioScene;
 import lightning.scene.BarnDoors;
+import lightning.scene.Gobo;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Texture;
 import org.junit.jupiter.api.Test;
 
 /** Doors of a light in the eye that looks along −z, against angles that anyone can draw. */
-class DoorFactorTest {
+class ShapingTest {
     private static final double TENTH = Math.tan(Math.toRadians(10));
 
     private static double factor(BarnDoors doors, double feather, double x, double y, double z) {
         var scene = StudioScene.of(LightType.SPOT);
         Vec3 eye = scene.camera().origin();
-        Light light =
-                Light.of("l", LightType.SPOT).withPosition(eye).withDirection(new Vec3(0, 0, -1)).withDoors(doors).withFeather(feather);
-        return DoorFactor.of(Lamp.of(light, scene)).at((float) x, (float) y, (float) z);
+        Light light = Light.of("l", LightType.SPOT).withPosition(eye).withDirection(new Vec3(0, 0, -1)).withDoors(doors).withFeather(feather);
+        return Shaping.of(Lamp.of(light, scene)).at((float) x, (float) y, (float) z);
     }
 
     @Test
@@ -64,15 +66,37 @@ class DoorFactorTest {
         var scene = StudioScene.of(LightType.SPOT);
         Light light = Light.of("l", LightType.SPOT).withPosition(scene.camera().origin()).withDirection(new Vec3(0, -1, 0))
                 .withDoors(new BarnDoors(90, 90, 90, 10));
-        DoorFactor doors = DoorFactor.of(Lamp.of(light, scene));
+        Shaping doors = Shaping.of(Lamp.of(light, scene));
         assertThat(doors.at(0, -10, 5)).isZero();
         assertThat(doors.at(0, -10, -5)).isEqualTo(1);
+    }
+
+    /** White above black, in a cone of 45 degrees: half its side is the distance. */
+    @Test
+    void gobo_isSpreadOverTheConeWithItsTopUp() {
+        var scene = StudioScene.of(LightType.SPOT);
+        var image = new Texture(1, 2, new float[] {1, 1, 1, 0, 0, 0});
+        Light light = Light.of("l", LightType.SPOT).withPosition(scene.camera().origin()).withDirection(new Vec3(0, 0, -1)).withAngle(45)
+                .withGobo(Optional.of(new Gobo("half.png", image)));
+        Shaping gobo = Shaping.of(Lamp.of(light, scene));
+        assertThat(gobo.at(0, 6, -10)).isEqualTo(1, within(1e-12));
+        assertThat(gobo.at(3, -6, -10)).isZero();
+        assertThat(gobo.at(0, 0, -10)).as("between the centres").isEqualTo(0.5, within(1e-12));
+        assertThat(gobo.at(0, 2.5f, -10)).isEqualTo(0.75, within(1e-12));
+    }
+
+    @Test
+    void redGobo_letsItsLuminanceThrough() {
+        var scene = StudioScene.of(LightType.SPOT);
+        Light light = Light.of("l", LightType.SPOT).withPosition(scene.camera().origin()).withDirection(new Vec3(0, 0, -1)).withAngle(0)
+                .withGobo(Optional.of(new Gobo("red.png", new Texture(1, 1, new float[] {1, 0, 0}))));
+        assertThat(Shaping.of(Lamp.of(light, scene)).at(0, 0, -10)).isEqualTo(0.2126, within(1e-9));
     }
 
     @Test
     void openDoors_areNone() {
         var scene = StudioScene.of(LightType.SPOT);
-        assertThat(DoorFactor.of(Lamp.of(Light.of("l", LightType.SPOT).withFeather(9), scene))).isNull();
-        assertThat(DoorFactor.of(Lamp.of(Light.of("l", LightType.POINT).withDoors(new BarnDoors(0, 0, 0, 0)), scene))).isNull();
+        assertThat(Shaping.of(Lamp.of(Light.of("l", LightType.SPOT).withFeather(9), scene))).isNull();
+        assertThat(Shaping.of(Lamp.of(Light.of("l", LightType.POINT).withDoors(new BarnDoors(0, 0, 0, 0)), scene))).isNull();
     }
 }
