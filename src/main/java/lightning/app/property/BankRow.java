@@ -59,6 +59,7 @@ final class BankRow extends HBox {
             }
         });
         master.getStyleClass().add("bank-master");
+        master.setMinWidth(USE_PREF_SIZE);
         solo.setGraphic(new FontIcon(MaterialDesignA.ALPHA_S_CIRCLE));
         solo.setOnAction(_ -> edit(b -> b.withSolo(solo.isSelected())));
         on.setGraphic(bulb);
