@@ -1,9 +1,9 @@
 package lightning.work;
 
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.Phaser;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
@@ -21,6 +21,9 @@ public final class Workers implements AutoCloseable {
         /** Does tile {@code tile} as worker {@code worker}, 0 ≤ worker &lt; {@link Workers#count()}. */
         void run(int worker, int tile);
     }
+
+    /** The phase of a team that still works. */
+    private static final int BEGUN = 0;
 
     private final int count;
     private final ExecutorService threads;
@@ -51,7 +54,8 @@ public final class Workers implements AutoCloseable {
     }
 
     /**
-     * Runs a task for each of {@code tiles} tiles and waits for all.
+     * Runs a task for each of {@code tiles} tiles and waits for all, even when interrupted: nobody writes to the caller's memory
+     * afterwards. A thread that finds a processor only when no tile is left is not waited for.
      *
      * @throws CancellationException if {@code progress} asked to stop; some tiles were then not run
      */
@@ -69,17 +73,20 @@ public final class Workers implements AutoCloseable {
         AtomicInteger done = new AtomicInteger();
         AtomicReference<Throwable> failure = new AtomicReference<>();
         Progress heard = heard(progress);
+        // The caller, and whoever has begun by the time that the caller finds no tile left; it ends when all of them have arrived.
+        Phaser team = new Phaser(1);
         int helpers = Math.min(count, Math.ceilDiv(tiles, together)) - 1;
-        CountDownLatch finished = new CountDownLatch(Math.max(0, helpers));
         for (int worker = 1; worker <= helpers; worker++) {
             int number = worker;
             threads.execute(() -> {
-                work(number, tiles, together, next, done, task, heard, failure);
-                finished.countDown();
+                if (team.register() == BEGUN) {
+                    work(number, tiles, together, next, done, task, heard, failure);
+                }
+                team.arriveAndDeregister();
             });
         }
         work(0, tiles, together, next, done, task, heard, failure);
-        await(finished);
+        team.arriveAndAwaitAdvance();
         switch (failure.get()) {
             case null -> {
                 if (done.get() < tiles) {
@@ -131,22 +138,6 @@ public final class Workers implements AutoCloseable {
             }
         } catch (Throwable e) {
             failure.compareAndSet(null, e);
-        }
-    }
-
-    /** Waits even when interrupted: no worker may write to memory that is no longer ours. */
-    private static void await(CountDownLatch finished) {
-        boolean interrupted = false;
-        while (true) {
-            try {
-                finished.await();
-                break;
-            } catch (InterruptedException e) {
-                interrupted = true;
-            }
-        }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
         }
     }
 

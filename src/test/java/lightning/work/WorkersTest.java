@@ -7,7 +7,9 @@ import java.util.Arrays;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
 class WorkersTest {
     private static final int TILES = 1000;
@@ -78,6 +80,52 @@ class WorkersTest {
             assertThat(runs[tile].get()).isEqualTo(1);
             assertThat(by[tile]).isEqualTo(by[tile - tile % together]);
             assertThat(last[tile]).isEqualTo(tile % together == 0 ? 0 : 1);
+        }
+    }
+
+    /** As on a machine whose processors are busy: a small update would wait for a thread that has nothing left to do. */
+    @Test
+    @Timeout(value = 20, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void threadThatHasNotBegunWhenAllIsDone_isNotWaitedFor() throws Exception {
+        CountDownLatch busy = new CountDownLatch(1);
+        CountDownLatch free = new CountDownLatch(1);
+        try (Workers workers = new Workers(2)) {
+            Thread other = Thread.ofPlatform().start(() -> workers.run(2, (worker, _) -> {
+                if (worker == 1) {
+                    busy.countDown();
+                }
+                awaited(worker == 1 ? free : busy);
+            }, Progress.NONE));
+            awaited(busy);
+            AtomicInteger done = new AtomicInteger();
+            while (other.getState() != Thread.State.WAITING) {
+                Thread.onSpinWait();
+            }
+            workers.run(3, (_, _) -> done.incrementAndGet(), Progress.NONE);
+            assertThat(done.get()).isEqualTo(3);
+            free.countDown();
+            other.join();
+        }
+    }
+
+    @Test
+    void interruptedCaller_waitsForTheOthersAndStaysInterrupted() {
+        AtomicInteger working = new AtomicInteger();
+        CountDownLatch begun = new CountDownLatch(1);
+        try (Workers workers = new Workers(2)) {
+            workers.run(2, (worker, _) -> {
+                working.incrementAndGet();
+                if (worker == 0) {
+                    awaited(begun);
+                    Thread.currentThread().interrupt();
+                } else {
+                    begun.countDown();
+                    LockSupport.parkNanos(20_000_000);
+                }
+                working.decrementAndGet();
+            }, Progress.NONE);
+            assertThat(working.get()).isZero();
+            assertThat(Thread.interrupted()).isTrue();
         }
     }
 }
