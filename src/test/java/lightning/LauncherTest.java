@@ -163,13 +163,11 @@ class LauncherTest {
 
     /** Says with what it was called; makes what is asked for. */
     private static final String ARCHIVING_JAVA = """
-            case "$*" in *-XX:AOTMode=*) echo "$*" >>"$HOME/making" ;; esac
             for option in "$@"; do
-              case $option in -XX:AOTCache=*) archive=${option#*=} ;; esac
+              case $option in -XX:ArchiveClassesAtExit=*) archive=${option#*=} ;; esac
             done
             case "$*" in
-              *-XX:AOTMode=record*) exit 0 ;;
-              *-XX:AOTMode=create*) printf archive >"$archive" ;;
+              *-XX:ArchiveClassesAtExit=*) echo "$*" >>"$HOME/making"; printf archive >"$archive" ;;
               *) printf '[%s]' "$@" ;;
             esac""";
 
@@ -181,7 +179,7 @@ class LauncherTest {
 
     /** The archive that a first start has made beside it. */
     private Path archiveOf(Map<String, Path> variables) throws Exception {
-        assertThat(run(variables, "", launcher).out()).doesNotContain("AOT");
+        assertThat(run(variables, "", launcher).out()).doesNotContain("SharedArchive");
         for (int i = 0; i < 3000; i++) {
             if (archives().size() == 1 && !Files.exists(Path.of(archives().getFirst() + ".making"))) {
                 return archives().getFirst();
@@ -197,7 +195,7 @@ class LauncherTest {
             return List.of();
         }
         try (Stream<Path> files = Files.list(cache)) {
-            return files.filter(f -> f.toString().endsWith(".aot")).toList();
+            return files.filter(f -> f.toString().endsWith(".jsa")).toList();
         }
     }
 
@@ -218,9 +216,9 @@ class LauncherTest {
         Map<String, Path> variables = archiving();
         Path archive = archiveOf(variables);
         assertThat(run(variables, "", launcher, "check").out())
-                .contains("[-XX:AOTCache=" + archive + "][-XX:+VerifySharedSpaces][-Xlog:aot*=off]")
+                .contains("[-XX:SharedArchiveFile=" + archive + "][-XX:+VerifySharedSpaces][-Xlog:cds*=off][-Xlog:aot*=off]")
                 .endsWith("[lightning.Main][check]");
-        assertThat(Path.of(folder + "/making")).content().hasLineCount(2);
+        assertThat(Path.of(folder + "/making")).content().hasLineCount(1);
     }
 
     @Test
@@ -228,7 +226,7 @@ class LauncherTest {
         Map<String, Path> variables = archiving();
         archiveOf(variables);
         Files.writeString(launcher.resolve("../../lib/lightning.jar").normalize(), "classEs");
-        assertThat(run(withoutMaker(variables), "", launcher).out()).doesNotContain("AOT");
+        assertThat(run(withoutMaker(variables), "", launcher).out()).doesNotContain("SharedArchive");
     }
 
     @Test
@@ -237,7 +235,7 @@ class LauncherTest {
         archiveOf(variables);
         var others = new HashMap<>(withoutMaker(variables));
         others.put("JAVA_HOME", java("26", ARCHIVING_JAVA));
-        assertThat(run(others, "", launcher).out()).contains("[lightning.Main]").doesNotContain("AOT");
+        assertThat(run(others, "", launcher).out()).contains("[lightning.Main]").doesNotContain("SharedArchive");
     }
 
     @Test
@@ -245,15 +243,15 @@ class LauncherTest {
         var variables = new HashMap<>(archiving());
         archiveOf(variables);
         variables.put("JAVA_TOOL_OPTIONS", Path.of("-Dtheirs"));
-        assertThat(run(variables, "", launcher).out()).contains("[lightning.Main]").doesNotContain("AOT");
+        assertThat(run(variables, "", launcher).out()).contains("[lightning.Main]").doesNotContain("SharedArchive");
     }
 
     @Test
     void javaThatMakesNoArchive_isNotAskedAgain() throws Exception {
         var variables = new HashMap<>(archiving());
-        variables.put("JAVA_HOME", java("25", ARCHIVING_JAVA.replace("exit 0", "exit 1")));
+        variables.put("JAVA_HOME", java("25", ARCHIVING_JAVA.replace("printf archive", "exit 1; printf archive")));
         assertThat(archiveOf(variables)).isEmptyFile();
-        assertThat(run(variables, "", launcher).out()).contains("[lightning.Main]").doesNotContain("AOT");
+        assertThat(run(variables, "", launcher).out()).contains("[lightning.Main]").doesNotContain("SharedArchive");
         assertThat(folder.resolve("making")).content().hasLineCount(1);
     }
 
@@ -277,7 +275,7 @@ class LauncherTest {
                 folder + "/installed here");
         assertThat(result.code()).isNotZero();
         assertThat(archive).doesNotExist();
-        assertThat(folder.resolve("making")).content().hasLineCount(2);
+        assertThat(folder.resolve("making")).content().hasLineCount(1);
     }
 
     /** Nothing goes on beside a start. */

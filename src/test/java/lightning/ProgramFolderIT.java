@@ -82,8 +82,8 @@ class ProgramFolderIT {
         Path archive = archive();
         var java = new ArrayList<>(List.of(System.getProperty("java.home") + "/bin/java"));
         java.addAll(Files.readAllLines(PROGRAM.resolve("bin/java.options")).stream().filter(line -> line.startsWith("-")).toList());
-        // With AOTMode=on Java ends where it cannot take the archive.
-        java.addAll(List.of("-XX:AOTCache=" + archive, "-XX:AOTMode=on", "-cp", PROGRAM.toRealPath() + "/lib/*", "lightning.Main",
+        // With -Xshare:on Java ends where it cannot take the archive.
+        java.addAll(List.of("-XX:SharedArchiveFile=" + archive, "-Xshare:on", "-cp", PROGRAM.toRealPath() + "/lib/*", "lightning.Main",
                 "--version"));
         assertThat(new ProcessBuilder(java).redirectErrorStream(true).start().waitFor()).isZero();
         assertThat(checked()).as("with the archive").isEqualTo(plain);
@@ -112,7 +112,7 @@ class ProgramFolderIT {
     private Path archive() throws Exception {
         for (int i = 0; i < PATIENCE_SECONDS; i++) {
             try (Stream<Path> files = Files.list(folder.resolve("cache/lightning"))) {
-                Optional<Path> archive = files.filter(file -> file.toString().endsWith(".aot")).findFirst();
+                Optional<Path> archive = files.filter(file -> file.toString().endsWith(".jsa")).findFirst();
                 if (archive.isPresent()) {
                     return archive.get();
                 }
