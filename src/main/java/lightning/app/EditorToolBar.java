@@ -1,8 +1,10 @@
 package lightning.app;
 
 import javafx.geometry.Orientation;
+import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Control;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.Separator;
@@ -10,6 +12,7 @@ import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.control.Spinner;
 import javafx.scene.control.ToolBar;
 import javafx.scene.control.Tooltip;
+import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import javafx.scene.text.Font;
 import javafx.scene.text.Text;
@@ -31,6 +34,8 @@ final class EditorToolBar extends ToolBar {
     private static final double ARROW = 40;
     /** As the style sheet has it, pixels. */
     private static final double FONT = 12;
+    /** Between a control and its name, pixels. */
+    private static final double NAME_GAP = 6;
 
     private final EditorModel model;
 
@@ -45,7 +50,7 @@ final class EditorToolBar extends ToolBar {
         go.button().getStyleClass().add("accent");
         getItems().addAll(go, CommandButton.titled(model, Command.LIVE));
         add(Command.UPDATE_REFLECTIONS, Command.CANCEL, Command.VERIFY);
-        getItems().addAll(gap(), precision(), size(), note("Depth"), depth(), gap());
+        getItems().addAll(gap(), precision(), size(), labelled("Depth", depth()), gap());
         add(Command.MAKE_ANIMATION, Command.ACCURACY_PANEL, Command.EFFECTS_PANEL);
     }
 
@@ -59,11 +64,14 @@ final class EditorToolBar extends ToolBar {
         return new Separator(Orientation.VERTICAL);
     }
 
-    private static Label note(String text) {
+    /** A control and its name, which go into the overflow together. */
+    private static HBox labelled(String text, Control control) {
         var label = new Label(text);
         label.getStyleClass().add("pane-note");
         label.setMinWidth(Region.USE_PREF_SIZE);
-        return label;
+        var both = new HBox(NAME_GAP, label, control);
+        both.setAlignment(Pos.CENTER_LEFT);
+        return both;
     }
 
     private ChoiceBox<Precision> precision() {

@@ -92,6 +92,23 @@ class SmallWindowTest extends EditorDesk {
     }
 
     @Test
+    void nameOfAControlInTheToolBar_isWhereTheControlIs() {
+        for (double width : new double[] {860, 960, 1300}) {
+            resize(width, 540);
+            QuickRobot.settle();
+            Node bar = robot.lookup("#toolbar").query();
+            boolean named = robot.from(bar).lookup("Depth").tryQuery().filter(SmallWindowTest::isSeen).isPresent();
+            boolean there = robot.from(bar).lookup("#depth").tryQuery().filter(SmallWindowTest::isSeen).isPresent();
+            assertThat(named).as("the name beside the control, at " + width).isEqualTo(there);
+        }
+    }
+
+    /** Whether it and all that it is in are visible. */
+    private static boolean isSeen(Node node) {
+        return node == null || node.isVisible() && isSeen(node.getParent());
+    }
+
+    @Test
     void growingBack_restoresEveryPane() {
         resize(1000, 700);
         List<Bounds> before = panes().stream().map(SmallWindowTest::onScreen).toList();
