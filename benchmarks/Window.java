@@ -1,0 +1,287 @@
+package lightning.app;
+
+import com.sun.javafx.perf.PerformanceTracker;
+import com.sun.management.OperatingSystemMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.concurrent.FutureTask;
+import javafx.animation.AnimationTimer;
+import javafx.application.Application;
+import javafx.application.Platform;
+import javafx.scene.Scene;
+import javafx.scene.layout.Pane;
+import javafx.stage.Stage;
+import lightning.app.model.EditorModel;
+import lightning.app.widget.PictureView;
+import lightning.edit.Change;
+import lightning.edit.LightEdits;
+import lightning.edit.loop.Frame;
+import lightning.engine.choice.Engines;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.scene.Light;
+
+/** What an artist waits for, in the real window, for {@code benchmarks/window}: one process for each line that is printed. */
+public final class Window {
+    /** When the process was started, milliseconds since 1970. */
+    private static final long START = Long.getLong("start");
+    private static final OperatingSystemMXBean SYSTEM = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+    /** How long a story of edits goes on, how long an artist looks at each, and what is long, milliseconds. */
+    private static final long STORY_MS = 60_000;
+    private static final long LOOK_MS = 500;
+    private static final double LONG_MS = 100;
+    /** Steps of a drag before those that count, these, and the time between them, milliseconds. */
+    private static final int WARM_UPS = 100;
+    private static final int SAMPLES = 60;
+    private static final long STEP_MS = 90;
+    private static final long PAUSE_MS = 2;
+
+    private Window() {}
+
+    public static void main(String[] args) throws Exception {
+        switch (args[0]) {
+            case "empty" -> Application.launch(Empty.class);
+            case "first" -> LightningApp.open(First.class, List.of(args[1]));
+            case "warm" -> LightningApp.open(Warm.class, List.of(args[1]));
+            case "minute" -> LightningApp.open(Minute.class, List.of(args[1]));
+            case "slider" -> LightningApp.open(Slider.class, List.of(args[1], args[2], args[3]));
+            default -> throw new IllegalArgumentException(args[0]);
+        }
+        System.exit(0);
+    }
+
+    private static void say(String line, Object... values) {
+        System.out.printf(Locale.ROOT, line + "%n", values);
+    }
+
+    /** Time passed, and processor time of all threads, milliseconds. */
+    private static String sinceStart() {
+        return (System.currentTimeMillis() - START) + " " + SYSTEM.getProcessCpuTime() / 1_000_000;
+    }
+
+    /** Goes on when a condition held and a picture of the window was drawn after that. */
+    private static void onceDrawn(Callable<Boolean> condition, Runnable then) {
+        new AnimationTimer() {
+            private int pulses;
+
+            @Override
+            public void handle(long now) {
+                try {
+                    pulses += pulses > 0 || condition.call() ? 1 : 0;
+                } catch (Exception e) {
+                    throw new IllegalStateException(e);
+                }
+                // What changed before the first was drawn between it and the second.
+                if (pulses == 2) {
+                    stop();
+                    then.run();
+                }
+            }
+        }.start();
+    }
+
+    /** A window with nothing in it. */
+    public static final class Empty extends Application {
+        @Override
+        public void start(Stage stage) {
+            stage.setScene(new Scene(new Pane(), 1366, 768));
+            stage.show();
+            onceDrawn(() -> true, () -> {
+                say("empty %s", sinceStart());
+                Platform.exit();
+            });
+        }
+    }
+
+    /** The editor, until all of it is there. */
+    public static final class First extends LightningApp {
+        private String window;
+        private String picture;
+
+        @Override
+        public void start(Stage stage) {
+            super.start(stage);
+            onceDrawn(() -> true, () -> window = sinceStart());
+            onceDrawn(() -> stage.getScene().lookup("#traced-picture") instanceof PictureView view && !view.isEmpty(),
+                    () -> picture = sinceStart());
+        }
+
+        @Override
+        void opened(Editor editor) {
+            onceDrawn(() -> editor.model().frame() != null, () -> {
+                say("window %s picture %s whole %s", window, picture, sinceStart());
+                Platform.exit();
+            });
+        }
+    }
+
+    /** The editor, left alone until its lanes are warm. */
+    public static final class Warm extends LightningApp {
+        @Override
+        void opened(Editor editor) {
+            Thread.ofPlatform().daemon().start(() -> Window.run(() -> {
+                await(() -> rests(editor.model()));
+                String from = sinceStart();
+                await(Engines::areFastest);
+                say("rests %s warm %s", from, sinceStart());
+                return null;
+            }));
+        }
+    }
+
+    /** A minute of edits, from the first moment on. */
+    public static final class Minute extends LightningApp {
+        @Override
+        void opened(Editor editor) {
+            Thread.ofPlatform().daemon().start(() -> Window.run(() -> story(editor.model())));
+        }
+    }
+
+    /** A light's intensity and then its place dragged, in a warm editor. */
+    public static final class Slider extends LightningApp {
+        @Override
+        void opened(Editor editor) {
+            List<String> arguments = getParameters().getUnnamed();
+            Thread.ofPlatform().daemon().start(() -> Window.run(() -> {
+                drag(editor, Integer.parseInt(arguments.get(1)), Integer.parseInt(arguments.get(2)));
+                return null;
+            }));
+        }
+    }
+
+    private static void run(Callable<?> work) {
+        try {
+            work.call();
+        } catch (Throwable e) {
+            e.printStackTrace();
+        }
+        Platform.exit();
+    }
+
+    private static <T> T onWindow(Callable<T> task) throws Exception {
+        var future = new FutureTask<>(task);
+        Platform.runLater(future);
+        return future.get();
+    }
+
+    private static void await(Callable<Boolean> condition) throws Exception {
+        while (!onWindow(condition)) {
+            Thread.sleep(PAUSE_MS);
+        }
+    }
+
+    private static boolean rests(EditorModel model) {
+        return model.frame() != null && !model.situationProperty().get().isPending()
+                && model.situationProperty().get().inWork().isEmpty();
+    }
+
+    private static Light changed(Light light, int i) {
+        return switch (i % 4) {
+            case 0 -> light.withIntensity(0.5 + 0.01 * i);
+            case 1 -> light.withColor(new Rgb(1, 0.5 + 0.002 * i, 0.7));
+            case 2 -> light.withPosition(light.position().plus(new Vec3(0.05, 0, 0.02)));
+            default -> light.withDirection(light.direction().plus(new Vec3(0.01, 0, 0.01)));
+        };
+    }
+
+    private static Void story(EditorModel model) throws Exception {
+        await(() -> rests(model));
+        onWindow(() -> {
+            model.liveProperty().set(true);
+            return null;
+        });
+        List<Double> times = new ArrayList<>();
+        List<String> slow = new ArrayList<>();
+        long begin = System.nanoTime();
+        for (int i = 0; System.nanoTime() - begin < STORY_MS * 1_000_000; i++) {
+            int step = i;
+            String name = model.lights().get(i / 4 % model.lights().size()).name();
+            Frame before = model.frame();
+            onWindow(() -> model.edit(scene -> LightEdits.with(scene, name, light -> changed(light, step))));
+            await(() -> rests(model));
+            if (model.frame() != before) {
+                double ms = model.frame().update().milliseconds();
+                times.add(ms);
+                if (ms > LONG_MS) {
+                    slow.add(String.format(Locale.ROOT, "%.0f ms after %.1f s", ms, (System.nanoTime() - begin) / 1e9));
+                }
+            }
+            Thread.sleep(LOOK_MS);
+        }
+        double[] sorted = times.stream().mapToDouble(d -> d).sorted().toArray();
+        say("edits %d median %.1f largest %.1f ms, first ten %s%s", sorted.length, sorted[sorted.length / 2], sorted[sorted.length - 1],
+                times.subList(0, 10).stream().map(ms -> String.format(Locale.ROOT, "%.0f", ms)).toList(),
+                slow.isEmpty() ? "" : ", long: " + slow);
+        return null;
+    }
+
+    /** From the event to the drawn picture, and what lies between. */
+    private static void drag(Editor editor, int width, int height) throws Exception {
+        EditorModel model = editor.model();
+        Engines.use(Engines.FASTEST);
+        onWindow(() -> {
+            model.liveProperty().set(true);
+            return model.edit(scene -> Change.of(() -> scene.withPicture(scene.picture().withSize(width, height))));
+        });
+        await(() -> rests(model));
+        Scene scene = onWindow(() -> javafx.stage.Window.getWindows().getFirst().getScene());
+        for (String what : List.of("intensity", "position")) {
+            drag(model, scene, what);
+        }
+    }
+
+    private static void drag(EditorModel model, Scene scene, String what) throws Exception {
+        String[] parts = {"update", "handler", "after it to the window", "to layout", "to screen", "all", "all / update"};
+        double[][] ms = new double[parts.length][SAMPLES];
+        String name = model.lights().getFirst().name();
+        long[] at = new long[4];
+        Frame[] heard = {model.frame()};
+        onWindow(() -> {
+            model.renderingProperty().subscribe(state -> {
+                if (state.frame() != heard[0] && at[1] == 0) {
+                    heard[0] = state.frame();
+                    at[1] = System.nanoTime();
+                }
+            });
+            scene.addPostLayoutPulseListener(() -> {
+                if (at[1] != 0 && at[2] == 0) {
+                    at[2] = System.nanoTime();
+                }
+            });
+            PerformanceTracker.getSceneTracker(scene).setOnRenderedFrameTask(() -> {
+                long now = System.nanoTime();
+                Platform.runLater(() -> at[3] = at[2] != 0 && now > at[2] && at[3] == 0 ? now : at[3]);
+            });
+            return null;
+        });
+        for (int i = -WARM_UPS; i < SAMPLES; i++) {
+            int step = i + WARM_UPS + 1;
+            Thread.sleep(STEP_MS + (i * 7 & 31));
+            long start = System.nanoTime();
+            long edited = onWindow(() -> {
+                Arrays.fill(at, 0);
+                model.edit(s -> LightEdits.with(s, name, light -> what.equals("intensity") ? light.withIntensity(1 + 0.01 * step)
+                        : light.withPosition(light.position().plus(new Vec3(0.002, 0, 0)))));
+                return System.nanoTime();
+            });
+            await(() -> at[3] != 0);
+            double update = heard[0].update().milliseconds();
+            double[] sample = {update, edited - start, at[1] - edited, at[2] - at[1], at[3] - at[2], at[3] - start, 0};
+            for (int k = 1; k < 6; k++) {
+                sample[k] /= 1e6;
+            }
+            sample[6] = sample[5] / update;
+            for (int k = 0; k < parts.length; k++) {
+                ms[k][Math.max(i, 0)] = sample[k];
+            }
+        }
+        for (int k = 0; k < parts.length; k++) {
+            Arrays.sort(ms[k]);
+            say("%-10s %-24s %8.2f   %.2f to %.2f", what, parts[k], ms[k][SAMPLES / 2], ms[k][SAMPLES / 4], ms[k][3 * SAMPLES / 4]);
+        }
+    }
+}
