@@ -35,6 +35,11 @@ final class LightLanes implements Terms {
     private final double[] axisCosine = new double[ROWS];
     private final double[] power = new double[ROWS];
     private final float[] specular = new float[ROWS];
+    /** What {@link #faint(double)} is of {@link #faintOf}. */
+    private double faint = -1;
+    private double faintOf;
+    /** The words whose rows stand in {@link #power}. */
+    private final int[] word = new int[ROWS / RowBits.WIDTH];
 
     @Override
     public void aim(HitRows rows, Lamp lamp) {
@@ -210,50 +215,79 @@ final class LightLanes implements Terms {
         PowerLanes.of(power, 0, rows.count, dropoff);
     }
 
-    /** Goes over whole lanes from the first to the last row asked for. */
+    /**
+     * Powers are computed of words of rows alone that have a row of the set whose power is not certainly 0: those are put side by
+     * side in {@link #power}.
+     */
     @Override
     public void speculars(HitRows rows, int from, int to, int[] which, double shininess, float[] column) {
-        int first = to;
-        int last = from;
+        if (shininess != faintOf) {
+            faintOf = shininess;
+            faint = faint(shininess);
+        }
+        int words = 0;
         for (int b = from / RowBits.WIDTH; b * RowBits.WIDTH < to; b++) {
-            if ((which[b] & RowBits.within(b, from, to)) != 0) {
-                first = Math.min(first, b * RowBits.WIDTH);
-                last = (b + 1) * RowBits.WIDTH;
+            int bits = which[b] & RowBits.within(b, from, to);
+            if (bits == 0) {
+                continue;
+            }
+            if (mirrorCosines(rows, b * RowBits.WIDTH, words * RowBits.WIDTH, faint)) {
+                word[words++] = b;
+            } else {
+                clear(b, bits, column);
             }
         }
-        if (first >= last) {
-            return;
-        }
-        mirrorCosines(rows, first, last);
-        PowerLanes.of(power, first, last, shininess);
-        round(first, last);
-        for (int b = first / RowBits.WIDTH; b * RowBits.WIDTH < last; b++) {
-            merge(b, which[b] & RowBits.within(b, from, to), column);
+        PowerLanes.of(power, 0, words * RowBits.WIDTH, shininess);
+        round(words * RowBits.WIDTH);
+        for (int w = 0; w < words; w++) {
+            merge(word[w], which[word[w]] & RowBits.within(word[w], from, to), w * RowBits.WIDTH, column);
         }
     }
 
-    private void mirrorCosines(HitRows rows, int first, int last) {
-        for (int i = first; i < last; i += LANES) {
-            mirrorCosine(rows, i);
+    /**
+     * A cosine from 0 to 1 up to which its power is 0 as a float; −1 where 0 has another power.
+     *
+     * <p>The power of c is 2 to p = shininess·log₂c, and a float is 0 up to 2⁻¹⁵⁰. Here p is −152, but for the root of 2, which is off
+     * by less than 2⁻⁵¹ of itself: with a shininess up to {@link lightning.scene.Limits#MAX_SHININESS}, 10⁶, that changes p by less
+     * than 2⁻²⁹. {@link PowerLanes} is off by a few roundings of p, a few 2⁻⁵² of 152, and of the result.
+     */
+    static double faint(double shininess) {
+        return shininess == 0 ? -1 : StrictMath.pow(2, -152 / shininess);
+    }
+
+    /** Writes the cosines of a word's rows to {@link #power}; whether any is above {@code faint}. */
+    private boolean mirrorCosines(HitRows rows, int row, int at, double faint) {
+        boolean any = false;
+        for (int i = 0; i < RowBits.WIDTH; i += LANES) {
+            any |= mirrorCosine(rows, row + i, at + i, faint);
         }
+        return any;
     }
 
     /** Apart from other loops: in one method with them vectors become objects. */
-    private void round(int first, int last) {
-        for (int i = first; i < last; i += LANES) {
+    private void round(int rows) {
+        for (int i = 0; i < rows; i += LANES) {
             store(DoubleVector.fromArray(D, power, i), specular, i);
         }
     }
 
-    private void merge(int b, int bits, float[] column) {
-        for (int i = 0; bits != 0 && i < RowBits.WIDTH; i += WIDE.length()) {
+    private static void clear(int b, int bits, float[] column) {
+        for (int i = 0; i < RowBits.WIDTH; i += WIDE.length()) {
             int row = b * RowBits.WIDTH + i;
-            FloatVector old = FloatVector.fromArray(WIDE, column, row);
-            old.blend(FloatVector.fromArray(WIDE, specular, row), VectorMask.fromLong(WIDE, bits >>> i)).intoArray(column, row);
+            FloatVector.fromArray(WIDE, column, row).blend(0, VectorMask.fromLong(WIDE, bits >>> i)).intoArray(column, row);
         }
     }
 
-    private void mirrorCosine(HitRows rows, int i) {
+    private void merge(int b, int bits, int from, float[] column) {
+        for (int i = 0; i < RowBits.WIDTH; i += WIDE.length()) {
+            int row = b * RowBits.WIDTH + i;
+            FloatVector old = FloatVector.fromArray(WIDE, column, row);
+            old.blend(FloatVector.fromArray(WIDE, specular, from + i), VectorMask.fromLong(WIDE, bits >>> i)).intoArray(column, row);
+        }
+    }
+
+    /** Writes the cosines of a vector's rows to {@link #power}; whether any is above {@code faint}. */
+    private boolean mirrorCosine(HitRows rows, int i, int at, double faint) {
         DoubleVector nx = load(rows.nx, i);
         DoubleVector ny = load(rows.ny, i);
         DoubleVector nz = load(rows.nz, i);
@@ -272,7 +306,8 @@ final class LightLanes implements Terms {
                 .mul(rx.mul(rx).add(ry.mul(ry)).add(rz.mul(rz)));
         DoubleVector c = dot.div(lengths.lanewise(VectorOperators.SQRT));
         DoubleVector positive = DoubleVector.zero(D).blend(c, c.compare(VectorOperators.GT, 0));
-        positive.blend(1, positive.compare(VectorOperators.GT, 1)).intoArray(power, i);
+        positive.blend(1, positive.compare(VectorOperators.GT, 1)).intoArray(power, at);
+        return positive.compare(VectorOperators.GT, faint).anyTrue();
     }
 
     private static DoubleVector load(float[] column, int i) {
