@@ -17,18 +17,29 @@ import lightning.trace.tree.Beam;
 import lightning.trace.tree.BoxRay;
 import lightning.trace.tree.BoxSet;
 import lightning.trace.tree.Candidates;
+import lightning.trace.tree.Departure;
+import lightning.trace.tree.PointBox;
 
 /** Asks for chosen rows whether the way to a light is free. Holds scratch memory: one for each thread. */
 final class ShadowCaster {
     /** Rows that are told together whether anything can block them: two lines of a tile. */
     private static final int GROUP = 64;
+    /** Words of rows that are looked at together: two lines of a tile. */
+    private static final int TOGETHER = 4;
+    /** With more shapes in question, looking at neighbours takes longer than the rays that it saves. */
+    private static final int WORTH_IT = 6;
 
     private final Geometry geometry;
     private final Tracer tracer;
     private final Demands demands;
     private final Beam beam = new Beam();
     private final BoxRay ray = new BoxRay();
+    private final Departure departure = new Departure();
+    /** What may stand between the tile and the light. */
     private final Candidates blockers = new Candidates();
+    /** What may stand between some rows of it and the light. */
+    private final Candidates few = new Candidates();
+    private final int[] unproved = RowBits.room();
     /** Where the ways to lights lead that rays were cast to. */
     private final Map<Vec3, Ways> ways = new HashMap<>();
     /** Where the ways to the samples of areas end, by their place in the area. */
@@ -48,7 +59,7 @@ final class ShadowCaster {
         this.tracer = tracer;
     }
 
-    /** Rays cast since the start. */
+    /** Rows asked since the start: each a ray, but where it is certain beforehand that nothing is in the way. */
     long rays() {
         return rays;
     }
@@ -72,7 +83,7 @@ final class ShadowCaster {
         }
         Ways way = aim(rows, lamp);
         if (demands.meets(blockers)) {
-            tracer.blocked(rows, chosen, way, blockers, blocked);
+            tracer.blocked(rows, unproved(rows, chosen, way), way, blockers, blocked);
         } else {
             Arrays.fill(blocked, 0);
         }
@@ -188,25 +199,62 @@ final class ShadowCaster {
         }
     }
 
+    /** Those of the chosen rows whose ways are not certainly free: neighbours are looked at together. */
+    private int[] unproved(HitRows rows, int[] chosen, Ways way) {
+        if (blockers.tooMany || blockers.count > WORTH_IT) {
+            return chosen;
+        }
+        int words = RowBits.words(rows.count);
+        for (int from = 0; from < words; from += TOGETHER) {
+            int to = Math.min(words, from + TOGETHER);
+            boolean asked = isAny(chosen, from, to);
+            if (asked) {
+                sweep(tracer.box(rows.px, rows.py, rows.pz, from * RowBits.WIDTH, Math.min(rows.count, to * RowBits.WIDTH)), way);
+                few.takeFrom(blockers, geometry.primitives(), beam, departure);
+                asked = demands.meets(few);
+            }
+            for (int b = from; b < to; b++) {
+                unproved[b] = asked ? chosen[b] : 0;
+            }
+        }
+        return unproved;
+    }
+
+    private static boolean isAny(int[] bits, int from, int to) {
+        int any = 0;
+        for (int b = from; b < to; b++) {
+            any |= bits[b];
+        }
+        return any != 0;
+    }
+
     /** Finds the shapes that can stand between any row of the tile and the light. */
     private Ways aim(HitRows rows, Lamp lamp) {
         Ways way = bound(rows, lamp);
         blockers.collect(geometry.bvh(), beam);
+        if (!blockers.tooMany) {
+            blockers.leaveOut(geometry.primitives(), departure);
+        }
         return way;
     }
 
-    /** Makes the beam of the ways from all rows of the tile to the light. */
+    /** Takes the ways from all rows of the tile to the light. */
     private Ways bound(HitRows rows, Lamp lamp) {
-        beam.clear();
-        beam.origins(rows.box(tracer));
-        Ways way;
-        if (lamp.type().hasPosition()) {
-            beam.towards(lamp.source());
-            way = ways.computeIfAbsent(lamp.source(), point -> Ways.to(geometry.end(point)));
-        } else {
-            beam.along(lamp.source());
-            way = Ways.along(lamp.source());
-        }
+        Ways way = lamp.type().hasPosition() ? ways.computeIfAbsent(lamp.source(), point -> Ways.to(geometry.end(point)))
+                : Ways.along(lamp.source());
+        sweep(rows.box(tracer), way);
         return way;
+    }
+
+    /** Takes the ways from all points of a box. */
+    private void sweep(PointBox box, Ways way) {
+        beam.clear();
+        beam.origins(box);
+        if (way.ends()) {
+            beam.towards(way.source());
+        } else {
+            beam.along(way.source());
+        }
+        departure.take(box, way.source(), way.ends(), way.end());
     }
 }

@@ -207,7 +207,7 @@ public final class HitRows {
     /** Where the points lie; there must be a row. */
     public PointBox box(Tracer tracer) {
         if (box == null) {
-            box = tracer.box(px, py, pz, count);
+            box = tracer.box(px, py, pz, 0, count);
         }
         return box;
     }

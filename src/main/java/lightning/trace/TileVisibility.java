@@ -170,7 +170,7 @@ public final class TileVisibility {
     private void bound() {
         beam.clear();
         if (rays.count == rays.from.reflective) {
-            beam.origins(tracer.box(rays.from.px, rays.from.py, rays.from.pz, rays.count));
+            beam.origins(tracer.box(rays.from.px, rays.from.py, rays.from.pz, 0, rays.count));
         } else {
             for (int i = 0; i < rays.count; i++) {
                 beam.origin(rays.originX(i), rays.originY(i), rays.originZ(i));

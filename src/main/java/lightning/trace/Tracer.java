@@ -49,8 +49,8 @@ public interface Tracer {
     /** The same where each row's way leads elsewhere. */
     void blocked(HitRows rows, int[] chosen, RowWays ways, Candidates candidates, int[] blocked);
 
-    /** The box of points {@code 0 … count − 1}, at least one. */
-    PointBox box(float[] x, float[] y, float[] z, int count);
+    /** The box of points {@code from … to − 1}, at least one. */
+    PointBox box(float[] x, float[] y, float[] z, int from, int to);
 
     /** Writes the least and the greatest of the values {@code 0 … count − 1}, at least one, to {@code range[0]} and {@code range[1]}. */
     void range(double[] values, int count, double[] range);

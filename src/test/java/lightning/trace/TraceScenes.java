@@ -43,6 +43,11 @@ public final class TraceScenes {
         return new Geometry(one(solid, placement, camera, camera.plus(new Vec3(0, 0, -1 - camera.maxAbs())))).primitives();
     }
 
+    /** A ball of radius 1 about (0, 0, −5) on a floor, seen from the origin. */
+    public static Scene ballOnFloor() {
+        return ballOnFloor(new Vec3(0, 0, -5), 1);
+    }
+
     /** A ball of a radius, and a floor under it, seen from the origin. */
     static Scene ballOnFloor(Vec3 at, double radius) {
         List<Node> nodes = new TraceScenes().add(Solid.SPHERE, at, Vec3.ZERO, Vec3.ONE.times(radius))

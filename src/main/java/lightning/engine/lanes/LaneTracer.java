@@ -247,26 +247,26 @@ final class LaneTracer implements Tracer {
     }
 
     @Override
-    public PointBox box(float[] x, float[] y, float[] z, int count) {
+    public PointBox box(float[] x, float[] y, float[] z, int from, int to) {
         PointBox box = new PointBox();
-        range(x, count, box, 0);
-        range(y, count, box, 1);
-        range(z, count, box, 2);
+        range(x, from, to, box, 0);
+        range(y, from, to, box, 1);
+        range(z, from, to, box, 2);
         return box;
     }
 
-    private static void range(float[] v, int count, PointBox box, int axis) {
-        FloatVector least = FloatVector.broadcast(FLOATS, v[0]);
+    private static void range(float[] v, int from, int to, PointBox box, int axis) {
+        FloatVector least = FloatVector.broadcast(FLOATS, v[from]);
         FloatVector most = least;
-        int i = 0;
-        for (; i + FLOATS.length() <= count; i += FLOATS.length()) {
+        int i = from;
+        for (; i + FLOATS.length() <= to; i += FLOATS.length()) {
             FloatVector x = FloatVector.fromArray(FLOATS, v, i);
             least = least.min(x);
             most = most.max(x);
         }
         float low = least.reduceLanes(VectorOperators.MIN);
         float high = most.reduceLanes(VectorOperators.MAX);
-        for (; i < count; i++) {
+        for (; i < to; i++) {
             low = Math.min(low, v[i]);
             high = Math.max(high, v[i]);
         }

@@ -155,18 +155,18 @@ final class ScalarTracer implements Tracer {
     }
 
     @Override
-    public PointBox box(float[] x, float[] y, float[] z, int count) {
+    public PointBox box(float[] x, float[] y, float[] z, int from, int to) {
         PointBox box = new PointBox();
-        range(x, count, box, 0);
-        range(y, count, box, 1);
-        range(z, count, box, 2);
+        range(x, from, to, box, 0);
+        range(y, from, to, box, 1);
+        range(z, from, to, box, 2);
         return box;
     }
 
-    private static void range(float[] values, int count, PointBox box, int axis) {
-        float low = values[0];
+    private static void range(float[] values, int from, int to, PointBox box, int axis) {
+        float low = values[from];
         float high = low;
-        for (int i = 1; i < count; i++) {
+        for (int i = from + 1; i < to; i++) {
             low = Math.min(low, values[i]);
             high = Math.max(high, values[i]);
         }

@@ -29,6 +29,16 @@ public abstract class Form {
     public abstract double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz,
             Touch touch, double margin);
 
+    /**
+     * Whether {@link #distance} is a miss for certain: what it tells of some rays, of which only heights are known.
+     *
+     * @param low     the least y of their origins
+     * @param high    the greatest
+     * @param falling the least y of their directions
+     * @param rising  the greatest
+     */
+    public abstract boolean isPassed(double low, double high, double falling, double rising);
+
     /** How many times as long as its end lies off the surface a tip can be that a way cuts off an edge or an apex. */
     public abstract double tip(double[] data, int at);
 

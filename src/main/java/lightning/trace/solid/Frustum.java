@@ -19,6 +19,15 @@ class Frustum extends Form {
         box[i + 3] = Math.max(t + base, middle + top);
     }
 
+    /**
+     * Above y = 1 and not falling, or below 0 and not rising. Both ends of the interval in which 0 ≤ y ≤ 1, −oy / dy and
+     * (1 − oy) / dy, are then 0 or less, or −∞ where dy is 0, and what is met lies at no more ({@link Crossing}).
+     */
+    @Override
+    public final boolean isPassed(double low, double high, double falling, double rising) {
+        return low > 1 && falling >= 0 || high < 0 && rising <= 0;
+    }
+
     @Override
     public final double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz) {
         return distance(data, at, ox, oy, oz, dx, dy, dz, Touch.NEITHER, 0);

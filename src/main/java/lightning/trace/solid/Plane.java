@@ -25,6 +25,12 @@ final class Plane extends Form {
         return touch == Touch.NEITHER ? distance(data, at, ox, oy, oz, dx, dy, dz) : MISS;
     }
 
+    /** The distance is −oy / dy: below 0, or 0, or without a number, unless one of them is above 0 and the other below. */
+    @Override
+    public boolean isPassed(double low, double high, double falling, double rising) {
+        return low >= 0 && falling >= 0 || high <= 0 && rising <= 0;
+    }
+
     @Override
     public double tip(double[] data, int at) {
         return 4;

@@ -47,6 +47,12 @@ final class Sphere extends Form {
         return Math.abs(c * a) <= 2 * q * q ? Crossing.met(t0 < t1 ? t0 : t1, t0 < t1 ? t1 : t0, touch, margin) : MISS;
     }
 
+    /** Heights alone tell nothing that rounding may not spoil. */
+    @Override
+    public boolean isPassed(double low, double high, double falling, double rising) {
+        return false;
+    }
+
     /** It has no edge. */
     @Override
     public double tip(double[] data, int at) {

@@ -115,12 +115,32 @@ public final class Candidates {
         int kept = 0;
         for (int c = 0; c < count; c++) {
             if (which.test(primitive[c])) {
-                since[kept] = since[c];
-                primitive[kept] = primitive[c];
-                System.arraycopy(boxes, 6 * c, boxes, 6 * kept++, 6);
+                take(this, c, kept++);
             }
         }
         count = kept;
+    }
+
+    /** Leaves out the primitives that ways leave behind; does nothing where there are too many. */
+    public void leaveOut(PrimitiveTable primitives, Departure ways) {
+        keep(s -> !ways.leaves(primitives, s));
+    }
+
+    /** Takes those of others, which are not too many, that a beam within theirs touches and ways in it do not leave behind. */
+    public void takeFrom(Candidates others, PrimitiveTable primitives, Beam beam, Departure ways) {
+        count = 0;
+        tooMany = false;
+        for (int c = 0; c < others.count; c++) {
+            if (beam.touches(others.boxes, 6 * c) < Double.POSITIVE_INFINITY && !ways.leaves(primitives, others.primitive[c])) {
+                take(others, c, count++);
+            }
+        }
+    }
+
+    private void take(Candidates others, int c, int at) {
+        since[at] = others.since[c];
+        primitive[at] = others.primitive[c];
+        System.arraycopy(others.boxes, 6 * c, boxes, 6 * at, 6);
     }
 
     /** Moves a primitive that blocks rays to the front: the next packet is likely to be blocked by it too. */

@@ -58,7 +58,7 @@ class CandidatesTest {
             Vec3 light = rays.origin();
             float[][] points = points(rays, seed + bundle, 5 * RayPacket.WIDTH);
             beam.clear();
-            beam.origins(new LaneTracer(geometry).box(points[0], points[1], points[2], points[0].length));
+            beam.origins(new LaneTracer(geometry).box(points[0], points[1], points[2], 0, points[0].length));
             beam.towards(light);
             candidates.collect(geometry.bvh(), beam);
             PacketTracer tracer = new PacketTracer(geometry);
@@ -84,7 +84,7 @@ class CandidatesTest {
             Vec3 d = rays.direction(Vec3.ZERO);
             float[][] points = points(rays, seed + bundle, RayPacket.WIDTH);
             beam.clear();
-            beam.origins(new LaneTracer(geometry).box(points[0], points[1], points[2], RayPacket.WIDTH));
+            beam.origins(new LaneTracer(geometry).box(points[0], points[1], points[2], 0, RayPacket.WIDTH));
             boolean parallel = bundle % 2 == 0;
             if (parallel) {
                 beam.along(d);
