@@ -25,6 +25,7 @@ public enum Effect {
             scene -> Without.materials(scene, m -> m.withSpecular(Rgb.BLACK))),
     TEXTURES("textures", uses -> uses.litMaterials(m -> m.texture().isPresent() && !m.diffuse().isBlack()),
             scene -> Without.materials(scene, m -> m.withTexture(Optional.empty())), Forced::whiteTextures),
+    VERTEX_COLORS("colors of vertices", Uses::tints, Without::vertexColors, UnaryOperator.identity(), false),
     REFLECTION("reflections", Uses::mirrors,
             scene -> Without.materials(scene, m -> m.withReflective(Rgb.BLACK)).withPicture(scene.picture().withDepth(0))),
     ATTENUATION("attenuation", uses -> uses.lights(l -> l.type().hasPosition() && !l.attenuation().isNone()),

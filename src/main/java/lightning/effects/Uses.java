@@ -59,6 +59,13 @@ record Uses(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
         return scene.picture().sampling().isFine() ? Stream.of("picture") : Stream.empty();
     }
 
+    /** The names of shapes whose vertices' colours are lit. */
+    Stream<String> tints() {
+        return lights.isEmpty() ? Stream.empty() : shapes.stream()
+                .filter(s -> s.shape().solid() instanceof Solid.Triangles t && t.isTinted() && !s.material().diffuse().isBlack())
+                .map(s -> s.shape().name());
+    }
+
     /** The names of shapes of such a form. */
     Stream<String> shapes(Class<? extends Solid> type) {
         return shapes.stream().map(PlacedShape::shape).filter(s -> type.isInstance(s.solid())).map(Shape::name);

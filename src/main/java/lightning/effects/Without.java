@@ -1,7 +1,9 @@
 package lightning.effects;
 
 import java.util.List;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.Material;
@@ -28,14 +30,19 @@ final class Without {
     }
 
     static Scene shapes(Scene s, Class<? extends Solid> type) {
-        return s.withNodes(nodes(s.nodes(), type));
+        return s.withNodes(nodes(s.nodes(), shape -> type.isInstance(shape.solid()) ? Stream.empty() : Stream.of(shape)));
     }
 
-    private static List<Node> nodes(List<Node> nodes, Class<? extends Solid> type) {
-        return nodes.stream().filter(node -> !(node instanceof Shape shape && type.isInstance(shape.solid())))
-                .<Node>map(node -> switch (node) {
-                    case Group group -> group.withChildren(nodes(group.children(), type));
-                    case Shape shape -> shape;
-                }).toList();
+    static Scene vertexColors(Scene s) {
+        return s.withNodes(nodes(s.nodes(), shape -> Stream.of(shape.solid() instanceof Solid.Triangles t
+                ? shape.withSolid(t.withColors(false)) : shape)));
+    }
+
+    /** Each shape becomes what {@code change} makes of it, in the same groups. */
+    private static List<Node> nodes(List<Node> nodes, Function<Shape, Stream<Shape>> change) {
+        return nodes.stream().<Node>flatMap(node -> switch (node) {
+            case Group group -> Stream.of(group.withChildren(nodes(group.children(), change)));
+            case Shape shape -> change.apply(shape);
+        }).toList();
     }
 }

@@ -48,7 +48,6 @@ final class GltfImport {
         file = new GltfScene(gltf, pieces.notes);
         for (GltfPart part : GltfMeshes.read(gltf, pieces.notes)) {
             parts.computeIfAbsent(part.mesh(), _ -> new ArrayList<>()).add(part);
-            pieces.notes.add("colors of vertices, not shown yet", part.triangles().colors() == null ? 0 : 1);
         }
         lights = file.lights();
         meshFile = pieces.name(source);

@@ -65,7 +65,6 @@ final class ObjImport {
     }
 
     private void add(String part, String material, Mesh mesh) {
-        pieces.notes.add("colors of vertices, not shown yet", mesh.colors() == null ? 0 : 1);
         pieces.nodes.add(pieces.shape(part, pieces.name(source), part, mesh, material, Placement.IDENTITY, Transform.IDENTITY));
     }
 

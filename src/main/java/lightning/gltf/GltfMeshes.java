@@ -13,6 +13,7 @@ import lightning.mesh.MeshLimits;
 import lightning.mesh.Normals;
 import lightning.mesh.Notes;
 import lightning.mesh.PartNames;
+import lightning.mesh.VertexColors;
 import lightning.work.Memory;
 
 /**
@@ -129,6 +130,9 @@ public final class GltfMeshes {
         float[] normals = picked(attributes.get("NORMAL"), 3, vertices, used);
         float[] coordinates = picked(uv, 2, vertices, used);
         float[] colors = picked(attributes.get("COLOR_0"), 3, vertices, used);
+        if (colors != null) {
+            VertexColors.cut(colors, notes);
+        }
         tell(primitive, texture.set());
         if (normals != null) {
             Normals.makeUnit(normals, positions, triangles);

@@ -31,6 +31,7 @@ final class Blocks {
     /** What a mesh says of the file that it is in. */
     static final String FILE = "file";
     static final String PART = "part";
+    static final String COLORS = "colors";
 
     static final BlockType<Picture> PICTURE = new BlockType<>("picture", false, Optional.empty(), List.of(
             Property.<Picture>numbers("size", List.of(" width", " height"),
@@ -60,7 +61,9 @@ final class Blocks {
     private static final BlockType<Shape> MESH = shape("mesh", List.of(
             Property.quoted(FILE, "a PLY, OBJ, NFF or glTF file", v -> FileName.check(FILE, ((Value.Quoted) v).file(), MeshFolder.NAME),
                     s -> new Value.Quoted(((Solid.Triangles) s.solid()).file())),
-            Property.name(PART, new Value.Absent(), "a part of the file; all of it where none is named", Blocks::part)),
+            Property.name(PART, new Value.Absent(), "a part of the file; all of it where none is named", Blocks::part),
+            Property.choice(COLORS, new Value.Word("yes"), List.of("yes", "no"),
+                    s -> new Value.Word(((Solid.Triangles) s.solid()).colors() ? "yes" : "no"))),
             Values::triangles);
 
     static final BlockType<Group> GROUP = new BlockType<>("group", true, Optional.empty(), placed(),

@@ -69,7 +69,7 @@ record Values(Map<String, Value> all, SceneFiles files) {
             throw new IllegalArgumentException("expected a " + Blocks.FILE + ", found none");
         }
         String part = all.get(Blocks.PART) instanceof Value.Name(String name) ? name : "";
-        return new Solid.Triangles(file, part, files.mesh(file, part));
+        return new Solid.Triangles(file, part, word(Blocks.COLORS).equals("yes"), files.mesh(file, part));
     }
 
     double number(String property) {

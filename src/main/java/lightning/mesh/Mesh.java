@@ -15,8 +15,8 @@ public final class Mesh {
     public static final double MAX_COORDINATE = 1e12;
     /** Texture coordinates, either sign: beyond it a float no longer tells neighbouring pixels apart. */
     public static final double MAX_TEXTURE_COORDINATE = 1e6;
-    /** Linear colours. */
-    public static final double MAX_COLOR = 1e6;
+    /** Linear colours: factors on a material's. */
+    public static final double MAX_COLOR = 1;
     /** How far the square of a normal's length may be from 1; rounding to float takes less than 1e-6. */
     private static final double UNIT = 1e-5;
     /** How many coordinates tell meshes of one size apart in tables. */
@@ -35,7 +35,7 @@ public final class Mesh {
      * @param normals     x, y, z of each vertex's normal, of length 1, {@code float[3 * vertices]}; null where all triangles are flat
      * @param coordinates u, v of each vertex in a texture, v upwards, {@code float[2 * vertices]}, each of at most 1e6 in
      *                    absolute value; null where there are none
-     * @param colors      linear red, green, blue of each vertex, {@code float[3 * vertices]}, from 0 to 1e6; null where there are none
+     * @param colors      linear red, green, blue of each vertex, {@code float[3 * vertices]}, from 0 to 1; null where there are none
      * @throws IllegalArgumentException if an array has another length, a triangle names a vertex that there is not, or a number is
      *                                  out of its range or no number; the message says which
      */

@@ -29,6 +29,9 @@ final class PovMesh {
                     triangles -= t.mesh().triangleCount();
                 } else {
                     names.put(key(t), "mesh_" + names.size());
+                    if (t.isTinted()) {
+                        losses.add("mesh " + shape.shape().name() + ": without the colors of its vertices");
+                    }
                     declare(names.get(key(t)), t.mesh());
                 }
             }

@@ -20,6 +20,10 @@ public record Shape(Solid solid, String name, String material, Placement placeme
         return new Shape(solid, v, material, placement, visible);
     }
 
+    public Shape withSolid(Solid v) {
+        return new Shape(v, name, material, placement, visible);
+    }
+
     public Shape withMaterial(String v) {
         return new Shape(solid, name, v, placement, visible);
     }

@@ -77,11 +77,26 @@ public sealed interface Solid {
     /**
      * Triangles of a file.
      *
-     * @param file the name as written in the scene file
-     * @param part the name of the part of the file; empty for all that it holds
-     * @param mesh what was read: shared by all shapes that show it
+     * @param file   the name as written in the scene file
+     * @param part   the name of the part of the file; empty for all that it holds
+     * @param colors whether the colours of its vertices are shown, where it has any
+     * @param mesh   what was read: shared by all shapes that show it
      */
-    record Triangles(String file, String part, Mesh mesh) implements Solid {}
+    record Triangles(String file, String part, boolean colors, Mesh mesh) implements Solid {
+        /** With the colours of its vertices. */
+        public Triangles(String file, String part, Mesh mesh) {
+            this(file, part, true, mesh);
+        }
+
+        /** Whether colours of vertices are a factor on its material's diffuse colour. */
+        public boolean isTinted() {
+            return colors && mesh.colors() != null;
+        }
+
+        public Triangles withColors(boolean v) {
+            return new Triangles(file, part, v, mesh);
+        }
+    }
 
     private static <S extends Canonical> Attribute<Canonical, Boolean> closing(Class<S> type, Function<S, Boolean> get,
             BiFunction<S, Boolean, Canonical> with) {

@@ -56,7 +56,7 @@ final class Composer {
 
     private void close(HitRows rows, int run, SumRows sum, float ambience, float[][] mirrored, float[][] to) {
         Shade shade = shades[rows.runMaterial[run]];
-        if (shade.textured() && !litTextures) {
+        if (shade.pictured() && !litTextures) {
             emit(rows, run, shade, ambience, to);
         } else {
             sums.close(rows, run, shade, ambience, sum.diffuse, sum.hasSpecular && shade.shines() ? sum.specular : null, mirrored, to);

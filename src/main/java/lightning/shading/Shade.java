@@ -10,10 +10,11 @@ import lightning.trace.MaterialTable;
  * @param specular   k<sub>specular</sub>
  * @param reflective k<sub>reflective</sub>
  * @param textured   whether its rows' texels are factors of k<sub>diffuse</sub>
+ * @param pictured   whether a picture is among these factors
  * @param shines     whether k<sub>specular</sub> is above 0 in any channel
  * @param mirrors    whether k<sub>reflective</sub> is above 0 in any channel
  */
-public record Shade(float[] ambient, float[] diffuse, float[] specular, float[] reflective, boolean textured, boolean shines,
+public record Shade(float[] ambient, float[] diffuse, float[] specular, float[] reflective, boolean textured, boolean pictured, boolean shines,
         boolean mirrors) {
     // Arrays in a record: written once by their maker, never after.
 
@@ -22,7 +23,8 @@ public record Shade(float[] ambient, float[] diffuse, float[] specular, float[] 
         float[] reflective = {t.reflective(m, 0), t.reflective(m, 1), t.reflective(m, 2)};
         return new Shade(new float[] {t.ambient(m, 0), t.ambient(m, 1), t.ambient(m, 2)},
                 new float[] {t.diffuse(m, 0), t.diffuse(m, 1), t.diffuse(m, 2)},
-                new float[] {t.specular(m, 0), t.specular(m, 1), t.specular(m, 2)}, reflective, t.isTextured(m), t.isSpecular(m),
+                new float[] {t.specular(m, 0), t.specular(m, 1), t.specular(m, 2)}, reflective, t.isTextured(m), t.texture(m) != null,
+                t.isSpecular(m),
                 reflective[0] > 0 || reflective[1] > 0 || reflective[2] > 0);
     }
 }

@@ -4,6 +4,7 @@ import java.lang.ref.WeakReference;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Predicate;
 import lightning.math.Ray;
 import lightning.math.Vec3;
@@ -29,6 +30,7 @@ public final class Geometry {
     private final Scene scene;
     private final List<Shape> shapes;
     private final List<String> names;
+    private final Set<String> tinted;
     private final PrimitiveTable primitives;
     private final MaterialTable materials;
     private final Bvh bvh;
@@ -50,8 +52,9 @@ public final class Geometry {
         this.scene = scene;
         shapes = scene.stage().shapes();
         names = MaterialTable.names(shapes);
+        tinted = MaterialTable.tinted(shapes);
         this.mirrors = mirrors;
-        materials = new MaterialTable(names, scene, null, mirrors);
+        materials = new MaterialTable(names, tinted, scene, null, mirrors);
         bvh = new Bvh(PrimitiveTable.of(scene.stage(), materialOf(), scene.camera().origin()));
         primitives = bvh.primitives;
     }
@@ -60,8 +63,9 @@ public final class Geometry {
         this.scene = scene;
         shapes = shared.shapes;
         names = shared.names;
+        tinted = shared.tinted;
         mirrors = shared.mirrors;
-        materials = new MaterialTable(names, scene, shared.materials, mirrors);
+        materials = new MaterialTable(names, tinted, scene, shared.materials, mirrors);
         primitives = shared.primitives;
         bvh = shared.bvh;
     }
@@ -71,8 +75,9 @@ public final class Geometry {
         this.scene = scene;
         shapes = shared.shapes;
         names = shared.names;
+        tinted = shared.tinted;
         this.mirrors = mirrors;
-        materials = new MaterialTable(names, scene, shared.materials, mirrors);
+        materials = new MaterialTable(names, tinted, scene, shared.materials, mirrors);
         bvh = new Bvh(shared.primitives.from(scene.camera().origin()), shared.bvh);
         primitives = bvh.primitives;
     }
@@ -82,8 +87,9 @@ public final class Geometry {
         this.scene = scene;
         shapes = scene.stage().shapes();
         names = MaterialTable.names(before.names, shapes);
+        tinted = MaterialTable.tinted(shapes);
         mirrors = before.mirrors;
-        materials = new MaterialTable(names, scene, before.materials, mirrors);
+        materials = new MaterialTable(names, tinted, scene, before.materials, mirrors);
         bvh = Bvh.following(PrimitiveTable.of(scene.stage(), materialOf(), scene.camera().origin()), before.bvh);
         primitives = bvh.primitives;
     }

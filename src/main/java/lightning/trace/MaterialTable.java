@@ -1,14 +1,18 @@
 package lightning.trace;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.math.Rgb;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.TextureMap;
 
 /**
@@ -24,6 +28,8 @@ public final class MaterialTable {
     public static final Predicate<Material> MIRRORS = material -> (float) material.reflective().max() > 0;
 
     private final List<Material> materials;
+    /** Which of them shapes with colours of their own have. */
+    private final boolean[] tinted;
     private final Predicate<Material> mirrors;
     private final int reflectiveCount;
     private final int[] rank;
@@ -35,11 +41,12 @@ public final class MaterialTable {
 
     /**
      * @param names the materials' names, each once: material {@code m} is that of name {@code m}
+     * @param tinted those that shapes have whose vertices are coloured ({@link #tinted})
      * @param scene says what they are
      * @param before  tells those that no shape has and the scene lacks; null where there are none
      * @param mirrors which of them cast mirrored rays: all that mirror, and perhaps others
      */
-    MaterialTable(List<String> names, Scene scene, MaterialTable before, Predicate<Material> mirrors) {
+    MaterialTable(List<String> names, Set<String> tinted, Scene scene, MaterialTable before, Predicate<Material> mirrors) {
         this.mirrors = mirrors;
         Map<String, Material> byName = scene.materialsByName();
         materials = IntStream.range(0, names.size()).mapToObj(m -> {
@@ -47,6 +54,7 @@ public final class MaterialTable {
             return material == null ? before.material(m) : material;
         }).toList();
         int count = materials.size();
+        this.tinted = new boolean[count];
         ambient = new float[3 * count];
         diffuse = new float[3 * count];
         specular = new float[3 * count];
@@ -56,6 +64,7 @@ public final class MaterialTable {
         int casting = 0;
         for (int m = 0; m < count; m++) {
             Material material = materials.get(m);
+            this.tinted[m] = tinted.contains(material.name());
             store(material.ambient(), ambient, 3 * m);
             store(material.diffuse(), diffuse, 3 * m);
             store(material.specular(), specular, 3 * m);
@@ -79,6 +88,12 @@ public final class MaterialTable {
     /** The same after some that keep their places, whether shapes use them or not. */
     static List<String> names(List<String> known, List<Shape> shapes) {
         return Stream.concat(known.stream(), shapes.stream().map(Shape::material)).distinct().toList();
+    }
+
+    /** The names of the materials of shapes whose vertices have colours, which are shown. */
+    static Set<String> tinted(List<Shape> shapes) {
+        return shapes.stream().filter(s -> s.solid() instanceof Solid.Triangles t && t.isTinted()).map(Shape::material)
+                .collect(Collectors.toUnmodifiableSet());
     }
 
     private static void store(Rgb c, float[] to, int at) {
@@ -119,12 +134,14 @@ public final class MaterialTable {
         return specular[3 * m] > 0 || specular[3 * m + 1] > 0 || specular[3 * m + 2] > 0;
     }
 
+    /** Whether rows of material {@code m} have texels: from its texture, or from the vertices of any shape that has it. */
     public boolean isTextured(int m) {
-        return materials.get(m).texture().isPresent();
+        return tinted[m] || materials.get(m).texture().isPresent();
     }
 
+    /** The texture of material {@code m}; null where it has none. */
     public TextureMap texture(int m) {
-        return materials.get(m).texture().orElseThrow();
+        return materials.get(m).texture().orElse(null);
     }
 
     public double shininess(int m) {
@@ -151,7 +168,7 @@ public final class MaterialTable {
 
     @Override
     public boolean equals(Object o) {
-        return o instanceof MaterialTable t && materials.equals(t.materials);
+        return o instanceof MaterialTable t && materials.equals(t.materials) && Arrays.equals(tinted, t.tinted);
     }
 
     @Override

@@ -26,7 +26,7 @@ public final class ShapeChange {
 
     private final Geometry before;
     private final Geometry after;
-    /** Of each primitive before the index it has now, perhaps with another material; −1 where it is gone or not the same. */
+    /** Of each primitive before the index it has now, perhaps with another material or without its colours; −1 where it is gone or not the same. */
     private final int[] now;
     private final boolean keepsAny;
     private final BoxSet seen;
@@ -69,7 +69,8 @@ public final class ShapeChange {
             } else {
                 come[comeCount++] = t;
             }
-            if (form && before.materialOf(s) != after.materialOf(t)) {
+            if (form && (before.materialOf(s) != after.materialOf(t)
+                    || before.primitives().isTinted(s) != after.primitives().isTinted(t))) {
                 painted[paintedCount++] = t;
             }
         }

@@ -19,6 +19,7 @@ final class TexelColumns {
     /** Writes the rows from {@code row} on, which are the hits of the rays in their order: often one primitive's after the other. */
     void write(HitRows rows, int row, RayColumns rays) {
         int known = -1;
+        boolean textured = false;
         TextureMap map = null;
         for (int i = 0; i < rays.hits; i++) {
             int ray = rays.order[i];
@@ -26,9 +27,10 @@ final class TexelColumns {
             if (primitive != known) {
                 known = primitive;
                 int material = primitives.material[primitive];
-                map = materials.isTextured(material) ? materials.texture(material) : null;
+                textured = materials.isTextured(material);
+                map = materials.texture(material);
             }
-            if (map != null) {
+            if (textured) {
                 lookup.at(primitives, primitive, rays.part[ray], map, rays.ownX[i], rays.ownY[i], rays.ownZ[i], texel);
                 rows.texelRed[row + i] = texel[0];
                 rows.texelGreen[row + i] = texel[1];

@@ -4,8 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
 import lightning.jen.JenReader;
+import lightning.sample.Meshes;
+import lightning.scene.Material;
+import lightning.scene.Node;
+import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
 import org.junit.jupiter.api.Test;
 
 class EffectsTest {
@@ -101,8 +109,21 @@ class EffectsTest {
     }
 
     @Test
+    void colorsOfVertices_areCalledForByShapesThatShowThem() throws Exception {
+        Scene lit = JenReader.read("jen 1\nlight a point {}\n", "test", Path.of("")).scene();
+        Solid.Triangles tinted = Meshes.solid(Meshes.tinted(Meshes.cube()));
+        Scene scene = lit.withNodes(List.of(shape("shown", tinted), shape("hidden", tinted.withColors(false)), shape("plain", Meshes.solid(Meshes.cube()))));
+        assertThat(Effects.of(scene).callers(Effect.VERTEX_COLORS)).containsExactly("shown");
+        assertThat(Effects.of(ViewEffects.ALL.hiding(Set.of(Effect.VERTEX_COLORS)).of(scene)).has(Effect.VERTEX_COLORS)).isFalse();
+    }
+
+    private static Node shape(String name, Solid solid) {
+        return new Shape(solid, name, Material.DEFAULT.name(), Placement.IDENTITY);
+    }
+
+    @Test
     void bird_callsForAllButDoorsGobosBanksSeveralSamplesSoftLightsFrustumsAndMeshes() throws Exception {
-        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.BARN_DOORS, Effect.GOBOS, Effect.BANKS,
+        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.VERTEX_COLORS, Effect.BARN_DOORS, Effect.GOBOS, Effect.BANKS,
                 Effect.SOFT_SHADOWS, Effect.ANTIALIASING, Effect.RECT_LIGHTS, Effect.DISC_LIGHTS, Effect.FRUSTUMS, Effect.MESHES);
     }
 }

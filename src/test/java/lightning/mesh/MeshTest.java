@@ -78,7 +78,7 @@ class MeshTest {
         assertRefused(() -> new Mesh(CORNERS, ONE, null, null, new float[3]),
                 "colors must be 3 numbers for each of 3 vertices, were 3 numbers");
         assertRefused(() -> new Mesh(CORNERS, ONE, null, null, new float[] {0, 0, 0, 0, 0, 0, 0, 0, -1}),
-                "vertex 2: each number of its color must be from 0 to 1000000, was -1");
+                "vertex 2: each number of its color must be from 0 to 1, was -1");
     }
 
     private static Mesh flat(float[] positions, int[] triangles) {

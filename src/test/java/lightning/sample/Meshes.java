@@ -12,13 +12,23 @@ public final class Meshes {
 
     /** A few of every sort. */
     public static List<Solid.Triangles> some() {
-        return Stream.of(cube(), ball(3, 4, true), ball(6, 9, false), ball(5, 8, true), cone(7), soup(40, 1), soup(9, 2), empty())
-                .map(Meshes::solid).toList();
+        return Stream.concat(Stream.of(solid(tinted(ball(3, 5, true))).withColors(false)), Stream.of(cube(), ball(3, 4, true), tinted(ball(6, 9, false)), ball(5, 8, true), cone(7), soup(40, 1), tinted(soup(9, 2)), empty())
+                .map(Meshes::solid)).toList();
     }
 
     /** A mesh as if it had been read from a file. */
     public static Solid.Triangles solid(Mesh mesh) {
         return new Solid.Triangles("m" + mesh.triangleCount() + "-" + mesh.vertexCount() + ".ply", "", mesh);
+    }
+
+    /** With colours at its vertices, black and white among them. */
+    public static Mesh tinted(Mesh m) {
+        Random random = new Random(m.vertexCount());
+        float[] colors = new float[3 * m.vertexCount()];
+        for (int i = 0; i < colors.length; i++) {
+            colors[i] = Math.clamp(random.nextFloat() * 1.5f - 0.25f, 0, 1);
+        }
+        return new Mesh(m.positions(), m.triangles(), m.normals(), m.coordinates(), colors);
     }
 
     public static Mesh empty() {

@@ -89,6 +89,7 @@ final class NodeArbitraries {
                 Tuple.of(2, rotations().map(NodeChange.Turn::new)),
                 Tuple.of(2, scales().map(NodeChange.Scale::new)),
                 Tuple.of(4, Arbitraries.of(new NodeChange.Show())),
+                Tuple.of(2, Arbitraries.of(new NodeChange.Tint())),
                 Tuple.of(2, Arbitraries.of(MATERIALS).map(NodeChange.Paint::new)),
                 Tuple.of(1, SolidArbitraries.solids().map(NodeChange.Become::new)));
     }

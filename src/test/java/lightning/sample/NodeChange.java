@@ -54,12 +54,20 @@ public sealed interface NodeChange {
         }
     }
 
+    /** The colours of a mesh's vertices shown where they were not, not shown where they were. */
+    record Tint() implements NodeChange {
+        @Override
+        public Node on(Node node) {
+            return node instanceof Shape s && s.solid() instanceof Solid.Triangles t ? s.withSolid(t.withColors(!t.colors())) : node;
+        }
+    }
+
     /** Another solid in a shape's place. */
     record Become(Solid solid) implements NodeChange {
         @Override
         public Node on(Node node) {
             return switch (node) {
-                case Shape s -> new Shape(solid, s.name(), s.material(), s.placement(), s.visible());
+                case Shape s -> s.withSolid(solid);
                 case Group g -> g;
             };
         }

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
 import lightning.math.Ray;
+import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.mesh.Mesh;
 import lightning.sample.Meshes;
@@ -155,6 +156,24 @@ class MeshSurfaceTest {
     }
 
     /** The unit square as two triangles with the coordinates of the plane, under the same texture. */
+    @Test
+    void colorsOfVertices_areFactorsBetweenThem_onTheTexture() {
+        float[] v = {0, 0, 0, 4, 0, 0, 0, 4, 0};
+        Mesh triangle = new Mesh(v, new int[] {0, 1, 2}, null, null, new float[] {1, 0, 0.5f, 0, 1, 0.5f, 0, 0, 0.5f});
+        Ray ray = new Ray(new Vec3(2, 1, 9), new Vec3(0, 0, -1));
+        assertThat(point(Meshes.solid(triangle), Optional.empty(), ray).diffuse()).containsExactly(0.25f * 0.8f, 0.5f * 0.8f, 0.5f * 0.8f);
+        TextureMap red = new TextureMap("red.png", 1, 1, new Texture(1, 1, new float[] {0.5f, 0, 0}));
+        assertThat(point(Meshes.solid(triangle), Optional.of(red), ray).diffuse()).containsExactly(0.125f * 0.8f, 0, 0);
+        assertThat(point(Meshes.solid(triangle).withColors(false), Optional.empty(), ray).diffuse()).containsExactly(0.8f, 0.8f, 0.8f);
+    }
+
+    private static SurfacePoint point(Solid solid, Optional<TextureMap> texture, Ray ray) {
+        Material material = Material.of("m").withDiffuse(Rgb.grey(0.8)).withTexture(texture);
+        Geometry geometry = new Geometry(new Scene(Picture.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT,
+                List.of(material), List.of(new Shape(solid, "s", "m", Placement.IDENTITY)), List.of()));
+        return geometry.surface(0, ray);
+    }
+
     @Test
     void textureOfAMesh_liesWhereItsCoordinatesPutIt() {
         float[] v = {-0.5f, 0, -0.5f, 0.5f, 0, -0.5f, -0.5f, 0, 0.5f, 0.5f, 0, 0.5f};

@@ -9,6 +9,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Camera;
@@ -126,7 +127,7 @@ class RowSpliceTest {
         }
         var plane = new Shape(Solid.PLANE, "p", "m0", Placement.IDENTITY);
         Camera camera = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);
-        return new MaterialTable(names, new Scene(Picture.DEFAULT, camera, World.DEFAULT, materials, List.of(plane), List.of()),
+        return new MaterialTable(names, Set.of(), new Scene(Picture.DEFAULT, camera, World.DEFAULT, materials, List.of(plane), List.of()),
                 null, MaterialTable.MIRRORS);
     }
 }

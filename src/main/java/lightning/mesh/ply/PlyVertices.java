@@ -10,6 +10,7 @@ import lightning.mesh.MeshException;
 import lightning.mesh.MeshLimits;
 import lightning.mesh.Normals;
 import lightning.mesh.Notes;
+import lightning.mesh.VertexColors;
 
 /**
  * The vertices of a PLY file. Colours of whole types are taken as sRGB, as scanners and painters of vertices write them; colours of
@@ -68,6 +69,9 @@ final class PlyVertices {
         for (int i = 0; i < vertices.count; i++) {
             body.enter("vertex", i);
             vertices.read(i, element.properties(), body);
+        }
+        if (vertices.colors != null) {
+            VertexColors.cut(vertices.colors, notes);
         }
         return vertices;
     }

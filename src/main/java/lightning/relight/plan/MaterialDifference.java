@@ -29,7 +29,8 @@ record MaterialDifference(MaterialTable before, MaterialTable wanted) {
     }
 
     private boolean texture(int m) {
-        return differs(MaterialTerm.TEXEL, m);
+        // Shapes with colours of their own may have come to a material, or left it, without being seen here.
+        return differs(MaterialTerm.TEXEL, m) || before.isTextured(m) != wanted.isTextured(m);
     }
 
     private boolean differs(MaterialTerm term, int m) {

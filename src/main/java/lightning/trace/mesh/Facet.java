@@ -93,6 +93,15 @@ public final class Facet {
         return (px - p[i]) * normal(v, 0) + (py - p[i + 1]) * normal(v, 1) + (pz - p[i + 2]) * normal(v, 2);
     }
 
+    /** Red, green or blue, {@code channel} 0 1 2, between the colours of the vertices, which the mesh has: from 0 to 1. */
+    public double color(int channel) {
+        float[] c = mesh.colors();
+        double between = weight[0] * c[3 * vertex[0] + channel] + weight[1] * c[3 * vertex[1] + channel]
+                + weight[2] * c[3 * vertex[2] + channel];
+        // Weights are rounded; and no zero has a sign.
+        return between < 1 ? between > 0 ? between : 0 : 1;
+    }
+
     /** The texture coordinate across, {@code axis} 0, or upwards, 1; 0 where the mesh has none. */
     public double coordinate(int axis) {
         float[] c = mesh.coordinates();

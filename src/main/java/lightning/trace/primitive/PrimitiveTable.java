@@ -283,6 +283,11 @@ public final class PrimitiveTable {
         to[i + 11] = m.t2();
     }
 
+    /** Whether primitive {@code s} shows colours of its vertices. */
+    public boolean isTinted(int s) {
+        return meshes != null && stage.shapes().get(owner[s]).solid() instanceof Solid.Triangles triangles && triangles.isTinted();
+    }
+
     /** The kind of a canonical solid. */
     public Kind kind(int s) {
         return Kind.at(kind[s]);

@@ -1,12 +1,13 @@
 package lightning.trace.primitive;
 
+import java.util.Arrays;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 import lightning.trace.mesh.Facet;
 import lightning.trace.mesh.MeshSolid;
 
 /**
- * The colour of a texture where a primitive is met. Holds scratch memory: one for each thread.
+ * The factor on the diffuse colour where a primitive is met: the colour of its texture, times that between the vertices of a mesh. Holds scratch memory: one for each thread.
  *
  * <p>Texture coordinates are multiplied by the repeat counts. The four nearest pixels are mixed bilinearly and the
  * picture repeats endlessly; v runs upwards, from the picture's bottom row.
@@ -19,17 +20,33 @@ public final class TextureLookup {
      * Writes the linear RGB, 0…1, at an own point of primitive {@code s} to {@code rgb[0…2]}.
      *
      * @param part the part that was hit
+     * @param map  the texture of its material; null where it has none
      */
     public void at(PrimitiveTable primitives, int s, int part, TextureMap map, double x, double y, double z, float[] rgb) {
         MeshSolid mesh = primitives.mesh(s);
+        if (mesh != null) {
+            facet.at(mesh.mesh(), part, x, y, z);
+        }
+        if (map == null) {
+            Arrays.fill(rgb, 1);
+        } else {
+            coordinates(primitives, s, mesh, x, y, z);
+            bilinear(map.image(), uv[0] * map.repeatU(), uv[1] * map.repeatV(), rgb);
+        }
+        if (primitives.isTinted(s)) {
+            for (int c = 0; c < 3; c++) {
+                rgb[c] *= (float) facet.color(c);
+            }
+        }
+    }
+
+    private void coordinates(PrimitiveTable primitives, int s, MeshSolid mesh, double x, double y, double z) {
         if (mesh == null) {
             primitives.kind(s).form().coordinates(primitives.data, primitives.at[s], x, y, z, uv);
         } else {
-            facet.at(mesh.mesh(), part, x, y, z);
             uv[0] = facet.coordinate(0);
             uv[1] = facet.coordinate(1);
         }
-        bilinear(map.image(), uv[0] * map.repeatU(), uv[1] * map.repeatV(), rgb);
     }
 
     private static void bilinear(Texture image, double u, double v, float[] rgb) {
