@@ -19,6 +19,8 @@ public final class GltfScene {
     /** Nodes inside nodes. */
     public static final int MOST_NESTING = 30;
     private static final String LIGHTS = "KHR_lights_punctual";
+    private static final int REPEAT = 10497;
+    private static final int NEAREST = 9728;
 
     private final GltfFile file;
     private final Notes notes;
@@ -160,12 +162,27 @@ public final class GltfScene {
         if (!texture.isThere()) {
             return -1;
         }
-        Json source = texture.get("index").in(file.array("textures")).get("source");
+        Json named = texture.get("index").in(file.array("textures"));
+        sampler(named.get("sampler"));
+        Json source = named.get("source");
         if (!source.isThere()) {
             notes.add("textures in formats of extensions");
             return -1;
         }
         return source.index(file.array("images"));
+    }
+
+    /** A texture here repeats and is smooth between its pixels. */
+    private void sampler(Json index) throws MeshException {
+        if (index.isThere()) {
+            Json sampler = index.in(file.array("samplers"));
+            boolean repeats = true;
+            for (String wrap : List.of("wrapS", "wrapT")) {
+                repeats &= sampler.get(wrap).whole(0, Integer.MAX_VALUE, REPEAT) == REPEAT;
+            }
+            notes.add("textures that end or turn back at their edges, repeated here", repeats ? 0 : 1);
+            notes.add("textures with hard pixels, smooth here", sampler.get("magFilter").whole(0, Integer.MAX_VALUE, 0) == NEAREST ? 1 : 0);
+        }
     }
 
     /** The name of an image, as the file says; empty where it says none. */

@@ -85,6 +85,16 @@ class ImporterTest {
     }
 
     @Test
+    void texturesThatDoNotRepeat_areTold() throws Exception {
+        String clamped = SCENE.replace("'metallicFactor': 0}", "'metallicFactor': 0, 'baseColorTexture': {'index': 0}}").replace("'cameras':",
+                "'textures': [{'sampler': 0, 'source': 0}], 'samplers': [{'wrapS': 33071, 'magFilter': 9728}], "
+                        + "'images': [{'uri': 'data:image/png;base64,'}], 'cameras':");
+        assertThat(read(Files.write(from.resolve("a.glb"), Gltf.binary(clamped, Gltf.SQUARE))).notes())
+                .containsEntry("textures that end or turn back at their edges, repeated here", 1)
+                .containsEntry("textures with hard pixels, smooth here", 1);
+    }
+
+    @Test
     void filesElsewhere_areCopied_andNothingIsReplaced() throws Exception {
         Path file = Files.write(from.resolve("a.gltf"), new String(Gltf.text(SCENE, new byte[0]), StandardCharsets.UTF_8).replace(
                 "data:application/octet-stream;base64,", "my%20data.bin").getBytes(StandardCharsets.UTF_8));
