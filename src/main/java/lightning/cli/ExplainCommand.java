@@ -104,7 +104,8 @@ final class ExplainCommand implements Callable<Integer> {
 
     private static String samples(PixelExplainer explainer, LightReport light) {
         String between = light.blocker() < 0 ? "" : " behind " + explainer.geometry().shape(light.blocker()).name();
-        return Console.text("sees %d of %d samples%s, cosine · falloff %.6g, specular · falloff %.6g", light.seen(), light.samples(), between,
+        return Console.text("sees %d of %d samples%s, cosine · falloff %.6g, specular · falloff %.6g", light.seen(), light.samples(),
+                between,
                 light.cosine(), light.specular());
     }
 

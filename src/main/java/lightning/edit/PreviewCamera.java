@@ -77,7 +77,8 @@ public final class PreviewCamera {
         Vec3 view = aim.maxAbs() >= NEAREST ? aim.normalized() : new Vec3(0, 0, -1);
         double reach = Math.max(own.to().minus(from).dot(view), distance * NEAREST);
         Vec3 up = Math.abs(view.y()) < 0.99 ? Vec3.Y : new Vec3(0, 0, -1);
-        double fov = light.type().isSurface() ? MOST_LIGHT_FOV : light.type().hasCone() ? Math.clamp(2 * light.angle(), LEAST_LIGHT_FOV, MOST_LIGHT_FOV) : own.fov();
+        double fov = light.type().isSurface() ? MOST_LIGHT_FOV
+                : light.type().hasCone() ? Math.clamp(2 * light.angle(), LEAST_LIGHT_FOV, MOST_LIGHT_FOV) : own.fov();
         return new PreviewCamera(new Camera(from, from.plus(view.times(reach)), up, fov));
     }
 

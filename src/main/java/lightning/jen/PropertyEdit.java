@@ -270,7 +270,8 @@ public final class PropertyEdit {
 
     /** Whether {@code none} takes the property away; in quotes it is a name as any other. */
     private static boolean canBeNone(BlockType<?> type, String property) {
-        return type == Blocks.MATERIAL && property.equals("texture") || type == Blocks.LIGHT && (property.equals(LightAttribute.BANK.name()) || property.equals(LightAttribute.GOBO.name()));
+        return type == Blocks.MATERIAL && property.equals("texture")
+                || type == Blocks.LIGHT && (property.equals(LightAttribute.BANK.name()) || property.equals(LightAttribute.GOBO.name()));
     }
 
     private static Value value(BlockType<?> type, String name, String property, String text) {

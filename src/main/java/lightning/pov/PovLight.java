@@ -2,8 +2,8 @@ package lightning.pov;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.math.Transform;
 import lightning.math.Rgb;
+import lightning.math.Transform;
 import lightning.math.Vec3;
 import lightning.scene.Light;
 import lightning.scene.LightType;

@@ -19,7 +19,8 @@ import lightning.math.Vec3;
  * @param bank       the name of the bank that it belongs to; empty where it belongs to none
  */
 public record Light(String name, LightType type, Rgb color, double intensity, Vec3 position, Vec3 direction,
-        Attenuation attenuation, double angle, double dropoff, BarnDoors doors, double feather, Optional<Gobo> gobo, Area area, boolean on, boolean solo, String bank) {
+        Attenuation attenuation, double angle, double dropoff, BarnDoors doors, double feather, Optional<Gobo> gobo, Area area, boolean on,
+        boolean solo, String bank) {
 
     public Light {
         Limits.name(name);
@@ -64,27 +65,33 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
     }
 
     public Light withName(String v) {
-        return new Light(v, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo, bank);
+        return new Light(v, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo,
+                bank);
     }
 
     public Light withType(LightType v) {
-        return new Light(name, v, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo, bank);
+        return new Light(name, v, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo,
+                bank);
     }
 
     public Light withColor(Rgb v) {
-        return new Light(name, type, v, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo, bank);
+        return new Light(name, type, v, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo,
+                bank);
     }
 
     public Light withIntensity(double v) {
-        return new Light(name, type, color, v, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo, bank);
+        return new Light(name, type, color, v, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo,
+                bank);
     }
 
     public Light withPosition(Vec3 v) {
-        return new Light(name, type, color, intensity, v, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo, bank);
+        return new Light(name, type, color, intensity, v, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo,
+                bank);
     }
 
     public Light withDirection(Vec3 v) {
-        return new Light(name, type, color, intensity, position, v, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo, bank);
+        return new Light(name, type, color, intensity, position, v, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo,
+                bank);
     }
 
     public Light withAttenuation(Attenuation v) {
@@ -92,39 +99,48 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
     }
 
     public Light withAngle(double v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, v, dropoff, doors, feather, gobo, area, on, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, v, dropoff, doors, feather, gobo, area, on, solo,
+                bank);
     }
 
     public Light withDropoff(double v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, v, doors, feather, gobo, area, on, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, v, doors, feather, gobo, area, on, solo,
+                bank);
     }
 
     public Light withDoors(BarnDoors v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, v, feather, gobo, area, on, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, v, feather, gobo, area, on, solo,
+                bank);
     }
 
     public Light withFeather(double v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, v, gobo, area, on, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, v, gobo, area, on, solo,
+                bank);
     }
 
     public Light withGobo(Optional<Gobo> v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, v, area, on, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, v, area, on, solo,
+                bank);
     }
 
     public Light withArea(Area v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, v, on, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, v, on, solo,
+                bank);
     }
 
     public Light withOn(boolean v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, v, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, v,
+                solo, bank);
     }
 
     public Light withSolo(boolean v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, v, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, v,
+                bank);
     }
 
     /** @param v a bank's name, or empty */
     public Light withBank(String v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo, v);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on,
+                solo, v);
     }
 }

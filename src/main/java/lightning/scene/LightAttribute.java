@@ -84,7 +84,8 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
 
     /** All of them. */
     public static final List<LightAttribute<?>> ALL =
-            List.of(TYPE, COLOR, INTENSITY, POSITION, DIRECTION, ATTENUATION, ANGLE, DROPOFF, DOORS, FEATHER, GOBO, RADIUS, SPREAD, WIDTH, HEIGHT,
+            List.of(TYPE, COLOR, INTENSITY, POSITION, DIRECTION, ATTENUATION, ANGLE, DROPOFF, DOORS, FEATHER, GOBO, RADIUS, SPREAD, WIDTH,
+                    HEIGHT,
                     UP, SAMPLES, ON, SOLO, BANK);
 
     private final Section section;

@@ -16,7 +16,8 @@ import lightning.scene.Light;
  * @param diffuse   its part of Σ Idiff, linear, {@code float[3]}
  * @param highlight its part of Σ Ispec, linear, {@code float[3]}
  */
-public record LightReport(Light light, State state, int blocker, int seen, int samples, float cosine, float specular, float falloff, float[] diffuse,
+public record LightReport(Light light, State state, int blocker, int seen, int samples, float cosine, float specular, float falloff,
+        float[] diffuse,
         float[] highlight) {
 
     /** Decided in this order, but for {@link #DARK}, which comes first. */

@@ -255,7 +255,8 @@ public final class RatioKernel {
         for (byte state : states) {
             lit += (state & LightRows.STATE) == LightRows.LIT ? 1 : 0;
         }
-        return lit == 0 ? new RatioRows(states, null, null, LightRows.seen(columns, RatioRows.Column.SEEN), 0) : new RatioRows(columns, lit);
+        return lit == 0 ? new RatioRows(states, null, null, LightRows.seen(columns, RatioRows.Column.SEEN), 0)
+                : new RatioRows(columns, lit);
     }
 
     private static void take(float[][] from, float[][] to, int row) {

@@ -14,7 +14,8 @@ import lightning.trace.MaterialTable;
  * @param shines     whether k<sub>specular</sub> is above 0 in any channel
  * @param mirrors    whether k<sub>reflective</sub> is above 0 in any channel
  */
-public record Shade(float[] ambient, float[] diffuse, float[] specular, float[] reflective, boolean textured, boolean pictured, boolean shines,
+public record Shade(float[] ambient, float[] diffuse, float[] specular, float[] reflective, boolean textured, boolean pictured,
+        boolean shines,
         boolean mirrors) {
     // Arrays in a record: written once by their maker, never after.
 

@@ -11,7 +11,6 @@ import lightning.trace.HitRows;
 import lightning.trace.RowWays;
 import lightning.trace.ShapeChange;
 import lightning.trace.Tracer;
-import lightning.trace.tree.WayEnd;
 import lightning.trace.Ways;
 import lightning.trace.tree.Beam;
 import lightning.trace.tree.BoxRay;
@@ -19,6 +18,7 @@ import lightning.trace.tree.BoxSet;
 import lightning.trace.tree.Candidates;
 import lightning.trace.tree.Departure;
 import lightning.trace.tree.PointBox;
+import lightning.trace.tree.WayEnd;
 
 /** Asks for chosen rows whether the way to a light is free. Holds scratch memory: one for each thread. */
 final class ShadowCaster {

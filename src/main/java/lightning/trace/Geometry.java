@@ -340,7 +340,8 @@ public final class Geometry {
         float[] diffuse = {materials.diffuse(material, 0), materials.diffuse(material, 1), materials.diffuse(material, 2)};
         float[] texel = {1, 1, 1};
         if (materials.isTextured(material)) {
-            new TextureLookup().at(primitives, primitive, part, materials.texture(material), surface.ownX, surface.ownY, surface.ownZ, texel);
+            new TextureLookup().at(primitives, primitive, part, materials.texture(material), surface.ownX, surface.ownY, surface.ownZ,
+                    texel);
             for (int c = 0; c < 3; c++) {
                 diffuse[c] *= texel[c];
             }

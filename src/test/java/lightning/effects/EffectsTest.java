@@ -112,7 +112,8 @@ class EffectsTest {
     void colorsOfVertices_areCalledForByShapesThatShowThem() throws Exception {
         Scene lit = JenReader.read("jen 1\nlight a point {}\n", "test", Path.of("")).scene();
         Solid.Triangles tinted = Meshes.solid(Meshes.tinted(Meshes.cube()));
-        Scene scene = lit.withNodes(List.of(shape("shown", tinted), shape("hidden", tinted.withColors(false)), shape("plain", Meshes.solid(Meshes.cube()))));
+        Scene scene = lit.withNodes(
+                List.of(shape("shown", tinted), shape("hidden", tinted.withColors(false)), shape("plain", Meshes.solid(Meshes.cube()))));
         assertThat(Effects.of(scene).callers(Effect.VERTEX_COLORS)).containsExactly("shown");
         assertThat(Effects.of(ViewEffects.ALL.hiding(Set.of(Effect.VERTEX_COLORS)).of(scene)).has(Effect.VERTEX_COLORS)).isFalse();
     }
@@ -123,7 +124,8 @@ class EffectsTest {
 
     @Test
     void bird_callsForAllButDoorsGobosBanksSeveralSamplesSoftLightsFrustumsAndMeshes() throws Exception {
-        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.VERTEX_COLORS, Effect.BARN_DOORS, Effect.GOBOS, Effect.BANKS,
+        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.VERTEX_COLORS,
+                Effect.BARN_DOORS, Effect.GOBOS, Effect.BANKS,
                 Effect.SOFT_SHADOWS, Effect.ANTIALIASING, Effect.RECT_LIGHTS, Effect.DISC_LIGHTS, Effect.FRUSTUMS, Effect.MESHES);
     }
 }

@@ -86,9 +86,10 @@ class ImporterTest {
 
     @Test
     void texturesThatDoNotRepeat_areTold() throws Exception {
-        String clamped = SCENE.replace("'metallicFactor': 0}", "'metallicFactor': 0, 'baseColorTexture': {'index': 0}}").replace("'cameras':",
-                "'textures': [{'sampler': 0, 'source': 0}], 'samplers': [{'wrapS': 33071, 'magFilter': 9728}], "
-                        + "'images': [{'uri': 'data:image/png;base64,'}], 'cameras':");
+        String clamped =
+                SCENE.replace("'metallicFactor': 0}", "'metallicFactor': 0, 'baseColorTexture': {'index': 0}}").replace("'cameras':",
+                        "'textures': [{'sampler': 0, 'source': 0}], 'samplers': [{'wrapS': 33071, 'magFilter': 9728}], "
+                                + "'images': [{'uri': 'data:image/png;base64,'}], 'cameras':");
         assertThat(read(Files.write(from.resolve("a.glb"), Gltf.binary(clamped, Gltf.SQUARE))).notes())
                 .containsEntry("textures that end or turn back at their edges, repeated here", 1)
                 .containsEntry("textures with hard pixels, smooth here", 1);

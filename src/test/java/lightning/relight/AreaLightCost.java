@@ -35,12 +35,14 @@ final class AreaLightCost {
         Scene scene = read.withLight(large)
                 .withPicture(read.picture().withSize(Integer.parseInt(args[2]), Integer.parseInt(args[3])));
         Scene[] edits = {scene.withLight(large.withPosition(large.position().plus(new Vec3(0.1, 0, 0)))
-                .withDirection(large.direction().plus(new Vec3(0.01, 0, 0)))), scene.withLight(large.withIntensity(large.intensity() / 2)),
+                .withDirection(large.direction().plus(new Vec3(0.01, 0, 0)))),
+            scene.withLight(large.withIntensity(large.intensity() / 2)),
             scene.withLight(large.withAttenuation(new lightning.scene.Attenuation(0.2, 0.5, 0.1)))};
         String[] names = {"moved", "weight", "falloff", "full trace"};
         double[][] wall = new double[4][rounds];
         double[][] cpu = new double[4][rounds];
-        try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(2).withEngines(Engines.FASTEST)); Workers workers = new Workers(2)) {
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(2).withEngines(Engines.FASTEST));
+                Workers workers = new Workers(2)) {
             renderer.render(scene, Progress.NONE);
             var start = renderer.cache();
             for (int r = -rounds / 2; r < rounds; r++) {

@@ -12,8 +12,11 @@ public final class Meshes {
 
     /** A few of every sort. */
     public static List<Solid.Triangles> some() {
-        return Stream.concat(Stream.of(solid(tinted(ball(3, 5, true))).withColors(false)), Stream.of(cube(), ball(3, 4, true), tinted(ball(6, 9, false)), ball(5, 8, true), cone(7), soup(40, 1), tinted(soup(9, 2)), empty())
-                .map(Meshes::solid)).toList();
+        return Stream.concat(Stream.of(solid(tinted(ball(3, 5, true))).withColors(false)),
+                Stream.of(cube(), ball(3, 4, true), tinted(ball(6, 9, false)), ball(5, 8, true), cone(7), soup(40, 1), tinted(soup(9, 2)),
+                        empty())
+                        .map(Meshes::solid))
+                .toList();
     }
 
     /** A mesh as if it had been read from a file. */

@@ -44,7 +44,6 @@ class AreaSamplesTest {
                 .withAttenuation(new Attenuation(0, 0, 1)).withArea(area.apply(Area.DEFAULT.withSamples(64)));
     }
 
-
     /** The form factor between a point and a rectangle over whose middle it is, four times that over a corner (Howell, B-3), by π over the area. */
     @Test
     void rectangleOverAFloor_lightsItByItsFormFactor() {

@@ -20,7 +20,8 @@ class ShapingTest {
     private static double factor(BarnDoors doors, double feather, double x, double y, double z) {
         var scene = StudioScene.of(LightType.SPOT);
         Vec3 eye = scene.camera().origin();
-        Light light = Light.of("l", LightType.SPOT).withPosition(eye).withDirection(new Vec3(0, 0, -1)).withDoors(doors).withFeather(feather);
+        Light light =
+                Light.of("l", LightType.SPOT).withPosition(eye).withDirection(new Vec3(0, 0, -1)).withDoors(doors).withFeather(feather);
         return Shaping.of(Lamp.of(light, scene)).at((float) x, (float) y, (float) z);
     }
 

@@ -104,7 +104,8 @@ final class MaterialPane extends VBox {
                 case POSITION, DIRECTION -> throw new IllegalStateException("there is no widget for " + attribute.title());
             };
             case Kind.Texturing _ -> List.of(texture());
-            case Choice<V> _,Kind.Naming _,Kind.Projecting _ -> throw new IllegalStateException("there is no widget for " + attribute.title());
+            case Choice<V> _,Kind.Naming _,Kind.Projecting _ ->
+                    throw new IllegalStateException("there is no widget for " + attribute.title());
         };
     }
 

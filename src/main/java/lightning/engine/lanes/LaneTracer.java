@@ -10,9 +10,9 @@ import lightning.trace.CameraRays;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
 import lightning.trace.RayColumns;
+import lightning.trace.RowWays;
 import lightning.trace.SamplePlaces;
 import lightning.trace.Tracer;
-import lightning.trace.RowWays;
 import lightning.trace.Ways;
 import lightning.trace.solid.Lanes;
 import lightning.trace.tree.Candidates;
@@ -178,8 +178,8 @@ final class LaneTracer implements Tracer {
                 int asked = chosen[b] >>> part & -1 >>> -W;
                 if (asked != 0) {
                     load(rows, ways, row + part);
-                    bits |= (ways.open ? blocked(asked, ways.limit(), candidates) : blockedByEnds(ways, row + part, asked, candidates))
-                            << part;
+                    bits |= (ways.open ? blocked(asked, ways.limit(), candidates)
+                            : blockedByEnds(ways, row + part, asked, candidates)) << part;
                 }
             }
             blocked[b] = bits;

@@ -89,16 +89,16 @@ final class LightLanes implements Terms {
     }
 
     private void aimAtPoint(HitRows rows, int i, DoubleVector x, DoubleVector y, DoubleVector z) {
-            DoubleVector vx = x.sub(load(rows.px, i));
-            DoubleVector vy = y.sub(load(rows.py, i));
-            DoubleVector vz = z.sub(load(rows.pz, i));
-            DoubleVector d = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).lanewise(VectorOperators.SQRT);
-            VectorMask<Double> here = d.compare(VectorOperators.LT, LightingEquation.NO_DISTANCE);
-            DoubleVector inverse = DoubleVector.broadcast(D, 1).div(d);
-            d.intoArray(distance, i);
-            vx.mul(inverse).blend(load(rows.nx, i), here).intoArray(lx, i);
-            vy.mul(inverse).blend(load(rows.ny, i), here).intoArray(ly, i);
-            vz.mul(inverse).blend(load(rows.nz, i), here).intoArray(lz, i);
+        DoubleVector vx = x.sub(load(rows.px, i));
+        DoubleVector vy = y.sub(load(rows.py, i));
+        DoubleVector vz = z.sub(load(rows.pz, i));
+        DoubleVector d = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).lanewise(VectorOperators.SQRT);
+        VectorMask<Double> here = d.compare(VectorOperators.LT, LightingEquation.NO_DISTANCE);
+        DoubleVector inverse = DoubleVector.broadcast(D, 1).div(d);
+        d.intoArray(distance, i);
+        vx.mul(inverse).blend(load(rows.nx, i), here).intoArray(lx, i);
+        vy.mul(inverse).blend(load(rows.ny, i), here).intoArray(ly, i);
+        vz.mul(inverse).blend(load(rows.nz, i), here).intoArray(lz, i);
     }
 
     @Override

@@ -50,16 +50,16 @@ final class ScalarTerms implements Terms {
     }
 
     private void aimAtPoint(HitRows rows, int i, double x, double y, double z) {
-            double vx = x - rows.px[i];
-            double vy = y - rows.py[i];
-            double vz = z - rows.pz[i];
-            double d = Math.sqrt(vx * vx + vy * vy + vz * vz);
-            boolean here = d < LightingEquation.NO_DISTANCE;
-            double inverse = 1 / d;
-            distance[i] = d;
-            lx[i] = here ? rows.nx[i] : vx * inverse;
-            ly[i] = here ? rows.ny[i] : vy * inverse;
-            lz[i] = here ? rows.nz[i] : vz * inverse;
+        double vx = x - rows.px[i];
+        double vy = y - rows.py[i];
+        double vz = z - rows.pz[i];
+        double d = Math.sqrt(vx * vx + vy * vy + vz * vz);
+        boolean here = d < LightingEquation.NO_DISTANCE;
+        double inverse = 1 / d;
+        distance[i] = d;
+        lx[i] = here ? rows.nx[i] : vx * inverse;
+        ly[i] = here ? rows.ny[i] : vy * inverse;
+        lz[i] = here ? rows.nz[i] : vz * inverse;
     }
 
     @Override

@@ -24,7 +24,8 @@ record LightDifference(boolean moved, ConeChange cone, boolean falloff, boolean 
         Set<LightTerm> changed = changed(before, wanted);
         ConeChange cone = cone(changed, before, wanted);
         return new LightDifference(changed.contains(LightTerm.SOURCE), cone,
-                changed.contains(LightTerm.FALLOFF) || cone == ConeChange.TURN || cone != ConeChange.NONE && wanted.gobo().isPresent(), changed.contains(LightTerm.WEIGHT));
+                changed.contains(LightTerm.FALLOFF) || cone == ConeChange.TURN || cone != ConeChange.NONE && wanted.gobo().isPresent(),
+                changed.contains(LightTerm.WEIGHT));
     }
 
     /** The terms of attributes that act with another value than before, or come into action, or go out of it. */

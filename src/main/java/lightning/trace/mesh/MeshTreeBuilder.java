@@ -67,7 +67,8 @@ final class MeshTreeBuilder {
         float[] secondBox = TriangleBoxes.empty();
         int middle = splitting.part(from, to, level, firstBox, secondBox);
         if (to - from > SHARED) {
-            ForkJoinTask<TriangleSet> first = ForkJoinTask.adapt(() -> split(from, middle, level + 1, firstBox, new TriangleSplit(boxes))).fork();
+            ForkJoinTask<TriangleSet> first =
+                    ForkJoinTask.adapt(() -> split(from, middle, level + 1, firstBox, new TriangleSplit(boxes))).fork();
             set.second = split(middle, to, level + 1, secondBox, splitting);
             set.first = first.join();
         } else {

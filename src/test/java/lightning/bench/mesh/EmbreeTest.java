@@ -127,7 +127,8 @@ class EmbreeTest {
         double[] e = side(triangle, 1);
         double[] f = side(triangle, 2);
         double[] n = {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
-        double longest = Math.max(length(e[0], e[1], e[2]), Math.max(length(f[0], f[1], f[2]), length(f[0] - e[0], f[1] - e[1], f[2] - e[2])));
+        double longest =
+                Math.max(length(e[0], e[1], e[2]), Math.max(length(f[0], f[1], f[2]), length(f[0] - e[0], f[1] - e[1], f[2] - e[2])));
         double least = length(n[0], n[1], n[2]) / longest;
         double slant = Math.abs(n[0] * ray[3] + n[1] * ray[4] + n[2] * ray[5]) / length(n[0], n[1], n[2]) / length(ray[3], ray[4], ray[5]);
         double gap = alone(triangle).gap(ray[0] + distance * ray[3], ray[1] + distance * ray[4], ray[2] + distance * ray[5]);
