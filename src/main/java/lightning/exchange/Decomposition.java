@@ -80,11 +80,13 @@ final class Decomposition {
         Vec3 a = x.times(mirror / sx);
         Vec3 b = y.times(1 / sy);
         Vec3 c = z.times(1 / sz);
-        // Turned about x, then y, then z: the lowest row is −sin y, sin x · cos y, cos x · cos y.
-        double aroundY = Math.asin(Math.clamp(-a.z(), -1, 1));
-        boolean level = Math.abs(a.z()) < 1 - 1e-12;
-        double aroundX = level ? Math.atan2(b.z(), c.z()) : Math.atan2(-c.y(), b.y());
-        double aroundZ = level ? Math.atan2(a.y(), a.x()) : 0;
+        // Turned about x, then y, then z: the first column is cos y · cos z, cos y · sin z, −sin y. Where it is along z, any angle about
+        // z will do, and that about x follows from it. No angle is taken from a sine or cosine near 1, which hardly tells it.
+        double aroundY = Math.atan2(-a.z(), Math.hypot(a.x(), a.y()));
+        double aroundZ = Math.atan2(a.y(), a.x());
+        double sin = Math.sin(aroundZ);
+        double cos = Math.cos(aroundZ);
+        double aroundX = Math.atan2(sin * c.x() - cos * c.y(), cos * b.y() - sin * b.x());
         return new Placement(new Vec3(round(m.t0()), round(m.t1()), round(m.t2())),
                 new Vec3(degrees(aroundX), degrees(aroundY), degrees(aroundZ)), new Vec3(mirror * round(sx), round(sy), round(sz)));
     }

@@ -25,6 +25,17 @@ class DecompositionTest {
     }
 
     @Property
+    void turnsNearAQuarterAboutY_areFoundAgain(@ForAll @DoubleRange(min = -180, max = 180) double x,
+            @ForAll @DoubleRange(min = -180, max = 180) double z, @ForAll @DoubleRange(min = -12, max = 0) double off, @ForAll boolean other) {
+        Transform map = Transform.rotation(new Vec3(x, (other ? -90 : 90) - Math.pow(10, off), z));
+        Transform found = Decomposition.of(map).getFirst().transform();
+        for (Vec3 axis : new Vec3[] {new Vec3(1, 0, 0), Vec3.Y, new Vec3(0, 0, 1)}) {
+            // Three angles are rounded to nine decimals of a degree, some 1e-11 radians.
+            assertThat(found.point(axis).minus(map.point(axis)).maxAbs()).isLessThan(1e-10);
+        }
+    }
+
+    @Property
     void shear_isTwoPlacements(@ForAll @DoubleRange(min = -180, max = 180) double turn, @ForAll @DoubleRange(min = -3, max = 3) double size,
             @ForAll @DoubleRange(min = -3, max = 3) double xy, @ForAll @DoubleRange(min = -3, max = 3) double yz, @ForAll boolean mirrors) {
         assertSame(new Transform(1, xy, 0, 1, 0, 1, yz, 2, 0, 0, mirrors ? -1 : 1, 3).times(Math.pow(10, size))
