@@ -6,8 +6,6 @@ import lightning.scene.Material;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
 import lightning.trace.Tracer;
-import lightning.trace.tree.Beam;
-import lightning.trace.tree.Bvh;
 import lightning.trace.tree.Candidates;
 
 /** What of the work on a tile is called for. Asked once for each tile and light, or for each material of a tile. */
@@ -20,9 +18,6 @@ public interface Demands {
 
     /** Whether rays must be cast among these shapes. */
     boolean meets(Candidates blockers);
-
-    /** Whether rays of a part of them must be cast among these shapes. */
-    boolean mayBlock(Candidates blockers, Bvh bvh, Beam part);
 
     /** Whether specular terms of rows of a material are needed. */
     boolean isSpecular(MaterialTable materials, int material);
@@ -50,11 +45,6 @@ public interface Demands {
         @Override
         public boolean meets(Candidates blockers) {
             return !blockers.isEmpty();
-        }
-
-        @Override
-        public boolean mayBlock(Candidates blockers, Bvh bvh, Beam part) {
-            return blockers.mayBlock(bvh, part);
         }
 
         @Override

@@ -7,8 +7,6 @@ import lightning.scene.Material;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
 import lightning.trace.Tracer;
-import lightning.trace.tree.Beam;
-import lightning.trace.tree.Bvh;
 import lightning.trace.tree.Candidates;
 
 /**
@@ -33,11 +31,6 @@ record ForcedDemands(Set<Effect> forced) implements Demands {
     @Override
     public boolean meets(Candidates blockers) {
         return forced.contains(Effect.SHADOWS) || OF_SCENE.meets(blockers);
-    }
-
-    @Override
-    public boolean mayBlock(Candidates blockers, Bvh bvh, Beam part) {
-        return forced.contains(Effect.SHADOWS) || OF_SCENE.mayBlock(blockers, bvh, part);
     }
 
     @Override

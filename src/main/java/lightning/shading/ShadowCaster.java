@@ -3,6 +3,7 @@ package lightning.shading;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.function.IntPredicate;
 import lightning.effects.Effect;
 import lightning.effects.ViewEffects;
 import lightning.math.Vec3;
@@ -22,8 +23,6 @@ import lightning.trace.tree.WayEnd;
 
 /** Asks for chosen rows whether the way to a light is free. Holds scratch memory: one for each thread. */
 final class ShadowCaster {
-    /** Rows that are told together whether anything can block them: two lines of a tile. */
-    private static final int GROUP = 64;
     /** Words of rows that are looked at together: two lines of a tile. */
     private static final int TOGETHER = 4;
     /** With more shapes in question, looking at neighbours takes longer than the rays that it saves. */
@@ -40,6 +39,12 @@ final class ShadowCaster {
     /** What may stand between some rows of it and the light. */
     private final Candidates few = new Candidates();
     private final int[] unproved = RowBits.room();
+    /** The least and the greatest coordinates of the points where ways end, or of their directions. */
+    private Vec3 low = Vec3.ZERO;
+    private Vec3 high = Vec3.ZERO;
+    private boolean toPoints;
+    /** Whether any of the points lies on a primitive. */
+    private IntPredicate isUnderEnd = s -> false;
     /** Where the ways to lights lead that rays were cast to. */
     private final Map<Vec3, Ways> ways = new HashMap<>();
     /** Where the ways to the samples of areas end, by their place in the area. */
@@ -83,7 +88,7 @@ final class ShadowCaster {
         }
         Ways way = aim(rows, lamp);
         if (demands.meets(blockers)) {
-            tracer.blocked(rows, unproved(rows, chosen, way), way, blockers, blocked);
+            tracer.blocked(rows, unproved(rows, chosen), way, blockers, blocked);
         } else {
             Arrays.fill(blocked, 0);
         }
@@ -138,40 +143,21 @@ final class ShadowCaster {
      * @param ways gets what all of them have alike
      */
     void aim(HitRows rows, LampArea towards, RowWays ways, boolean toPoints) {
-        beam.clear();
-        beam.origins(rows.box(tracer));
         ways.ends = toPoints;
         ways.open = true;
+        isUnderEnd = s -> false;
         if (toPoints) {
-            beam.towards(towards.low(), towards.high());
             area = ends.computeIfAbsent(towards, this::ends);
             ways.open = Arrays.stream(area).allMatch(WayEnd::isOpen);
-        } else {
-            beam.along(towards.low(), towards.high());
+            WayEnd[] places = area;
+            isUnderEnd = ways.open ? isUnderEnd : s -> Arrays.stream(places).anyMatch(end -> end.indexOf(s) >= 0);
         }
-        blockers.collect(geometry.bvh(), beam);
-        blockers.leaveOut(geometry.bvh(), beam);
-        doubt(rows, towards, toPoints);
-    }
-
-    /** Finds the rows whose ways to an area may be blocked, {@link #GROUP} together. */
-    private void doubt(HitRows rows, LampArea towards, boolean toPoints) {
-        Arrays.fill(doubtful, 0);
-        for (int first = 0; first < rows.count && demands.meets(blockers); first += GROUP) {
-            int end = Math.min(rows.count, first + GROUP);
-            beam.clear();
-            for (int i = first; i < end; i++) {
-                beam.origin(rows.px[i], rows.py[i], rows.pz[i]);
-            }
-            if (toPoints) {
-                beam.towards(towards.low(), towards.high());
-            } else {
-                beam.along(towards.low(), towards.high());
-            }
-            if (demands.mayBlock(blockers, geometry.bvh(), beam)) {
-                Arrays.fill(doubtful, first / RowBits.WIDTH, (end - 1) / RowBits.WIDTH + 1, -1);
-            }
-        }
+        low = towards.low();
+        high = towards.high();
+        this.toPoints = toPoints;
+        collect(rows);
+        Arrays.fill(doubtful, -1);
+        keepDoubtful(rows, doubtful, doubtful);
     }
 
     private WayEnd[] ends(LampArea towards) {
@@ -199,25 +185,36 @@ final class ShadowCaster {
         }
     }
 
-    /** Those of the chosen rows whose ways are not certainly free: neighbours are looked at together. */
-    private int[] unproved(HitRows rows, int[] chosen, Ways way) {
-        if (blockers.tooMany || blockers.count > WORTH_IT) {
+    /** Those of the chosen rows whose ways are not certainly free. */
+    private int[] unproved(HitRows rows, int[] chosen) {
+        if (blockers.count > WORTH_IT) {
             return chosen;
         }
+        keepDoubtful(rows, chosen, unproved);
+        return unproved;
+    }
+
+    /** Leaves out chosen rows whose ways are certainly free: neighbours are looked at together. */
+    private void keepDoubtful(HitRows rows, int[] chosen, int[] doubtful) {
         int words = RowBits.words(rows.count);
         for (int from = 0; from < words; from += TOGETHER) {
             int to = Math.min(words, from + TOGETHER);
-            boolean asked = isAny(chosen, from, to);
-            if (asked) {
-                sweep(tracer.box(rows.px, rows.py, rows.pz, from * RowBits.WIDTH, Math.min(rows.count, to * RowBits.WIDTH)), way);
-                few.takeFrom(blockers, geometry.primitives(), beam, departure);
-                asked = demands.meets(few);
-            }
+            boolean kept = isAny(chosen, from, to)
+                    && mayBlock(rows, from * RowBits.WIDTH, Math.min(rows.count, to * RowBits.WIDTH));
             for (int b = from; b < to; b++) {
-                unproved[b] = asked ? chosen[b] : 0;
+                doubtful[b] = kept ? chosen[b] : 0;
             }
         }
-        return unproved;
+    }
+
+    /** Whether any of the blockers may be in a way from rows {@code from … to − 1}. */
+    private boolean mayBlock(HitRows rows, int from, int to) {
+        if (blockers.tooMany) {
+            return true;
+        }
+        sweep(tracer.box(rows.px, rows.py, rows.pz, from, to));
+        few.takeFrom(blockers, geometry.primitives(), beam, departure);
+        return demands.meets(few);
     }
 
     private static boolean isAny(int[] bits, int from, int to) {
@@ -231,30 +228,40 @@ final class ShadowCaster {
     /** Finds the shapes that can stand between any row of the tile and the light. */
     private Ways aim(HitRows rows, Lamp lamp) {
         Ways way = bound(rows, lamp);
+        collect(rows);
+        return way;
+    }
+
+    /** Turns to a light at a point, or far away. */
+    private Ways bound(HitRows rows, Lamp lamp) {
+        Ways way = lamp.type().hasPosition() ? ways.computeIfAbsent(lamp.source(), point -> Ways.to(geometry.end(point)))
+                : Ways.along(lamp.source());
+        low = way.source();
+        high = way.source();
+        toPoints = way.ends();
+        isUnderEnd = s -> way.end().indexOf(s) >= 0;
+        sweep(rows.box(tracer));
+        return way;
+    }
+
+    /** Finds the shapes that the ways from any row of the tile can meet. */
+    private void collect(HitRows rows) {
+        sweep(rows.box(tracer));
         blockers.collect(geometry.bvh(), beam);
         if (!blockers.tooMany) {
             blockers.leaveOut(geometry.primitives(), departure);
         }
-        return way;
-    }
-
-    /** Takes the ways from all rows of the tile to the light. */
-    private Ways bound(HitRows rows, Lamp lamp) {
-        Ways way = lamp.type().hasPosition() ? ways.computeIfAbsent(lamp.source(), point -> Ways.to(geometry.end(point)))
-                : Ways.along(lamp.source());
-        sweep(rows.box(tracer), way);
-        return way;
     }
 
     /** Takes the ways from all points of a box. */
-    private void sweep(PointBox box, Ways way) {
+    private void sweep(PointBox box) {
         beam.clear();
         beam.origins(box);
-        if (way.ends()) {
-            beam.towards(way.source());
+        if (toPoints) {
+            beam.towards(low, high);
         } else {
-            beam.along(way.source());
+            beam.along(low, high);
         }
-        departure.take(box, way.source(), way.ends(), way.end());
+        departure.take(box, low, high, toPoints, isUnderEnd);
     }
 }

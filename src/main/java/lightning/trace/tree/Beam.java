@@ -2,8 +2,6 @@ package lightning.trace.tree;
 
 import java.util.Arrays;
 import lightning.math.Vec3;
-import lightning.trace.primitive.PrimitiveTable;
-import lightning.trace.solid.Kind;
 
 /**
  * The space that a bundle of rays can sweep: the shadow rays of a tile to one light, the eye rays
@@ -30,9 +28,6 @@ public final class Beam {
     private final double[] high = new double[3];
     private final double[] lowSpeed = new double[3];
     private final double[] highSpeed = new double[3];
-    /** Where the rays end, if they do; where they go to, if not. */
-    private final double[] least = new double[3];
-    private final double[] most = new double[3];
     private double end;
 
     public Beam() {
@@ -79,73 +74,24 @@ public final class Beam {
 
     /** All rays go from their origins, which must have been added before, to a point in render space. */
     public void towards(Vec3 point) {
-        double[] to = {point.x(), point.y(), point.z()};
-        for (int a = 0; a < 3; a++) {
-            lowSpeed[a] = to[a] - low[a];
-            highSpeed[a] = to[a] - high[a];
-        }
-        set(least, point);
-        set(most, point);
-        end = PAST_END;
+        towards(point, point);
     }
 
     /** All rays go from their origins, which must have been added before, to points in a box of render space. */
-    public void towards(Vec3 low, Vec3 high) {
-        towards(low);
-        set(most, high);
+    public void towards(Vec3 least, Vec3 most) {
+        double[] from = {least.x(), least.y(), least.z()};
+        double[] to = {most.x(), most.y(), most.z()};
         for (int a = 0; a < 3; a++) {
-            highSpeed[a] = most[a] - this.high[a];
+            lowSpeed[a] = from[a] - low[a];
+            highSpeed[a] = to[a] - high[a];
         }
+        end = PAST_END;
     }
 
     /** All rays go in directions of a box, of any length, without a limit. */
     public void along(Vec3 low, Vec3 high) {
         direction(low.x(), low.y(), low.z());
         direction(high.x(), high.y(), high.z());
-        set(least, low);
-        set(most, high);
-    }
-
-    private static void set(double[] to, Vec3 v) {
-        to[0] = v.x();
-        to[1] = v.y();
-        to[2] = v.z();
-    }
-
-    /**
-     * Whether no way from the origins crosses the plane of a square: all of them, and what they go to by {@link #towards(Vec3, Vec3)} or
-     * {@link #along(Vec3, Vec3)}, lie on the same side of it.
-     *
-     * <p>With o the height of an origin over the plane, s that of an end and d the way's, all as {@code PrimitiveTable.distance} computes
-     * them, the square is met at t = −o/d, if 0 &lt; t &lt; 1. Each is a sum of at most four products, d of rounded differences, so
-     * with S = Σ|mₖ|·(|oₖ| + |sₖ|) + |m₃|, the largest that the sums' terms can be together, o and d are off by γ₅·S at most (Higham, §3.1), γ₅ &lt;
-     * 2⁻⁵⁰, and so are the bounds on heights that are computed here. Let the exact o and s both be above 2⁻⁴⁸·S. Then o is computed above
-     * 0, and d either is not below 0, and t not above 0; or −d, which is o − s but for errors below the bound on s, is not above o, and the
-     * quotient, rounded, not below 1. For directions, d is computed above 0. Products that underflow are off by less than the least
-     * normal number.
-     */
-    boolean isOnOneSide(PrimitiveTable primitives, int s) {
-        if (primitives.mesh(s) != null || primitives.kind(s) != Kind.PLANE) {
-            return false;
-        }
-        double[] m = primitives.data;
-        int i = primitives.at[s] + 4;
-        boolean points = end == PAST_END;
-        double size = Math.abs(m[i + 3]);
-        double from = m[i + 3];
-        double fromMost = from;
-        double to = points ? from : 0;
-        double toMost = to;
-        for (int a = 0; a < 3; a++) {
-            double k = m[i + a];
-            size += Math.abs(k) * (Math.max(Math.abs(low[a]), Math.abs(high[a])) + Math.max(Math.abs(least[a]), Math.abs(most[a])));
-            from += k * (k > 0 ? low[a] : high[a]);
-            fromMost += k * (k > 0 ? high[a] : low[a]);
-            to += k * (k > 0 ? least[a] : most[a]);
-            toMost += k * (k > 0 ? most[a] : least[a]);
-        }
-        double margin = 0x1p-47 * size + Double.MIN_NORMAL;
-        return from > margin && to > margin || fromMost < -margin && toMost < -margin;
     }
 
     private static void include(double[] low, double[] high, double x, double y, double z) {

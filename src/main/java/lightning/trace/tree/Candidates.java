@@ -97,20 +97,6 @@ public final class Candidates {
         keep(s -> primitives.material[s] == material);
     }
 
-    /** Leaves out the squares that all ways of a beam are on one side of. */
-    public void leaveOut(Bvh bvh, Beam beam) {
-        keep(s -> !beam.isOnOneSide(bvh.primitives, s));
-    }
-
-    /** Whether any of these may block a way of a beam that is a part of the one that they were collected for. */
-    public boolean mayBlock(Bvh bvh, Beam part) {
-        boolean may = tooMany;
-        for (int c = 0; c < count && !may; c++) {
-            may = part.touches(boxes, 6 * c) < Double.POSITIVE_INFINITY && !part.isOnOneSide(bvh.primitives, primitive[c]);
-        }
-        return may;
-    }
-
     private void keep(IntPredicate which) {
         int kept = 0;
         for (int c = 0; c < count; c++) {

@@ -2,6 +2,7 @@ package lightning.trace.tree;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
 import java.util.Random;
 import lightning.math.Ray;
 import lightning.math.Vec3;
@@ -33,18 +34,44 @@ class DepartureTest {
             int s = random.nextInt(primitives.count);
             float[][] points = points(primitives, s, random);
             boolean ends = random.nextBoolean();
-            Vec3 source = ends ? render(primitives, s, near(random)) : direction(primitives, s, random);
-            WayEnd end = ends ? geometry.end(source) : WayEnd.OPEN;
-            departure.take(box(points), source, ends, end);
+            Vec3[] targets = targets(primitives, s, ends, random);
+            WayEnd[] at = ends ? Arrays.stream(targets).map(geometry::end).toArray(WayEnd[]::new) : new WayEnd[0];
+            departure.take(box(points), least(targets), least(negated(targets)).negated(), ends,
+                    shape -> Arrays.stream(at).anyMatch(end -> end.indexOf(shape) >= 0));
             if (departure.leaves(primitives, s)) {
-                for (int corner = 0; corner < 8 + points[0].length; corner++) {
-                    Vec3 from = corner < 8 ? corner(box(points), corner)
-                            : new Vec3(points[0][corner - 8], points[1][corner - 8], points[2][corner - 8]);
-                    Vec3 way = ends ? new Vec3(source.x() - from.x(), source.y() - from.y(), source.z() - from.z()) : source;
-                    assertThat(geometry.distance(s, new Ray(from, way))).isEqualTo(Form.MISS);
+                for (Vec3 target : targets) {
+                    assertMissed(geometry, s, points, target, ends);
                 }
             }
         }
+    }
+
+    private void assertMissed(Geometry geometry, int s, float[][] points, Vec3 target, boolean ends) {
+        for (int corner = 0; corner < 8 + points[0].length; corner++) {
+            Vec3 from = corner < 8 ? corner(box(points), corner)
+                    : new Vec3(points[0][corner - 8], points[1][corner - 8], points[2][corner - 8]);
+            Vec3 way = ends ? new Vec3(target.x() - from.x(), target.y() - from.y(), target.z() - from.z()) : target;
+            assertThat(geometry.distance(s, new Ray(from, way))).isEqualTo(Form.MISS);
+        }
+    }
+
+    /** One point or direction, or some near each other: places of an area. */
+    private static Vec3[] targets(PrimitiveTable primitives, int s, boolean ends, Random random) {
+        Vec3 first = ends ? render(primitives, s, near(random)) : direction(primitives, s, random);
+        Vec3[] all = new Vec3[random.nextBoolean() ? 1 : 4];
+        double spread = first.length() * Math.pow(10, -9 * random.nextDouble());
+        Arrays.setAll(all, i -> i == 0 ? first
+                : first.plus(new Vec3(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).times(spread)));
+        return all;
+    }
+
+    private static Vec3 least(Vec3[] all) {
+        return Arrays.stream(all).reduce(all[0],
+                (a, b) -> new Vec3(Math.min(a.x(), b.x()), Math.min(a.y(), b.y()), Math.min(a.z(), b.z())));
+    }
+
+    private static Vec3[] negated(Vec3[] all) {
+        return Arrays.stream(all).map(Vec3::negated).toArray(Vec3[]::new);
     }
 
     /** Heights and directions of all sizes, many of them just an end of the solid. */
@@ -89,7 +116,8 @@ class DepartureTest {
     /** A ball on a floor, and points just above the floor around it. */
     private boolean leavesFloor(Vec3 source, boolean ends) {
         Geometry geometry = new Geometry(TraceScenes.ballOnFloor());
-        departure.take(box(new float[][] {{-1, 1}, {-0.99f, -0.9f}, {-6, -4}}), source, ends, ends ? geometry.end(source) : WayEnd.OPEN);
+        WayEnd end = ends ? geometry.end(source) : WayEnd.OPEN;
+        departure.take(box(new float[][] {{-1, 1}, {-0.99f, -0.9f}, {-6, -4}}), source, source, ends, s -> end.indexOf(s) >= 0);
         assertThat(departure.leaves(geometry.primitives(), 0)).isFalse();
         return departure.leaves(geometry.primitives(), 1);
     }
