@@ -29,6 +29,7 @@ final class BankRow extends HBox {
 
     private final EditorModel model;
     private final ObservableSet<String> folded;
+    private final Runnable renamed;
     private final Button fold = new Button();
     private final FontIcon arrow = new FontIcon();
     private final Region gel = new Region();
@@ -40,10 +41,14 @@ final class BankRow extends HBox {
     private final FontIcon bulb = new FontIcon();
     private Bank shown;
 
-    /** @param folded the names of the banks whose lights are not listed */
-    BankRow(EditorModel model, ObservableSet<String> folded) {
+    /**
+     * @param folded  the names of the banks whose lights are not listed
+     * @param renamed called when a name was taken: keys go on to the list
+     */
+    BankRow(EditorModel model, ObservableSet<String> folded, Runnable renamed) {
         this.model = model;
         this.folded = folded;
+        this.renamed = renamed;
         getStyleClass().addAll("light-row", "bank-row");
         fold.setGraphic(arrow);
         fold.getStyleClass().addAll("flat", "fold");
@@ -124,7 +129,10 @@ final class BankRow extends HBox {
         String typed = field.getText().strip();
         Optional<String> refusal = model.edit(scene -> BankEdits.rename(scene, old, typed));
         mark(refusal);
-        refusal.ifPresentOrElse(model::say, this::endRename);
+        refusal.ifPresentOrElse(model::say, () -> {
+            endRename();
+            renamed.run();
+        });
     }
 
     private void mark(Optional<String> refusal) {

@@ -50,7 +50,7 @@ final class LightCell extends ListCell<RigRow> {
     /** @param folded the names of the banks whose lights are not listed */
     LightCell(EditorModel model, ObservableSet<String> folded) {
         this.model = model;
-        bank = new BankRow(model, folded);
+        bank = new BankRow(model, folded, () -> getListView().requestFocus());
         LightDrag.between(this, model);
         type.getStyleClass().add("light-type");
         chip.getStyleClass().add("light-chip");

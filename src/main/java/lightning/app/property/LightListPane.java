@@ -151,11 +151,14 @@ public final class LightListPane extends VBox {
         showing = true;
         Rig rig = now.scene().rig();
         List<RigRow> rows = RigRow.of(rig, folded);
-        if (!list.getItems().equals(rows)) {
+        RigRow inHand = list.getSelectionModel().getSelectedItem();
+        boolean same = list.getItems().equals(rows);
+        if (!same) {
             list.getItems().setAll(rows);
         }
         if (rig.bank(bankInHand).isEmpty()) {
-            bankInHand = "";
+            // A bank of another name in the same place is the same bank, renamed.
+            bankInHand = same && inHand instanceof RigRow.OfBank(int place) ? rig.banks().get(place).name() : "";
         }
         RigRow wanted = !bankInHand.isEmpty() ? new RigRow.OfBank(rig.banks().indexOf(rig.bank(bankInHand).orElseThrow()))
                 : now.selected().<RigRow>map(l -> new RigRow.OfLight(rig.lights().indexOf(l))).orElse(null);

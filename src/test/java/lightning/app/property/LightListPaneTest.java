@@ -214,9 +214,9 @@ class LightListPaneTest {
         robot.interact(() -> model.run(Command.NEW_BANK));
         robot.clickOn("bank").push(KeyCode.F2).write("left").push(KeyCode.ENTER);
         assertThat(OpenEditor.light(model, "key").bank()).isEqualTo("left");
-        robot.clickOn("left").push(KeyCode.SPACE);
+        robot.push(KeyCode.SPACE);
         assertThat(model.scene().rig().bank("left").orElseThrow().on()).isFalse();
-        robot.clickOn("left").push(KeyCode.DELETE);
+        robot.push(KeyCode.DELETE);
         assertThat(names(robot)).containsExactly("key", "fill", "sun");
     }
 
