@@ -167,8 +167,8 @@ class GoTest extends EditorDesk {
     @Test
     void depthSpinner_isAnEditLikeAnyOther() {
         // In a narrow window it is in the tool bar's overflow.
-        Spinner<?> depth = robot.lookup("#toolbar").<ToolBar>query().getItems().stream().filter(Spinner.class::isInstance)
-                .map(Spinner.class::cast).findFirst().orElseThrow();
+        Spinner<?> depth = robot.lookup("#toolbar").<ToolBar>query().getItems().stream()
+                .flatMap(item -> item.lookupAll(".spinner").stream()).map(Spinner.class::cast).findFirst().orElseThrow();
         robot.interact(() -> depth.increment());
         assertThat(model().scene().picture().depth()).isEqualTo(3);
         assertThat(isEnabled(Command.GO)).isTrue();

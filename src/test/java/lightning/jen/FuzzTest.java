@@ -2,6 +2,7 @@ package lightning.jen;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import lightning.sample.Fuzz;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,6 +26,23 @@ class FuzzTest {
 
     @TempDir
     Path folder;
+
+    @BeforeEach
+    void writeMesh() throws IOException {
+        Files.writeString(folder.resolve(Grammar.MESH), """
+                ply
+                format ascii 1.0
+                element vertex 3
+                property float x
+                property float y
+                property float z
+                element face 1
+                property list uchar int vertex_indices
+                end_header
+                0 0 0  1 0 0  0 1 0
+                3 0 1 2
+                """);
+    }
 
     @Test
     @Timeout(600)

@@ -6,6 +6,9 @@ import java.util.SplittableRandom;
 
 /** Makes scene files from the grammar, about half of them with a mistake somewhere. */
 final class Grammar {
+    /** The file of every mesh, which must be there. */
+    static final String MESH = "a.ply";
+
     private static final String[] MISTAKES = {"nan", "}", "{", "\"", "-1e999", "light", "0.1.2", "§", "\u0000", "\"", "\"a\\b\"", "\"\\\"",
         "\"\"", "\" a\"", "\"\u202E\"", "𝐀".repeat(41), "'", "1e", "x y z",
         "\"../a.png\"", "jen 1", "camera {", "on on", "\ud83d\ude00", "99999999999999999999", "-"};
@@ -15,6 +18,7 @@ final class Grammar {
     private final SplittableRandom random;
     private final StringBuilder out = new StringBuilder();
     private final List<String> materials = new ArrayList<>();
+    private final List<String> banks = new ArrayList<>();
     /** The chance of a mistake at each place, one in this many; none where 0. */
     private final int mistakes;
     private int names;
@@ -48,14 +52,19 @@ final class Grammar {
             if (type == Blocks.MATERIAL) {
                 materials.add(name);
             }
+            if (type == Blocks.BANK) {
+                banks.add(name);
+            }
             String text = NameText.of(name);
             word(random.nextInt(8) == 0 && text.equals(name) ? '"' + name + '"' : text);
         }
         type.header().ifPresent(p -> word(p.choices().get(random.nextInt(p.choices().size()))));
         word("{");
         for (Property<?> p : type.properties()) {
-            boolean image = p.form() == Property.Form.QUOTED || p.name().equals("repeat");
-            if (image ? mistake() : random.nextInt(3) == 0) {
+            boolean file = p.name().equals(Blocks.FILE) && type.keyword().equals("mesh");
+            boolean missing = p.form() == Property.Form.QUOTED || p.name().equals("repeat") || p.name().equals(Blocks.PART)
+                    || p.name().equals("bank") && banks.isEmpty();
+            if (file ? !mistake() : missing ? mistake() : random.nextInt(3) == 0) {
                 word(p.name());
                 value(p);
             }
@@ -76,13 +85,17 @@ final class Grammar {
                 }
             }
             case WORD -> word(p.choices().get(random.nextInt(p.choices().size())));
-            case NAME -> word(NameText.of(material()));
-            case QUOTED -> word("\"a.png\"");
+            case NAME -> word(NameText.of(p.name().equals("bank") ? bank() : material()));
+            case QUOTED -> word(p.name().equals(Blocks.FILE) ? '"' + MESH + '"' : "\"a.png\"");
         }
     }
 
     private String material() {
         return materials.isEmpty() || random.nextInt(4) == 0 ? "default" : materials.get(random.nextInt(materials.size()));
+    }
+
+    private String bank() {
+        return banks.isEmpty() ? "none of them" : banks.get(random.nextInt(banks.size()));
     }
 
     private String number(Property<?> p, int index) {

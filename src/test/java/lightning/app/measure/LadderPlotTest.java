@@ -43,7 +43,7 @@ class LadderPlotTest {
         robot.interact(() -> chart.show(new Ladder(null, null, null, Stream.of(Grade.values()).map(LadderPlotTest::rung).toList(),
                 TraceCounts.NONE, true)));
         QuickRobot.settle();
-        Node label = robot.lookup("1 2 3 4 5 6").query();
+        Node label = robot.lookup("1 2 3 4 5 6 7").query();
         Node plot = robot.lookup(".chart-plot-background").query();
         Bounds shown = label.localToScreen(label.getBoundsInLocal());
         assertThat(shown.getMinX()).isGreaterThanOrEqualTo(plot.localToScreen(plot.getBoundsInLocal()).getMinX());
