@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.accuracy.FirstPassCost;
@@ -129,8 +130,9 @@ class HarnessTest {
         EditResult edit = run(settings(1, 15, LARGE)).scenes().getFirst().edits().getFirst();
         List<RungResult> rungs = edit.values().getFirst().rungs();
         assertThat(edit.edit()).isEqualTo("position");
-        assertThat(rungs).extracting(RungResult::grade).containsExactly(Grade.values());
-        RungResult exact = rungs.get(Grade.EXACT.ordinal());
+        assertThat(rungs).extracting(RungResult::grade)
+                .containsExactlyElementsOf(EnumSet.complementOf(EnumSet.of(Grade.FEW_SAMPLES)));
+        RungResult exact = rung(rungs, Grade.EXACT);
         assertThat(exact.work().plan()).isEqualTo("light0: full recompute");
         assertThat(exact.work().shadowRays()).isPositive();
         assertThat(exact.work().shadowRaysAvoided()).isPositive();
@@ -138,7 +140,7 @@ class HarnessTest {
         assertThat(exact.work().timesFloor()).isEqualTo(exact.time().median() / exact.work().floorMs());
         assertThat(edit.saving()).isEqualTo(exact.saving());
         assertThat(edit.cap()).isEqualTo(exact.work().cap());
-        assertThat(rungs.get(Grade.EXACT_CURRENT.ordinal()).error().values()).isZero();
+        assertThat(rung(rungs, Grade.EXACT_CURRENT).error().values()).isZero();
         assertThat(rungs.getLast().work()).isNull();
         assertThat(rungs.getLast().saving()).isZero();
     }
@@ -150,8 +152,8 @@ class HarnessTest {
         assertThat(first.before()).isEqualTo("pictures/generated-before.png");
         List<RungResult> rungs = first.edits().getFirst().values().getFirst().rungs();
         RungResult full = rungs.getLast();
-        RungResult fast = rungs.get(Grade.FAST_SHADING.ordinal());
-        RungResult current = rungs.get(Grade.EXACT_CURRENT.ordinal());
+        RungResult fast = rung(rungs, Grade.FAST_SHADING);
+        RungResult current = rung(rungs, Grade.EXACT_CURRENT);
         assertThat(full.picture()).isEqualTo("pictures/generated-ambience-full.png");
         assertThat(full.difference()).isNull();
         assertThat(current.picture()).isEqualTo(full.picture());
@@ -270,5 +272,9 @@ class HarnessTest {
 
     private static Timing ms(double ms) {
         return new Timing(List.of(ms));
+    }
+
+    private static RungResult rung(List<RungResult> rungs, Grade grade) {
+        return rungs.stream().filter(r -> r.grade() == grade).findFirst().orElseThrow();
     }
 }

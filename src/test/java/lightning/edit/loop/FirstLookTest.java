@@ -14,6 +14,7 @@ import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Assume;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
@@ -25,6 +26,8 @@ class FirstLookTest {
     private static final double MOST_RAYS = 32_000;
     private static final double COARSE_RAYS = 2_000;
     private static final double MOST_SIDE = 2500;
+    /** What is kept of more need not fit into the memory of a test, and is refused before anything is traced. */
+    private static final double MOST_SAMPLES = 10_000_000;
 
     /** Remembers what is seen first, and has the rest given up. */
     private static final class FirstLook implements RenderListener {
@@ -65,6 +68,7 @@ class FirstLookTest {
             @ForAll Antialias antialias, @ForAll @IntRange(min = 2, max = 8) int grid) throws Exception {
         Scene scene = Desk.scene();
         Picture picture = scene.picture().withSize(width, height).withSampling(new Sampling(antialias, grid));
+        Assume.that(rays(picture) <= MOST_SAMPLES);
         var look = new FirstLook();
         try (var loop = new RenderLoop(Options.DEFAULT.withThreads(1), look)) {
             look.loop = loop;
