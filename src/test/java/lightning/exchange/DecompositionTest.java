@@ -26,7 +26,8 @@ class DecompositionTest {
 
     @Property
     void turnsNearAQuarterAboutY_areFoundAgain(@ForAll @DoubleRange(min = -180, max = 180) double x,
-            @ForAll @DoubleRange(min = -180, max = 180) double z, @ForAll @DoubleRange(min = -12, max = 0) double off, @ForAll boolean other) {
+            @ForAll @DoubleRange(min = -180, max = 180) double z, @ForAll @DoubleRange(min = -12, max = 0) double off,
+            @ForAll boolean other) {
         Transform map = Transform.rotation(new Vec3(x, (other ? -90 : 90) - Math.pow(10, off), z));
         Transform found = Decomposition.of(map).getFirst().transform();
         for (Vec3 axis : new Vec3[] {new Vec3(1, 0, 0), Vec3.Y, new Vec3(0, 0, 1)}) {
