@@ -37,6 +37,8 @@ public final class MeshPackets {
     private final int[] met = new int[PACKETS];
     /** Those rays of each packet that are still asked. */
     private final int[] open = new int[PACKETS];
+    /** Those too short to be led through the tree. */
+    private final int[] brief = new int[PACKETS];
     private int[] stack = new int[64];
     private int[] since = new int[64];
     private MeshTree tree;
@@ -106,9 +108,9 @@ public final class MeshPackets {
         any = anyOne;
         int end = count * Rays.WIDTH;
         Arrays.fill(met, 0, count, 0);
-        sight.enter(tree, open, count, best, any);
+        sight.enter(tree, open, brief, count, best, any);
         for (int k = 0; k < count; k++) {
-            if (open[k] != 0) {
+            if ((open[k] | brief[k]) != 0) {
                 rays.ready(k * Rays.WIDTH);
             }
         }
@@ -119,6 +121,23 @@ public final class MeshPackets {
                         alone(i + Integer.numberOfTrailingZeros(left));
                     }
                 }
+            }
+        }
+        for (int k = 0; k < count; k++) {
+            for (int left = brief[k]; left != 0; left &= left - 1) {
+                everywhere(k * Rays.WIDTH + Integer.numberOfTrailingZeros(left));
+            }
+        }
+    }
+
+    /** Asks all leaves for ray {@code i}. */
+    private void everywhere(int i) {
+        int leaves = tree.triangle.length / MeshTree.WIDTH;
+        for (int leaf = 0; leaf < leaves; leaf++) {
+            rays.face(tree.vertex, leaf, i);
+            int slots = rays.signs(i, depth);
+            if (slots != 0 && take(i, leaf, slots) && any) {
+                return;
             }
         }
     }

@@ -3,6 +3,7 @@ package lightning.trace.mesh;
 import static jdk.incubator.vector.DoubleVector.broadcast;
 import static jdk.incubator.vector.DoubleVector.fromArray;
 import static jdk.incubator.vector.VectorOperators.D2F;
+import static jdk.incubator.vector.VectorOperators.GE;
 import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LE;
 import static jdk.incubator.vector.VectorOperators.LT;
@@ -46,6 +47,8 @@ final class MeshSight {
     private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_PREFERRED;
     private static final VectorSpecies<Float> EIGHT = FloatVector.SPECIES_256;
     private static final double STEEPEST = 0x1p60;
+    /** A line that is shorter has no inverse that {@link MeshRay} knows. */
+    private static final double SHORTEST = 1 / MeshRay.STEEPEST;
     /** More than the rounding of a distance to float. */
     private static final double UP = 1 + 0x1p-20;
     /** Eight times the padding of a {@link MeshRay}. */
@@ -123,11 +126,12 @@ final class MeshSight {
     /**
      * Looks at the rays that were taken.
      *
-     * @param open   those of each packet, one bit for each; gets those that may reach the mesh's box
+     * @param open   those of each packet, one bit for each; gets those that are seen as lines that may reach the mesh's box
+     * @param brief  gets those of each packet that are too short to be seen as lines: ways to a light at a row's very point
      * @param limits how far each goes
      * @param any    whether it is enough to know that something is met
      */
-    void enter(MeshTree tree, int[] open, int packets, double[] limits, boolean any) {
+    void enter(MeshTree tree, int[] open, int[] brief, int packets, double[] limits, boolean any) {
         boolean back = any && endTogether(open, packets, limits);
         double[][][] lines = back ? backwards : forwards;
         from = lines[0];
@@ -143,10 +147,13 @@ final class MeshSight {
         double depth = Double.POSITIVE_INFINITY;
         for (int k = 0; k < packets; k++) {
             int met = 0;
+            int seen = 0;
             for (int h = 0; h < Rays.WIDTH; h += Lanes.COUNT) {
                 met |= clip(tree, limits, back, k * Rays.WIDTH + h) << h;
+                seen |= (int) fromArray(SPECIES, unit, k * Rays.WIDTH + h).compare(GE, SHORTEST).toLong() << h;
             }
-            open[k] &= met;
+            brief[k] = open[k] & ~seen;
+            open[k] &= met & seen;
             if (open[k] != 0) {
                 depth = Math.min(depth, depth(k * Rays.WIDTH, open[k]));
             }

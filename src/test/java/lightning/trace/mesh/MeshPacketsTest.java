@@ -80,6 +80,13 @@ class MeshPacketsTest {
                     p.dy[i] = flat == 1 ? -0.0 : d[1] + spread * random.nextGaussian() / scale;
                     p.dz[i] = d[2] + spread * random.nextGaussian() / scale;
                 }
+                if (random.nextInt(40) == 0) {
+                    // As the way from a row to a light at the row's very point, or almost there.
+                    double less = random.nextBoolean() ? 0 : Math.pow(10, -330 * random.nextDouble());
+                    p.dx[i] *= less;
+                    p.dy[i] *= less;
+                    p.dz[i] *= less;
+                }
                 limits[g][i] = random.nextInt(3) == 0 ? random.nextDouble() * 2 : Double.POSITIVE_INFINITY;
             }
         }
