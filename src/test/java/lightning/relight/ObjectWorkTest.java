@@ -80,6 +80,29 @@ class ObjectWorkTest {
         assertThat(update.rays().shadow()).as("shadow rays").isEqualTo(shadow);
     }
 
+    private static final Light WIDE_SUN = SUN.withArea(SUN.area().withSpread(2));
+
+    /** Over everything, out of the picture. */
+    private static Node roof(Node node) {
+        return node.withPlacement(new Placement(new Vec3(0, 60, 0), Vec3.ZERO, new Vec3(30, 30, 30)));
+    }
+
+    @Test
+    void shapeThatHidesAllOfAnAreaLight_darkensTilesThatSawIt() {
+        try (Studio studio = studio(scene(WIDE_SUN))) {
+            edit(studio, "above", ObjectWorkTest::roof);
+        }
+    }
+
+    @Test
+    void areaLightThatGoesOutAsShapesMove_leavesNoLight() {
+        try (Studio studio = studio(scene(WIDE_SUN))) {
+            Scene moved = studio.scene().withNode("above", roof(studio.scene().stage().node("above").orElseThrow()));
+            studio.render(moved.withLight(WIDE_SUN.withOn(false)));
+            FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(studio.scene()).trace(), "object-work");
+        }
+    }
+
     @Test
     void movedBall_retracesOnlyItsTile() {
         try (Studio studio = studio(scene(SUN))) {

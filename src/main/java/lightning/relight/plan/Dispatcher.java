@@ -88,32 +88,36 @@ public final class Dispatcher {
             ShapeChange shapes, Accuracy accuracy) {
         LightMatch match = new LightMatch(known.rig().actingLights(), wanted.rig().actingLights());
         List<LayerPlan> layers = new ArrayList<>();
+        boolean forgets = false;
         for (int l = 0; l < match.after().size(); l++) {
             Light light = match.after().get(l);
             KnownLight origin = match.origin(l) < 0 ? null : lights.get(match.origin(l));
-            KnownLight from = origin == null ? null : kept(origin, wanted, shapes);
-            layers.add(
-                    new LayerPlan(light, from, update(from == null ? null : from.stamp(), origin == null || origin.stamp() == null, light,
-                            wanted, accuracy)));
+            boolean holds = origin != null && holds(origin, wanted, shapes);
+            LightUpdate update = update(holds ? origin.stamp() : null, origin == null || origin.stamp() == null, light, wanted, accuracy);
+            // A dark light's layers that do not hold are dropped, and with them what would tell where it shone.
+            boolean forgotten = origin != null && !holds && update instanceof LightUpdate.Keep;
+            layers.add(new LayerPlan(light, forgotten ? null : origin, update));
+            forgets |= forgotten;
         }
         List<String> dropped = match.gone().stream().map(i -> match.before().get(i).name()).toList();
         // A change of the order or number of lights changes how their sum is grouped.
-        boolean compose = !match.keepsPlaces() || !known.world().equals(wanted.world());
+        boolean compose = forgets || !match.keepsPlaces() || !known.world().equals(wanted.world());
         return new LevelPlan(layers, dropped, compose,
                 MaterialDifference.between(shown, materials));
     }
 
     /**
-     * The light, without the layers that it has where other shapes decide whether it lies on one that stays as it is: they may
-     * then differ everywhere. Of a light that is larger than a point it is not asked for each of its samples: it is computed anew.
+     * Whether a light's layers hold among other shapes, but for rows that can meet those: not where the shapes decide whether it lies on
+     * one that stays as it is, for then they may differ everywhere. Of a light that is larger than a point it is not asked for each of
+     * its samples: it is computed anew.
      */
-    private static KnownLight kept(KnownLight light, Scene scene, ShapeChange shapes) {
-        if (shapes != ShapeChange.NONE && light.stamp() != null && light.stamp().light().isArea()) {
-            return null;
+    private static boolean holds(KnownLight light, Scene scene, ShapeChange shapes) {
+        if (light.stamp() == null) {
+            return true;
         }
-        boolean stays = light.stamp() == null || !light.stamp().light().type().hasPosition()
-                || shapes.keepsEnd(Lamp.of(light.stamp().light(), scene).source());
-        return stays ? light : null;
+        Light computed = light.stamp().light();
+        return shapes == ShapeChange.NONE || !computed.isArea()
+                && (!computed.type().hasPosition() || shapes.keepsEnd(Lamp.of(computed, scene).source()));
     }
 
     /** At accuracy ratio: all contributions anew, of the scene that is shown. */
