@@ -41,7 +41,7 @@ class TraditionalTracerTest {
     @Property(edgeCases = EdgeCasesMode.NONE)
     void mirrorsOfAnotherScene_equalTheReferenceTrace(@ForAll("scenes") Scene mirrored, @ForAll("scenes") Scene other,
             @ForAll long engines) {
-        Scene scene = mirrored.withLights(other.lights()).withWorld(other.world());
+        Scene scene = mirrored.withLights(other.rig().actingLights()).withWorld(other.world());
         try (Workers workers = new Workers(2)) {
             FilmAssert.assertSameBits(
                     new TraditionalTracer(scene, mirrored, new Geometry(scene)).by(new EngineMix(engines)).trace(workers, Progress.NONE)
