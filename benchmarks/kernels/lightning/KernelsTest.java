@@ -2,10 +2,12 @@ package lightning;
 
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import lightning.bench.mesh.RaySet;
 import lightning.engine.Agreement;
 import lightning.engine.lanes.RayKernels;
 import lightning.engine.lanes.ShapeKernels;
 import lightning.shading.RowKernels;
+import lightning.trace.mesh.MeshKernels;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -34,6 +36,15 @@ class KernelsTest {
     @EnumSource
     void kernelsOfShapes_agree(ShapeKernels.Kind kind) {
         ShapeKernels kernels = new ShapeKernels();
+        kernels.kind = kind;
+        kernels.prepare();
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void kernelsOfMeshes_agree(RaySet.Kind kind) {
+        MeshKernels kernels = new MeshKernels();
+        kernels.triangles = 10_000;
         kernels.kind = kind;
         kernels.prepare();
     }

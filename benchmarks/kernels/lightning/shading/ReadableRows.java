@@ -93,6 +93,6 @@ final class ReadableRows {
         float kd = m.diffuse(material, c) * texel;
         return LightingEquation.color(m.ambient(material, c), kernels.ambience(), kd,
                 LightingEquation.sum(diffuse, 0, lights.length), m.specular(material, c),
-                LightingEquation.sum(specular, 0, lights.length), m.reflective(material, c), kernels.mirrored()[c][i]);
+                LightingEquation.sum(specular, 0, lights.length), 0, m.reflective(material, c), kernels.mirrored()[c][i]);
     }
 }

@@ -37,7 +37,7 @@ final class MaterialCases {
         var builder = new MaterialCases(scene, value);
         double share = new double[] {0.5, 0.8, 0.25}[value];
         Predicate<Material> mirrors = m -> scene.picture().depth() > 0 && !m.reflective().isBlack();
-        builder.edit("material-color", ANY, m -> m.withDiffuse(m.diffuse().times(share)));
+        builder.edit("material-color", ANY, m -> m.withBody(m.body().times(share)));
         builder.edit("shininess", m -> !m.specular().isBlack(),
                 m -> m.withShininess(Math.min(m.shininess() / share + 1, Limits.MAX_SHININESS)));
         builder.edit("reflectivity", mirrors, m -> m.withReflective(m.reflective().times(share)));

@@ -18,7 +18,7 @@ import lightning.app.widget.PaneHeader;
 final class EditorFrame extends BorderPane {
     /** The share of the two pictures in the window's width. */
     private static final double CANVASES = 0.74;
-    private static final double LIST = 0.28;
+    private static final double LIST = 0.36;
     /** About what menu and tools take, and the line at the bottom, pixels: so that little moves when they come. */
     private static final double BARS = 72;
     private static final double LINE = 27;

@@ -38,10 +38,11 @@ final class EditorMenu extends MenuBar {
                 Command.DELETE_BANK, LINE, Command.RENAME_LIGHT,
                 Command.SWITCH_ON, Command.SOLO, Command.LOOK_THROUGH_LIGHT, LINE, Command.AIM, Command.PLACE_HIGHLIGHT,
                 Command.PLACE_SHADOW, LINE, Command.MAKE_ANIMATION);
+        Menu shape = menu("Shape", Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, LINE, Command.SHOW_SHAPE);
         Menu render = menu("Render", Command.GO, Command.LIVE, Command.UPDATE_REFLECTIONS, Command.VERIFY, Command.CANCEL, LINE,
                 Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, LINE);
         render.getItems().addAll(accuracy(), sizes(), SamplingMenu.of(model, items));
-        getMenus().setAll(file, edit, light, render, view(), menu("Help", Command.KEYS, Command.ABOUT));
+        getMenus().setAll(file, edit, light, shape, render, view(), menu("Help", Command.KEYS, Command.ABOUT));
     }
 
     private Menu menu(String title, Command... commands) {

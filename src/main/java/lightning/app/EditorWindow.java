@@ -14,7 +14,7 @@ import lightning.app.command.Notices;
 import lightning.app.command.UndoKeys;
 import lightning.app.model.EditorModel;
 import lightning.app.preview.PreviewPane;
-import lightning.app.property.LightListPane;
+import lightning.app.property.ListTabs;
 import lightning.app.property.SidePane;
 import lightning.edit.Command;
 import lightning.exchange.Importer;
@@ -37,7 +37,7 @@ public final class EditorWindow implements AutoCloseable {
         model.setAction(Command.ABOUT, () -> About.show(notices));
         model.setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, window()).show());
         bars = new VBox(new EditorMenu(model, files), new EditorToolBar(model));
-        frame.fill(bars, preview, new LightListPane(model), new SidePane(model), new StatusLine(model));
+        frame.fill(bars, preview, new ListTabs(model), new SidePane(model), new StatusLine(model));
         UndoKeys.take(frame, model);
         frame.setOnDragOver(this::dragOver);
         frame.setOnDragDropped(this::dropped);

@@ -39,6 +39,13 @@ final class KeysPane extends GridPane {
             new Row("Switch it on or off", "the bulb", "Space"),
             new Row("Let it shine alone", "S", "S"),
             new Row("Delete it", "", "Delete"));
+    private static final List<Row> SHAPES = List.of(
+            new Row("Select a shape, or its group", "click, or right click", ""),
+            new Row("Move, turn, scale it", "left drag of an arrow, a ring, the square", ""),
+            new Row("Hide it, and show it again", "the eye", "H"),
+            new Row("Duplicate it", "", "Ctrl + D"),
+            new Row("Rename it, in the list", "double click", "F2"),
+            new Row("Delete it", "", "Delete"));
     private static final List<Row> NUMBERS = List.of(
             new Row("One step more or less", "click the arrow's upper or lower half", "up, down"),
             new Row("Ten steps", "the same with Ctrl", "Page Up, Page Down"),
@@ -55,6 +62,7 @@ final class KeysPane extends GridPane {
         section("The preview's camera", CAMERA);
         section("The traced picture", PICTURE);
         section("The list of lights", LIST);
+        section("Shapes, in their list and in the preview", SHAPES);
         section("Numbers", NUMBERS);
         section("Commands", Stream.of(Command.values()).filter(c -> !c.shortcut().isEmpty())
                 .map(c -> new Row(c.plainTitle(), "", CommandButton.keys(c))).toList());

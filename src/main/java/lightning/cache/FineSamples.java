@@ -1,8 +1,10 @@
 package lightning.cache;
 
 import java.util.Arrays;
+import java.util.function.BiFunction;
 import java.util.function.Function;
 import lightning.shading.SampleMean;
+import lightning.trace.SamplePlaces;
 
 /**
  * The samples of some pixels of a tile.
@@ -20,6 +22,17 @@ public record FineSamples(short[] pixels, CachedTile[] blocks) {
             int to = Math.min(pixels.length, (b + 1) * together);
             SampleMean.write(pixels, b * together, to, perPixel, colors.apply(blocks[b]), film);
         }
+    }
+
+    /** The same samples with other blocks, each made of where its rays go and what it was; {@code centers} are those of the tile. */
+    FineSamples map(SamplePlaces centers, int grid, BiFunction<SamplePlaces, CachedTile, CachedTile> change) {
+        int together = SampleMean.pixelsTogether(grid * grid);
+        CachedTile[] changed = new CachedTile[blocks.length];
+        for (int b = 0; b < blocks.length; b++) {
+            int to = Math.min(pixels.length, (b + 1) * together);
+            changed[b] = change.apply(new SamplePlaces(centers.x0(), centers.y0(), pixels, b * together, to, grid), blocks[b]);
+        }
+        return new FineSamples(pixels, changed);
     }
 
     /** The same samples with other blocks. */

@@ -1,7 +1,9 @@
 package lightning.cache;
 
+import java.util.function.BiFunction;
 import java.util.function.Function;
 import lightning.image.Film;
+import lightning.trace.SamplePlaces;
 
 /**
  * The finer samples of one tile of the picture (anti-aliasing), and the pixels that they make together with the centres.
@@ -43,7 +45,7 @@ public record FineTile(FineSamples shapes, FineSamples lights, float[][] film) {
     }
 
     /** The same tile with its rows changed, which have colours then; {@code center} is changed already. */
-    public FineTile map(CachedTile center, Function<CachedTile, CachedTile> change, int perPixel) {
-        return of(center, shapes.map(change), lights.map(change), perPixel);
+    public FineTile map(CachedTile center, SamplePlaces centers, BiFunction<SamplePlaces, CachedTile, CachedTile> change, int grid) {
+        return of(center, shapes.map(centers, grid, change), lights.map(centers, grid, change), grid * grid);
     }
 }

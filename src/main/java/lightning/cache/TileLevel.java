@@ -31,6 +31,11 @@ public record TileLevel(HitRows rows, LightLayer[] layers, BranchSums branches) 
         return new TileLevel(rows.withCode(code), layers, branches);
     }
 
+    /** This level with other owners of its rows, or none. */
+    public TileLevel withOwner(int[] owner) {
+        return new TileLevel(rows.withOwner(owner), layers, branches);
+    }
+
     /** The bytes of all columns, array headers and passing sums left out. */
     public long bytes() {
         long bytes = rows.bytes();

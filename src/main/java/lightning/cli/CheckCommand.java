@@ -7,6 +7,7 @@ import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lightning.scene.Gobo;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import picocli.CommandLine.Command;
@@ -38,6 +39,10 @@ final class CheckCommand implements Callable<Integer> {
         parts.add(counted("light", scene.lights().stream().map(CheckCommand::kind)));
         parts.add(number(scene.materials().size(), "material"));
         parts.add(number(scene.materials().stream().flatMap(m -> m.texture().stream()).map(t -> t.file()).distinct().count(), "texture"));
+        long gobos = scene.lights().stream().flatMap(l -> l.gobo().stream()).map(Gobo::file).distinct().count();
+        if (gobos > 0) {
+            parts.add(number(gobos, "gobo"));
+        }
         console.line("%s: no problems; %s; %d x %d pixels, depth %d", input.path(), String.join(", ", parts),
                 scene.picture().width(), scene.picture().height(), scene.picture().depth());
         return ExitCode.DONE;

@@ -119,6 +119,7 @@ final class EffectsCommand implements Callable<Integer> {
             case HIT -> "point, normal, view, place";
             case TEXEL -> "texture colours";
             case CODE -> "what edges are told by";
+            case OWNER -> "whose rows they are";
         };
     }
 
@@ -127,6 +128,7 @@ final class EffectsCommand implements Callable<Integer> {
             case STATE -> "states of the lights";
             case COSINE -> "cosines";
             case SPECULAR -> "specular terms";
+            case GRAZING -> "grazing terms";
             case FALLOFF -> "falloffs";
             case SEEN_0, SEEN_1, SEEN_2, SEEN_3 -> "samples seen of soft lights";
         };

@@ -95,6 +95,7 @@ final class ExplainCommand implements Callable<Integer> {
             case DARK -> "off";
             case AWAY -> Console.text("facing away, cosine %.6g", light.cosine());
             case OUTSIDE -> Console.text("outside the cone, cosine %.6g", light.cosine());
+            case UNLINKED -> Console.text("not linked, cosine %.6g", light.cosine());
             case SHADOWED -> Console.text("shadowed by %s, cosine %.6g", explainer.geometry().shape(light.blocker()).name(),
                     light.cosine());
             case LIT -> light.samples() > 1 ? samples(explainer, light)

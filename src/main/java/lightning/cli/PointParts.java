@@ -8,13 +8,12 @@ import lightning.trace.SurfacePoint;
 /** What each part of the equation adds to the colour of a point, for people: sums of them are rounded once more. */
 record PointParts(Material material, SurfacePoint at) {
 
-    /** kd·Idiff·(1 − kr) + ks·Ispec of one light, linear, {@code float[3]}. */
+    /** kd·Idiff·(1 − kr) + (ks·Ispec + Igraz) of one light, linear, {@code float[3]}. */
     float[] of(LightReport light) {
         float[] kr = floats(material.reflective());
-        float[] ks = floats(material.specular());
         float[] added = new float[3];
         for (int c = 0; c < 3; c++) {
-            added[c] = at.diffuse()[c] * light.diffuse()[c] * (1 - kr[c]) + ks[c] * light.highlight()[c];
+            added[c] = at.diffuse()[c] * light.diffuse()[c] * (1 - kr[c]) + (at.specular()[c] * light.highlight()[c] + light.sheen()[c]);
         }
         return added;
     }

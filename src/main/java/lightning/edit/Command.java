@@ -36,6 +36,18 @@ public enum Command {
 
     CHOOSE_GOBO("Choose Gobo", "Let the light project a picture that lies beside the scene", "mdi2p-projector", "", Obstacles.NONE),
 
+    SELECT_SHAPE("Select Shape", "Select the shape under the mouse, to place it", "mdi2c-cursor-default-click-outline", "", Obstacles.NONE),
+    SHOW_SHAPE("Hide or Show Shape", "Take the selected shape or group out of the picture, or bring it back", "mdi2e-eye-off-outline", "",
+            Obstacles.alone(Obstacles::noShape)),
+    DUPLICATE_SHAPE("Duplicate Shape", "Add a shape or a group like the selected one beside it", "mdi2c-content-duplicate", "",
+            Obstacles.alone(Obstacles::noShapeOrNoRoom)),
+    DELETE_SHAPE("Delete Shape", "Take the selected shape or group out of the scene", "mdi2t-trash-can-outline", "",
+            Obstacles.alone(Obstacles::noShape)),
+    RENAME_SHAPE("Rename Shape", "Give the selected shape or group another name", "mdi2r-rename-box", "",
+            Obstacles.alone(Obstacles::noShape)),
+    CHOOSE_PROFILE("Choose Profile", "Let the light shine as an IES file tells that lies beside the scene", "mdi2c-chart-bell-curve", "",
+            Obstacles.NONE),
+
     ADD_LIGHT("Add Light", "Add a light to the scene", "mdi2l-lightbulb-on-outline", "Shortcut+L", Obstacles.alone(Obstacles::noRoom)),
     DUPLICATE_LIGHT("Duplicate Light", "Add a light like the selected one", "mdi2c-content-duplicate", "Shortcut+D",
             Obstacles.alone(Obstacles::noLightOrNoRoom)),

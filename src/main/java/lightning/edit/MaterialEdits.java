@@ -67,6 +67,11 @@ public final class MaterialEdits {
         return Change.of(() -> PropertyEdit.texture(scene, name, file, folder));
     }
 
+    /** The same of any picture that a material has. */
+    public static Change picture(Scene scene, String name, MaterialAttribute<Optional<TextureMap>> attribute, String file, Path folder) {
+        return Change.of(() -> PropertyEdit.picture(scene, name, attribute, file, folder));
+    }
+
     /** Takes the picture off the surface. */
     public static Change noTexture(Scene scene, String name) {
         return with(scene, name, m -> m.withTexture(Optional.empty()));

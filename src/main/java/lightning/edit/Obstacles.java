@@ -65,6 +65,15 @@ final class Obstacles {
         return unless(s.selected().isPresent(), "no light is selected");
     }
 
+    static Optional<String> noShape(Situation s) {
+        return unless(s.node().isPresent(), "no shape is selected");
+    }
+
+    static Optional<String> noShapeOrNoRoom(Situation s) {
+        return noShape(s).or(() -> unless(s.scene().stage().shapeCount() < Limits.MAX_SHAPES,
+                "a scene has at most " + Limits.MAX_SHAPES + " shapes"));
+    }
+
     static Optional<String> nothingCopied(Situation s) {
         return ofLight(s, s.copied().isPresent(), "no settings were copied");
     }

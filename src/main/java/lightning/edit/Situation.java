@@ -5,6 +5,7 @@ import lightning.edit.loop.Frame;
 import lightning.edit.loop.Look;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Node;
 import lightning.scene.Scene;
 import lightning.scene.VisiblePart;
 import lightning.shading.SeenScenes;
@@ -17,6 +18,7 @@ import lightning.shading.SeenScenes;
  * @param inWork        the scene that is being rendered; empty if none is
  * @param verifying     whether a verification runs
  * @param selected      the selected light
+ * @param node          the selected shape or group; empty where a light is selected
  * @param undo          what undo would take back; likewise {@code redo}, and the two of the selected light alone
  * @param dirty         whether the file lacks edits
  * @param changedOnDisk whether someone else changed the file
@@ -25,7 +27,7 @@ import lightning.shading.SeenScenes;
  * @param reading       whether a scene file is being read
  */
 public record Situation(Scene scene, Optional<Frame> frame, Optional<Scene> inWork,
-        boolean verifying, Optional<Light> selected, Optional<String> undo, Optional<String> redo,
+        boolean verifying, Optional<Light> selected, Optional<Node> node, Optional<String> undo, Optional<String> redo,
         Optional<String> undoLight, Optional<String> redoLight, boolean dirty, boolean changedOnDisk,
         Optional<Light> copied, boolean animating, boolean reading) {
 
@@ -35,38 +37,40 @@ public record Situation(Scene scene, Optional<Frame> frame, Optional<Scene> inWo
         Optional<Light> selected = document.selectedLight();
         long id = selected.map(l -> history.id(l.name())).orElse(-1L);
         return new Situation(document.scene(), frame, Optional.empty(), false,
-                selected, history.undoLabel(), history.redoLabel(), history.undoLabel(id), history.redoLabel(id),
+                selected, document.selection().node(document.scene()), history.undoLabel(), history.redoLabel(), history.undoLabel(id),
+                history.redoLabel(id),
                 document.isDirty(), document.isChangedOnDisk(), Optional.empty(), false, false);
     }
 
     public Situation withInWork(Optional<Scene> v) {
-        return new Situation(scene, frame, v, verifying, selected, undo, redo, undoLight, redoLight, dirty,
+        return new Situation(scene, frame, v, verifying, selected, node, undo, redo, undoLight, redoLight, dirty,
                 changedOnDisk, copied, animating, reading);
     }
 
     public Situation withVerifying(boolean v) {
-        return new Situation(scene, frame, inWork, v, selected, undo, redo, undoLight, redoLight, dirty,
+        return new Situation(scene, frame, inWork, v, selected, node, undo, redo, undoLight, redoLight, dirty,
                 changedOnDisk, copied, animating, reading);
     }
 
     public Situation withCopied(Optional<Light> v) {
-        return new Situation(scene, frame, inWork, verifying, selected, undo, redo, undoLight, redoLight, dirty,
+        return new Situation(scene, frame, inWork, verifying, selected, node, undo, redo, undoLight, redoLight, dirty,
                 changedOnDisk, v, animating, reading);
     }
 
     public Situation withAnimating(boolean v) {
-        return new Situation(scene, frame, inWork, verifying, selected, undo, redo, undoLight, redoLight, dirty,
+        return new Situation(scene, frame, inWork, verifying, selected, node, undo, redo, undoLight, redoLight, dirty,
                 changedOnDisk, copied, v, reading);
     }
 
     public Situation withReading(boolean v) {
-        return new Situation(scene, frame, inWork, verifying, selected, undo, redo, undoLight, redoLight, dirty, changedOnDisk, copied,
+        return new Situation(scene, frame, inWork, verifying, selected, node, undo, redo, undoLight, redoLight, dirty, changedOnDisk,
+                copied,
                 animating, v);
     }
 
-    /** The same of an open animation, which shows a scene of its own with the selected light as it is there. */
-    public Situation withStaged(Scene staged, Optional<Light> light) {
-        return new Situation(staged, frame, inWork, verifying, light, undo, redo, undoLight, redoLight, dirty, changedOnDisk,
+    /** The same of an open animation, which shows a scene of its own with the selected light, shape or group as it is there. */
+    public Situation withStaged(Scene staged, Optional<Light> light, Optional<Node> other) {
+        return new Situation(staged, frame, inWork, verifying, light, other, undo, redo, undoLight, redoLight, dirty, changedOnDisk,
                 copied, animating, reading);
     }
 

@@ -9,11 +9,17 @@ import lightning.scene.Antialias;
 import lightning.scene.Attenuation;
 import lightning.scene.BarnDoors;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
+import lightning.scene.Links;
+import lightning.scene.Material;
+import lightning.scene.Panorama;
+import lightning.scene.Relief;
 import lightning.scene.Rig;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.Solid;
+import lightning.scene.SurfaceModel;
 
 /**
  * The parts of the picture that a scene may or may not call for: the one place that names them. Each tells who calls for
@@ -23,8 +29,12 @@ public enum Effect {
     SHADOWS("shadows", uses -> uses.lights(_ -> true), UnaryOperator.identity()),
     SPECULAR("specular highlights", uses -> uses.litMaterials(m -> !m.specular().isBlack()),
             scene -> Without.materials(scene, m -> m.withSpecular(Rgb.BLACK))),
-    TEXTURES("textures", uses -> uses.litMaterials(m -> m.texture().isPresent() && !m.diffuse().isBlack()),
+    METALLIC("metallic materials", uses -> uses.litMaterials(Material::isMetallic),
+            scene -> Without.materials(scene, m -> m.withModel(SurfaceModel.PHONG)), UnaryOperator.identity(), false),
+    TEXTURES("textures", uses -> uses.litMaterials(m -> m.texture().isPresent() && !m.body().isBlack()),
             scene -> Without.materials(scene, m -> m.withTexture(Optional.empty())), Forced::whiteTextures),
+    BUMPS("bump and normal maps", uses -> uses.materials(m -> !m.relief().isFlat()),
+            scene -> Without.materials(scene, m -> m.withRelief(Relief.NONE)), Forced::flatBumps),
     VERTEX_COLORS("colors of vertices", Uses::tints, Without::vertexColors, UnaryOperator.identity(), false),
     REFLECTION("reflections", Uses::mirrors,
             scene -> Without.materials(scene, m -> m.withReflective(Rgb.BLACK)).withPicture(scene.picture().withDepth(0))),
@@ -38,12 +48,20 @@ public enum Effect {
             scene -> Without.lights(scene, l -> l.withDoors(BarnDoors.OPEN))),
     GOBOS("gobos", uses -> uses.lights(l -> l.type().hasCone() && l.gobo().isPresent()),
             scene -> Without.lights(scene, l -> l.withGobo(Optional.empty()))),
+    PROFILES("profiles of lights", uses -> uses.lights(l -> LightAttribute.PROFILE.acts(l.type()) && l.profile().isPresent()),
+            scene -> Without.lights(scene, l -> l.withProfile(Optional.empty()))),
+    LIGHT_LINKS("links of lights to what they shine on", uses -> uses.lights(l -> !l.illuminates().isAll()),
+            scene -> Without.lights(scene, l -> l.withIlluminates(Links.ALL)), UnaryOperator.identity(), false),
+    SHADOW_LINKS("links of lights to what shadows them", uses -> uses.lights(l -> !l.shadowedBy().isAll()),
+            scene -> Without.lights(scene, l -> l.withShadowedBy(Links.ALL)), UnaryOperator.identity(), false),
     BANKS("banks of lights", Uses::banks, scene -> scene.withRig(Rig.of(scene.lights().stream().map(l -> l.withBank("")).toList())),
             UnaryOperator.identity(), false),
     SOFT_SHADOWS("soft shadows", uses -> uses.lights(Light::isArea), scene -> Without.lights(scene, Without::area),
             UnaryOperator.identity(), false),
     ANTIALIASING("anti-aliasing", Uses::fineSamples, scene -> scene.withPicture(scene.picture()
             .withSampling(new Sampling(Antialias.OFF, scene.picture().sampling().grid())))),
+    ENVIRONMENT("an environment", uses -> uses.scene().world().environment().stream().map(Panorama::file),
+            scene -> scene.withWorld(scene.world().withEnvironment(Optional.empty())), UnaryOperator.identity(), false),
     DIRECTIONAL_LIGHTS("directional lights", LightType.DIRECTIONAL),
     POINT_LIGHTS("point lights", LightType.POINT),
     SPOT_LIGHTS("spot lights", LightType.SPOT),

@@ -3,6 +3,7 @@ package lightning.effects;
 import java.util.Optional;
 import lightning.scene.BarnDoors;
 import lightning.scene.LightType;
+import lightning.scene.Relief;
 import lightning.scene.Scene;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
@@ -18,9 +19,14 @@ final class Forced {
         return Without.materials(scene, m -> m.texture().isPresent() ? m : m.withTexture(Optional.of(WHITE)));
     }
 
-    /** Every point light is a spot light whose cone is all around, which does not drop off and has neither barn doors nor a gobo. */
+    /** Every material without a relief has one whose heights are all the same: it leaves normals as they are. */
+    static Scene flatBumps(Scene scene) {
+        return Without.materials(scene, m -> m.relief().isFlat() ? m.withRelief(Relief.NONE.withBump(Optional.of(WHITE))) : m);
+    }
+
+    /** Every point light without a profile is a spot light whose cone is all around, which does not drop off and has neither barn doors nor a gobo. */
     static Scene widestCones(Scene scene) {
-        return Without.lights(scene, l -> l.type() == LightType.POINT
+        return Without.lights(scene, l -> l.type() == LightType.POINT && l.profile().isEmpty()
                 ? l.withType(LightType.SPOT).withAngle(180).withDropoff(0).withDoors(BarnDoors.OPEN).withGobo(Optional.empty()) : l);
     }
 }

@@ -45,7 +45,8 @@ record Uses(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
         return lights.isEmpty() ? Stream.empty() : materials(which);
     }
 
-    private Stream<String> materials(Predicate<Material> which) {
+    /** The names of such materials on shapes. */
+    Stream<String> materials(Predicate<Material> which) {
         return shapes.stream().map(PlacedShape::material).filter(which).map(Material::name);
     }
 
@@ -62,7 +63,7 @@ record Uses(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
     /** The names of shapes whose vertices' colours are lit. */
     Stream<String> tints() {
         return lights.isEmpty() ? Stream.empty() : shapes.stream()
-                .filter(s -> s.shape().solid() instanceof Solid.Triangles t && t.isTinted() && !s.material().diffuse().isBlack())
+                .filter(s -> s.shape().solid() instanceof Solid.Triangles t && t.isTinted() && !s.material().body().isBlack())
                 .map(s -> s.shape().name());
     }
 

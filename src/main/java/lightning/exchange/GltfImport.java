@@ -27,6 +27,8 @@ import lightning.scene.Limits;
 import lightning.scene.Material;
 import lightning.scene.Node;
 import lightning.scene.Placement;
+import lightning.scene.Relief;
+import lightning.scene.TextureMap;
 import lightning.work.Progress;
 
 /** Makes a scene of a glTF file: nodes become groups and shapes, cameras, punctual lights and materials their nearest here. */
@@ -210,7 +212,7 @@ final class GltfImport {
         made = made.withAmbient(emission).withDiffuse(base.times(1 - mirror)).withSpecular(specular)
                 .withShininess(specular.isBlack() ? made.shininess() : Math.rint(100 * blinn / 4) / 100).withReflective(base.times(mirror));
         pieces.notes.add("metallic and rough materials, shown by Phong's model");
-        return m.image() < 0 ? made : textured(made, m.image());
+        return relieved(made.withTexture(picture(m.image())), m);
     }
 
     private static Rgb mix(Rgb a, Rgb b, double share) {
@@ -219,11 +221,17 @@ final class GltfImport {
 
     private final Map<Integer, Optional<String>> images = new HashMap<>();
 
-    private Material textured(Material material, int image) throws IOException, MeshException {
-        if (!images.containsKey(image)) {
+    private Optional<TextureMap> picture(int image) throws IOException, MeshException {
+        if (image >= 0 && !images.containsKey(image)) {
             images.put(image, image(image));
         }
-        return material.withTexture(images.get(image).flatMap(Pieces::texture));
+        return image < 0 ? Optional.empty() : images.get(image).flatMap(Pieces::texture);
+    }
+
+    private Material relieved(Material material, GltfMaterial m) throws IOException, MeshException {
+        Optional<TextureMap> normals = picture(m.normals());
+        return normals.isEmpty() ? material : material.withRelief(Relief.NONE.withNormals(normals)
+                .withStrength(Math.clamp(m.lean(), -Limits.MAX_STRENGTH, Limits.MAX_STRENGTH)));
     }
 
     /** The name of an image's file; empty where it is none that can be shown. */

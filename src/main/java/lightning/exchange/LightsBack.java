@@ -13,6 +13,7 @@ import lightning.math.Vec3;
 import lightning.mesh.MeshException;
 import lightning.mesh.Notes;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 import lightning.work.Progress;
@@ -65,6 +66,7 @@ public record LightsBack(byte[] bytes, Map<String, Integer> notes) {
             out.put("angle", light.angle()).put("dropoff", light.dropoff());
             out.putArray("doors").add(light.doors().left()).add(light.doors().right()).add(light.doors().bottom()).add(light.doors().top());
             light.gobo().ifPresent(gobo -> out.put("gobo", gobo.file()));
+            light.profile().ifPresent(profile -> out.put("profile", profile.file()));
             out.put("feather", light.feather()).put("on", light.on()).put("solo", light.solo()).put("bank", light.bank());
         }
         ObjectNode root = JSON.createObjectNode();
@@ -89,6 +91,7 @@ public record LightsBack(byte[] bytes, Map<String, Integer> notes) {
         double dropoff = type.isSurface() ? 1 : light.dropoff();
         notes.add("barn doors", type.hasCone() && !light.doors().isOpen() ? 1 : 0);
         notes.add("gobos", type.hasCone() && light.gobo().isPresent() ? 1 : 0);
+        notes.add("profiles", LightAttribute.PROFILE.acts(type) && light.profile().isPresent() ? 1 : 0);
         GltfLight.Type kind = switch (type) {
             case DIRECTIONAL -> GltfLight.Type.DIRECTIONAL;
             case POINT -> GltfLight.Type.POINT;

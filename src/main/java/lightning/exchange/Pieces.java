@@ -119,8 +119,7 @@ final class Pieces {
     /** Adds a material, under a name that is free; returns that name. */
     String material(String wanted, Material like) {
         String name = materialNames.unique(wanted, "material");
-        materials.add(
-                new Material(name, like.ambient(), like.diffuse(), like.specular(), like.shininess(), like.reflective(), like.texture()));
+        materials.add(like.withName(name));
         return name;
     }
 

@@ -7,8 +7,10 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
+import lightning.scene.Antialias;
 import lightning.scene.Material;
 import lightning.scene.Picture;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
 import lightning.work.Progress;
@@ -16,6 +18,9 @@ import lightning.work.Workers;
 
 /** What a scene looks like with its lights' numbers taken as each of what they may be. */
 public final class UnitPictures {
+    /** Small pictures show their pixels most. */
+    private static final Sampling EDGES = new Sampling(Antialias.EDGES, 4);
+
     private UnitPictures() {}
 
     /**
@@ -32,7 +37,8 @@ public final class UnitPictures {
         }
         Picture picture = read.asRead().picture();
         double scale = (double) size / Math.max(picture.width(), picture.height());
-        Picture small = picture.withSize((int) Math.ceil(scale * picture.width()), (int) Math.ceil(scale * picture.height()));
+        Picture small = picture.withSize((int) Math.ceil(scale * picture.width()), (int) Math.ceil(scale * picture.height()))
+                .withSampling(EDGES);
         List<Material> plain = read.asRead().materials().stream().map(m -> m.withTexture(Optional.empty())).toList();
         Geometry geometry = null;
         for (LightUnits units : LightUnits.values()) {

@@ -1,5 +1,6 @@
 package lightning.fulltrace;
 
+import java.util.Arrays;
 import lightning.effects.ViewEffects;
 import lightning.engine.Engine;
 import lightning.image.Film;
@@ -43,6 +44,7 @@ final class TileTracer {
     /** What is needed of the first level, or of those in mirrors. */
     private static final class Side {
         private final Luminaire[] lights;
+        private final Scene scene;
         private final World world;
         private final MaterialTable materials;
         private final TileVisibility visibility;
@@ -51,11 +53,17 @@ final class TileTracer {
 
         Side(Geometry geometry, Scene scene, Engine engine, Tracer tracer) {
             lights = Luminaire.all(scene);
+            this.scene = scene;
             world = scene.world();
             materials = geometry.materials();
             visibility = new TileVisibility(geometry, scene, tracer);
             kernel = new LightKernel(geometry, tracer, engine.terms(), ViewEffects.ALL);
             composer = new TileComposer(materials, engine.sums(), ViewEffects.ALL);
+        }
+
+        /** Whether rows must know whose they are. */
+        boolean isLinked() {
+            return Arrays.stream(lights).anyMatch(l -> !l.light().illuminates().isAll());
         }
     }
 
@@ -92,7 +100,7 @@ final class TileTracer {
         int y0 = tile / film.tilesX() * Film.TILE;
         eye.visibility.eye(x0, y0, Film.TILE, (count, textured) -> level(0));
         eyeRays += (long) Math.min(Film.TILE, film.width() - x0) * Math.min(Film.TILE, film.height() - y0);
-        shade(coded, new float[][] {film.red(tile), film.green(tile), film.blue(tile)}, progress);
+        shade(SamplePlaces.centers(x0, y0), coded, new float[][] {film.red(tile), film.green(tile), film.blue(tile)}, progress);
     }
 
     /** Makes some pixels of a tile of all their samples; {@code pixels} are indices in the tile, ascending. */
@@ -103,15 +111,16 @@ final class TileTracer {
         int together = SampleMean.pixelsTogether(sampling.perPixel());
         for (int from = 0; from < pixels.length && !progress.isCancelled(); from += together) {
             int to = Math.min(pixels.length, from + together);
-            eye.visibility.fine(new SamplePlaces(x0, y0, pixels, from, to, sampling.grid()), (count, textured) -> level(0));
+            var places = new SamplePlaces(x0, y0, pixels, from, to, sampling.grid());
+            eye.visibility.fine(places, (count, textured) -> level(0));
             eyeRays += (long) (to - from) * sampling.perPixel();
-            shade(false, samples, progress);
+            shade(places, false, samples, progress);
             SampleMean.write(pixels, from, to, sampling.perPixel(), samples, pixel);
         }
     }
 
     /** From the first level's rows to colours. */
-    private void shade(boolean coded, float[][] colors, Progress progress) {
+    private void shade(SamplePlaces places, boolean coded, float[][] colors, Progress progress) {
         int deepest = mirrors(coded);
         float[][] cr = mirrors.composer.unfollowed(levels[deepest]);
         for (int k = deepest; k > 0 && !progress.isCancelled(); k--) {
@@ -119,7 +128,7 @@ final class TileTracer {
             compose(mirrors, k, coded, cr, above, progress);
             cr = above;
         }
-        eye.composer.background(levels[0], eye.world, colors);
+        eye.composer.background(levels[0], eye.scene, places, colors);
         compose(eye, 0, coded, cr, colors, progress);
     }
 
@@ -157,7 +166,8 @@ final class TileTracer {
 
     private HitRows level(int k) {
         if (levels[k] == null) {
-            levels[k] = new HitRows(Film.TILE_PIXELS, true, sampling.antialias() == Antialias.EDGES);
+            levels[k] = new HitRows(Film.TILE_PIXELS, true, sampling.antialias() == Antialias.EDGES,
+                    eye.isLinked() || mirrors.isLinked());
         }
         return levels[k];
     }

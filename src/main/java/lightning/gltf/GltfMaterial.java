@@ -12,6 +12,8 @@ import lightning.math.Rgb;
  * @param emission   linear, strength included
  * @param unlit      whether it shows its base colour, whatever light there is
  * @param image      the number of the base colour's image; −1 for none
+ * @param normals    the number of the image of its normal map; −1 for none
+ * @param lean       a factor on how far these normals lean
  */
 public record GltfMaterial(String name, Rgb base, double metallic, double roughness, Rgb reflection, Rgb emission, boolean unlit,
-        int image) {}
+        int image, int normals, double lean) {}

@@ -120,9 +120,16 @@ public final class GltfScene {
         return List.copyOf(lights);
     }
 
-    /** The vertical opening angle of a camera, radians; empty where it has none, and nothing is smaller farther away. */
+    /** The vertical opening angle of a camera, radians; empty where it has none, and nothing is smaller farther away. Its other numbers are told. */
     public Optional<Double> fieldOfView(int camera) throws MeshException {
-        Json yfov = file.array("cameras").at(camera).get("perspective").get("yfov");
+        Json look = file.array("cameras").at(camera);
+        Json perspective = look.get("perspective");
+        Json yfov = perspective.get("yfov");
+        notes.add("aspect ratios of cameras", perspective.get("aspectRatio").isThere() ? 1 : 0);
+        for (String plane : List.of("znear", "zfar")) {
+            boolean there = perspective.get(plane).isThere() || look.get("orthographic").get(plane).isThere();
+            notes.add(plane + " of cameras", there ? 1 : 0);
+        }
         return yfov.isThere() ? Optional.of(yfov.number()) : Optional.empty();
     }
 
@@ -146,16 +153,20 @@ public final class GltfScene {
         Json specular = extensions.get("KHR_materials_specular");
         double[] tint = specular.get("specularColorFactor").numbers(1, 1, 1);
         double head = Math.pow((ior - 1) / (ior + 1), 2) * specular.get("specularFactor").number(1);
-        for (String picture : List.of("normalTexture", "occlusionTexture", "emissiveTexture")) {
+        for (String picture : List.of("occlusionTexture", "emissiveTexture")) {
             notes.add(picture + " of materials", material.get(picture).isThere() ? 1 : 0);
         }
+        for (String picture : List.of("specularTexture", "specularColorTexture")) {
+            notes.add(picture + " of materials", specular.get(picture).isThere() ? 1 : 0);
+        }
+        Json normals = material.get("normalTexture");
         notes.add("metallicRoughnessTexture of materials", look.get("metallicRoughnessTexture").isThere() ? 1 : 0);
         notes.add("transparent materials", material.get("alphaMode").text().orElse("OPAQUE").equals("OPAQUE") ? 0 : 1);
         return new GltfMaterial(material.get("name").text().orElse(""), new Rgb(base[0], base[1], base[2]),
                 look.get("metallicFactor").number(1),
                 look.get("roughnessFactor").number(1), new Rgb(head * tint[0], head * tint[1], head * tint[2]),
                 new Rgb(emission[0], emission[1], emission[2]).times(strength), extensions.get("KHR_materials_unlit").isThere(),
-                image(look.get("baseColorTexture")));
+                image(look.get("baseColorTexture")), image(normals), normals.get("scale").number(1));
     }
 
     private int image(Json texture) throws MeshException {

@@ -3,7 +3,7 @@ package lightning.gltf;
 import lightning.mesh.MeshException;
 
 /**
- * Which texture coordinates the base colour of a material has, and how they are moved (KHR_texture_transform).
+ * Which texture coordinates the base colour of a material has, or its normals where that has no picture, and how they are moved (KHR_texture_transform).
  *
  * @param set which of a primitive's coordinates
  * @param map u′ = map₀·u + map₁·v + map₂, v′ = map₃·u + map₄·v + map₅
@@ -13,7 +13,9 @@ record TextureCoordinates(int set, double[] map) {
         if (material < 0) {
             return new TextureCoordinates(0, new double[] {1, 0, 0, 0, 1, 0});
         }
-        Json texture = file.array("materials").at(material).get("pbrMetallicRoughness").get("baseColorTexture");
+        Json look = file.array("materials").at(material);
+        Json base = look.get("pbrMetallicRoughness").get("baseColorTexture");
+        Json texture = base.isThere() ? base : look.get("normalTexture");
         Json transform = texture.get("extensions").get("KHR_texture_transform");
         int set = transform.get("texCoord").whole(0, 100, texture.get("texCoord").whole(0, 100, 0));
         double[] offset = transform.get("offset").numbers(0, 0);

@@ -47,6 +47,7 @@ final class BlockPatch {
             }
         } else if (!entry.value().equals(value)) {
             replace(entry.from(), value.text());
+            remove(entry.from() + 1, entry.to());
         }
     }
 
@@ -56,7 +57,11 @@ final class BlockPatch {
 
     /** Cuts out a property word by word, so that comments between them stay. */
     private void remove(Block.Entry entry) {
-        for (int token = entry.nameToken(); token < entry.to(); token++) {
+        remove(entry.nameToken(), entry.to());
+    }
+
+    private void remove(int from, int to) {
+        for (int token = from; token < to; token++) {
             int start = tokens.start(token);
             while (Source.isBlank(source.text().charAt(start - 1))) {
                 start--;

@@ -56,7 +56,8 @@ final class Blocks {
             (name, v, children) -> v.on(World.DEFAULT, World.ATTRIBUTES));
 
     static final BlockType<Material> MATERIAL = new BlockType<>("material", true, Optional.empty(),
-            Property.of(MaterialAttribute.ALL), (name, v, children) -> v.on(Material.of(name), MaterialAttribute.ALL));
+            MaterialAttribute.ALL.stream().flatMap(a -> Property.of(a).stream().map(p -> p.where(m -> a.acts(m.model())))).toList(),
+            (name, v, children) -> v.on(Material.of(name), MaterialAttribute.ALL));
 
     private static final BlockType<Shape> MESH = shape("mesh", List.of(
             Property.quoted(FILE, "a PLY, OBJ, NFF or glTF file", v -> FileName.check(FILE, ((Value.Quoted) v).file(), MeshFolder.NAME),

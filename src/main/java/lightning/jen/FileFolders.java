@@ -1,10 +1,16 @@
 package lightning.jen;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import lightning.mesh.MeshException;
 import lightning.text.Quote;
 
 /**
@@ -53,6 +59,26 @@ final class FileFolders {
                 + String.join(" or ", folders.stream().map(FileFolders::shown).toList()));
     }
 
+    /** What is read from a file. */
+    interface Reading<T> {
+        T from(Path path) throws IOException, UnusableFileException, MeshException;
+    }
+
+    /**
+     * What a file of a name that is allowed holds.
+     *
+     * @throws UnusableFileException if there is none, if a link leads out of the folders, or if it cannot be read; the message says why
+     */
+    <T> T read(String file, Reading<T> reading) throws UnusableFileException {
+        try {
+            return reading.from(find(file));
+        } catch (IOException | InvalidPathException | SecurityException e) {
+            throw new UnusableFileException(noun + " " + Quote.of(file) + " cannot be read: " + e.getMessage());
+        } catch (IllegalArgumentException | MeshException e) {
+            throw new UnusableFileException(e.getMessage());
+        }
+    }
+
     /** The folders, without links on the way; the named one itself may be one, which then leads out. */
     List<Path> all() throws IOException {
         List<Path> folders = new ArrayList<>();
@@ -66,6 +92,22 @@ final class FileFolders {
             }
         }
         return folders;
+    }
+
+    /** The plain files of all folders whose names match and may be written, in alphabetical order; none of unreadable folders. */
+    List<String> names(Pattern pattern) {
+        var names = new TreeSet<String>(String.CASE_INSENSITIVE_ORDER);
+        try {
+            for (Path folder : all()) {
+                try (Stream<Path> files = Files.list(folder)) {
+                    files.filter(Files::isRegularFile).map(f -> f.getFileName().toString())
+                            .filter(f -> pattern.matcher(f).matches()).filter(FileName::isAllowed).forEach(names::add);
+                }
+            }
+        } catch (IOException | UncheckedIOException | SecurityException e) {
+            return List.copyOf(names);
+        }
+        return List.copyOf(names);
     }
 
     private static String shown(Path folder) {

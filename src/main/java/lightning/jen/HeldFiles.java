@@ -3,12 +3,19 @@ package lightning.jen;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import lightning.mesh.Mesh;
 import lightning.scene.Gobo;
 import lightning.scene.Group;
+import lightning.scene.Material;
 import lightning.scene.Node;
+import lightning.scene.Panorama;
+import lightning.scene.Photometry;
+import lightning.scene.Profile;
+import lightning.scene.Relief;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Sky;
 import lightning.scene.Solid;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
@@ -21,12 +28,30 @@ import lightning.text.Quote;
  */
 record HeldFiles(Scene scene, Optional<Path> folder) implements SceneFiles {
     @Override
-    public Texture texture(String file) {
-        Optional<Texture> held = scene.materials().stream().flatMap(m -> m.texture().stream()).filter(t -> t.file().equals(file))
+    public Texture texture(String file, boolean color) {
+        Optional<Texture> held = scene.materials().stream().flatMap(m -> maps(m, color)).filter(t -> t.file().equals(file))
                 .map(TextureMap::image).findFirst();
-        Optional<Texture> projected = scene.lights().stream().flatMap(l -> l.gobo().stream()).filter(g -> g.file().equals(file))
+        Optional<Texture> projected = scene.lights().stream().flatMap(l -> l.gobo().stream()).filter(g -> color && g.file().equals(file))
                 .map(Gobo::image).findFirst();
-        return held.or(() -> projected).orElseGet(() -> read("texture", file, f -> new TextureFolder(f).load(file)));
+        return held.or(() -> projected).orElseGet(() -> read("texture", file, f -> new TextureFolder(f).load(file, color)));
+    }
+
+    private static Stream<TextureMap> maps(Material material, boolean color) {
+        Relief relief = material.relief();
+        return color ? material.texture().stream() : Stream.concat(relief.bump().stream(), relief.normals().stream());
+    }
+
+    @Override
+    public Photometry profile(String file) {
+        return scene.lights().stream().flatMap(l -> l.profile().stream()).filter(p -> p.file().equals(file)).map(Profile::photometry)
+                .findFirst()
+                .orElseGet(() -> read("profile", file, f -> new ProfileFolder(f).load(file)));
+    }
+
+    @Override
+    public Sky sky(String file) {
+        return scene.world().environment().filter(p -> p.file().equals(file)).map(Panorama::sky)
+                .orElseGet(() -> read("environment", file, f -> new SkyFolder(f).load(file)));
     }
 
     @Override

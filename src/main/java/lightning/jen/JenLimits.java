@@ -19,6 +19,8 @@ public final class JenLimits {
     public static final int TRIANGLES = 64_000_000;
     /** Different texture files of one scene. */
     public static final int TEXTURES = 256;
+    /** Different profiles of lights of one scene: at most 2 MiB each when read. */
+    public static final int PROFILES = 64;
     /** Bytes of one texture file: 64 MiB. */
     public static final int TEXTURE_BYTES = 64 << 20;
     /** Pixels along either side of a texture. */

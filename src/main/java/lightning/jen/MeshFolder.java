@@ -1,7 +1,6 @@
 package lightning.jen;
 
 import java.io.IOException;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
@@ -38,19 +37,16 @@ final class MeshFolder {
      *                               be read, beyond {@link JenLimits} or has no such part
      */
     Mesh load(String file, String part) throws UnusableFileException {
-        try {
-            Path path = folders.find(file);
-            List<Part> parts = read.get(path);
-            if (parts == null) {
-                parts = read(file, path);
-                read.put(path, parts);
-            }
-            return part.isEmpty() ? whole(path, parts) : named(file, part, parts);
-        } catch (IOException | InvalidPathException | SecurityException e) {
-            throw new UnusableFileException("mesh file " + Quote.of(file) + " cannot be read: " + e.getMessage());
-        } catch (IllegalArgumentException | MeshException e) {
-            throw new UnusableFileException(e.getMessage());
+        return folders.read(file, path -> load(file, part, path));
+    }
+
+    private Mesh load(String file, String part, Path path) throws UnusableFileException, IOException, MeshException {
+        List<Part> parts = read.get(path);
+        if (parts == null) {
+            parts = read(file, path);
+            read.put(path, parts);
         }
+        return part.isEmpty() ? whole(path, parts) : named(file, part, parts);
     }
 
     private List<Part> read(String file, Path path) throws UnusableFileException, IOException, MeshException {

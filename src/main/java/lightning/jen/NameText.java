@@ -9,7 +9,12 @@ public final class NameText {
 
     /** The text that reads back as {@code name}. */
     public static String of(String name) {
-        return isWord(name) ? name : '"' + name.replace("\\", "\\\\").replace("\"", "\\\"") + '"';
+        return isWord(name) ? name : quoted(name);
+    }
+
+    /** The same, in quotes whatever it is. */
+    static String quoted(String name) {
+        return '"' + name.replace("\\", "\\\\").replace("\"", "\\\"") + '"';
     }
 
     /** The name that a person wrote, with quotes or, where the end is known, without. */

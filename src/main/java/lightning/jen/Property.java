@@ -5,11 +5,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import lightning.scene.Attribute;
 import lightning.scene.Choice;
-import lightning.scene.Gobo;
+import lightning.scene.FromFile;
 import lightning.scene.Kind;
 import lightning.scene.Limits;
+import lightning.scene.Links;
 import lightning.scene.Quantity;
 import lightning.scene.TextureMap;
 import lightning.text.Quote;
@@ -38,11 +40,9 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         NUMBERS,
         WORD,
         NAME,
-        QUOTED
+        QUOTED,
+        LINKS
     }
-
-    /** How often a picture repeats, written beside its file. */
-    static final String REPEAT = "repeat";
 
     private static final List<String> XYZ = List.of(" x", " y", " z");
 
@@ -61,13 +61,17 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
                     t -> new Value.Numbers(n.split().apply(a.of(t)))));
             case Choice<V> c -> List.of(choice(a.name(), new Value.Word(c.text(a.initial())), c.words(),
                     t -> new Value.Word(c.text(a.of(t)))));
+            case Kind.Linking _ -> List.of(new Property<>(a.name(), Form.LINKS, List.of(), 0, 0,
+                    List.of(Value.ALL, Value.NONE, Value.ONLY, Value.EXCEPT), new Value.Linked((Links) a.initial()), a.unit(), false,
+                    v -> {},
+                    t -> new Value.Linked((Links) a.of(t))));
             case Kind.Naming _ -> List.of(name(a.name(), new Value.Absent(), a.unit(), t -> named((String) a.of(t))));
-            case Kind.Projecting _ -> List.of(pictured(a, t -> ((Optional<?>) a.of(t)).<Value>map(g -> new Value.Quoted(((Gobo) g).file()))
-                    .orElse(new Value.Absent())));
-            case Kind.Texturing _ -> List.of(
-                    pictured(a, t -> picture(a.of(t), map -> new Value.Quoted(map.file()))),
-                    Property.<T>numbers(REPEAT, List.of(" u", " v"), Value.of(1, 1), -Limits.MAX_REPEAT, Limits.MAX_REPEAT,
-                            "times, needs a texture", t -> picture(a.of(t), map -> Value.of(map.repeatU(), map.repeatV())))
+            case Kind.Filed<?> _ -> List.of(filed(a, a.unit(), t -> ((Optional<?>) a.of(t))
+                    .<Value>map(held -> new Value.Quoted(((FromFile) held).file())).orElse(new Value.Absent())));
+            case Kind.Texturing k -> List.of(
+                    filed(a, "a PNG or JPEG file", t -> picture(a.of(t), map -> new Value.Quoted(map.file()))),
+                    Property.<T>numbers(k.repeat(), List.of(" u", " v"), Value.of(1, 1), -Limits.MAX_REPEAT, Limits.MAX_REPEAT,
+                            "times, needs a " + a.name(), t -> picture(a.of(t), map -> Value.of(map.repeatU(), map.repeatV())))
                             .also(v -> new TextureMap("", ((Value.Numbers) v).all().get(0), ((Value.Numbers) v).all().get(1), null)));
         };
     }
@@ -76,8 +80,8 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         return name.isEmpty() ? new Value.Absent() : new Value.Name(name);
     }
 
-    private static <T> Property<T> pictured(Attribute<T, ?> a, Function<T, Value> get) {
-        return quoted(a.name(), "a PNG or JPEG file", v -> FileName.check(a.name(), ((Value.Quoted) v).file(), TextureFolder.NAME), get);
+    private static <T> Property<T> filed(Attribute<T, ?> a, String unit, Function<T, Value> get) {
+        return quoted(a.name(), unit, v -> FileName.check(a.name(), ((Value.Quoted) v).file(), TextureFolder.NAME), get);
     }
 
     private static Value picture(Object map, Function<TextureMap, Value> get) {
@@ -115,6 +119,12 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
     /** The same of what has such a record in it. */
     <S> Property<S> of(Function<S, T> record) {
         return new Property<>(name, form, labels, min, max, choices, initial, unit, whole, extra, record.andThen(get));
+    }
+
+    /** The same where only some records have it. */
+    Property<T> where(Predicate<T> has) {
+        return new Property<>(name, form, labels, min, max, choices, initial, unit, whole, extra,
+                t -> has.test(t) ? get.apply(t) : new Value.Absent());
     }
 
     Property<T> inWholeNumbers() {
@@ -159,7 +169,7 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
     String expected() {
         return switch (form) {
             case NUMBERS -> count() == 1 ? "a number" : count() + " numbers";
-            case WORD -> alternatives();
+            case WORD, LINKS -> alternatives();
             case NAME -> "a name";
             case QUOTED -> "a file name in quotes";
         };

@@ -10,15 +10,20 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.scene.Bank;
+import lightning.scene.FromFile;
 import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.Limits;
+import lightning.scene.Links;
 import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
 import lightning.scene.Node;
 import lightning.scene.Rig;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.TextureMap;
+import lightning.scene.World;
 import lightning.text.Quote;
 
 /**
@@ -93,25 +98,40 @@ public final class PropertyEdit {
      * @throws IllegalArgumentException if there is no such material, or no such picture
      */
     public static Scene texture(Scene scene, String material, String file, Path folder) {
-        FileName.check("texture", file, TextureFolder.NAME);
-        return set(scene, MATERIAL + NameText.of(material), "texture", new Value.Quoted(file).text(),
+        return picture(scene, material, MaterialAttribute.TEXTURE, file, folder);
+    }
+
+    /** The same of any picture that a material has. */
+    public static Scene picture(Scene scene, String material, MaterialAttribute<Optional<TextureMap>> attribute, String file, Path folder) {
+        FileName.check(attribute.name(), file, TextureFolder.NAME);
+        return set(scene, MATERIAL + NameText.of(material), attribute.name(), new Value.Quoted(file).text(),
                 new HeldFiles(scene, Optional.of(folder)));
     }
 
     /**
-     * The scene with a picture, read from a file, that a light projects.
+     * The scene with what a file holds on a light: a picture that it projects, or its profile.
      *
      * @param file   its name; empty for none
-     * @param folder where the picture is looked for, as if the scene file were in it
-     * @throws IllegalArgumentException if there is no such light, or no such picture
+     * @param folder where it is looked for, as if the scene file were in it
+     * @throws IllegalArgumentException if there is no such light, or no such file
      */
-    public static Scene gobo(Scene scene, String light, String file, Path folder) {
-        String property = LightAttribute.GOBO.name();
+    public static <F extends FromFile> Scene file(Scene scene, String light, LightAttribute<Optional<F>> attribute, String file,
+            Path folder) {
+        String property = attribute.name();
         if (file.isEmpty()) {
             return set(scene, NameText.of(light), property, NONE);
         }
         FileName.check(property, file, TextureFolder.NAME);
         return set(scene, NameText.of(light), property, new Value.Quoted(file).text(), new HeldFiles(scene, Optional.of(folder)));
+    }
+
+    /**
+     * The names of the profiles that {@link #file} would find by them, in alphabetical order.
+     *
+     * @param folder where profiles are looked for, as if the scene file were in it
+     */
+    public static List<String> profiles(Path folder) {
+        return new ProfileFolder(folder).names();
     }
 
     /**
@@ -150,7 +170,7 @@ public final class PropertyEdit {
         if (blocks.size() != 1 || blocks.getFirst().type != Blocks.LIGHT && blocks.getFirst().type != Blocks.BANK) {
             throw new IllegalArgumentException("expected one light, as in 'fill point intensity=0.5', found " + Quote.of(text));
         }
-        Optional<Scene> added = new SceneBuilder(tokens, problems, Path.of(""), scene.rig().banks()).build(blocks);
+        Optional<Scene> added = new SceneBuilder(tokens, problems, Path.of(""), scene.rig().banks(), scene.stage()).build(blocks);
         throwIfAny(problems);
         Rig more = added.orElseThrow().rig();
         return blocks.getFirst().type == Blocks.BANK ? scene.withRig(scene.rig().plus(more.banks().getLast()))
@@ -197,6 +217,8 @@ public final class PropertyEdit {
         Optional<Light> light = scene.light(target);
         if (light.isPresent()) {
             Light edited = edited(files, Blocks.LIGHT, target, light.get(), property, value);
+            checkLinks(scene, edited.illuminates());
+            checkLinks(scene, edited.shadowedBy());
             return scene.withLights(replaced(scene.lights(), l -> l == light.get() ? edited : l));
         }
         Optional<Bank> bank = scene.rig().bank(target);
@@ -218,13 +240,28 @@ public final class PropertyEdit {
         throw new IllegalArgumentException("the scene has nothing named " + Quote.of(target) + Nearest.hint(target, known));
     }
 
+    private static void checkLinks(Scene scene, Links links) {
+        for (String name : links.names()) {
+            if (!scene.stage().hasNode(name)) {
+                throw new IllegalArgumentException("there is no shape or group " + Quote.of(name)
+                        + Nearest.hint(name, names(scene.nodes()).toList()));
+            }
+        }
+    }
+
     private static Scene setMaterial(Scene scene, String name, String property, String value, SceneFiles files) {
         Material material = scene.materialsByName().get(name);
         if (material == null) {
             List<String> known = scene.materials().stream().map(Material::name).toList();
             throw new IllegalArgumentException("there is no material " + Quote.of(name) + Nearest.hint(name, known));
         }
-        return scene.withMaterial(edited(files, Blocks.MATERIAL, name, material, property, value));
+        MaterialAttribute.ALL.stream().filter(a -> a.name().equals(property)).findFirst().flatMap(a -> a.obstacle(material.model()))
+                .ifPresent(why -> {
+                    throw new IllegalArgumentException("material " + Quote.of(name) + ": " + why);
+                });
+        Material edited = edited(files, Blocks.MATERIAL, name, material, property, value);
+        // Another model keeps the colour.
+        return scene.withMaterial(edited.model() == material.model() ? edited : material.withModel(edited.model()));
     }
 
     private static Node node(SceneFiles files, Node node, String target, String property, String value) {
@@ -255,8 +292,10 @@ public final class PropertyEdit {
         } else {
             values.put(property, value(type, name, property, value));
         }
-        if (property.equals("repeat") && values.get("texture") instanceof Value.Absent) {
-            throw new IllegalArgumentException("material " + Quote.of(name) + ": repeat needs a texture, found none");
+        for (PictureProperty picture : PictureProperty.ALL) {
+            if (picture.repeat().filter(property::equals).isPresent() && values.get(picture.name()) instanceof Value.Absent) {
+                throw new IllegalArgumentException("material " + Quote.of(name) + ": " + picture.missing());
+            }
         }
         type.properties().forEach(p -> values.computeIfPresent(p.name(), (n, v) -> v instanceof Value.Absent ? p.initial() : v));
         List<Node> children = record instanceof Group g ? g.children() : List.of();
@@ -270,8 +309,10 @@ public final class PropertyEdit {
 
     /** Whether {@code none} takes the property away; in quotes it is a name as any other. */
     private static boolean canBeNone(BlockType<?> type, String property) {
-        return type == Blocks.MATERIAL && property.equals("texture")
-                || type == Blocks.LIGHT && (property.equals(LightAttribute.BANK.name()) || property.equals(LightAttribute.GOBO.name()));
+        return type == Blocks.WORLD && property.equals(World.ENVIRONMENT.name())
+                || type == Blocks.LIGHT && (property.equals(LightAttribute.BANK.name()) || property.equals(LightAttribute.PROFILE.name()))
+                || (type == Blocks.LIGHT || type == Blocks.MATERIAL)
+                        && PictureProperty.ALL.stream().anyMatch(p -> p.name().equals(property));
     }
 
     private static Value value(BlockType<?> type, String name, String property, String text) {

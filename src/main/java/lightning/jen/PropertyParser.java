@@ -7,6 +7,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import lightning.jen.Tokens.Kind;
+import lightning.scene.Limits;
+import lightning.scene.Links;
 import lightning.text.Decimal;
 import lightning.text.Quote;
 
@@ -53,7 +55,41 @@ final class PropertyParser {
             case WORD -> single(block, property, tokens.kind(at) == Kind.WORD, nameToken, at);
             case NAME -> single(block, property, tokens.isName(at), nameToken, at);
             case QUOTED -> single(block, property, tokens.kind(at) == Kind.STRING, nameToken, at);
+            case LINKS -> links(block, property, nameToken, at);
         };
+    }
+
+    /** A word, and behind two of the words names in quotes, as many as there are. */
+    private int links(Block block, Property<?> property, int nameToken, int from) {
+        if (tokens.kind(from) != Kind.WORD || !property.choices().contains(tokens.text(from))) {
+            return single(block, property, false, nameToken, from);
+        }
+        String word = tokens.text(from);
+        boolean named = word.equals(Value.ONLY) || word.equals(Value.EXCEPT);
+        List<String> all = new ArrayList<>();
+        int at = from + 1;
+        for (; named && tokens.kind(at) == Kind.STRING; at++) {
+            if (all.contains(tokens.text(at)) || all.size() == Limits.MAX_LINKS) {
+                problem(at, at, block.title() + ": " + property.name() + (all.size() == Limits.MAX_LINKS
+                        ? " may name at most " + Limits.MAX_LINKS + " shapes and groups, found more"
+                        : " must name each shape once, found " + tokens.found(at) + " again"));
+                return skipValue(block, at);
+            }
+            all.add(tokens.text(at));
+        }
+        if (named && all.isEmpty()) {
+            problem(at, at,
+                    block.title() + ": " + property.name() + ": expected names of shapes or groups in quotes behind " + word + ", found "
+                            + tokens.found(at));
+            return at;
+        }
+        try {
+            boolean only = word.equals(Value.ONLY) || word.equals(Value.NONE);
+            block.add(new Block.Entry(property, nameToken, from, at, new Value.Linked(new Links(only, all))));
+        } catch (IllegalArgumentException e) {
+            problem(from, from, block.title() + ": " + e.getMessage());
+        }
+        return at;
     }
 
     private int single(Block block, Property<?> property, boolean right, int nameToken, int at) {
@@ -80,7 +116,7 @@ final class PropertyParser {
             }
             case NAME -> names.computeIfAbsent(text, Value.Name::new);
             case QUOTED -> new Value.Quoted(text);
-            case NUMBERS -> throw new IllegalStateException(property.name() + " is no single word");
+            case NUMBERS, LINKS -> throw new IllegalStateException(property.name() + " is no single word");
         };
     }
 

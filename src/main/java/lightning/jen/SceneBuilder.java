@@ -12,16 +12,22 @@ import lightning.math.Vec3;
 import lightning.mesh.Mesh;
 import lightning.scene.Bank;
 import lightning.scene.Camera;
+import lightning.scene.Choice;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.Limits;
+import lightning.scene.Links;
 import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
 import lightning.scene.Node;
+import lightning.scene.Photometry;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Rig;
 import lightning.scene.Scene;
+import lightning.scene.Sky;
 import lightning.scene.Stage;
+import lightning.scene.SurfaceModel;
 import lightning.scene.Texture;
 import lightning.scene.World;
 import lightning.text.Quote;
@@ -31,25 +37,35 @@ final class SceneBuilder {
     private final Tokens tokens;
     private final Problems problems;
     private final TextureFolder textures;
+    private final ProfileFolder profiles;
+    private final SkyFolder skies;
     private final MeshFolder meshes;
     private final Map<String, Block> named = new HashMap<>();
     private final Set<String> materialNames = new LinkedHashSet<>();
     private final Set<String> bankNames = new LinkedHashSet<>();
     /** Banks that lights may belong to though no block says them. */
     private final List<Bank> known;
+    /** Shapes that lights may be linked to though no block says them. */
+    private final Stage stage;
     private int shapes;
 
     /** @param folder where files that the scene names are looked for, as if its own were in it */
     SceneBuilder(Tokens tokens, Problems problems, Path folder) {
-        this(tokens, problems, folder, List.of());
+        this(tokens, problems, folder, List.of(), Stage.EMPTY);
     }
 
-    /** @param known banks that lights may belong to though no block says them */
-    SceneBuilder(Tokens tokens, Problems problems, Path folder, List<Bank> known) {
+    /**
+     * @param known banks that lights may belong to though no block says them
+     * @param stage shapes that they may be linked to likewise
+     */
+    SceneBuilder(Tokens tokens, Problems problems, Path folder, List<Bank> known, Stage stage) {
+        this.stage = stage;
         this.known = known;
         this.tokens = tokens;
         this.problems = problems;
         textures = new TextureFolder(folder);
+        profiles = new ProfileFolder(folder);
+        skies = new SkyFolder(folder);
         meshes = new MeshFolder(folder);
     }
 
@@ -108,6 +124,8 @@ final class SceneBuilder {
         for (Block block : blocks) {
             unique(named, block);
             checkNamed(block, "bank", bankNames);
+            checkLinks(block, LightAttribute.ILLUMINATES);
+            checkLinks(block, LightAttribute.SHADOWED_BY);
             record(block, Blocks.LIGHT, List.of()).ifPresent(lights::add);
         }
         count(blocks, Limits.MAX_LIGHTS, "lights");
@@ -163,6 +181,25 @@ final class SceneBuilder {
         }
     }
 
+    private void checkLinks(Block block, LightAttribute<Links> attribute) {
+        Block.Entry entry = block.entry(attribute.name());
+        if (entry != null && entry.value() instanceof Value.Linked(Links links)) {
+            for (int i = 0; i < links.names().size(); i++) {
+                String name = links.names().get(i);
+                if (!isNode(name)) {
+                    problems.add(tokens.start(entry.from() + 1 + i),
+                            block.title() + ": " + attribute.name() + ": there is no shape or group "
+                                    + Quote.of(name) + Nearest.hint(name, named.keySet().stream().filter(this::isNode).toList()));
+                }
+            }
+        }
+    }
+
+    private boolean isNode(String name) {
+        Block block = named.get(name);
+        return block == null ? stage.hasNode(name) : Blocks.NODES.contains(block.type.keyword());
+    }
+
     private void unique(Map<String, Block> known, Block block) {
         Block other = block.name.isEmpty() ? null : known.putIfAbsent(block.name, block);
         if (other != null) {
@@ -174,64 +211,104 @@ final class SceneBuilder {
     private <T> Optional<T> record(Block block, BlockType<T> type, List<Node> children) {
         Map<String, Value> values = new HashMap<>(type.initials());
         block.entries().forEach(entry -> values.put(entry.property().name(), entry.value()));
-        if (block.entry("repeat") != null && !block.isWritten("texture")) {
-            problems.add(tokens.start(block.entry("repeat").nameToken()),
-                    block.title() + ": repeat needs a texture, found none");
+        for (PictureProperty picture : PictureProperty.ALL) {
+            Block.Entry repeat = picture.repeat().map(block::entry).orElse(null);
+            if (repeat != null && !block.isWritten(picture.name())) {
+                problems.add(tokens.start(repeat.nameToken()), block.title() + ": " + picture.missing());
+            }
         }
-        Texture image = image(block);
+        if (block.type == Blocks.MATERIAL) {
+            ofOneModel(block);
+        }
+        Map<Loaded.Picture, Texture> pictures = new HashMap<>();
+        boolean hasAll = load(block, pictures);
+        Photometry profile = loaded(block, LightAttribute.PROFILE.name(), profiles::load);
+        Sky sky = loaded(block, World.ENVIRONMENT.name(), skies::load);
         Mesh mesh = mesh(block);
         if (!problems.isEmpty() && (type.named() && block.name.isEmpty()
                 || type.header().filter(p -> !values.containsKey(p.name())).isPresent()
-                || (block.isWritten("texture") || block.isWritten(LightAttribute.GOBO.name())) && image == null
+                || !hasAll
+                || block.isWritten(LightAttribute.PROFILE.name()) && profile == null
+                || block.isWritten(World.ENVIRONMENT.name()) && sky == null
                 || block.isWritten(Blocks.FILE) && mesh == null)) {
             return Optional.empty();
         }
         try {
-            return Optional.of(type.builder().build(block.name, new Values(values, new Loaded(image, mesh)), children));
+            return Optional.of(type.builder().build(block.name, new Values(values, new Loaded(pictures, profile, sky, mesh)), children));
         } catch (IllegalArgumentException e) {
             problem(block, block.title() + ": " + e.getMessage());
             return Optional.empty();
         }
     }
 
-    /** What names a picture: no block has two such properties. */
-    private static Block.Entry picture(Block block) {
-        Block.Entry texture = block.entry("texture");
-        return texture == null ? block.entry(LightAttribute.GOBO.name()) : texture;
+    private void ofOneModel(Block material) {
+        Block.Entry written = material.entry(MaterialAttribute.MODEL.name());
+        SurfaceModel model = written == null ? MaterialAttribute.MODEL.initial()
+                : ((Choice<SurfaceModel>) MaterialAttribute.MODEL.kind()).value(((Value.Word) written.value()).text());
+        for (MaterialAttribute<?> attribute : MaterialAttribute.ALL) {
+            Block.Entry entry = material.entry(attribute.name());
+            if (entry != null) {
+                attribute.obstacle(model).ifPresent(why -> problems.add(tokens.start(entry.nameToken()), material.title() + ": " + why));
+            }
+        }
     }
 
-    private Texture image(Block block) {
-        Block.Entry entry = picture(block);
+    /** Reads the pictures that a block names; whether all of them could be. */
+    private boolean load(Block block, Map<Loaded.Picture, Texture> pictures) {
+        boolean all = true;
+        for (PictureProperty picture : PictureProperty.ALL) {
+            Block.Entry entry = block.entry(picture.name());
+            if (entry != null && entry.value() instanceof Value.Quoted(String file)) {
+                Texture texture = loaded(block, picture.name(), name -> textures.load(name, picture.color()));
+                pictures.put(new Loaded.Picture(file, picture.color()), texture);
+                all &= texture != null;
+            } else {
+                all &= !block.isWritten(picture.name());
+            }
+        }
+        return all;
+    }
+
+    private Mesh mesh(Block block) {
+        Block.Entry part = block.entry(Blocks.PART);
+        return loaded(block, Blocks.FILE, file -> meshes.load(file, part == null ? "" : ((Value.Name) part.value()).name()));
+    }
+
+    private interface Loading<T> {
+        T of(String file) throws UnusableFileException;
+    }
+
+    /** What the file holds that a property of a block names; null where it names none, or none that can be used. */
+    private <T> T loaded(Block block, String property, Loading<T> loading) {
+        Block.Entry entry = block.entry(property);
         if (entry == null) {
             return null;
         }
         try {
-            return textures.load(((Value.Quoted) entry.value()).file());
+            return loading.of(((Value.Quoted) entry.value()).file());
         } catch (UnusableFileException e) {
             problems.add(tokens.start(entry.from()), block.title() + ": " + e.getMessage());
             return null;
         }
     }
 
-    private Mesh mesh(Block block) {
-        Block.Entry file = block.entry(Blocks.FILE);
-        if (file == null) {
-            return null;
-        }
-        Block.Entry part = block.entry(Blocks.PART);
-        try {
-            return meshes.load(((Value.Quoted) file.value()).file(), part == null ? "" : ((Value.Name) part.value()).name());
-        } catch (UnusableFileException e) {
-            problems.add(tokens.start(file.from()), block.title() + ": " + e.getMessage());
-            return null;
-        }
-    }
-
     /** What the files of one block hold. */
-    private record Loaded(Texture image, Mesh mesh) implements SceneFiles {
+    private record Loaded(Map<Picture, Texture> pictures, Photometry photometry, Sky panorama, Mesh mesh) implements SceneFiles {
+        record Picture(String file, boolean color) {}
+
         @Override
-        public Texture texture(String file) {
-            return image;
+        public Texture texture(String file, boolean color) {
+            return pictures.get(new Picture(file, color));
+        }
+
+        @Override
+        public Photometry profile(String file) {
+            return photometry;
+        }
+
+        @Override
+        public Sky sky(String file) {
+            return panorama;
         }
 
         @Override

@@ -1,12 +1,23 @@
 package lightning.jen;
 
 import lightning.mesh.Mesh;
+import lightning.scene.Photometry;
+import lightning.scene.Sky;
 import lightning.scene.Texture;
 
 /** What the files hold that a scene names. */
 interface SceneFiles {
-    /** @throws IllegalArgumentException if there is no such picture; the message says why */
-    Texture texture(String file);
+    /**
+     * @param color whether its samples are colours; else they are numbers
+     * @throws IllegalArgumentException if there is no such picture; the message says why
+     */
+    Texture texture(String file, boolean color);
+
+    /** @throws IllegalArgumentException if there is no such profile; the message says why */
+    Photometry profile(String file);
+
+    /** @throws IllegalArgumentException if there is no such environment; the message says why */
+    Sky sky(String file);
 
     /**
      * @param part the name of a part of the file; empty for all that it holds

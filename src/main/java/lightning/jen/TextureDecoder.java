@@ -22,7 +22,7 @@ import lightning.text.Quote;
  * Decodes PNG and JPEG files to linear light.
  *
  * <p>The samples s are taken as sRGB in 0…1, whatever colour profile the file carries, and decoded
- * by {@link SrgbCurve}, in double, rounded once to float. Transparency is ignored; a grey sample counts for all channels.
+ * by {@link SrgbCurve}, in double, rounded once to float; samples that are numbers stay as they are. Transparency is ignored; a grey sample counts for all channels.
  */
 final class TextureDecoder {
     private static final Set<String> FORMATS = Set.of("png", "jpeg");
@@ -33,11 +33,12 @@ final class TextureDecoder {
      * Checks the header of the file, then decodes it.
      *
      * @param name       what messages call it
+     * @param color      whether the samples are colours; else they are numbers
      * @param pixelsLeft how many pixels the picture may have at most, beside {@link JenLimits#TEXTURE_PIXELS}
      * @throws UnusableFileException if it is no PNG or JPEG, too large or damaged
      * @throws IOException if it cannot be read
      */
-    static Texture decode(String name, Path path, long pixelsLeft) throws IOException, UnusableFileException {
+    static Texture decode(String name, Path path, boolean color, long pixelsLeft) throws IOException, UnusableFileException {
         long bytes = Files.size(path);
         if (bytes > JenLimits.TEXTURE_BYTES) {
             throw unusable(name, "must have at most " + JenLimits.TEXTURE_BYTES + " bytes, has " + bytes);
@@ -47,7 +48,7 @@ final class TextureDecoder {
             try {
                 reader.setInput(in, true, true);
                 checkSize(name, reader.getWidth(0), reader.getHeight(0), pixelsLeft);
-                return texture(reader.read(0));
+                return texture(reader.read(0), color);
             } catch (IOException | RuntimeException e) {
                 // The decoders answer some damaged files with runtime exceptions of all kinds.
                 throw unusable(name, "cannot be decoded: " + e.getMessage());
@@ -90,12 +91,12 @@ final class TextureDecoder {
         return new UnusableFileException("texture " + Quote.of(name) + " " + why);
     }
 
-    private static Texture texture(BufferedImage image) {
+    private static Texture texture(BufferedImage image, boolean color) {
         int width = image.getWidth();
         int height = image.getHeight();
         float[] rgb = new float[3 * width * height];
         if (image.getColorModel() instanceof IndexColorModel) {
-            float[] linear = linear(8);
+            float[] linear = linear(8, color);
             for (int i = 0; i < width * height; i++) {
                 int pixel = image.getRGB(i % width, i / width);
                 rgb[3 * i] = linear[pixel >> 16 & 0xFF];
@@ -104,18 +105,18 @@ final class TextureDecoder {
             }
         } else {
             // Not getRGB: it would take grey samples as linear light and apply colour profiles.
-            decodeSamples(image.getRaster(), rgb);
+            decodeSamples(image.getRaster(), color, rgb);
         }
         return new Texture(width, height, rgb);
     }
 
-    private static void decodeSamples(Raster raster, float[] rgb) {
+    private static void decodeSamples(Raster raster, boolean color, float[] rgb) {
         int width = raster.getWidth();
         int bands = raster.getNumBands() < 3 ? 1 : 3;
         int[] row = new int[width];
         for (int channel = 0; channel < 3; channel++) {
             int band = Math.min(channel, bands - 1);
-            float[] linear = linear(raster.getSampleModel().getSampleSize(band));
+            float[] linear = linear(raster.getSampleModel().getSampleSize(band), color);
             for (int y = 0; y < raster.getHeight(); y++) {
                 raster.getSamples(0, y, width, 1, band, row);
                 for (int x = 0; x < width; x++) {
@@ -126,12 +127,12 @@ final class TextureDecoder {
     }
 
     /** The linear value of each sample of the given number of bits, {@code float[2^bits]}. */
-    private static float[] linear(int bits) {
+    private static float[] linear(int bits, boolean color) {
         int largest = (1 << bits) - 1;
         float[] linear = new float[largest + 1];
         for (int i = 0; i <= largest; i++) {
             double s = (double) i / largest;
-            linear[i] = (float) SrgbCurve.linear(s);
+            linear[i] = (float) (color ? SrgbCurve.linear(s) : s);
         }
         return linear;
     }

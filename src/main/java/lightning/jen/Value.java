@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import lightning.math.Vec3;
+import lightning.scene.Links;
 import lightning.text.Decimal;
 
 /** What follows a property's name in the file. Two values are equal when every bit is. */
@@ -40,6 +41,21 @@ sealed interface Value {
             return '"' + file + '"';
         }
     }
+
+    /** Some shapes and groups, their names always in quotes: how many there are, the file does not say. */
+    record Linked(Links links) implements Value {
+        @Override
+        public String text() {
+            return links.isAll() ? ALL : links.equals(Links.NONE) ? NONE
+                    : links.names().stream().map(NameText::quoted)
+                            .collect(Collectors.joining(" ", (links.only() ? ONLY : EXCEPT) + ' ', ""));
+        }
+    }
+
+    String ALL = "all";
+    String NONE = "none";
+    String ONLY = "only";
+    String EXCEPT = "except";
 
     /** Nothing is written: the property is absent. */
     record Absent() implements Value {

@@ -3,11 +3,14 @@ package lightning.jen;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import lightning.math.Vec3;
 import lightning.scene.Attribute;
 import lightning.scene.Choice;
 import lightning.scene.Gobo;
 import lightning.scene.Kind;
+import lightning.scene.Panorama;
+import lightning.scene.Profile;
 import lightning.scene.Quantity;
 import lightning.scene.Solid;
 import lightning.scene.TextureMap;
@@ -37,20 +40,21 @@ record Values(Map<String, Value> all, SceneFiles files) {
         return switch (attribute.kind()) {
             case Quantity<V> n -> n.join().apply(numbers(attribute.name()));
             case Choice<V> c -> c.value(word(attribute.name()));
+            case Kind.Linking _ -> unchecked(((Value.Linked) all.get(attribute.name())).links());
             case Kind.Naming _ -> unchecked(all.get(attribute.name()) instanceof Value.Name(String name) ? name : "");
-            case Kind.Projecting _ -> unchecked(gobo(attribute.name()));
-            case Kind.Texturing _ -> unchecked(picture(attribute.name()));
+            case Kind.Projecting _ -> unchecked(filed(attribute, file -> new Gobo(file, files.texture(file, true))));
+            case Kind.Shining _ -> unchecked(filed(attribute, file -> new Profile(file, files.profile(file))));
+            case Kind.Surrounding _ -> unchecked(filed(attribute, file -> new Panorama(file, files.sky(file))));
+            case Kind.Texturing t -> unchecked(filed(attribute, file -> picture(file, t)));
         };
     }
 
-    private Optional<Gobo> gobo(String property) {
-        return all.get(property) instanceof Value.Quoted(String file) ? Optional.of(new Gobo(file, files.texture(file))) : Optional.empty();
+    private <F> Optional<F> filed(Attribute<?, ?> attribute, Function<String, F> read) {
+        return all.get(attribute.name()) instanceof Value.Quoted(String file) ? Optional.of(read.apply(file)) : Optional.empty();
     }
 
-    private Optional<TextureMap> picture(String property) {
-        return all.get(property) instanceof Value.Quoted(String file)
-                ? Optional.of(new TextureMap(file, number(Property.REPEAT, 0), number(Property.REPEAT, 1), files.texture(file)))
-                : Optional.empty();
+    private TextureMap picture(String file, Kind.Texturing as) {
+        return new TextureMap(file, number(as.repeat(), 0), number(as.repeat(), 1), files.texture(file, as.color()));
     }
 
     /** A value of which the kind of the attribute has told that it is a {@code V}: the compiler cannot follow that. */

@@ -6,6 +6,7 @@ import lightning.math.Rgb;
 import lightning.math.Transform;
 import lightning.math.Vec3;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 
@@ -29,6 +30,13 @@ final class PovLight {
         PovFade fade = light.type().hasPosition() ? fade(light) : new PovFade(1, 0, 0, true);
         if (!fade.exact()) {
             losses.add("light " + light.name() + ": attenuation is POV-Ray's nearest, 2/(1+(d/distance)^power), without the limit 1");
+        }
+        if (LightAttribute.PROFILE.acts(light.type()) && light.profile().isPresent()) {
+            losses.add("light " + light.name() + ": its profile is left out, POV-Ray reads no IES file");
+        }
+        if (light.isLinked()) {
+            // A light group takes its shapes out of all others, so that it can say only links of one light.
+            losses.add("light " + light.name() + ": its links are left out, it lights all shapes and all throw shadows");
         }
         List<String> words = new ArrayList<>();
         words.add(PovText.vector(place(light)));

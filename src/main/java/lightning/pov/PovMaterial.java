@@ -5,6 +5,7 @@ import java.util.List;
 import lightning.math.Rgb;
 import lightning.scene.Material;
 import lightning.scene.Solid;
+import lightning.scene.SurfaceModel;
 import lightning.scene.TextureMap;
 
 /**
@@ -22,8 +23,27 @@ final class PovMaterial {
     }
 
     /** The texture of a shape, on one or several lines; {@code image} is the texture's file. */
-    String text(Material m, Solid solid, String image) {
+    String text(Material material, Solid solid, String image) {
+        if (!material.relief().isFlat()) {
+            lose("material " + material.name() + ": bump and normal maps are left out");
+        }
+        Material m = material.isMetallic() ? phong(material) : material;
         return m.texture().isPresent() ? textured(m, m.texture().get(), solid, image) : plain(m);
+    }
+
+    /**
+     * The nearest that Phong's model has: a lobe of exponent (2/α² − 2)/4, which is as wide at its top (Walter and others, Microfacet
+     * models for refraction, 2007, §5.2, a quarter for the angle to the mirrored direction), and as high head-on, at most 1.
+     */
+    private Material phong(Material m) {
+        lose("material " + m.name() + ": a metallic material is shown by Phong's model");
+        double alpha = m.alpha();
+        double height = Math.min(1, 1 / (4 * alpha * alpha));
+        double plain = (1 - m.metalness()) * m.f0();
+        Rgb metal = m.base().times(m.metalness());
+        Rgb f0 = new Rgb(plain + metal.r(), plain + metal.g(), plain + metal.b());
+        return m.withModel(SurfaceModel.PHONG).withDiffuse(m.base().times((1 - m.metalness()) * (1 - m.f0())))
+                .withSpecular(f0.times(height)).withShininess((1 / (alpha * alpha) - 1) / 2);
     }
 
     private String plain(Material m) {

@@ -44,6 +44,11 @@ public final class PovScene {
         body.append("global_settings {\n  assumed_gamma 1.0\n  max_trace_level ").append(scene.picture().depth() + 1)
                 .append("\n  adc_bailout 0\n  ambient_light rgb ").append(scene.world().ambience()).append("\n}\n");
         body.append("background { ").append(PovText.rgb(scene.world().background())).append(" }\n");
+        scene.world().environment().ifPresent(p -> {
+            losses.add("the environment is its lamps; the picture of it is looked for as " + p.file());
+            body.append("sky_sphere { pigment { image_map { hdr \"").append(p.file()).append("\" map_type 1 interpolate 2 } rotate y*")
+                    .append(90 - scene.world().rotation()).append(" } }\n");
+        });
         body.append(camera(scene));
         var meshes = new PovMesh(scene, losses);
         body.append(meshes.declarations());

@@ -10,6 +10,7 @@ import lightning.cache.PixelCache;
 import lightning.cache.TileLevel;
 import lightning.engine.Crew;
 import lightning.engine.Engine;
+import lightning.image.Film;
 import lightning.relight.plan.Accuracy;
 import lightning.relight.plan.LayerPlan;
 import lightning.relight.plan.LevelPlan;
@@ -28,6 +29,7 @@ import lightning.shading.RatioKernel;
 import lightning.shading.TraceCounts;
 import lightning.trace.Geometry;
 import lightning.trace.MaterialTable;
+import lightning.trace.SamplePlaces;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
@@ -72,14 +74,17 @@ record Conversion(PixelCache cache, Options to) {
         List<Crew<Tiles>> threads = Crew.each(workers.count(), to.engines(), engine -> new Tiles(cache, to, engine));
         CachedTile[] tiles = new CachedTile[cache.tileCount()];
         FineTile[] fine = new FineTile[cache.fineCount()];
-        int perPixel = cache.scene().picture().sampling().perPixel();
+        int grid = cache.scene().picture().sampling().grid();
+        int tilesX = (cache.scene().picture().width() - 1) / Film.TILE + 1;
         workers.run(Math.max(tiles.length, fine.length), (worker, i) -> {
-            CachedTile center = tiles.length == 0 ? null : threads.get(worker).forTile(i).convert(cache.tile(i), top, mirrors);
+            SamplePlaces centers = SamplePlaces.centers(i % tilesX * Film.TILE, i / tilesX * Film.TILE);
+            CachedTile center = tiles.length == 0 ? null : threads.get(worker).forTile(i).convert(centers, cache.tile(i), top, mirrors);
             if (center != null) {
                 tiles[i] = center;
             }
             if (fine.length > 0) {
-                FineTile tile = cache.fine(i).map(center, block -> threads.get(worker).forTile(i).convert(block, top, mirrors), perPixel);
+                FineTile tile = cache.fine(i).map(center, centers,
+                        (places, block) -> threads.get(worker).forTile(i).convert(places, block, top, mirrors), grid);
                 fine[i] = to.accuracy() == Accuracy.EXACT ? tile.withoutColors() : tile;
             }
         }, progress);
@@ -139,7 +144,7 @@ record Conversion(PixelCache cache, Options to) {
             painter = new TilePainter(cache, engine, to.view());
         }
 
-        CachedTile convert(CachedTile old, Lights top, Lights mirrors) {
+        CachedTile convert(SamplePlaces places, CachedTile old, Lights top, Lights mirrors) {
             TileLevel[] levels = new TileLevel[old.levels.length];
             for (int k = 0; k < levels.length; k++) {
                 levels[k] = k == 0 ? eye.convert(old.levels[k], top) : mirror.convert(old.levels[k], mirrors);
@@ -147,7 +152,7 @@ record Conversion(PixelCache cache, Options to) {
             }
             float[][] scratch = painter.mirrored(levels, mirrors.shining(), mirrors.scene().world());
             float[][] cr = scratch == null ? null : CachedTile.mirrored(levels[0].rows(), scratch);
-            return new CachedTile(levels, old.hitShapes, cr, painter.film(levels[0], top.shining(), top.scene().world(), cr),
+            return new CachedTile(levels, old.hitShapes, cr, painter.film(levels[0], top.shining(), top.scene(), places, cr),
                     old.codes);
         }
 

@@ -15,6 +15,7 @@ import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.shading.Luminaire;
+import lightning.trace.SamplePlaces;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
@@ -55,18 +56,19 @@ public final class LightShare {
         int perPixel = scene.picture().sampling().perPixel();
         float[][][] films = new float[Math.max(cache.tileCount(), cache.fineCount())][][];
         workers.run(films.length, (worker, i) -> {
-            Function<CachedTile, float[][]> share = tile -> share(tile, painters.get(worker).forTile(i), top, mirrors, scene.world());
+            Function<CachedTile, float[][]> share = tile -> share(tile, painters.get(worker).forTile(i), top, mirrors, scene);
             CachedTile center = cache.tileCount() == 0 ? null : cache.tile(i);
             films[i] = cache.fineCount() == 0 ? share.apply(center) : cache.fine(i).film(center, share, perPixel);
         }, progress);
         return film(scene, films);
     }
 
-    private static float[][] share(CachedTile tile, TilePainter painter, Luminaire[] top, Luminaire[] mirrors, World world) {
+    private static float[][] share(CachedTile tile, TilePainter painter, Luminaire[] top, Luminaire[] mirrors, Scene scene) {
         if (tile.hitShapes.length > 0) {
             throw new IllegalStateException("mirror levels are kept as hit shapes");
         }
-        return painter.film(tile.levels[0], top, world, painter.mirrored(tile.levels, mirrors, world));
+        // The share has no environment, whose colours alone would ask where the rays go.
+        return painter.film(tile.levels[0], top, scene, SamplePlaces.centers(0, 0), painter.mirrored(tile.levels, mirrors, scene.world()));
     }
 
     private static Film film(Scene scene, float[][][] tiles) {

@@ -10,6 +10,7 @@ import lightning.relight.tile.MirrorStorage;
 import lightning.relight.tile.Options;
 import lightning.scene.Antialias;
 import lightning.scene.Limits;
+import lightning.scene.Material;
 import lightning.scene.Picture;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
@@ -40,12 +41,13 @@ public final class MemoryNeed {
         Sampling sampling = picture.sampling();
         boolean mirrors = picture.depth() > 0 && scene.materials().stream().anyMatch(m -> !m.reflective().isBlack());
         boolean edges = sampling.antialias() == Antialias.EDGES;
-        long lights = scene.lights().stream().mapToLong(light -> ColumnKind.bytesPerRow(switch (options.accuracy()) {
-            case EXACT -> LightRows.columns(light);
-            case RATIO -> RatioRows.columns(light);
+        boolean metallic = scene.materials().stream().anyMatch(Material::isMetallic);
+        long lights = scene.rig().actingLights().stream().mapToLong(light -> ColumnKind.bytesPerRow(switch (options.accuracy()) {
+            case EXACT -> LightRows.columns(light, metallic);
+            case RATIO -> RatioRows.columns(light, metallic);
         })).sum();
         long row = Part.HIT.bytesPerRow() + Part.TEXEL.bytesPerRow() + (edges ? Part.CODE.bytesPerRow() : 0)
-                + lights;
+                + (scene.lights().stream().allMatch(l -> l.illuminates().isAll()) ? 0 : Part.OWNER.bytesPerRow()) + lights;
         long levels = mirrors ? picture.depth() : 0;
         long mirrored = mirrors ? COLOR + levels * (options.storage() == MirrorStorage.FULL_ROWS ? row : Integer.BYTES) : 0;
         long samples = switch (sampling.antialias()) {

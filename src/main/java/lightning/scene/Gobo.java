@@ -6,4 +6,9 @@ package lightning.scene;
  * @param file  the name as written in the scene file
  * @param image the decoded picture
  */
-public record Gobo(String file, Texture image) {}
+public record Gobo(String file, Texture image) implements FromFile {
+    @Override
+    public Object content() {
+        return image;
+    }
+}

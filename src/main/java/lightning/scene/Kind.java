@@ -7,7 +7,8 @@ import java.util.Optional;
  *
  * @param <V> the type of a value
  */
-public sealed interface Kind<V> permits Quantity, Choice, Kind.Naming, Kind.Projecting, Kind.Texturing {
+public sealed interface Kind<V>
+        permits Quantity, Choice, Kind.Filed, Kind.Linking, Kind.Naming, Kind.Texturing {
 
     /**
      * Refuses a value that no scene may hold.
@@ -43,26 +44,58 @@ public sealed interface Kind<V> permits Quantity, Choice, Kind.Naming, Kind.Proj
         }
     }
 
-    /** A picture that is projected, or none. */
-    record Projecting() implements Kind<Optional<Gobo>> {
+    /** Some of the scene's shapes. */
+    record Linking() implements Kind<Links> {
         @Override
-        public void check(String what, Optional<Gobo> value) {
-            // Every picture has checked itself.
+        public void check(String what, Links value) {
+            // All links have checked themselves.
         }
 
         @Override
-        public boolean alike(Optional<Gobo> a, Optional<Gobo> b) {
-            return a.map(Gobo::image).equals(b.map(Gobo::image));
+        public boolean alike(Links a, Links b) {
+            return a.equals(b);
         }
 
         @Override
-        public String text(Optional<Gobo> value) {
-            return value.map(Gobo::file).orElse("none");
+        public String text(Links value) {
+            return value.text();
         }
     }
 
-    /** A picture on a surface, or none. */
-    record Texturing() implements Kind<Optional<TextureMap>> {
+    /** What a file holds, or none. */
+    sealed interface Filed<F extends FromFile> extends Kind<Optional<F>> {
+        @Override
+        default void check(String what, Optional<F> value) {
+            // Every file was checked when it was read.
+        }
+
+        @Override
+        default boolean alike(Optional<F> a, Optional<F> b) {
+            return a.map(FromFile::content).equals(b.map(FromFile::content));
+        }
+
+        @Override
+        default String text(Optional<F> value) {
+            return value.map(FromFile::file).orElse("none");
+        }
+    }
+
+    /** A picture that is projected, or none. */
+    record Projecting() implements Filed<Gobo> {}
+
+    /** How strongly a light shines in each direction, or the same in all. */
+    record Shining() implements Filed<Profile> {}
+
+    /** A picture of all that is far around, or none. */
+    record Surrounding() implements Filed<Panorama> {}
+
+    /**
+     * A picture on a surface, or none.
+     *
+     * @param repeat what a file calls how often it repeats
+     * @param color  whether its samples are colours; else they are numbers, which no curve bends
+     */
+    record Texturing(String repeat, boolean color) implements Kind<Optional<TextureMap>> {
         @Override
         public void check(String what, Optional<TextureMap> value) {
             // Every map has checked itself.

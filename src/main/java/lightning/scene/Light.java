@@ -1,6 +1,7 @@
 package lightning.scene;
 
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 
@@ -17,10 +18,13 @@ import lightning.math.Vec3;
  * @param on          whether it shines
  * @param solo        whether it shines alone: where any light is solo, the others are dark
  * @param bank       the name of the bank that it belongs to; empty where it belongs to none
+ * @param illuminates which shapes it shines on
+ * @param shadowedBy  which shapes throw shadows in its light
  */
 public record Light(String name, LightType type, Rgb color, double intensity, Vec3 position, Vec3 direction,
-        Attenuation attenuation, double angle, double dropoff, BarnDoors doors, double feather, Optional<Gobo> gobo, Area area, boolean on,
-        boolean solo, String bank) {
+        Attenuation attenuation, double angle, double dropoff, BarnDoors doors, double feather, Optional<Gobo> gobo,
+        Optional<Profile> profile, Area area, boolean on,
+        boolean solo, String bank, Links illuminates, Links shadowedBy) {
 
     public Light {
         Limits.name(name);
@@ -38,6 +42,8 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
         LightAttribute.UP.check(area.up());
         LightAttribute.SAMPLES.check(area.samples());
         LightAttribute.BANK.check(bank);
+        LightAttribute.ILLUMINATES.check(illuminates);
+        LightAttribute.SHADOWED_BY.check(shadowedBy);
     }
 
     /** A light of which nothing else was said. */
@@ -45,9 +51,10 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
         return new Light(name, type, LightAttribute.COLOR.initial(), LightAttribute.INTENSITY.initial(),
                 LightAttribute.POSITION.initial(), LightAttribute.DIRECTION.initial(), LightAttribute.ATTENUATION.initial(),
                 LightAttribute.ANGLE.initial(), LightAttribute.DROPOFF.initial(), LightAttribute.DOORS.initial(),
-                LightAttribute.FEATHER.initial(), LightAttribute.GOBO.initial(), Area.DEFAULT,
+                LightAttribute.FEATHER.initial(), LightAttribute.GOBO.initial(), LightAttribute.PROFILE.initial(), Area.DEFAULT,
                 LightAttribute.ON.initial(),
-                LightAttribute.SOLO.initial(), LightAttribute.BANK.initial());
+                LightAttribute.SOLO.initial(), LightAttribute.BANK.initial(), LightAttribute.ILLUMINATES.initial(),
+                LightAttribute.SHADOWED_BY.initial());
     }
 
     /** Colour times intensity, with which all that the light adds is multiplied while it shines. */
@@ -65,82 +72,125 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
     }
 
     public Light withName(String v) {
-        return new Light(v, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo,
-                bank);
+        return new Light(v, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile, area,
+                on, solo,
+                bank, illuminates, shadowedBy);
     }
 
     public Light withType(LightType v) {
-        return new Light(name, v, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo,
-                bank);
+        return new Light(name, v, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile, area,
+                on, solo,
+                bank, illuminates, shadowedBy);
     }
 
     public Light withColor(Rgb v) {
-        return new Light(name, type, v, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo,
-                bank);
+        return new Light(name, type, v, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile, area,
+                on, solo,
+                bank, illuminates, shadowedBy);
     }
 
     public Light withIntensity(double v) {
-        return new Light(name, type, color, v, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo,
-                bank);
+        return new Light(name, type, color, v, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile, area, on,
+                solo,
+                bank, illuminates, shadowedBy);
     }
 
     public Light withPosition(Vec3 v) {
-        return new Light(name, type, color, intensity, v, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo,
-                bank);
+        return new Light(name, type, color, intensity, v, direction, attenuation, angle, dropoff, doors, feather, gobo, profile, area, on,
+                solo,
+                bank, illuminates, shadowedBy);
     }
 
     public Light withDirection(Vec3 v) {
-        return new Light(name, type, color, intensity, position, v, attenuation, angle, dropoff, doors, feather, gobo, area, on, solo,
-                bank);
+        return new Light(name, type, color, intensity, position, v, attenuation, angle, dropoff, doors, feather, gobo, profile, area, on,
+                solo,
+                bank, illuminates, shadowedBy);
     }
 
     public Light withAttenuation(Attenuation v) {
-        return new Light(name, type, color, intensity, position, direction, v, angle, dropoff, doors, feather, gobo, area, on, solo, bank);
+        return new Light(name, type, color, intensity, position, direction, v, angle, dropoff, doors, feather, gobo, profile, area, on,
+                solo, bank, illuminates, shadowedBy);
     }
 
     public Light withAngle(double v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, v, dropoff, doors, feather, gobo, area, on, solo,
-                bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, v, dropoff, doors, feather, gobo, profile, area,
+                on, solo,
+                bank, illuminates, shadowedBy);
     }
 
     public Light withDropoff(double v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, v, doors, feather, gobo, area, on, solo,
-                bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, v, doors, feather, gobo, profile, area, on,
+                solo,
+                bank, illuminates, shadowedBy);
     }
 
     public Light withDoors(BarnDoors v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, v, feather, gobo, area, on, solo,
-                bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, v, feather, gobo, profile, area,
+                on, solo,
+                bank, illuminates, shadowedBy);
     }
 
     public Light withFeather(double v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, v, gobo, area, on, solo,
-                bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, v, gobo, profile, area, on,
+                solo,
+                bank, illuminates, shadowedBy);
     }
 
     public Light withGobo(Optional<Gobo> v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, v, area, on, solo,
-                bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, v, profile, area,
+                on, solo,
+                bank, illuminates, shadowedBy);
+    }
+
+    public Light withProfile(Optional<Profile> v) {
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, v, area, on,
+                solo, bank, illuminates, shadowedBy);
     }
 
     public Light withArea(Area v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, v, on, solo,
-                bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile, v,
+                on, solo,
+                bank, illuminates, shadowedBy);
     }
 
     public Light withOn(boolean v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, v,
-                solo, bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile,
+                area, v,
+                solo, bank, illuminates, shadowedBy);
     }
 
     public Light withSolo(boolean v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on, v,
-                bank);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile,
+                area, on, v,
+                bank, illuminates, shadowedBy);
     }
 
     /** @param v a bank's name, or empty */
     public Light withBank(String v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, area, on,
-                solo, v);
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile,
+                area, on,
+                solo, v, illuminates, shadowedBy);
+    }
+
+    public Light withIlluminates(Links v) {
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile,
+                area, on, solo, bank, v, shadowedBy);
+    }
+
+    public Light withShadowedBy(Links v) {
+        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile,
+                area, on, solo, bank, illuminates, v);
+    }
+
+    /** Whether it shines on some shapes only, or only some throw shadows in its light. */
+    public boolean isLinked() {
+        return !illuminates.isAll() || !shadowedBy.isAll();
+    }
+
+    /** This light with other links of both kinds. */
+    Light linked(UnaryOperator<Links> links) {
+        Links on = links.apply(illuminates);
+        Links by = links.apply(shadowedBy);
+        return on == illuminates && by == shadowedBy ? this : withIlluminates(on).withShadowedBy(by);
     }
 }

@@ -30,7 +30,8 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
         CONE,
         AREA,
         ATTENUATION,
-        PLACE
+        PLACE,
+        LINKS
     }
 
     public static final LightAttribute<LightType> TYPE = of("type", Choice.of(LightType.class), POINT, "",
@@ -58,6 +59,8 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
             "degrees inside the edge of a door", Light::feather, Light::withFeather, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<Optional<Gobo>> GOBO = of("gobo", new Kind.Projecting(), Optional.empty(), "a PNG or JPEG file",
             Light::gobo, Light::withGobo, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
+    public static final LightAttribute<Optional<Profile>> PROFILE = of("profile", new Kind.Shining(), Optional.empty(), "an IES file",
+            Light::profile, Light::withProfile, Section.CONE, Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<Double> RADIUS = of("radius", Quantity.number(0, Limits.MAX_EXTENT, 0.1), Area.DEFAULT.radius(),
             "scene units", l -> l.area().radius(), (l, v) -> l.withArea(l.area().withRadius(v)), Section.AREA,
             Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
@@ -81,12 +84,17 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
             Section.SWITCHES, Map.of());
     public static final LightAttribute<String> BANK = of("bank", new Kind.Naming(), "", "the name of a bank", Light::bank, Light::withBank,
             Section.SWITCHES, Map.of());
+    public static final LightAttribute<Links> ILLUMINATES = of("illuminates", new Kind.Linking(), Links.ALL, "shapes and groups",
+            Light::illuminates, Light::withIlluminates, Section.LINKS, all(LightTerm.REACH));
+    public static final LightAttribute<Links> SHADOWED_BY = new LightAttribute<>("shadowed_by", "shadowed by", new Kind.Linking(),
+            Links.ALL, "shapes and groups", Light::shadowedBy, Light::withShadowedBy, Section.LINKS, all(LightTerm.SHADOW));
 
     /** All of them. */
     public static final List<LightAttribute<?>> ALL =
-            List.of(TYPE, COLOR, INTENSITY, POSITION, DIRECTION, ATTENUATION, ANGLE, DROPOFF, DOORS, FEATHER, GOBO, RADIUS, SPREAD, WIDTH,
+            List.of(TYPE, COLOR, INTENSITY, POSITION, DIRECTION, ATTENUATION, ANGLE, DROPOFF, DOORS, FEATHER, GOBO, PROFILE, RADIUS, SPREAD,
+                    WIDTH,
                     HEIGHT,
-                    UP, SAMPLES, ON, SOLO, BANK);
+                    UP, SAMPLES, ON, SOLO, BANK, ILLUMINATES, SHADOWED_BY);
 
     private final Section section;
     private final Map<LightType, LightTerm> terms;
@@ -139,7 +147,7 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
     public boolean isSetting() {
         return switch (section) {
             case KIND, COLOUR, CONE, AREA, ATTENUATION -> true;
-            case PLACE, SWITCHES -> false;
+            case PLACE, SWITCHES, LINKS -> false;
         };
     }
 }

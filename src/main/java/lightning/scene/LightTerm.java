@@ -10,6 +10,10 @@ public enum LightTerm {
     OPENING,
     /** Which points are in its cone, whatever the opening. */
     AXIS,
+    /** Which shapes it shines on. */
+    REACH,
+    /** Which shapes throw shadows in its light. */
+    SHADOW,
     /** Where it shines from: which points face it and which see it. */
     SOURCE
 }

@@ -11,8 +11,9 @@ import lightning.text.Visible;
  * The ranges of everything that a scene may hold, stated once.
  *
  * <p>They are wide enough for any picture and narrow enough that no product in the lighting
- * equation overflows a float: a light's weight is at most 1e3·1e30 = 1e33, whatever its bank, a thousand lights sum to
- * 1e36, material factors are at most 1, and ten mirrors add at most eleven such sums.
+ * equation overflows a float: a light's weight is at most 1e3·1e22 = 1e25, whatever its bank, a specular term at most 6.1e7
+ * (shading.LightingEquation), a thousand lights sum to 6.1e35, material factors are at most 1, and ten mirrors add at most eleven
+ * such sums.
  */
 public final class Limits {
     public static final int MAX_SIZE = 16384;
@@ -21,6 +22,8 @@ public final class Limits {
     public static final int MAX_SAMPLES = 8;
     public static final int MAX_LIGHTS = 1000;
     public static final int MAX_BANKS = 1000;
+    /** Shapes and groups that one link of a light names. */
+    public static final int MAX_LINKS = 1000;
     public static final int MAX_SHAPES = 1_000_000;
     public static final int MAX_MATERIALS = 32_000;
     public static final int MAX_NESTING = 32;
@@ -34,7 +37,7 @@ public final class Limits {
     public static final double MAX_EMISSION = 1e6;
     public static final double MAX_AMBIENCE = 1e6;
     public static final double MAX_LIGHT_COLOR = 1e3;
-    public static final double MAX_INTENSITY = 1e30;
+    public static final double MAX_INTENSITY = 1e22;
     public static final double MAX_BANK_INTENSITY = 1e3;
     public static final double MAX_ATTENUATION = 1e30;
     public static final double MAX_ANGLE = 180;
@@ -49,6 +52,8 @@ public final class Limits {
     public static final double MIN_FOV = 0.01;
     public static final double MAX_FOV = 170;
     public static final double MAX_REPEAT = 1e6;
+    public static final double MAX_HEIGHT = 1e9;
+    public static final double MAX_STRENGTH = 1e6;
     public static final double MAX_ROTATION = 1e6;
 
     public static final int MAX_NAME = 100;

@@ -4,18 +4,32 @@ import java.util.Optional;
 import lightning.math.Rgb;
 
 /**
- * How a surface answers light (paper §2.2). All colours are linear; {@link MaterialAttribute} tells the ranges.
+ * How a surface answers light. All colours are linear; {@link MaterialAttribute} tells the ranges, and which attributes act by
+ * which model: those of the other model have their initial values, whatever was said.
  *
  * @param name       unique among the materials
  * @param ambient    k<sub>ambient</sub>, also what the surface emits
- * @param diffuse    k<sub>diffuse</sub>, multiplied by the texture where there is one
- * @param specular   k<sub>specular</sub>
- * @param shininess  the exponent of the highlight
+ * @param model      by which equation
+ * @param diffuse    of Phong: k<sub>diffuse</sub>, multiplied by the texture where there is one
+ * @param specular   of Phong: k<sub>specular</sub>
+ * @param shininess  of Phong: the exponent of the highlight
+ * @param base       metallic: what scatters, and what a metal mirrors, each multiplied by the texture where there is one
+ * @param metalness  metallic: 0 where it is no metal, 1 where it is one
+ * @param roughness  metallic: 0 is smooth; its square is the width α of the highlight
+ * @param f0         metallic: which part of the light the surface mirrors head-on where it is no metal
  * @param reflective k<sub>reflect</sub> per channel
  * @param texture    the picture on the surface
+ * @param relief     what its normals are bent by
  */
-public record Material(String name, Rgb ambient, Rgb diffuse, Rgb specular, double shininess, Rgb reflective,
-        Optional<TextureMap> texture) {
+public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse, Rgb specular, double shininess, Rgb base,
+        double metalness, double roughness, double f0, Rgb reflective, Optional<TextureMap> texture,
+        Relief relief) {
+
+    /**
+     * Less rough is no surface here: what smaller ones show of a light that is a point is less than a pixel mostly, and digits fail
+     * (Guy and Agopian, Physically Based Rendering in Filament, §4.8.3.3, names this value).
+     */
+    public static final double LEAST_ROUGHNESS = 0.045;
 
     /** What a shape without a material gets: plain grey. */
     public static final Material DEFAULT = of("default");
@@ -23,40 +37,103 @@ public record Material(String name, Rgb ambient, Rgb diffuse, Rgb specular, doub
     public Material {
         Limits.name(name);
         MaterialAttribute.AMBIENT.check(ambient);
-        MaterialAttribute.DIFFUSE.check(diffuse);
-        MaterialAttribute.SPECULAR.check(specular);
-        MaterialAttribute.SHININESS.check(shininess);
+        diffuse = MaterialAttribute.DIFFUSE.checked(model, diffuse);
+        specular = MaterialAttribute.SPECULAR.checked(model, specular);
+        shininess = MaterialAttribute.SHININESS.checked(model, shininess);
+        base = MaterialAttribute.BASE.checked(model, base);
+        metalness = MaterialAttribute.METALNESS.checked(model, metalness);
+        roughness = MaterialAttribute.ROUGHNESS.checked(model, roughness);
+        f0 = MaterialAttribute.F0.checked(model, f0);
         MaterialAttribute.REFLECTIVE.check(reflective);
     }
 
     /** A material of which nothing else was said. */
     public static Material of(String name) {
-        return new Material(name, MaterialAttribute.AMBIENT.initial(), MaterialAttribute.DIFFUSE.initial(),
-                MaterialAttribute.SPECULAR.initial(), MaterialAttribute.SHININESS.initial(),
-                MaterialAttribute.REFLECTIVE.initial(), MaterialAttribute.TEXTURE.initial());
+        return new Material(name, MaterialAttribute.AMBIENT.initial(), MaterialAttribute.MODEL.initial(),
+                MaterialAttribute.DIFFUSE.initial(), MaterialAttribute.SPECULAR.initial(), MaterialAttribute.SHININESS.initial(),
+                MaterialAttribute.BASE.initial(), MaterialAttribute.METALNESS.initial(), MaterialAttribute.ROUGHNESS.initial(),
+                MaterialAttribute.F0.initial(), MaterialAttribute.REFLECTIVE.initial(), MaterialAttribute.TEXTURE.initial(),
+                Relief.NONE);
+    }
+
+    /** Whether it is of the model {@link SurfaceModel#METALLIC}. */
+    public boolean isMetallic() {
+        return model == SurfaceModel.METALLIC;
+    }
+
+    /** The width α of the highlights of a metallic material: the square of its roughness. */
+    public double alpha() {
+        double least = Math.max(roughness, LEAST_ROUGHNESS);
+        return least * least;
+    }
+
+    /** The colour that it has at first sight: what its texture multiplies. */
+    public Rgb body() {
+        return switch (model) {
+            case PHONG -> diffuse;
+            case METALLIC -> base;
+        };
+    }
+
+    /** The same with another such colour. */
+    public Material withBody(Rgb v) {
+        return switch (model) {
+            case PHONG -> withDiffuse(v);
+            case METALLIC -> withBase(v);
+        };
+    }
+
+    public Material withName(String v) {
+        return new Material(v, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief);
     }
 
     public Material withAmbient(Rgb v) {
-        return new Material(name, v, diffuse, specular, shininess, reflective, texture);
+        return new Material(name, v, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief);
+    }
+
+    /** The same by another model: its colour is kept, all else of the model is as if nothing was said. */
+    public Material withModel(SurfaceModel v) {
+        return v == model ? this
+                : new Material(name, ambient, v, base, specular, shininess, diffuse, metalness, roughness, f0, reflective, texture, relief);
     }
 
     public Material withDiffuse(Rgb v) {
-        return new Material(name, ambient, v, specular, shininess, reflective, texture);
+        return new Material(name, ambient, model, v, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief);
     }
 
     public Material withSpecular(Rgb v) {
-        return new Material(name, ambient, diffuse, v, shininess, reflective, texture);
+        return new Material(name, ambient, model, diffuse, v, shininess, base, metalness, roughness, f0, reflective, texture, relief);
     }
 
     public Material withShininess(double v) {
-        return new Material(name, ambient, diffuse, specular, v, reflective, texture);
+        return new Material(name, ambient, model, diffuse, specular, v, base, metalness, roughness, f0, reflective, texture, relief);
+    }
+
+    public Material withBase(Rgb v) {
+        return new Material(name, ambient, model, diffuse, specular, shininess, v, metalness, roughness, f0, reflective, texture, relief);
+    }
+
+    public Material withMetalness(double v) {
+        return new Material(name, ambient, model, diffuse, specular, shininess, base, v, roughness, f0, reflective, texture, relief);
+    }
+
+    public Material withRoughness(double v) {
+        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, v, f0, reflective, texture, relief);
+    }
+
+    public Material withF0(double v) {
+        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, v, reflective, texture, relief);
     }
 
     public Material withReflective(Rgb v) {
-        return new Material(name, ambient, diffuse, specular, shininess, v, texture);
+        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, v, texture, relief);
     }
 
     public Material withTexture(Optional<TextureMap> v) {
-        return new Material(name, ambient, diffuse, specular, shininess, reflective, v);
+        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, v, relief);
+    }
+
+    public Material withRelief(Relief v) {
+        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, v);
     }
 }

@@ -11,47 +11,120 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
 
     /** What people find together, in this order. */
     public enum Section {
+        MODEL,
         DIFFUSE,
+        BASE,
         TEXTURE,
+        RELIEF,
         SPECULAR,
+        SURFACE,
         REFLECTIVE,
         AMBIENT
     }
 
     public static final MaterialAttribute<Rgb> AMBIENT = color("ambient", Limits.MAX_EMISSION, Rgb.BLACK, Material::ambient,
-            Material::withAmbient, Section.AMBIENT, "What the surface shows without a light: times the scene's ambience, 0 or more");
+            Material::withAmbient, null, Section.AMBIENT, "What the surface shows without a light: times the scene's ambience, 0 or more");
+    public static final MaterialAttribute<SurfaceModel> MODEL = new MaterialAttribute<>("model", Choice.of(SurfaceModel.class),
+            SurfaceModel.PHONG, "", Material::model, Material::withModel, MaterialTerm.MODEL, null, Section.MODEL,
+            "By which equation the surface answers light: the paper's, or that of base colour, metalness and roughness");
     public static final MaterialAttribute<Rgb> DIFFUSE = color("diffuse", 1, Rgb.grey(0.8), Material::diffuse,
-            Material::withDiffuse, Section.DIFFUSE, "The light that the surface scatters; times the texture where there is one");
-    public static final MaterialAttribute<Optional<TextureMap>> TEXTURE = new MaterialAttribute<>("texture", new Kind.Texturing(),
-            Optional.empty(), "", Material::texture, Material::withTexture, MaterialTerm.TEXEL, Section.TEXTURE,
-            "The picture on the surface");
+            Material::withDiffuse, SurfaceModel.PHONG, Section.DIFFUSE,
+            "The light that the surface scatters; times the texture where there is one");
+    public static final MaterialAttribute<Rgb> BASE = color("base", 1, Rgb.grey(0.8), Material::base, Material::withBase,
+            SurfaceModel.METALLIC, Section.BASE,
+            "What the surface scatters, or mirrors where it is a metal; times the texture where there is one");
+    public static final MaterialAttribute<Optional<TextureMap>> TEXTURE =
+            new MaterialAttribute<>("texture", new Kind.Texturing("repeat", true),
+                    Optional.empty(), "", Material::texture, Material::withTexture, MaterialTerm.TEXEL, null, Section.TEXTURE,
+                    "The picture on the surface");
+    public static final MaterialAttribute<Optional<TextureMap>> BUMP = relief("bump", "bump", new Kind.Texturing("bump_repeat", false),
+            Optional.empty(), "", Relief::bump, Relief::withBump, "A picture of heights: white is above black");
+    public static final MaterialAttribute<Double> HEIGHT = relief("height", "height",
+            Quantity.number(-Limits.MAX_HEIGHT, Limits.MAX_HEIGHT, 0.01), 0.05, "scene units, of white above black", Relief::height,
+            Relief::withHeight, "How much higher the bump picture's white is than its black");
+    public static final MaterialAttribute<Optional<TextureMap>> NORMALS = relief("normal_map", "normals",
+            new Kind.Texturing("normal_repeat", false), Optional.empty(), "", Relief::normals, Relief::withNormals,
+            "A picture of normals, as glTF has them");
+    public static final MaterialAttribute<Double> STRENGTH = relief("strength", "strength",
+            Quantity.number(-Limits.MAX_STRENGTH, Limits.MAX_STRENGTH, 0.1), 1.0, "factor on how far normals lean", Relief::strength,
+            Relief::withStrength, "How far the normals of the picture of normals lean");
     public static final MaterialAttribute<Rgb> SPECULAR = color("specular", 1, Rgb.BLACK, Material::specular,
-            Material::withSpecular, Section.SPECULAR, "The colour of highlights; black for none");
-    public static final MaterialAttribute<Double> SHININESS = new MaterialAttribute<>("shininess",
-            Quantity.number(0, Limits.MAX_SHININESS, 1), 16.0, "exponent", Material::shininess, Material::withShininess,
-            MaterialTerm.HIGHLIGHT, Section.SPECULAR, "How small highlights are");
+            Material::withSpecular, SurfaceModel.PHONG, Section.SPECULAR, "The colour of highlights; black for none");
+    public static final MaterialAttribute<Double> SHININESS = number("shininess", Limits.MAX_SHININESS, 1, 16, "exponent",
+            Material::shininess, Material::withShininess, MaterialTerm.HIGHLIGHT, SurfaceModel.PHONG, Section.SPECULAR,
+            "How small highlights are");
+    public static final MaterialAttribute<Double> METALNESS = number("metalness", 1, 0.1, 0, "", Material::metalness,
+            Material::withMetalness, MaterialTerm.COLOR, SurfaceModel.METALLIC, Section.SURFACE,
+            "How far the surface is a metal: 0 for none, 1 for one");
+    public static final MaterialAttribute<Double> ROUGHNESS = number("roughness", 1, 0.05, 0.5, "", Material::roughness,
+            Material::withRoughness, MaterialTerm.HIGHLIGHT, SurfaceModel.METALLIC, Section.SURFACE,
+            "How wide highlights are: 0 for a smooth surface");
+    public static final MaterialAttribute<Double> F0 = number("f0", 1, 0.01, 0.04, "part of the light head-on", Material::f0,
+            Material::withF0, MaterialTerm.COLOR, SurfaceModel.METALLIC, Section.SURFACE,
+            "Which part of the light a surface that is no metal mirrors head-on: 0.02 for water, 0.04 for plastic, 0.17 for diamond");
     public static final MaterialAttribute<Rgb> REFLECTIVE = color("reflective", 1, Rgb.BLACK, Material::reflective,
-            Material::withReflective, Section.REFLECTIVE, "How much the surface mirrors; black for no mirror");
+            Material::withReflective, null, Section.REFLECTIVE, "How much the surface mirrors; black for no mirror");
 
-    /** All of them. */
-    public static final List<MaterialAttribute<?>> ALL = List.of(AMBIENT, DIFFUSE, TEXTURE, SPECULAR, SHININESS, REFLECTIVE);
+    /** All of them; that which decides about others before these. */
+    public static final List<MaterialAttribute<?>> ALL = List.of(AMBIENT, MODEL, DIFFUSE, BASE, TEXTURE, BUMP, HEIGHT, NORMALS, STRENGTH,
+            SPECULAR, SHININESS, METALNESS, ROUGHNESS, F0, REFLECTIVE);
 
     private final MaterialTerm term;
+    /** The only one by which it acts; null where it acts by all. */
+    private final SurfaceModel model;
     private final Section section;
     private final String help;
 
     private MaterialAttribute(String name, Kind<V> kind, V initial, String unit, Function<Material, V> get,
-            BiFunction<Material, V, Material> with, MaterialTerm term, Section section, String help) {
-        super(name, name, kind, initial, unit, get, with);
+            BiFunction<Material, V, Material> with, MaterialTerm term, SurfaceModel model, Section section, String help) {
+        this(name, name, kind, initial, unit, get, with, term, model, section, help);
+    }
+
+    private MaterialAttribute(String name, String title, Kind<V> kind, V initial, String unit, Function<Material, V> get,
+            BiFunction<Material, V, Material> with, MaterialTerm term, SurfaceModel model, Section section, String help) {
+        super(name, title, kind, initial, unit, get, with);
         this.term = term;
+        this.model = model;
         this.section = section;
         this.help = help;
     }
 
     private static MaterialAttribute<Rgb> color(String name, double max, Rgb initial, Function<Material, Rgb> get,
-            BiFunction<Material, Rgb, Material> with, Section section, String help) {
+            BiFunction<Material, Rgb, Material> with, SurfaceModel model, Section section, String help) {
         return new MaterialAttribute<>(name, Quantity.color(max), initial, "linear red, green, blue", get, with, MaterialTerm.COLOR,
-                section, help);
+                model, section, help);
+    }
+
+    private static MaterialAttribute<Double> number(String name, double max, double step, double initial, String unit,
+            Function<Material, Double> get, BiFunction<Material, Double, Material> with, MaterialTerm term, SurfaceModel model,
+            Section section, String help) {
+        return new MaterialAttribute<>(name, Quantity.number(0, max, step), initial, unit, get, with, term, model, section, help);
+    }
+
+    /** Whether it acts on a material of this model; else it has its initial value there. */
+    public boolean acts(SurfaceModel of) {
+        return model == null || model == of;
+    }
+
+    /** Why a material of this model does not have it: a clause; empty where it acts. */
+    public Optional<String> obstacle(SurfaceModel of) {
+        return acts(of) ? Optional.empty() : Optional.of("a material of model " + MODEL.kind().text(of) + " has no " + title());
+    }
+
+    /**
+     * The value as a material of this model has it.
+     *
+     * @throws IllegalArgumentException if no record may have the value; the message says why
+     */
+    V checked(SurfaceModel of, V value) {
+        check(value);
+        return acts(of) ? value : initial();
+    }
+
+    private static <V> MaterialAttribute<V> relief(String name, String title, Kind<V> kind, V initial, String unit,
+            Function<Relief, V> get, BiFunction<Relief, V, Relief> with, String help) {
+        return new MaterialAttribute<>(name, title, kind, initial, unit, m -> get.apply(m.relief()),
+                (m, v) -> m.withRelief(with.apply(m.relief(), v)), MaterialTerm.NORMAL, null, Section.RELIEF, help);
     }
 
     /** Colours are alike where they are as floats, which rows are coloured with. */

@@ -3,6 +3,8 @@ package lightning.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 import lightning.text.Quote;
 
 /**
@@ -16,15 +18,19 @@ public final class Rig {
     private final List<Light> lights;
     private final List<Bank> banks;
     private final RigNames names;
+    /** The directional lights that an environment is made of. */
+    private final List<Light> sky;
     private final List<Light> acting;
     /** Whether any light is solo and on, so that the others are dark. */
     private final boolean solo;
 
-    private Rig(List<Light> lights, List<Bank> banks, RigNames names) {
+    private Rig(List<Light> lights, List<Bank> banks, RigNames names, List<Light> sky) {
         this.lights = lights;
         this.banks = banks;
         this.names = names;
-        acting = lights.stream().allMatch(l -> l.bank().isEmpty()) ? lights : lights.stream().map(this::acting).toList();
+        this.sky = sky;
+        List<Light> own = lights.stream().allMatch(l -> l.bank().isEmpty()) ? lights : lights.stream().map(this::acting).toList();
+        acting = sky.isEmpty() ? own : Stream.concat(own.stream(), sky.stream()).toList();
         solo = acting.stream().anyMatch(l -> l.solo() && l.on());
     }
 
@@ -44,7 +50,7 @@ public final class Rig {
         List<Bank> masters = List.copyOf(banks);
         Limits.range("the number of lights", all.size(), 0, Limits.MAX_LIGHTS);
         Limits.range("the number of banks", masters.size(), 0, Limits.MAX_BANKS);
-        return new Rig(all, masters, new RigNames(all, masters));
+        return new Rig(all, masters, new RigNames(all, masters), List.of());
     }
 
     public List<Light> lights() {
@@ -55,7 +61,19 @@ public final class Rig {
         return banks;
     }
 
-    /** The lights as their banks make them, each in none, in the same order: those that a picture is made of. */
+    /** This rig in a world, whose environment's lights come last among those that act. */
+    Rig in(World world) {
+        if (world.environment().isEmpty() && sky.isEmpty()) {
+            return this;
+        }
+        List<Light> around = world.lights(this::isTaken);
+        return around.equals(sky) ? this : new Rig(lights, banks, names, around);
+    }
+
+    /**
+     * The lights as their banks make them, each in none, in the same order, and behind them those of the environment: those that a picture is
+     * made of.
+     */
     public List<Light> actingLights() {
         return acting;
     }
@@ -117,7 +135,7 @@ public final class Rig {
         }
         List<Light> all = new ArrayList<>(lights);
         all.set(place, light);
-        return new Rig(List.copyOf(all), banks, names);
+        return new Rig(List.copyOf(all), banks, names, sky);
     }
 
     /** This rig with other lights and the same banks. */
@@ -133,7 +151,7 @@ public final class Rig {
     public Rig with(Bank bank) {
         List<Bank> all = new ArrayList<>(banks);
         all.set(bankPlace(bank.name()), bank);
-        return new Rig(lights, List.copyOf(all), names);
+        return new Rig(lights, List.copyOf(all), names, sky);
     }
 
     /** This rig with one bank more, the last. */
@@ -166,6 +184,19 @@ public final class Rig {
         return of(moved(bank, ""), all);
     }
 
+    /** This rig with other links of all its lights. */
+    Rig linked(UnaryOperator<Links> links) {
+        List<Light> all = null;
+        for (int i = 0; i < lights.size(); i++) {
+            Light light = lights.get(i).isLinked() ? lights.get(i).linked(links) : lights.get(i);
+            if (light != lights.get(i)) {
+                all = all == null ? new ArrayList<>(lights) : all;
+                all.set(i, light);
+            }
+        }
+        return all == null ? this : new Rig(List.copyOf(all), banks, names, sky);
+    }
+
     private List<Light> moved(String bank, String to) {
         return lights.stream().map(l -> l.bank().equals(bank) ? l.withBank(to) : l).toList();
     }
@@ -180,7 +211,7 @@ public final class Rig {
 
     @Override
     public boolean equals(Object o) {
-        return this == o || o instanceof Rig r && lights.equals(r.lights) && banks.equals(r.banks);
+        return this == o || o instanceof Rig r && lights.equals(r.lights) && banks.equals(r.banks) && sky.equals(r.sky);
     }
 
     @Override

@@ -16,6 +16,7 @@ public record Scene(Picture picture, Camera camera, World world, Stage stage, Ri
 
     public Scene {
         rig.names().checkApart(stage);
+        rig = rig.in(world);
     }
 
     /**
@@ -126,13 +127,23 @@ public record Scene(Picture picture, Camera camera, World world, Stage stage, Ri
         return withStage(stage.withNodes(v));
     }
 
-    /** This scene with a shape or a group in place of that name's. */
+    /** This scene with a shape or a group in place of that name's; what links of lights name follows where it has another name. */
     public Scene withNode(String name, Node node) {
-        return withStage(stage.withNode(name, node));
+        return replacing(name, List.of(node));
     }
 
+    /**
+     * This scene with none, one or several nodes in place of that name's: see {@link Stage#replacing}. Where it is one, links of lights
+     * follow its name.
+     */
+    public Scene replacing(String node, List<? extends Node> by) {
+        return by.size() != 1 ? withStage(stage.replacing(node, by))
+                : withRig(rig.linked(links -> links.renamed(node, by.getFirst().name()))).withStage(stage.replacing(node, by));
+    }
+
+    /** This scene with another stage; links of lights lose the names of shapes and groups that are gone. */
     public Scene withStage(Stage v) {
-        return new Scene(picture, camera, world, v, rig);
+        return new Scene(picture, camera, world, v, v.sharesNodesWith(stage) ? rig : rig.linked(links -> links.within(v::hasNode)));
     }
 
     public Scene withPicture(Picture v) {

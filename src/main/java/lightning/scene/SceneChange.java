@@ -49,7 +49,11 @@ public final class SceneChange {
     private String of(Scene before, Scene after) {
         lights(new LightMatch(before.lights(), after.lights()));
         banks(before.rig(), after.rig());
-        change(World.AMBIENCE, before.world(), after.world()).ifPresent(this::add);
+        for (Attribute<World, ?> attribute : World.ATTRIBUTES) {
+            if (attribute != World.BACKGROUND) {
+                change(attribute, before.world(), after.world()).ifPresent(this::add);
+            }
+        }
         if (!before.picture().equals(after.picture())) {
             change(Picture.DEPTH, before.picture(), after.picture()).ifPresent(this::add);
             add(new Change("anti-aliasing", sampling(before), sampling(after)));
@@ -127,7 +131,9 @@ public final class SceneChange {
         for (Material material : after.materials()) {
             Material old = known.get(material.name());
             if (old != null && !old.equals(material)) {
-                parts.add(joined(old.name(), changes(MaterialAttribute.ALL, old, material)));
+                // Another model has other attributes, which is not told.
+                parts.add(joined(old.name(), changes(MaterialAttribute.ALL.stream()
+                        .filter(a -> a.acts(old.model()) && a.acts(material.model())).toList(), old, material)));
             }
         }
         return names(after).equals(names(before)) || addsDefault(before, after);
@@ -135,42 +141,46 @@ public final class SceneChange {
 
     /** Adds what changed of each shape and group; false if the change is more than values of theirs, or of too many to tell. */
     private boolean nodes(Scene before, Scene after) {
-        if (before.nodes().equals(after.nodes())) {
-            return true;
-        }
-        List<Node> from = new ArrayList<>();
-        List<Node> to = new ArrayList<>();
-        collect(before.nodes(), from);
-        collect(after.nodes(), to);
-        if (from.size() != to.size()) {
-            return false;
-        }
         List<String> changed = new ArrayList<>();
-        for (int i = 0; i < from.size() && changed.size() <= MOST_NODES; i++) {
-            Node a = from.get(i);
-            Node b = to.get(i);
-            if (a != b && (!a.name().equals(b.name()) || !solid(a).equals(solid(b)))) {
-                return false;
-            }
-            List<Change> changes = a == b ? List.of() : changes(a, b);
-            if (!changes.isEmpty()) {
-                changed.add(joined(a.name(), changes));
-            }
-        }
-        if (changed.size() > MOST_NODES) {
+        if (!nodes(before.nodes(), after.nodes(), changed) || changed.size() > MOST_NODES) {
             return false;
         }
         parts.addAll(changed);
         return true;
     }
 
-    private static void collect(List<Node> nodes, List<Node> to) {
-        for (Node node : nodes) {
-            to.add(node);
-            if (node instanceof Group g) {
-                collect(g.children(), to);
+    /** What is the same at both ends is passed over; between, nodes came, or went, or are others in the same places. */
+    private boolean nodes(List<Node> from, List<Node> to, List<String> changed) {
+        int begin = 0;
+        int end = from.size();
+        int endNow = to.size();
+        while (begin < Math.min(end, endNow) && from.get(begin).equals(to.get(begin))) {
+            begin++;
+        }
+        while (Math.min(end, endNow) > begin && from.get(end - 1).equals(to.get(endNow - 1))) {
+            end--;
+            endNow--;
+        }
+        boolean known = begin == end || begin == endNow || end == endNow;
+        for (int i = begin; known && i < Math.max(end, endNow) && changed.size() <= MOST_NODES; i++) {
+            if (end == endNow) {
+                known = node(from.get(i), to.get(i), changed);
+            } else {
+                changed.add(i < endNow ? "add " + to.get(i).name() : "delete " + from.get(i).name());
             }
         }
+        return known;
+    }
+
+    private boolean node(Node a, Node b, List<String> changed) {
+        if (a instanceof Group != b instanceof Group || !solid(a).equals(solid(b))) {
+            return false;
+        }
+        List<Change> changes = changes(a, b);
+        if (!changes.isEmpty()) {
+            changed.add(joined(a.name(), changes));
+        }
+        return !(a instanceof Group g && b instanceof Group h) || nodes(g.children(), h.children(), changed);
     }
 
     private static Optional<Solid> solid(Node node) {
@@ -179,6 +189,9 @@ public final class SceneChange {
 
     private static List<Change> changes(Node a, Node b) {
         List<Change> changes = new ArrayList<>();
+        if (!a.name().equals(b.name())) {
+            changes.add(new Change("name", a.name(), b.name()));
+        }
         if (a instanceof Shape s && b instanceof Shape t && !s.material().equals(t.material())) {
             changes.add(new Change("material", s.material(), t.material()));
         }

@@ -4,11 +4,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import lightning.math.Transform;
 import lightning.text.Quote;
@@ -105,40 +107,114 @@ public final class Stage {
         return null;
     }
 
+    /** The groups around the shape or the group of that name, the outermost first; none where there is none of that name. */
+    public List<Group> around(String name) {
+        List<Group> groups = new ArrayList<>();
+        around(nodes(), name, groups);
+        return groups;
+    }
+
+    private static boolean around(List<Node> nodes, String name, List<Group> groups) {
+        for (Node node : nodes) {
+            if (node.name().equals(name)) {
+                return true;
+            }
+            if (node instanceof Group g) {
+                groups.add(g);
+                if (around(g.children(), name, groups)) {
+                    return true;
+                }
+                groups.removeLast();
+            }
+        }
+        return false;
+    }
+
     /**
      * This stage with a shape or a group in place of that name's; all other nodes are shared.
      *
      * @throws IllegalArgumentException as {@link #Stage(List, List)}
      */
     public Stage withNode(String name, Node node) {
-        return withNodes(with(nodes(), name, node));
+        return replacing(name, List.of(node));
     }
 
-    private static List<Node> with(List<Node> nodes, String name, Node node) {
-        List<Node> all = new ArrayList<>(nodes.size());
-        boolean same = true;
-        for (Node old : nodes) {
-            Node now = old;
-            if (old.name().equals(name)) {
-                now = node;
-            } else if (old instanceof Group g) {
-                List<Node> children = with(g.children(), name, node);
-                now = children == g.children() ? g : g.withChildren(children);
-            }
-            same &= now == old;
-            all.add(now);
+    /**
+     * This stage with none, one or several nodes in place of that name's; itself where there is none of that name. What is known of all
+     * others serves on, so that it takes little time however many there are.
+     *
+     * @throws IllegalArgumentException as {@link #Stage(List, List)}
+     */
+    public Stage replacing(String name, List<? extends Node> by) {
+        var splice = new Splice(name, by);
+        List<Node> nodes = splice.in(nodes(), 0, 1, 1);
+        return splice.old == null || by.equals(List.of(splice.old)) ? this : new Stage(materials, new Tree(tree, nodes, splice));
+    }
+
+    /** Nodes in place of one, and where that stands. */
+    private static final class Splice {
+        final String name;
+        final List<? extends Node> by;
+        /** The node that goes; null until it is found. */
+        Node old;
+        /** Of the groups around it: how many they are, and the products of their scales. */
+        int nesting;
+        double least;
+        double most;
+
+        Splice(String name, List<? extends Node> by) {
+            this.name = name;
+            this.by = by;
         }
-        return same ? nodes : all;
+
+        List<Node> in(List<Node> nodes, int outerNesting, double outerLeast, double outerMost) {
+            for (int i = 0; i < nodes.size(); i++) {
+                Node node = nodes.get(i);
+                if (node.name().equals(name)) {
+                    old = node;
+                    nesting = outerNesting;
+                    least = outerLeast;
+                    most = outerMost;
+                    return spliced(nodes, i, by);
+                }
+                if (node instanceof Group g) {
+                    List<Node> children = in(g.children(), outerNesting + 1, outerLeast * g.placement().leastScale(),
+                            outerMost * g.placement().mostScale());
+                    if (old != null) {
+                        return spliced(nodes, i, List.of(g.withChildren(children)));
+                    }
+                }
+            }
+            return nodes;
+        }
+
+        private static List<Node> spliced(List<Node> nodes, int at, List<? extends Node> by) {
+            List<Node> all = new ArrayList<>(nodes.size() - 1 + by.size());
+            all.addAll(nodes.subList(0, at));
+            all.addAll(by);
+            all.addAll(nodes.subList(at + 1, nodes.size()));
+            return List.copyOf(all);
+        }
     }
 
     /** Whether both have the same names of shapes and groups, because the one was made of the other. */
     boolean sharesNodesWith(Stage o) {
-        return tree == o.tree;
+        return tree.names == o.tree.names;
+    }
+
+    /** Whether both have the same shapes and groups in the same places of the tree, because the one was made of the other. */
+    public boolean sharesOutlineWith(Stage o) {
+        return tree.outline == o.tree.outline;
+    }
+
+    /** Whether in both each shape has the same material, because the one was made of the other. */
+    public boolean sharesUsersWith(Stage o) {
+        return tree.users == o.tree.users;
     }
 
     /** All visible shapes, in the order of the file, with materials and groups resolved. */
     public List<PlacedShape> placedShapes() {
-        List<PlacedShape> placed = new ArrayList<>(tree.shapes.size());
+        List<PlacedShape> placed = new ArrayList<>(tree.count);
         place(placed::add);
         return placed;
     }
@@ -150,7 +226,16 @@ public final class Stage {
 
     /** All visible shapes, in the order of the file, as they stand there. */
     public List<Shape> shapes() {
-        return tree.shapes;
+        return tree.shapes();
+    }
+
+    /**
+     * Of each of the {@link #shapes} whether it is among those linked; not to be written to.
+     *
+     * @return {@code boolean[shapes().size()]}
+     */
+    public boolean[] linked(Links links) {
+        return tree.linked(links);
     }
 
     private void place(List<Node> nodes, Transform outer, Transform back, PlacementError outerError, Consumer<PlacedShape> to) {
@@ -178,17 +263,65 @@ public final class Stage {
         return 31 * materials.hashCode() + tree.nodes.hashCode();
     }
 
+    /** All that is in some nodes, checked for limits: in the order of the file. */
+    private static final class Survey {
+        final List<String> names = new ArrayList<>();
+        final List<Shape> shapes = new ArrayList<>();
+
+        Survey(List<? extends Node> nodes, int nesting, double leastScale, double mostScale) {
+            take(nodes, nesting, leastScale, mostScale);
+        }
+
+        private void take(List<? extends Node> nodes, int nesting, double leastScale, double mostScale) {
+            Limits.range("the nesting of groups", nesting, 0, Limits.MAX_NESTING);
+            for (Node node : nodes) {
+                names.add(node.name());
+                double least = leastScale * node.placement().leastScale();
+                double most = mostScale * node.placement().mostScale();
+                Limits.combinedScale(() -> "shape " + Quote.of(node.name()), least, most);
+                switch (node) {
+                    case Group g -> take(g.children(), nesting + 1, least, most);
+                    case Shape s -> shapes.add(s);
+                }
+            }
+        }
+
+        /** The names, sorted. */
+        String[] sorted() {
+            String[] all = names.toArray(String[]::new);
+            Arrays.parallelSort(all);
+            return all;
+        }
+
+        boolean hasSameUsers(Survey o) {
+            boolean same = shapes.size() == o.shapes.size();
+            for (int i = 0; same && i < shapes.size(); i++) {
+                Shape a = shapes.get(i);
+                Shape b = o.shapes.get(i);
+                same = a.name().equals(b.name()) && a.material().equals(b.material());
+            }
+            return same;
+        }
+    }
+
     /** The nodes, checked, with what must be known of them when materials or lights change. */
     private static final class Tree {
+        /** Of so many links it is kept which shapes they are. */
+        private static final int MOST_LINKS = 64;
+
         final List<Node> nodes;
         /** Of all nodes, sorted: a table of hashes would be slow where a file chose names that collide. */
         final String[] names;
-        /** All visible shapes in the order of the file; the nodes themselves where none is a group or hidden. */
-        final List<Shape> shapes;
         /** How many shapes there are. */
         final int count;
         /** For each material in use the first shape that has it. */
-        private final Map<String, String> users = new LinkedHashMap<>();
+        final Map<String, String> users;
+        /** Stands for the names and their places in the tree, told by identity. */
+        final Object outline;
+        /** Found when it is asked for; whoever finds it finds the same. */
+        private List<Shape> shapes;
+        /** The shapes linked by what was asked last. */
+        private final Map<Links, boolean[]> linked = new ConcurrentHashMap<>();
 
         static Tree of(List<Node> nodes) {
             return new Tree(List.copyOf(nodes));
@@ -196,17 +329,111 @@ public final class Stage {
 
         private Tree(List<Node> nodes) {
             this.nodes = nodes;
-            List<String> found = new ArrayList<>();
-            count = Limits.range("the number of shapes", check(nodes, found, 0, 1, 1), 0, Limits.MAX_SHAPES);
-            names = found.toArray(String[]::new);
-            Arrays.parallelSort(names);
+            var all = new Survey(nodes, 0, 1, 1);
+            count = Limits.range("the number of shapes", all.shapes.size(), 0, Limits.MAX_SHAPES);
+            names = all.sorted();
             for (int i = 1; i < names.length; i++) {
                 if (names[i].equals(names[i - 1])) {
-                    throw new IllegalArgumentException("shape " + Quote.of(names[i]) + ": the name is already taken");
+                    throw taken(names[i]);
                 }
             }
-            shapes = count == names.length && nodes.stream().allMatch(Node::visible) ? allShapes(nodes)
-                    : List.copyOf(collect(nodes, new ArrayList<>(count)));
+            users = users(all.shapes);
+            outline = new Object();
+        }
+
+        /** Those of another with some in place of one. */
+        private Tree(Tree before, List<Node> nodes, Splice splice) {
+            this.nodes = nodes;
+            var gone = new Survey(List.of(splice.old), splice.nesting, splice.least, splice.most);
+            var came = new Survey(splice.by, splice.nesting, splice.least, splice.most);
+            count = Limits.range("the number of shapes", before.count - gone.shapes.size() + came.shapes.size(), 0, Limits.MAX_SHAPES);
+            names = gone.names.equals(came.names) ? before.names : merged(before.names, gone.sorted(), came.sorted());
+            users = gone.hasSameUsers(came) ? before.users : users(new Survey(nodes, 0, 1, 1).shapes);
+            outline = sameOutline(List.of(splice.old), splice.by) ? before.outline : new Object();
+        }
+
+        boolean[] linked(Links links) {
+            if (linked.size() > MOST_LINKS) {
+                linked.clear();
+            }
+            return linked.computeIfAbsent(links, asked -> {
+                boolean[] found = new boolean[shapes().size()];
+                mark(nodes, new HashSet<>(asked.names()), asked.only(), false, found, 0);
+                return found;
+            });
+        }
+
+        /** @return the place of the shape behind those of the nodes */
+        private static int mark(List<Node> nodes, Set<String> names, boolean only, boolean named, boolean[] found, int from) {
+            int at = from;
+            for (Node node : nodes) {
+                boolean here = named || names.contains(node.name());
+                switch (node) {
+                    case Group g when g.visible() -> at = mark(g.children(), names, only, here, found, at);
+                    case Shape s when s.visible() -> found[at++] = here == only;
+                    case Node _ -> {}
+                }
+            }
+            return at;
+        }
+
+        private static boolean sameOutline(List<? extends Node> a, List<? extends Node> b) {
+            boolean same = a.size() == b.size();
+            for (int i = 0; same && i < a.size(); i++) {
+                same = a.get(i) == b.get(i) || a.get(i).name().equals(b.get(i).name()) && switch (a.get(i)) {
+                    case Group g -> b.get(i) instanceof Group h && sameOutline(g.children(), h.children());
+                    case Shape _ -> b.get(i) instanceof Shape;
+                };
+            }
+            return same;
+        }
+
+        private static String[] merged(String[] names, String[] gone, String[] came) {
+            String[] all = new String[names.length - gone.length + came.length];
+            int from = 0;
+            int to = 0;
+            int g = 0;
+            int c = 0;
+            while (g < gone.length || c < came.length) {
+                // What goes first, so that a name that comes again is not found any more.
+                boolean goes = c == came.length || g < gone.length && gone[g].compareTo(came[c]) <= 0;
+                int found = Arrays.binarySearch(names, from, names.length, goes ? gone[g] : came[c]);
+                int place = found < 0 ? -found - 1 : found;
+                System.arraycopy(names, from, all, to, place - from);
+                to += place - from;
+                from = place;
+                if (goes) {
+                    from++;
+                    g++;
+                } else if (found >= 0 || c > 0 && came[c].equals(came[c - 1])) {
+                    throw taken(came[c]);
+                } else {
+                    all[to++] = came[c++];
+                }
+            }
+            System.arraycopy(names, from, all, to, names.length - from);
+            return all;
+        }
+
+        private static IllegalArgumentException taken(String name) {
+            return new IllegalArgumentException("shape " + Quote.of(name) + ": the name is already taken");
+        }
+
+        private static Map<String, String> users(List<Shape> shapes) {
+            Map<String, String> users = new LinkedHashMap<>();
+            shapes.forEach(s -> users.putIfAbsent(s.material(), s.name()));
+            return users;
+        }
+
+        /** All visible shapes in the order of the file; the nodes themselves where none is a group or hidden. */
+        List<Shape> shapes() {
+            List<Shape> found = shapes;
+            if (found == null) {
+                found = count == names.length && nodes.stream().allMatch(Node::visible) ? allShapes(nodes)
+                        : List.copyOf(collect(nodes, new ArrayList<>(count)));
+                shapes = found;
+            }
+            return found;
         }
 
         /** Nobody writes to the list: it is immutable. */
@@ -224,26 +451,6 @@ public final class Stage {
                 }
             }
             return shapes;
-        }
-
-        /** Returns how many shapes there are. */
-        private int check(List<Node> nodes, List<String> found, int nesting, double leastScale, double mostScale) {
-            Limits.range("the nesting of groups", nesting, 0, Limits.MAX_NESTING);
-            int count = 0;
-            for (Node node : nodes) {
-                found.add(node.name());
-                double least = leastScale * node.placement().leastScale();
-                double most = mostScale * node.placement().mostScale();
-                Limits.combinedScale(() -> "shape " + Quote.of(node.name()), least, most);
-                switch (node) {
-                    case Group g -> count += check(g.children(), found, nesting + 1, least, most);
-                    case Shape s -> {
-                        users.putIfAbsent(s.material(), s.name());
-                        count++;
-                    }
-                }
-            }
-            return count;
         }
 
         void checkMaterials(Set<String> known) {

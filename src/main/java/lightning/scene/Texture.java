@@ -3,8 +3,8 @@ package lightning.scene;
 import java.util.Arrays;
 
 /**
- * A decoded picture that multiplies a material's diffuse colour: linear RGB in 0…1, rows from the
- * top, never changed after construction.
+ * A decoded picture: linear RGB in 0…1, rows from the top, never changed after construction. It multiplies a material's diffuse
+ * colour, holds back a light, or tells heights or normals.
  */
 public final class Texture {
     private final int width;
@@ -59,6 +59,22 @@ public final class Texture {
             double below = p[lowerLeft + c] * left + p[lowerRight + c] * across;
             to[c] = (float) (above * upper + below * along);
         }
+    }
+
+    /**
+     * The luminance of four pixels mixed bilinearly, 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709), in double.
+     *
+     * @param across as {@link #mix} has it, and so is {@code along}
+     */
+    public double luminance(int x0, int y0, int x1, int y1, double across, double along) {
+        double above = luminance(x0, y0) * (1 - across) + luminance(x1, y0) * across;
+        double below = luminance(x0, y1) * (1 - across) + luminance(x1, y1) * across;
+        return above * (1 - along) + below * along;
+    }
+
+    private double luminance(int x, int y) {
+        int i = 3 * (y * width + x);
+        return 0.2126 * rgb[i] + 0.7152 * rgb[i + 1] + 0.0722 * rgb[i + 2];
     }
 
     @Override

@@ -35,11 +35,11 @@ public final class VisiblePart {
         return same;
     }
 
-    /** The lights with everything that does not act set to one fixed value, their names and banks included. */
+    /** The lights with everything that does not act set to one fixed value, their names and banks included; an environment brings its own. */
     private static List<Light> lights(Scene scene) {
         List<Light> lights = new ArrayList<>();
-        for (Light light : scene.rig().actingLights()) {
-            lights.add(light(scene, light, "light" + lights.size()));
+        for (Light light : scene.lights()) {
+            lights.add(light(scene, scene.rig().acting(light), "light" + lights.size()));
         }
         return lights;
     }
@@ -48,7 +48,8 @@ public final class VisiblePart {
         if (!scene.shines(light) || light.weight().isBlack()) {
             return Light.of(name, LightType.POINT).withOn(false);
         }
-        Light acting = Light.of(name, light.type());
+        // A solo light darkens what stays of the environment.
+        Light acting = Light.of(name, light.type()).withSolo(light.solo() && scene.world().environment().isPresent());
         for (LightAttribute<?> attribute : LightAttribute.ALL) {
             if (attribute.term(light).isPresent()) {
                 acting = attribute.copy(light, acting);

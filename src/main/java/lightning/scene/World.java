@@ -1,35 +1,104 @@
 package lightning.scene;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
 import lightning.math.Rgb;
+import lightning.math.Transform;
+import lightning.math.Vec3;
 
 /**
  * What surrounds the shapes.
  *
- * @param ambience   the factor on every material's ambient colour, ≥ 0
- * @param background the linear colour where a ray hits nothing, ≥ 0
+ * @param ambience    the factor on every material's ambient colour, ≥ 0
+ * @param background  the linear colour where a ray hits nothing, ≥ 0; an environment takes its place
+ * @param environment what is far around, seen where a ray hits nothing, and a light
+ * @param rotation    how far the environment is turned about y, degrees
+ * @param intensity   a factor of all that comes from the environment
+ * @param lamps       how many directional lamps its light is made of
  */
-public record World(double ambience, Rgb background) {
+public record World(double ambience, Rgb background, Optional<Panorama> environment, double rotation, double intensity, int lamps) {
     public static final Attribute<World, Double> AMBIENCE = new Attribute<>("ambience", "ambience",
             Quantity.number(0, Limits.MAX_AMBIENCE, 0.1), 1.0, "", World::ambience, World::withAmbience);
     public static final Attribute<World, Rgb> BACKGROUND = new Attribute<>("background", "background",
             Quantity.color(Limits.MAX_EMISSION), Rgb.BLACK, "linear red, green, blue", World::background, World::withBackground);
+    public static final Attribute<World, Optional<Panorama>> ENVIRONMENT = new Attribute<>("environment", "environment",
+            new Kind.Surrounding(), Optional.empty(), "a Radiance HDR file", World::environment, World::withEnvironment);
+    public static final Attribute<World, Double> ROTATION = new Attribute<>("rotation", "rotation",
+            Quantity.number(-Limits.MAX_ROTATION, Limits.MAX_ROTATION, 5), 0.0, "degrees about y", World::rotation, World::withRotation);
+    public static final Attribute<World, Double> INTENSITY = new Attribute<>("intensity", "intensity",
+            Quantity.number(0, Limits.MAX_BANK_INTENSITY, 0.1), 1.0, "factor of the environment", World::intensity, World::withIntensity);
+    public static final Attribute<World, Integer> LAMPS = new Attribute<>("lamps", "lamps",
+            Quantity.whole(Limits.MIN_LIGHT_SAMPLES, Limits.MAX_LIGHT_SAMPLES), 16, "that the environment's light is made of", World::lamps,
+            World::withLamps);
 
     /** All of them, in the order in which a file writes them. */
-    public static final List<Attribute<World, ?>> ATTRIBUTES = List.of(AMBIENCE, BACKGROUND);
+    public static final List<Attribute<World, ?>> ATTRIBUTES = List.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, INTENSITY, LAMPS);
 
     public static final World DEFAULT = new World(AMBIENCE.initial(), BACKGROUND.initial());
 
     public World {
         AMBIENCE.check(ambience);
         BACKGROUND.check(background);
+        ROTATION.check(rotation);
+        INTENSITY.check(intensity);
+        LAMPS.check(lamps);
     }
 
-    public World withAmbience(double newAmbience) {
-        return new World(newAmbience, background);
+    /** A world without an environment. */
+    public World(double ambience, Rgb background) {
+        this(ambience, background, ENVIRONMENT.initial(), ROTATION.initial(), INTENSITY.initial(), LAMPS.initial());
     }
 
-    public World withBackground(Rgb newBackground) {
-        return new World(ambience, newBackground);
+    public World withAmbience(double v) {
+        return new World(v, background, environment, rotation, intensity, lamps);
+    }
+
+    public World withBackground(Rgb v) {
+        return new World(ambience, v, environment, rotation, intensity, lamps);
+    }
+
+    public World withEnvironment(Optional<Panorama> v) {
+        return new World(ambience, background, v, rotation, intensity, lamps);
+    }
+
+    public World withRotation(double v) {
+        return new World(ambience, background, environment, v, intensity, lamps);
+    }
+
+    public World withIntensity(double v) {
+        return new World(ambience, background, environment, rotation, v, lamps);
+    }
+
+    public World withLamps(int v) {
+        return new World(ambience, background, environment, rotation, intensity, v);
+    }
+
+    /**
+     * The directional lights that its environment is made of, none without one.
+     *
+     * @param taken whether a name is another light's
+     */
+    List<Light> lights(Predicate<String> taken) {
+        if (environment.isEmpty()) {
+            return List.of();
+        }
+        List<Light> lights = new ArrayList<>();
+        double cos = Transform.cosDegrees(rotation);
+        double sin = Transform.sinDegrees(rotation);
+        String name = "environment";
+        while (taken.test(name + " 1")) {
+            name += "'";
+        }
+        for (SkyLamp lamp : environment.get().sky().lamps(lamps)) {
+            Vec3 at = lamp.towards();
+            double most = Math.max(lamp.red(), Math.max(lamp.green(), lamp.blue()));
+            lights.add(Light.of(name + " " + (lights.size() + 1), LightType.DIRECTIONAL)
+                    .withDirection(new Vec3(-(at.x() * cos + at.z() * sin), -at.y(), at.x() * sin - at.z() * cos))
+                    .withColor(most > 0 ? new Rgb(lamp.red() / most, lamp.green() / most, lamp.blue() / most) : Rgb.BLACK)
+                    .withIntensity(Math.min(most * intensity, Limits.MAX_INTENSITY)));
+        }
+        return lights;
     }
 }

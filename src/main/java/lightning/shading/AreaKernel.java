@@ -16,7 +16,9 @@ import lightning.trace.Tracer;
 final class AreaKernel {
     private static final int MOST = Limits.MAX_LIGHT_SAMPLES;
 
-    private final ShadowCaster shadows;
+    private final LightLinks links;
+    /** Who asks for ways to the light at hand. */
+    private ShadowCaster shadows;
     private final Tracer tracer;
     private final Terms terms;
     private final TermColumns written;
@@ -28,6 +30,7 @@ final class AreaKernel {
     private final int[][] inside = sets();
     private final int[][] clear = sets();
     private final int[] chosen = RowBits.room();
+    private final int[] metals = RowBits.room();
     private final int[] blocked = RowBits.room();
     private final int[] asked = RowBits.room();
     private final int[] anyFacing = RowBits.room();
@@ -37,12 +40,17 @@ final class AreaKernel {
     private final float[] cosine = new float[Terms.ROWS];
     private final float[] falloff = new float[Terms.ROWS];
     private final float[] specular = new float[Terms.ROWS];
+    private final float[] grazing = new float[Terms.ROWS];
     private final double[] factors = new double[Terms.ROWS];
     private final double[] diffuseSum = new double[Terms.ROWS];
     private final double[] specularSum = new double[Terms.ROWS];
+    private final double[] grazingSum = new double[Terms.ROWS];
+    /** Whether any of the rows' materials has specular terms, or is metallic; asked once for each tile and light. */
+    private boolean shines;
+    private boolean metallic;
 
-    AreaKernel(ShadowCaster shadows, Tracer tracer, Terms terms, TermColumns written, Demands demands) {
-        this.shadows = shadows;
+    AreaKernel(LightLinks links, Tracer tracer, Terms terms, TermColumns written, Demands demands) {
+        this.links = links;
         this.tracer = tracer;
         this.terms = terms;
         this.written = written;
@@ -57,9 +65,10 @@ final class AreaKernel {
 
     /** All of it, from nothing. */
     LightRows full(HitRows rows, Lamp lamp, Columns columns) {
-        if (!demands.reaches(lamp, rows, tracer)) {
+        if (!demands.reaches(lamp, rows, tracer) || !links.reaches(lamp, rows)) {
             return LightRows.UNREACHED;
         }
+        shadows = links.shadows(lamp);
         byte[] state = columns.states(rows.count);
         Arrays.fill(state, 0, rows.count, LightRows.AWAY);
         turns(rows);
@@ -77,8 +86,7 @@ final class AreaKernel {
     /** All of it for a light whose cone no edit changes in place: a sample is aimed at once. */
     private LightRows atOnce(HitRows rows, Lamp lamp, byte[] state, Columns columns) {
         int words = RowBits.words(rows.count);
-        boolean shines = written.hasSpecular(rows);
-        begin();
+        begin(rows);
         shadows.aim(rows, lamp.area(), ways, lamp.type().hasPosition());
         for (int s = 0; s < lamp.area().samples(); s++) {
             aim(rows, lamp, s);
@@ -88,17 +96,26 @@ final class AreaKernel {
             for (int b = 0; b < words; b++) {
                 clear[s][b] = inside[s][b] & ~blocked[b];
             }
-            add(rows, lamp, s, clear[s], shines);
+            add(rows, lamp, s, clear[s]);
         }
         short[][] seen = states(rows, lamp, state, anyInside, columns);
-        return means(rows, lamp, state, seen, shines, columns);
+        return means(rows, lamp, state, seen, columns);
     }
 
-    private void begin() {
+    private void begin(HitRows rows) {
         Arrays.fill(anyFacing, 0);
         Arrays.fill(anyInside, 0);
+        beginSums(rows);
+    }
+
+    private void beginSums(HitRows rows) {
+        shines = written.hasSpecular(rows);
+        metallic = written.hasMetallic(rows);
         Arrays.fill(diffuseSum, 0);
         Arrays.fill(specularSum, 0);
+        if (metallic) {
+            Arrays.fill(grazingSum, 0);
+        }
     }
 
     /**
@@ -110,6 +127,7 @@ final class AreaKernel {
         if (!cone) {
             return again(rows, lamp, before, columns);
         }
+        shadows = links.shadows(lamp);
         turns(rows);
         look(rows, lamp);
         byte[] state = columns.states(rows.count);
@@ -154,7 +172,7 @@ final class AreaKernel {
 
     /** Finds out which rows face which samples and are in their cones. */
     private void look(HitRows rows, Lamp lamp) {
-        begin();
+        begin(rows);
         for (int s = 0; s < lamp.area().samples(); s++) {
             aim(rows, lamp, s);
             look(rows, lamp, s);
@@ -171,6 +189,7 @@ final class AreaKernel {
         } else {
             System.arraycopy(facing[s], 0, inside[s], 0, words);
         }
+        links.keep(lamp, rows, inside[s]);
         for (int b = 0; b < words; b++) {
             anyFacing[b] |= facing[s][b];
             anyInside[b] |= inside[s][b];
@@ -283,10 +302,8 @@ final class AreaKernel {
         if (RowBits.count(anyLit, rows.count) == 0) {
             return LightRows.unlit(state, seen);
         }
-        boolean shines = written.hasSpecular(rows);
         int samples = lamp.area().samples();
-        Arrays.fill(diffuseSum, 0);
-        Arrays.fill(specularSum, 0);
+        beginSums(rows);
         for (int s = 0; s < samples; s++) {
             aim(rows, lamp, s);
             if (lamp.hasCone()) {
@@ -294,23 +311,41 @@ final class AreaKernel {
             } else {
                 System.arraycopy(clear[s], 0, chosen, 0, chosen.length);
             }
+            for (int b = 0; b < RowBits.words(rows.count); b++) {
+                // Not of rows that the light is not linked to, whose ways may be known.
+                chosen[b] &= anyLit[b];
+            }
             terms.cosines(rows, cosine);
-            add(rows, lamp, s, chosen, shines);
+            add(rows, lamp, s, chosen);
         }
-        return means(rows, lamp, state, seen, shines, columns);
+        return means(rows, lamp, state, seen, columns);
     }
 
     /** Adds what a sample gives that was aimed at and whose cosines are there to the sums of the rows of a set. */
-    private void add(HitRows rows, Lamp lamp, int s, int[] which, boolean shines) {
+    private void add(HitRows rows, Lamp lamp, int s, int[] which) {
         float[] fading = lamp.fades() ? falloff : null;
         if (lamp.fades()) {
             falloffs(rows, lamp, s);
         }
+        written.mattes(rows, which, cosine);
         terms.add(cosine, fading, which, rows.count, diffuseSum);
         if (shines) {
-            written.speculars(rows, which, specular);
+            written.speculars(rows, which, specular, grazing);
             terms.add(specular, fading, which, rows.count, specularSum);
         }
+        if (metallic) {
+            addGrazing(rows, fading, which);
+        }
+    }
+
+    private void addGrazing(HitRows rows, float[] fading, int[] which) {
+        System.arraycopy(which, 0, metals, 0, RowBits.words(rows.count));
+        for (int r = 0; r < rows.runs; r++) {
+            if (!written.isMetallic(rows.runMaterial[r])) {
+                RowBits.remove(metals, rows.runStart(r), rows.runEnd[r]);
+            }
+        }
+        terms.add(grazing, fading, metals, rows.count, grazingSum);
     }
 
     private void falloffs(HitRows rows, Lamp lamp, int s) {
@@ -326,14 +361,14 @@ final class AreaKernel {
         }
     }
 
-    private LightRows means(HitRows rows, Lamp lamp, byte[] state, short[][] seen, boolean shines, Columns columns) {
+    private LightRows means(HitRows rows, Lamp lamp, byte[] state, short[][] seen, Columns columns) {
         int lit = RowBits.count(anyLit, rows.count);
         if (lit == 0) {
             return LightRows.unlit(state, seen);
         }
         int samples = lamp.area().samples();
         return new LightRows(state, mean(diffuseSum, samples, rows, columns), shines ? mean(specularSum, samples, rows, columns) : null,
-                null, seen, lit);
+                metallic ? mean(grazingSum, samples, rows, columns) : null, null, seen, lit);
     }
 
     private static float[] mean(double[] sum, int samples, HitRows rows, Columns columns) {

@@ -40,7 +40,7 @@ public final class BranchSums {
         return fromLeaf;
     }
 
-    /** The bytes of all sums, array headers left out: 12 or 24 for each row and branch. */
+    /** The bytes of all sums, array headers left out: 12 to 36 for each row and branch. */
     public long bytes() {
         long bytes = 0;
         for (SumRows sum : fromLeaf) {

@@ -59,7 +59,8 @@ final class Composer {
         if (shade.pictured() && !litTextures) {
             emit(rows, run, shade, ambience, to);
         } else {
-            sums.close(rows, run, shade, ambience, sum.diffuse, sum.hasSpecular && shade.shines() ? sum.specular : null, mirrored, to);
+            sums.close(rows, run, shade, ambience, sum.diffuse, sum.hasSpecular && shade.shines() ? sum.specular : null,
+                    sum.hasGrazing && shade.metal() != null ? sum.grazing : null, mirrored, to);
         }
     }
 

@@ -1,7 +1,7 @@
 package lightning.shading;
 
 /**
- * What an edit does to the set of rows inside a light's cone, while the light stays where it is; and
+ * What an edit does to the set of rows inside a light's cone, of shapes that it shines on, while the light stays where it is; and
  * so, which rows must be looked at.
  */
 public enum ConeChange {
@@ -11,6 +11,8 @@ public enum ConeChange {
     ANGLE_REMOVE,
     /** Rows may only enter: those outside are looked at (paper §4.3). */
     ANGLE_ADD,
+    /** The light shines on other shapes, whatever the opening: all rows that face the light are looked at. */
+    LINKS,
     /** The cone turned, came or went: all rows that face the light are looked at. */
     TURN;
 
@@ -20,7 +22,7 @@ public enum ConeChange {
             case NONE -> false;
             case ANGLE_REMOVE -> state == LightRows.LIT || state == LightRows.SHADOWED;
             case ANGLE_ADD -> state == LightRows.OUTSIDE;
-            case TURN -> state != LightRows.AWAY;
+            case LINKS, TURN -> state != LightRows.AWAY;
         };
     }
 }

@@ -14,7 +14,7 @@ import lightning.trace.MaterialTable;
  * and none in its penumbra: a row that sees any of its samples is lit.
  */
 public final class EdgeCoder {
-    /** Steps of a specular term from 0 to 1. */
+    /** Steps of a specular term from 0 to 1; what is above 1 looks like 1. */
     private static final float STEPS = 4;
 
     private final int[] shapes = new int[Terms.ROWS];
@@ -26,7 +26,7 @@ public final class EdgeCoder {
 
     /** The number of a light, {@code light} in scene order, at a hit; {@code specular} counts where the material has it. */
     static int code(int light, int state, boolean hasSpecular, float specular) {
-        int highlight = state == LightRows.LIT && hasSpecular ? (int) (specular * STEPS) : 0;
+        int highlight = state == LightRows.LIT && hasSpecular ? (int) (Math.min(specular, 1) * STEPS) : 0;
         // Who faces away and who is outside the cone look the same.
         int seen = state == LightRows.AWAY ? LightRows.OUTSIDE : state;
         return HitCode.seen(seen + 4 * highlight, 16 + light);

@@ -43,6 +43,6 @@ record ForcedDemands(Set<Effect> forced) implements Demands {
         return OF_SCENE.fallsOff(lamp)
                 || !lamp.isArea() && lamp.type().hasPosition()
                         && (forced.contains(Effect.ATTENUATION) || forced.contains(Effect.DROPOFF) || forced.contains(Effect.BARN_DOORS)
-                                || forced.contains(Effect.GOBOS));
+                                || forced.contains(Effect.GOBOS) || forced.contains(Effect.PROFILES));
     }
 }

@@ -47,7 +47,7 @@ public record Lamp(Light light, Vec3 source, Vec3 axis, double cosAngle, double 
     boolean fades() {
         return switch (type()) {
             case DIRECTIONAL -> false;
-            case POINT -> !light.attenuation().isNone();
+            case POINT -> !light.attenuation().isNone() || Shaping.acts(this);
             case SPOT -> !light.attenuation().isNone() || dropoff != 0 || Shaping.acts(this);
             case RECT, DISC -> true;
         };

@@ -19,7 +19,7 @@ import lightning.trace.Tracer;
 public final class LightKernel {
     static final int WAY = LightRows.CLEAR | LightRows.BLOCKED;
 
-    private final ShadowCaster shadows;
+    private final LightLinks links;
     private final AreaKernel areas;
     private final Tracer tracer;
     private final Terms terms;
@@ -37,9 +37,9 @@ public final class LightKernel {
         this.tracer = tracer;
         this.terms = terms;
         demands = Demands.of(view);
-        shadows = new ShadowCaster(geometry, tracer, view);
+        links = new LightLinks(geometry, tracer, view);
         written = new TermColumns(geometry.materials(), terms, demands);
-        areas = new AreaKernel(shadows, tracer, terms, written, demands);
+        areas = new AreaKernel(links, tracer, terms, written, demands);
     }
 
     /** What computes the terms. */
@@ -49,7 +49,7 @@ public final class LightKernel {
 
     /** Shadow rays cast since the start. */
     public long shadowRays() {
-        return shadows.rays();
+        return links.shadowRays();
     }
 
     /** Rows of layers that were looked at or written since the start. */
@@ -63,7 +63,7 @@ public final class LightKernel {
             rowsTouched += rows.count;
             return areas.full(rows, lamp, columns);
         }
-        if (!demands.reaches(lamp, rows, tracer)) {
+        if (!demands.reaches(lamp, rows, tracer) || !links.reaches(lamp, rows)) {
             return LightRows.UNREACHED;
         }
         aim(rows, lamp);
@@ -75,7 +75,8 @@ public final class LightKernel {
         } else {
             System.arraycopy(facing, 0, chosen, 0, words);
         }
-        shadows.cast(rows, lamp, chosen, blocked);
+        links.keep(lamp, rows, chosen);
+        links.shadows(lamp).cast(rows, lamp, chosen, blocked);
         for (int b = 0; b < words; b++) {
             lit[b] = chosen[b] & ~blocked[b];
         }
@@ -122,8 +123,9 @@ public final class LightKernel {
             return LightRows.unlit(state);
         }
         int[] known = before == null || before.specular == null ? null : litBefore;
-        return new LightRows(state, written.cosines(rows, cosine, lit, columns),
-                written.speculars(rows, lit, known, before == null ? null : before.specular, columns),
+        float[] diffuse = written.diffuses(rows, cosine, lit, columns);
+        TermColumns.Speculars speculars = written.speculars(rows, lit, known, TermColumns.Speculars.of(before), columns);
+        return new LightRows(state, diffuse, speculars.specular(), speculars.grazing(),
                 before == null ? written.falloffs(rows, lamp, columns) : before.falloff, count);
     }
 
@@ -189,7 +191,7 @@ public final class LightKernel {
                 RowBits.remove(chosen, i, i + 1);
             }
         }
-        shadows.cast(rows, lamp, chosen, blocked);
+        links.shadows(lamp).cast(rows, lamp, chosen, blocked);
         for (int i = 0; i < rows.count; i++) {
             if (RowBits.contains(chosen, i)) {
                 state[i] = state(1, 1, RowBits.contains(blocked, i) ? 0 : 1);
@@ -207,7 +209,7 @@ public final class LightKernel {
 
     /** Whether {@link #shadowed} would ask any row. */
     public boolean mayChange(HitRows rows, Lamp lamp, LightLayer before, ShapeChange change) {
-        return before.states() != LightRows.UNREACHED.state && shadows.choose(rows, lamp, before.states(), change, chosen);
+        return before.states() != LightRows.UNREACHED.state && links.shadows(lamp).choose(rows, lamp, before.states(), change, chosen);
     }
 
     /** All terms anew for rows whose states are known: no shadow ray is cast. */
@@ -226,22 +228,26 @@ public final class LightKernel {
     }
 
     /**
-     * The layer after an edit of materials: of the rows of those that changed the specular term anew, without a ray; the
-     * column comes and goes with the first and last material that has one.
+     * The layer after an edit of materials: of the rows of those that changed the specular terms anew, without a ray; the
+     * columns come and go with the first and last material that has one. Where a material is metallic, or was, the diffuse term too:
+     * that one was, a grazing column tells, which rows keep for this when they are put into another order.
      *
      * @param lamp    the light that the layer was computed for
-     * @param changed materials whose shininess changed, or that got or lost their highlights
+     * @param changed materials whose shininess, roughness or model changed, or that got or lost their highlights
      */
     public LightRows speculars(HitRows rows, Lamp lamp, LightRows before, MaterialSet changed, Columns columns) {
         if (before.lit == 0 || !changed.isIn(rows)) {
-            return before;
+            return before.grazing == null || written.hasMetallic(rows) ? before : before.with(LightRows.Column.GRAZING, null);
         }
-        if (!written.hasSpecular(rows)) {
+        boolean metallic = before.grazing != null || written.hasMetallic(rows);
+        if (!written.hasSpecular(rows) && !metallic) {
             return before.specular == null ? before : before.with(LightRows.Column.SPECULAR, null);
         }
         if (lamp.isArea()) {
             rowsTouched += before.lit;
-            return before.with(LightRows.Column.SPECULAR, areas.again(rows, lamp, before, columns).specular);
+            LightRows again = areas.again(rows, lamp, before, columns);
+            return before.with(LightRows.Column.SPECULAR, again.specular).with(LightRows.Column.GRAZING, again.grazing)
+                    .with(LightRows.Column.COSINE, metallic ? same(rows, before.cosine, again.cosine) : before.cosine);
         }
         RowBits.inState(before.state, rows.count, LightRows.LIT, lit);
         System.arraycopy(lit, 0, litBefore, 0, RowBits.words(rows.count));
@@ -252,8 +258,19 @@ public final class LightKernel {
             }
         }
         terms.aim(rows, lamp);
-        float[] column = written.speculars(rows, lit, before.specular == null ? null : litBefore, before.specular, columns);
-        return before.with(LightRows.Column.SPECULAR, column);
+        TermColumns.Speculars column =
+                written.speculars(rows, lit, before.specular == null ? null : litBefore, TermColumns.Speculars.of(before), columns);
+        LightRows now = before.with(LightRows.Column.SPECULAR, column.specular()).with(LightRows.Column.GRAZING, column.grazing());
+        if (!metallic) {
+            return now;
+        }
+        terms.cosines(rows, cosine);
+        return now.with(LightRows.Column.COSINE, same(rows, before.cosine, written.diffuses(rows, cosine, lit, columns)));
+    }
+
+    /** The column of before where it has the same bits. */
+    private static float[] same(HitRows rows, float[] before, float[] now) {
+        return Arrays.equals(before, 0, rows.count, now, 0, rows.count) ? before : now;
     }
 
     /** The layer over rows of which some may be gone, in another order; {@code before} is over the old rows. */
@@ -283,6 +300,7 @@ public final class LightKernel {
         boolean fades = before.falloff != null && (added == null || added.falloff != null);
         known.removeIf(kind -> kind == LightRows.Column.FALLOFF && !fades
                 || kind == LightRows.Column.SPECULAR && !written.hasSpecular(rows)
+                || kind == LightRows.Column.GRAZING && before.grazing == null && !written.hasMetallic(rows)
                 || LightRows.Column.SEEN.contains(kind) && !before.columns().has(kind) && (added == null || !added.columns().has(kind)));
         ColumnSet<LightRows.Column> columns = ColumnSet.room(LightRows.Column.class, known, rows.count);
         splice.fill(columns, before.columns(), added == null ? null : added.columns());
@@ -302,6 +320,11 @@ public final class LightKernel {
             aim(rows, lamp);
         }
         return written.falloffs(rows, lamp, Columns.FRESH);
+    }
+
+    /** Whether any of the rows' materials is metallic. */
+    boolean hasMetallic(HitRows rows) {
+        return written.hasMetallic(rows);
     }
 
     /** Whether any of the rows' materials has a highlight. */
@@ -326,12 +349,13 @@ public final class LightKernel {
         Arrays.fill(chosen, 0);
         terms.cosines(rows, cosine);
         boolean cone = lamp.hasCone();
+        boolean[] linked = links.lit(lamp);
         for (int i = 0; i < rows.count; i++) {
             if (!change.looksAt(before.state(i))) {
                 continue;
             }
             int way = before.state[i] & WAY;
-            if (cone && !terms.isInside(i, lamp.cosAngle())) {
+            if (cone && !terms.isInside(i, lamp.cosAngle()) || linked != null && !linked[rows.owner[i]]) {
                 state[i] = (byte) (LightRows.OUTSIDE | way);
             } else if (way == 0 && !(cosine[i] > 0)) {
                 // It was among rows that the cone did not reach at all.
@@ -342,7 +366,7 @@ public final class LightKernel {
                 state[i] = (byte) (way | (way == LightRows.CLEAR ? LightRows.LIT : LightRows.SHADOWED));
             }
         }
-        shadows.cast(rows, lamp, chosen, blocked);
+        links.shadows(lamp).cast(rows, lamp, chosen, blocked);
         for (int i = 0; i < rows.count; i++) {
             if (RowBits.contains(chosen, i)) {
                 state[i] = state(1, 1, RowBits.contains(blocked, i) ? 0 : 1);

@@ -36,6 +36,8 @@ public final class LightRows implements LightLayer {
         STATE(Element.BYTE),
         COSINE(Element.FLOAT),
         SPECULAR(Element.FLOAT),
+        /** Of a light over metallic materials. */
+        GRAZING(Element.FLOAT),
         FALLOFF(Element.FLOAT),
         /** Of a light that is larger than a point: to which of its samples 0…15, 16…31 and so on a row's ways are free. */
         SEEN_0(Element.SHORT),
@@ -62,10 +64,12 @@ public final class LightRows implements LightLayer {
 
     /** State and way of each row. */
     public final byte[] state;
-    /** N·L; null where no row is lit. */
+    /** N·L, or the diffuse term of a metallic material; null where no row is lit. */
     public final float[] cosine;
-    /** max(V·R, 0)<sup>shininess</sup>; null where no row is lit or none is specular. */
+    /** max(V·R, 0)<sup>shininess</sup>, or what F0 of a metallic material multiplies; null where no row is lit or none is specular. */
     public final float[] specular;
+    /** What a metallic material sends besides; null where no row is lit or none is metallic. */
+    public final float[] grazing;
     /** atten·spot; null where no row is lit or the light does not fall off. */
     public final float[] falloff;
     /** The columns of the samples seen, as many as there are for the light; null where it has one sample or no row sees any. */
@@ -75,12 +79,12 @@ public final class LightRows implements LightLayer {
 
     private final ColumnSet<Column> columns;
 
-    public LightRows(byte[] state, float[] cosine, float[] specular, float[] falloff, int lit) {
-        this(state, cosine, specular, falloff, null, lit);
+    public LightRows(byte[] state, float[] cosine, float[] specular, float[] grazing, float[] falloff, int lit) {
+        this(state, cosine, specular, grazing, falloff, null, lit);
     }
 
-    LightRows(byte[] state, float[] cosine, float[] specular, float[] falloff, short[][] seen, int lit) {
-        this(ColumnSet.of(Column.class, state, cosine, specular, falloff, samples(seen, 0), samples(seen, 1), samples(seen, 2),
+    LightRows(byte[] state, float[] cosine, float[] specular, float[] grazing, float[] falloff, short[][] seen, int lit) {
+        this(ColumnSet.of(Column.class, state, cosine, specular, grazing, falloff, samples(seen, 0), samples(seen, 1), samples(seen, 2),
                 samples(seen, 3)), lit);
     }
 
@@ -90,6 +94,7 @@ public final class LightRows implements LightLayer {
         state = (byte[]) columns.get(Column.STATE);
         cosine = (float[]) columns.get(Column.COSINE);
         specular = (float[]) columns.get(Column.SPECULAR);
+        grazing = (float[]) columns.get(Column.GRAZING);
         falloff = (float[]) columns.get(Column.FALLOFF);
         seen = seen(columns, Column.SEEN);
     }
@@ -105,9 +110,16 @@ public final class LightRows implements LightLayer {
                 : kinds.stream().filter(columns::has).map(kind -> (short[]) columns.get(kind)).toArray(short[][]::new);
     }
 
-    /** The columns that layers of a light may have. */
-    public static Set<Column> columns(Light light) {
+    /**
+     * The columns that layers of a light may have.
+     *
+     * @param metallic whether any material is metallic
+     */
+    public static Set<Column> columns(Light light, boolean metallic) {
         Set<Column> columns = EnumSet.allOf(Column.class);
+        if (!metallic) {
+            columns.remove(Column.GRAZING);
+        }
         columns.removeAll(Column.SEEN.subList(groups(light), Column.SEEN.size()));
         if (light.isArea()) {
             columns.remove(Column.FALLOFF);
@@ -122,12 +134,12 @@ public final class LightRows implements LightLayer {
 
     /** A layer of which no row is lit. */
     static LightRows unlit(byte[] state) {
-        return new LightRows(state, null, null, null, 0);
+        return new LightRows(state, null, null, null, null, 0);
     }
 
     /** A layer of which no row is lit, though ways of some may be free. */
     static LightRows unlit(byte[] state, short[][] seen) {
-        return new LightRows(state, null, null, null, seen, 0);
+        return new LightRows(state, null, null, null, null, seen, 0);
     }
 
     /** This layer with another column, or with none where it is null; the same rows are lit. */

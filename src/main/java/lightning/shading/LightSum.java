@@ -17,6 +17,7 @@ final class LightSum {
     private final Sums kernel;
     private final Addends diffuse = new Addends();
     private final Addends specular = new Addends();
+    private final Addends grazing = new Addends();
     /** The lights of two chains, one behind the other. */
     private final int[] chain = new int[Addends.MOST_LIGHTS];
     /** Sums of branches; those before {@link #used} are in use. */
@@ -72,6 +73,7 @@ final class LightSum {
         used = 0;
         diffuse.clear();
         specular.clear();
+        grazing.clear();
     }
 
     private boolean isActive(int light) {
@@ -87,12 +89,16 @@ final class LightSum {
             lights(0, left);
             diffuse.second();
             specular.second();
+            grazing.second();
             lights(left, left + right);
         } else if (to - from == 1) {
             RatioRows layer = (RatioRows) layers[from];
             diffuse.sum(layer.diffuse);
             if (layer.specular != null) {
                 specular.sum(layer.specular);
+            }
+            if (layer.grazing != null) {
+                grazing.sum(layer.grazing);
             }
         } else {
             SumRows known = sum(from, middle);
@@ -138,6 +144,9 @@ final class LightSum {
             if (layer.specular != null) {
                 specular.light(light, layer.specular, layer.falloff);
             }
+            if (layer.grazing != null) {
+                grazing.light(light, layer.grazing, layer.falloff);
+            }
         }
     }
 
@@ -148,6 +157,9 @@ final class LightSum {
         diffuse.sum(known.diffuse);
         if (known.hasSpecular) {
             specular.sum(known.specular);
+        }
+        if (known.hasGrazing) {
+            grazing.sum(known.grazing);
         }
     }
 
@@ -164,6 +176,7 @@ final class LightSum {
         used = free + 1;
         diffuse.clear();
         specular.clear();
+        grazing.clear();
         return sum;
     }
 
@@ -177,6 +190,10 @@ final class LightSum {
         sum.hasSpecular = !specular.isEmpty();
         if (sum.hasSpecular) {
             kernel.sum(rows, specular, sum.specular);
+        }
+        sum.hasGrazing = !grazing.isEmpty();
+        if (sum.hasGrazing) {
+            kernel.sum(rows, grazing, sum.grazing());
         }
         return sum;
     }

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import lightning.math.Ray;
-import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Scene;
 import lightning.trace.Eye;
@@ -40,7 +40,7 @@ public final class PixelExplainer {
         this.geometry = geometry;
         this.ends = ends;
         materials = geometry.materials();
-        lights = scene.lights().stream().map(light -> Luminaire.of(light, scene)).toList();
+        lights = scene.rig().actingLights().stream().map(light -> Luminaire.of(light, scene)).toList();
     }
 
     /** The explainer of another scene, which shares with this one what it knows of the shapes. */
@@ -62,9 +62,7 @@ public final class PixelExplainer {
     private PointReport ray(Ray ray, int depth) {
         int shape = geometry.nearest(ray);
         if (shape < 0) {
-            Rgb background = scene.world().background();
-            float[] color = {(float) background.r(), (float) background.g(), (float) background.b()};
-            return new PointReport(null, color, NONE, List.of(), null);
+            return new PointReport(null, Backdrop.color(scene.world(), ray.direction()), NONE, List.of(), null);
         }
         SurfacePoint at = geometry.surface(shape, ray);
         PointReport reflected = materials.isReflective(at.material()) && depth > 0 ? ray(at.mirrored(), depth - 1) : null;
@@ -79,16 +77,17 @@ public final class PixelExplainer {
             float ka = materials.ambient(at.material(), c);
             float kr = materials.reflective(at.material(), c);
             ambient[c] = ka * ambience * (1 - kr);
-            color[c] = LightingEquation.color(ka, ambience, at.diffuse()[c], sum(reports, c, true),
-                    materials.specular(at.material(), c), sum(reports, c, false), kr, reflected == null ? 0 : reflected.color()[c]);
+            color[c] = LightingEquation.color(ka, ambience, at.diffuse()[c], sum(reports, c, LightReport::diffuse),
+                    at.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
+                    reflected == null ? 0 : reflected.color()[c]);
         }
         return new PointReport(at, color, ambient, reports, reflected);
     }
 
-    private static float sum(List<LightReport> lights, int channel, boolean diffuse) {
+    private static float sum(List<LightReport> lights, int channel, Function<LightReport, float[]> part) {
         float[] terms = new float[lights.size()];
         for (int l = 0; l < terms.length; l++) {
-            terms[l] = (diffuse ? lights.get(l).diffuse() : lights.get(l).highlight())[channel];
+            terms[l] = part.apply(lights.get(l))[channel];
         }
         return LightingEquation.sum(terms, 0, terms.length);
     }
@@ -102,6 +101,7 @@ public final class PixelExplainer {
         int samples = light.lamp().area().samples();
         double diffuse = 0;
         double specular = 0;
+        double grazing = 0;
         int seen = 0;
         LightReport farthest = null;
         LightReport blocked = null;
@@ -109,15 +109,17 @@ public final class PixelExplainer {
             LightReport one = report(light, light.lamp().sample(LampArea.turn(at.px(), at.py(), at.pz()), s), at);
             diffuse += (double) one.falloff() * (one.state() == LightReport.State.LIT ? one.cosine() : 0);
             specular += (double) one.specular() * one.falloff();
+            grazing += (double) one.grazing() * one.falloff();
             seen += one.state() == LightReport.State.LIT ? 1 : 0;
             farthest = farthest == null || one.state().compareTo(farthest.state()) > 0 ? one : farthest;
             blocked = blocked == null && one.state() == LightReport.State.SHADOWED ? one : blocked;
         }
         float cosine = LightingEquation.mean(diffuse, samples);
         float highlight = LightingEquation.mean(specular, samples);
+        float sheen = LightingEquation.mean(grazing, samples);
         return new LightReport(light.light(), farthest.state(), blocked == null ? -1 : blocked.blocker(), seen, samples,
-                seen == 0 ? farthest.cosine() : cosine, highlight, seen == 0 ? 0 : 1, contribution(light, cosine, 1),
-                contribution(light, highlight, 1));
+                seen == 0 ? farthest.cosine() : cosine, highlight, sheen, seen == 0 ? 0 : 1, contribution(light, cosine, 1),
+                contribution(light, highlight, 1), contribution(light, sheen, 1));
     }
 
     private LightReport report(Luminaire light, Lamp lamp, SurfacePoint at) {
@@ -132,17 +134,24 @@ public final class PixelExplainer {
             state = LightReport.State.AWAY;
         } else if (!equation.insideCone()) {
             state = LightReport.State.OUTSIDE;
+        } else if (!geometry.linked(light.light().illuminates())[at.primitive()]) {
+            state = LightReport.State.UNLINKED;
         } else {
             blocker = blocker(lamp, at);
             state = blocker < 0 ? LightReport.State.LIT : LightReport.State.SHADOWED;
         }
         if (state != LightReport.State.LIT) {
-            return new LightReport(light.light(), state, blocker, 0, 1, cosine, 0, 0, NONE, NONE);
+            return new LightReport(light.light(), state, blocker, 0, 1, cosine, 0, 0, 0, NONE, NONE, NONE);
         }
-        float specular = equation.specular(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(), materials.shininess(at.material()));
+        boolean metallic = materials.isMetallic(at.material());
+        double alpha = materials.alpha(at.material());
+        float diffuse = metallic ? equation.matte(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz()) : cosine;
+        float specular = metallic ? equation.gloss(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(), alpha)
+                : equation.specular(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(), materials.shininess(at.material()));
+        float grazing = metallic ? equation.grazing(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(), alpha) : 0;
         float falloff = equation.falloff();
-        return new LightReport(light.light(), state, blocker, 1, 1, cosine, specular, falloff,
-                contribution(light, cosine, falloff), contribution(light, specular, falloff));
+        return new LightReport(light.light(), state, blocker, 1, 1, diffuse, specular, grazing, falloff,
+                contribution(light, diffuse, falloff), contribution(light, specular, falloff), contribution(light, grazing, falloff));
     }
 
     private static float[] contribution(Luminaire light, float term, float falloff) {
@@ -155,9 +164,13 @@ public final class PixelExplainer {
     /** The shape between the point and the light that is nearest to the point, or −1. */
     private int blocker(Lamp lamp, SurfacePoint at) {
         Vec3 point = new Vec3(at.px(), at.py(), at.pz());
-        if (!lamp.type().hasPosition()) {
-            return geometry.nearest(new Ray(point, lamp.source()));
+        Geometry casting = geometry.casting(lamp.light().shadowedBy());
+        if (!casting.throwsShadows()) {
+            return -1;
         }
-        return geometry.blocker(point, ends.computeIfAbsent(lamp.source(), geometry::end));
+        if (!lamp.type().hasPosition()) {
+            return casting.nearest(new Ray(point, lamp.source()));
+        }
+        return casting.blocker(point, ends.computeIfAbsent(lamp.source(), geometry::end));
     }
 }

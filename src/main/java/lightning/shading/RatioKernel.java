@@ -70,11 +70,12 @@ public final class RatioKernel {
         }
         System.arraycopy(layer.state, 0, states, 0, rows.count);
         if (layer.lit == 0) {
-            return new RatioRows(states, null, null, kept(rows, layer.seen), 0);
+            return new RatioRows(states, null, null, null, kept(rows, layer.seen), 0);
         }
         float[][] diffuse = weighted(rows, light, layer.cosine, layer.falloff);
         float[][] specular = layer.specular == null ? null : weighted(rows, light, layer.specular, layer.falloff);
-        return new RatioRows(states, diffuse, specular, kept(rows, layer.seen), layer.lit);
+        float[][] grazing = layer.grazing == null ? null : weighted(rows, light, layer.grazing, layer.falloff);
+        return new RatioRows(states, diffuse, specular, grazing, kept(rows, layer.seen), layer.lit);
     }
 
     /** A copy that stays, just long enough. */
@@ -130,7 +131,8 @@ public final class RatioKernel {
 
     /** A layer of which the states are known and what samples see. */
     private static LightRows known(RatioRows before) {
-        return new LightRows(before.states(), ZEROS, before.specular == null ? null : ZEROS, null, before.seen(), before.lit());
+        return new LightRows(before.states(), ZEROS, before.specular == null ? null : ZEROS, before.grazing == null ? null : ZEROS,
+                null, before.seen(), before.lit());
     }
 
     private RatioRows scaled(HitRows rows, RatioRows before, IntensityRatio intensity, boolean falloff) {
@@ -139,7 +141,8 @@ public final class RatioKernel {
         }
         rowsScaled += before.lit();
         return new RatioRows(before.states(), scaled(rows, before.diffuse, intensity, falloff),
-                before.specular == null ? null : scaled(rows, before.specular, intensity, falloff), before.seen(), before.lit());
+                before.specular == null ? null : scaled(rows, before.specular, intensity, falloff),
+                before.grazing == null ? null : scaled(rows, before.grazing, intensity, falloff), before.seen(), before.lit());
     }
 
     private float[][] scaled(HitRows rows, float[][] from, IntensityRatio intensity, boolean falloff) {
@@ -177,8 +180,8 @@ public final class RatioKernel {
      */
     public RatioRows shadowed(HitRows rows, Luminaire light, RatioRows before, ShapeChange change) {
         scratch.reset();
-        LightRows known = new LightRows(before.states(), before.lit() == 0 ? null : ZEROS, before.specular == null ? null : ZEROS, null,
-                before.lit());
+        LightRows known = new LightRows(before.states(), before.lit() == 0 ? null : ZEROS, before.specular == null ? null : ZEROS,
+                before.grazing == null ? null : ZEROS, null, before.lit());
         LightRows now = exact.shadowed(rows, light.lamp(), known, change, scratch);
         return now == known ? before
                 : joined(rows, light, before, before, exact.partial(rows, light.lamp(), now, ConeChange.NONE, true, scratch));
@@ -200,36 +203,51 @@ public final class RatioKernel {
                 if (entered.specular != null) {
                     take(scaled.specular, entered.specular, i);
                 }
+                if (entered.grazing != null) {
+                    take(scaled.grazing, entered.grazing, i);
+                }
             }
         }
         return entered;
     }
 
     /**
-     * The layer after an edit of materials: of the rows of those that changed the specular contribution anew, without a
-     * ray.
+     * The layer after an edit of materials: of the rows of those that changed the specular contributions anew, without a
+     * ray. Where a material is metallic, or was, the diffuse ones too.
      *
      * @param light   the light that the layer was computed for
-     * @param changed materials whose shininess changed, or that got or lost their highlights
+     * @param changed materials whose shininess, roughness or model changed, or that got or lost their highlights
      */
     public RatioRows speculars(HitRows rows, Luminaire light, RatioRows before, MaterialSet changed) {
         if (before.lit() == 0 || !changed.isIn(rows)) {
-            return before;
+            return before.grazing == null || exact.hasMetallic(rows) ? before
+                    : new RatioRows(before.states(), before.diffuse, before.specular, null, before.seen(), before.lit());
         }
         scratch.reset();
         LightRows known = known(before);
         LightRows now = exact.speculars(rows, light.lamp(), known, changed, scratch);
-        if (now.specular == null) {
-            return new RatioRows(before.states(), before.diffuse, null, before.seen(), before.lit());
+        if (now.specular == null && now.cosine == known.cosine) {
+            return new RatioRows(before.states(), before.diffuse, null, null, before.seen(), before.lit());
         }
         LightRows faded = exact.partial(rows, light.lamp(), now, ConeChange.NONE, true, scratch);
-        float[][] specular = weighted(rows, light, faded.specular, faded.falloff);
-        for (int r = 0; r < rows.runs && before.specular != null; r++) {
+        return new RatioRows(before.states(),
+                now.cosine == known.cosine ? before.diffuse : anew(rows, light, faded, faded.cosine, before.diffuse, changed),
+                anew(rows, light, faded, faded.specular, before.specular, changed),
+                anew(rows, light, faded, faded.grazing, before.grazing, changed), before.seen(), before.lit());
+    }
+
+    /** A term's contributions: of rows whose material did not change as they were, where they were any. */
+    private static float[][] anew(HitRows rows, Luminaire light, LightRows layer, float[] term, float[][] before, MaterialSet changed) {
+        if (term == null) {
+            return null;
+        }
+        float[][] now = weighted(rows, light, term, layer.falloff);
+        for (int r = 0; r < rows.runs && before != null; r++) {
             for (int i = rows.runStart(r); i < rows.runEnd[r] && !changed.contains(rows.runMaterial[r]); i++) {
-                take(before.specular, specular, i);
+                take(before, now, i);
             }
         }
-        return new RatioRows(before.states(), before.diffuse, specular, before.seen(), before.lit());
+        return now;
     }
 
     /**
@@ -246,6 +264,9 @@ public final class RatioKernel {
         if (!exact.hasSpecular(splice.rows())) {
             known.removeAll(RatioRows.Column.SPECULAR);
         }
+        if (before.grazing == null && !exact.hasMetallic(splice.rows())) {
+            known.removeAll(RatioRows.Column.GRAZING);
+        }
         known.removeIf(kind -> RatioRows.Column.SEEN.contains(kind) && !before.columns().has(kind)
                 && (added == null || !added.columns().has(kind)));
         ColumnSet<RatioRows.Column> columns = ColumnSet.room(RatioRows.Column.class, known, splice.rows().count);
@@ -255,7 +276,7 @@ public final class RatioKernel {
         for (byte state : states) {
             lit += (state & LightRows.STATE) == LightRows.LIT ? 1 : 0;
         }
-        return lit == 0 ? new RatioRows(states, null, null, LightRows.seen(columns, RatioRows.Column.SEEN), 0)
+        return lit == 0 ? new RatioRows(states, null, null, null, LightRows.seen(columns, RatioRows.Column.SEEN), 0)
                 : new RatioRows(columns, lit);
     }
 

@@ -23,6 +23,9 @@ public final class RatioRows implements LightLayer {
         SPECULAR_RED(Element.FLOAT),
         SPECULAR_GREEN(Element.FLOAT),
         SPECULAR_BLUE(Element.FLOAT),
+        GRAZING_RED(Element.FLOAT),
+        GRAZING_GREEN(Element.FLOAT),
+        GRAZING_BLUE(Element.FLOAT),
         SEEN_0(Element.SHORT),
         SEEN_1(Element.SHORT),
         SEEN_2(Element.SHORT),
@@ -30,6 +33,7 @@ public final class RatioRows implements LightLayer {
 
         static final List<Column> DIFFUSE = List.of(DIFFUSE_RED, DIFFUSE_GREEN, DIFFUSE_BLUE);
         static final List<Column> SEEN = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
+        static final List<Column> GRAZING = List.of(GRAZING_RED, GRAZING_GREEN, GRAZING_BLUE);
         static final List<Column> SPECULAR = List.of(SPECULAR_RED, SPECULAR_GREEN, SPECULAR_BLUE);
 
         private final Element element;
@@ -45,7 +49,7 @@ public final class RatioRows implements LightLayer {
     }
 
     /** No row is reached: shared, as {@link LightRows#UNREACHED}. */
-    static final RatioRows UNREACHED = new RatioRows(LightRows.UNREACHED.state, null, null, null, 0);
+    static final RatioRows UNREACHED = new RatioRows(LightRows.UNREACHED.state, null, null, null, null, 0);
 
     private final byte[] states;
     private final int lit;
@@ -53,15 +57,18 @@ public final class RatioRows implements LightLayer {
     final float[][] diffuse;
     /** Specular contributions; null where no row is lit or none is specular. */
     final float[][] specular;
+    /** What metallic materials send besides; null where no row is lit or none is metallic. */
+    final float[][] grazing;
 
     /** To which samples of its light each row's ways are free; see {@link LightRows#seen}. */
     private final short[][] seen;
 
     private final ColumnSet<Column> columns;
 
-    RatioRows(byte[] states, float[][] diffuse, float[][] specular, short[][] seen, int lit) {
+    RatioRows(byte[] states, float[][] diffuse, float[][] specular, float[][] grazing, short[][] seen, int lit) {
         this(ColumnSet.of(Column.class, states, channel(diffuse, 0), channel(diffuse, 1), channel(diffuse, 2), channel(specular, 0),
-                channel(specular, 1), channel(specular, 2), LightRows.samples(seen, 0), LightRows.samples(seen, 1),
+                channel(specular, 1), channel(specular, 2), channel(grazing, 0), channel(grazing, 1), channel(grazing, 2),
+                LightRows.samples(seen, 0), LightRows.samples(seen, 1),
                 LightRows.samples(seen, 2), LightRows.samples(seen, 3)), lit);
     }
 
@@ -71,12 +78,20 @@ public final class RatioRows implements LightLayer {
         states = (byte[]) columns.get(Column.STATE);
         diffuse = colors(columns, Column.DIFFUSE);
         specular = colors(columns, Column.SPECULAR);
+        grazing = colors(columns, Column.GRAZING);
         seen = LightRows.seen(columns, Column.SEEN);
     }
 
-    /** The columns that layers of a light may have. */
-    public static Set<Column> columns(Light light) {
+    /**
+     * The columns that layers of a light may have.
+     *
+     * @param metallic whether any material is metallic
+     */
+    public static Set<Column> columns(Light light, boolean metallic) {
         Set<Column> columns = EnumSet.allOf(Column.class);
+        if (!metallic) {
+            columns.removeAll(Column.GRAZING);
+        }
         columns.removeAll(Column.SEEN.subList(LightRows.groups(light), Column.SEEN.size()));
         return columns;
     }

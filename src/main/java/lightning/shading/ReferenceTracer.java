@@ -5,7 +5,6 @@ import java.util.HashMap;
 import java.util.Map;
 import lightning.image.Film;
 import lightning.math.Ray;
-import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
@@ -95,8 +94,7 @@ public final class ReferenceTracer {
     private float[] color(Ray ray, int depth) {
         int primitive = geometry.nearestOfAll(ray);
         if (primitive < 0) {
-            Rgb background = scene.world().background();
-            return new float[] {(float) background.r(), (float) background.g(), (float) background.b()};
+            return Backdrop.color(scene.world(), ray.direction());
         }
         SurfacePoint at = geometry.surfaceOfAll(primitive, ray);
         int material = at.material();
@@ -107,25 +105,27 @@ public final class ReferenceTracer {
         float[] color = new float[3];
         float[] diffuse = new float[lights.length];
         float[] specular = new float[lights.length];
+        float[] grazing = new float[lights.length];
         float[][] terms = terms(at);
         for (int c = 0; c < 3; c++) {
             for (int l = 0; l < lights.length; l++) {
                 float weight = weight(lights[l], c);
                 diffuse[l] = LightingEquation.contribution(weight, terms[l][0], terms[l][2]);
                 specular[l] = LightingEquation.contribution(weight, terms[l][1], terms[l][2]);
+                grazing[l] = LightingEquation.contribution(weight, terms[l][3], terms[l][2]);
             }
             color[c] = LightingEquation.color(
                     materials.ambient(material, c), (float) scene.world().ambience(),
                     at.diffuse()[c], LightingEquation.sum(diffuse, 0, lights.length),
-                    materials.specular(material, c), LightingEquation.sum(specular, 0, lights.length),
+                    at.specular()[c], LightingEquation.sum(specular, 0, lights.length), LightingEquation.sum(grazing, 0, lights.length),
                     materials.reflective(material, c), mirrored[c]);
         }
         return color;
     }
 
-    /** For each light its cosine, specular term and falloff at a point; all 0 where it does not reach. */
+    /** For each light its diffuse and specular term, falloff and grazing term at a point; all 0 where it does not reach. */
     private float[][] terms(SurfacePoint at) {
-        float[][] terms = new float[lights.length][3];
+        float[][] terms = new float[lights.length][4];
         for (int l = 0; l < lights.length; l++) {
             Lamp lamp = lights[l].lamp();
             terms[l] = lamp.isArea() ? mean(lamp, at) : terms(lamp, at, ends[l]);
@@ -133,14 +133,14 @@ public final class ReferenceTracer {
         return terms;
     }
 
-    /** Cosine, specular term and falloff of a light that is a point. */
+    /** The terms of a light that is a point. */
     private float[] terms(Lamp lamp, SurfacePoint at, WayEnd end) {
         LightingEquation equation = equation(lamp, at);
         float cosine = equation.cosine(at.nx(), at.ny(), at.nz());
         if (state(lamp, at, end, equation, cosine) != LightRows.LIT) {
-            return new float[3];
+            return new float[4];
         }
-        return new float[] {cosine, specular(equation, at), equation.falloff()};
+        return new float[] {diffuse(equation, at, cosine), specular(equation, at), equation.falloff(), grazing(equation, at)};
     }
 
     /** The means over the samples of a larger light, falloff and all. */
@@ -148,13 +148,16 @@ public final class ReferenceTracer {
         int samples = lamp.area().samples();
         double diffuse = 0;
         double specular = 0;
+        double grazing = 0;
         for (int s = 0; s < samples; s++) {
             Lamp sample = lamp.sample(LampArea.turn(at.px(), at.py(), at.pz()), s);
             float[] terms = terms(sample, at, end(sample));
             diffuse += (double) terms[0] * terms[2];
             specular += (double) terms[1] * terms[2];
+            grazing += (double) terms[3] * terms[2];
         }
-        return new float[] {LightingEquation.mean(diffuse, samples), LightingEquation.mean(specular, samples), 1};
+        return new float[] {LightingEquation.mean(diffuse, samples), LightingEquation.mean(specular, samples), 1,
+            LightingEquation.mean(grazing, samples)};
     }
 
     private WayEnd end(Lamp sample) {
@@ -167,22 +170,40 @@ public final class ReferenceTracer {
         return equation;
     }
 
+    private float diffuse(LightingEquation equation, SurfacePoint at, float cosine) {
+        return materials.isMetallic(at.material()) ? equation.matte(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz()) : cosine;
+    }
+
+    private float grazing(LightingEquation equation, SurfacePoint at) {
+        return materials.isMetallic(at.material())
+                ? equation.grazing(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(), materials.alpha(at.material())) : 0;
+    }
+
     private float specular(LightingEquation equation, SurfacePoint at) {
+        if (materials.isMetallic(at.material())) {
+            return equation.gloss(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(), materials.alpha(at.material()));
+        }
         return equation.specular(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(), materials.shininess(at.material()));
     }
 
     private int state(Lamp lamp, SurfacePoint at, WayEnd end, LightingEquation equation, float cosine) {
         return !(cosine > 0) ? LightRows.AWAY
-                : !equation.insideCone() ? LightRows.OUTSIDE
+                : !equation.insideCone() || !isLinked(lamp, at) ? LightRows.OUTSIDE
                 : isVisible(lamp, end, at) ? LightRows.LIT : LightRows.SHADOWED;
     }
 
-    /** Whether nothing stands between a point and a light. */
+    /** Whether a light shines on the shape of a point. */
+    private boolean isLinked(Lamp lamp, SurfacePoint at) {
+        return geometry.linked(lamp.light().illuminates())[at.primitive()];
+    }
+
+    /** Whether none of the shapes that throw shadows in its light stands between a point and a light. */
     private boolean isVisible(Lamp lamp, WayEnd end, SurfacePoint at) {
         Vec3 point = new Vec3(at.px(), at.py(), at.pz());
+        Geometry casting = geometry.casting(lamp.light().shadowedBy());
         return lamp.type().hasPosition()
-                ? !geometry.blockedByAny(point, end)
-                : !geometry.blockedByAny(new Ray(point, lamp.source()), Double.POSITIVE_INFINITY);
+                ? !casting.blockedByAny(point, end)
+                : !casting.blockedByAny(new Ray(point, lamp.source()), Double.POSITIVE_INFINITY);
     }
 
     /**

@@ -76,7 +76,7 @@ final class ShadowCaster {
      * @param blocked gets those of them from which the light is not seen
      */
     void cast(HitRows rows, Lamp lamp, int[] chosen, int[] blocked) {
-        if (!casts) {
+        if (!casts || !geometry.throwsShadows()) {
             Arrays.fill(blocked, 0);
             return;
         }
@@ -155,7 +155,8 @@ final class ShadowCaster {
         low = towards.low();
         high = towards.high();
         this.toPoints = toPoints;
-        collect(rows);
+        sweep(rows.box(tracer));
+        collect();
         Arrays.fill(doubtful, -1);
         keepDoubtful(rows, doubtful, doubtful);
     }
@@ -174,7 +175,7 @@ final class ShadowCaster {
     /** As {@link #cast(HitRows, Lamp, int[], int[])}, to samples of the area that it was turned to; ways that nothing can block cast no ray. */
     void cast(HitRows rows, RowWays way, int[] chosen, int[] blocked) {
         int count = 0;
-        for (int b = 0; b < RowBits.words(rows.count) && casts; b++) {
+        for (int b = 0; b < RowBits.words(rows.count) && casts && geometry.throwsShadows(); b++) {
             asked[b] = chosen[b] & doubtful[b];
             count += Integer.bitCount(asked[b]);
         }
@@ -228,7 +229,7 @@ final class ShadowCaster {
     /** Finds the shapes that can stand between any row of the tile and the light. */
     private Ways aim(HitRows rows, Lamp lamp) {
         Ways way = bound(rows, lamp);
-        collect(rows);
+        collect();
         return way;
     }
 
@@ -244,9 +245,8 @@ final class ShadowCaster {
         return way;
     }
 
-    /** Finds the shapes that the ways from any row of the tile can meet. */
-    private void collect(HitRows rows) {
-        sweep(rows.box(tracer));
+    /** Finds the shapes that the ways swept last can meet. */
+    private void collect() {
         blockers.collect(geometry.bvh(), beam);
         if (!blockers.tooMany) {
             blockers.leaveOut(geometry.primitives(), departure);

@@ -4,11 +4,13 @@ import lightning.math.Vec3;
 import lightning.scene.BarnDoors;
 import lightning.scene.Gobo;
 import lightning.scene.LightType;
+import lightning.scene.Photometry;
+import lightning.scene.Profile;
 import lightning.scene.Texture;
 import lightning.trace.HitRows;
 
 /**
- * What a spot light's barn doors and gobo leave of its light in a direction, a factor of its falloff.
+ * What a spot light's barn doors and gobo and a light's profile leave of its light in a direction, a factor of its falloff.
  *
  * <p>Seen from the light, which looks along its axis with y upwards, a point lies at an angle to the right and at one to the top, each taken
  * in the plane of the axis and that side. A door at angle θ leaves 1 up to θ less the feather, 0 beyond θ, and between them
@@ -17,12 +19,18 @@ import lightning.trace.HitRows;
  * would hold; seen from the light its left is left and its top is up. Between the centres of its pixels it is interpolated bilinearly,
  * beyond the outermost ones it goes on as they are; what passes is its luminance, 0.2126 R + 0.7152 G + 0.0722 B of linear light
  * (ITU-R BT.709). A light that looks straight up or down has z upwards.
+ *
+ * <p>A profile is a factor of two angles. Those of type C are from the axis and around it, counterclockwise from the right as the light looks out,
+ * so that 90 is its top; where a point is on the axis the second is 0. Of type A the planes stand upright: their angle is from the axis to the right,
+ * and that in a plane upwards. Of type B they share the axis from left to right: their angle is upwards, that in a plane to the right. A point
+ * light has the axis −y.
  */
 final class Shaping {
     /** Below this length of axis × y the light looks straight up or down. */
     private static final double STRAIGHT = 1e-6;
     /** The widest half angle that a gobo is spread over, in degrees. */
     private static final double WIDEST = 89;
+    private static final Vec3 DOWN = new Vec3(0, -1, 0);
 
     private final Vec3 source;
     private final Vec3 axis;
@@ -31,25 +39,32 @@ final class Shaping {
     private final BarnDoors doors;
     private final double feather;
     private final Texture gobo;
+    private final Photometry photometry;
     /** Half the gobo's side, at distance 1 along the axis. */
     private final double reach;
     private final float[] color = new float[3];
 
     private Shaping(Lamp lamp) {
         source = lamp.source();
-        axis = lamp.axis();
+        boolean spot = lamp.type() == LightType.SPOT;
+        axis = spot ? lamp.axis() : DOWN;
         Vec3 side = axis.cross(Vec3.Y);
         right = (side.length() < STRAIGHT ? axis.cross(new Vec3(0, 0, 1)) : side).normalized();
         up = right.cross(axis);
-        doors = lamp.light().doors();
+        doors = spot ? lamp.light().doors() : BarnDoors.OPEN;
         feather = lamp.light().feather();
-        gobo = lamp.light().gobo().map(Gobo::image).orElse(null);
+        gobo = spot ? lamp.light().gobo().map(Gobo::image).orElse(null) : null;
+        photometry = lamp.light().profile().map(Profile::photometry).orElse(null);
         reach = StrictMath.tan(Math.toRadians(Math.min(lamp.light().angle(), WIDEST)));
     }
 
     /** Whether anything stands before a lamp. */
     static boolean acts(Lamp lamp) {
-        return lamp.type() == LightType.SPOT && (!lamp.light().doors().isOpen() || lamp.light().gobo().isPresent());
+        return switch (lamp.type()) {
+            case SPOT -> !lamp.light().doors().isOpen() || lamp.light().gobo().isPresent() || lamp.light().profile().isPresent();
+            case POINT -> lamp.light().profile().isPresent();
+            case DIRECTIONAL, RECT, DISC -> false;
+        };
     }
 
     /** What stands before a lamp; null where nothing does. */
@@ -67,7 +82,8 @@ final class Shaping {
         double height = x * up.x() + y * up.y() + z * up.z();
         return left(-side, ahead, doors.left()) * left(side, ahead, doors.right())
                 * left(-height, ahead, doors.bottom()) * left(height, ahead, doors.top())
-                * (gobo == null ? 1 : projected(side, height, ahead * reach));
+                * (gobo == null ? 1 : projected(side, height, ahead * reach))
+                * (photometry == null ? 1 : measured(side, height, ahead));
     }
 
     /** What the gobo lets through; {@code extent} is half its side where the point is. */
@@ -84,13 +100,28 @@ final class Shaping {
         return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
     }
 
+    private double measured(double side, double height, double ahead) {
+        return switch (photometry.type()) {
+            case C -> {
+                double around = degrees(height, side);
+                yield photometry.at(degrees(Math.sqrt(side * side + height * height), ahead), around < 0 ? around + 360 : around);
+            }
+            case B -> photometry.at(degrees(height, ahead), degrees(side, Math.sqrt(ahead * ahead + height * height)));
+            case A -> photometry.at(degrees(height, Math.sqrt(side * side + ahead * ahead)), degrees(side, ahead));
+        };
+    }
+
+    /** The same on every machine, which the quicker one of Math is not held to. */
+    private static double degrees(double y, double x) {
+        return Math.toDegrees(StrictMath.atan2(y, x));
+    }
+
     /** What one door leaves; the point is so far across to its side, and so far ahead of the light. */
     private double left(double across, double ahead, double door) {
         if (door == BarnDoors.AWAY) {
             return 1;
         }
-        // The same on every machine, which the quicker one of Math is not held to.
-        double inside = door - Math.toDegrees(StrictMath.atan2(across, ahead));
+        double inside = door - degrees(across, ahead);
         if (feather == 0) {
             return inside >= 0 ? 1 : 0;
         }

@@ -10,23 +10,38 @@ final class SumRows {
     final float[][] diffuse;
     /** Null where no specular term will ever be stored. */
     final float[][] specular;
+    /** Null where no grazing term was stored yet. */
+    float[][] grazing;
     /** Whether any light summed here has specular terms; else those columns are undefined. */
     boolean hasSpecular;
+    /** Whether any has grazing terms; else those columns are undefined. */
+    boolean hasGrazing;
 
-    private SumRows(float[][] diffuse, float[][] specular, boolean hasSpecular) {
+    private SumRows(float[][] diffuse, float[][] specular) {
         this.diffuse = diffuse;
         this.specular = specular;
-        this.hasSpecular = hasSpecular;
     }
 
     /** Columns for the rows of any tile. */
     static SumRows scratch() {
-        return new SumRows(new float[3][Terms.ROWS], new float[3][Terms.ROWS], false);
+        return new SumRows(new float[3][Terms.ROWS], new float[3][Terms.ROWS]);
+    }
+
+    /** The columns of grazing terms of scratch columns. */
+    float[][] grazing() {
+        if (grazing == null) {
+            grazing = new float[3][Terms.ROWS];
+        }
+        return grazing;
     }
 
     /** A copy that is just long enough. */
     SumRows compact(int rows) {
-        return new SumRows(copy(diffuse, rows), hasSpecular ? copy(specular, rows) : null, hasSpecular);
+        var compact = new SumRows(copy(diffuse, rows), hasSpecular ? copy(specular, rows) : null);
+        compact.grazing = hasGrazing ? copy(grazing, rows) : null;
+        compact.hasSpecular = hasSpecular;
+        compact.hasGrazing = hasGrazing;
+        return compact;
     }
 
     private static float[][] copy(float[][] columns, int rows) {
@@ -35,6 +50,6 @@ final class SumRows {
 
     /** The bytes of the columns, array headers left out. */
     long bytes() {
-        return (specular == null ? 12L : 24L) * diffuse[0].length;
+        return (12L + (specular == null ? 0 : 12L) + (grazing == null ? 0 : 12L)) * diffuse[0].length;
     }
 }

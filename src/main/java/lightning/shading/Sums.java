@@ -19,9 +19,10 @@ public interface Sums {
      * @param ambience that of the scene
      * @param diffuse  the lights' diffuse sum
      * @param specular their specular sum; null where there is none, or none is shown
+     * @param grazing  their grazing sum; null where there is none, or the material is not metallic
      * @param mirrored Cr; unread where the material mirrors nothing
      * @param to       gets the colours
      */
-    void close(HitRows rows, int run, Shade shade, float ambience, float[][] diffuse, float[][] specular, float[][] mirrored,
-            float[][] to);
+    void close(HitRows rows, int run, Shade shade, float ambience, float[][] diffuse, float[][] specular, float[][] grazing,
+            float[][] mirrored, float[][] to);
 }

@@ -22,43 +22,79 @@ final class TermColumns {
         this.demands = demands;
     }
 
-    /** The cosine of lit rows. */
-    float[] cosines(HitRows rows, float[] cosine, int[] lit, Columns columns) {
+    /** The diffuse term of lit rows, which is their cosine but for metallic materials. */
+    float[] diffuses(HitRows rows, float[] cosine, int[] lit, Columns columns) {
         float[] column = columns.floats(rows.count);
         terms.select(cosine, lit, rows.count, column);
+        mattes(rows, lit, column);
         return column;
     }
 
-    /**
-     * The specular term of lit rows, or null where no material has one.
-     *
-     * @param known rows whose term stands in {@code before}; null for none
-     */
-    float[] speculars(HitRows rows, int[] lit, int[] known, float[] before, Columns columns) {
-        if (!hasSpecular(rows)) {
-            return null;
+    /** Writes the diffuse term of those rows of a set whose material is metallic in place of their cosine. */
+    void mattes(HitRows rows, int[] asked, float[] column) {
+        for (int r = 0; r < rows.runs; r++) {
+            if (materials.isMetallic(rows.runMaterial[r])) {
+                terms.mattes(rows, rows.runStart(r), rows.runEnd[r], asked, column);
+            }
         }
-        float[] column = columns.floats(rows.count);
+    }
+
+    /** The terms beside the diffuse one, each null where no material has it. */
+    record Speculars(float[] specular, float[] grazing) {
+        static final Speculars NONE = new Speculars(null, null);
+
+        /** Those of a layer; none where there is no layer. */
+        static Speculars of(LightRows layer) {
+            return layer == null ? NONE : new Speculars(layer.specular, layer.grazing);
+        }
+    }
+
+    /**
+     * The specular and grazing terms of lit rows.
+     *
+     * @param known rows whose terms stand in {@code before}, as far as it has these columns; null for none
+     */
+    Speculars speculars(HitRows rows, int[] lit, int[] known, Speculars before, Columns columns) {
+        if (!hasSpecular(rows)) {
+            return Speculars.NONE;
+        }
+        boolean metallic = hasMetallic(rows);
         int[] asked = lit;
-        if (known == null) {
-            Arrays.fill(column, 0, rows.count, 0);
-        } else {
+        if (known != null) {
             asked = fresh;
             for (int b = 0; b < RowBits.words(rows.count); b++) {
                 kept[b] = lit[b] & known[b];
                 fresh[b] = lit[b] & ~known[b];
             }
+        }
+        float[] column = begun(rows, known, before.specular, columns);
+        float[] grazing = metallic ? begun(rows, known, before.grazing, columns) : null;
+        speculars(rows, asked, column, grazing);
+        return new Speculars(column, grazing);
+    }
+
+    /** A column with the terms of the rows in {@link #kept}, and 0 elsewhere. */
+    private float[] begun(HitRows rows, int[] known, float[] before, Columns columns) {
+        float[] column = columns.floats(rows.count);
+        if (known == null || before == null) {
+            Arrays.fill(column, 0, rows.count, 0);
+        } else {
             terms.select(before, kept, rows.count, column);
         }
-        speculars(rows, asked, column);
         return column;
     }
 
-    /** Writes the specular term of those rows of a set whose material has one. */
-    void speculars(HitRows rows, int[] asked, float[] column) {
+    /**
+     * Writes the specular term of those rows of a set whose material has one.
+     *
+     * @param grazing gets the grazing term of those whose material is metallic; unread where none is
+     */
+    void speculars(HitRows rows, int[] asked, float[] column, float[] grazing) {
         for (int r = 0; r < rows.runs; r++) {
             int material = rows.runMaterial[r];
-            if (isSpecular(material)) {
+            if (materials.isMetallic(material)) {
+                terms.glosses(rows, rows.runStart(r), rows.runEnd[r], asked, materials.alpha(material), column, grazing);
+            } else if (isSpecular(material)) {
                 terms.speculars(rows, rows.runStart(r), rows.runEnd[r], asked, materials.shininess(material), column);
             }
         }
@@ -72,6 +108,20 @@ final class TermColumns {
             }
         }
         return false;
+    }
+
+    /** Whether any of the rows' materials is metallic. */
+    boolean hasMetallic(HitRows rows) {
+        for (int r = 0; r < rows.runs; r++) {
+            if (materials.isMetallic(rows.runMaterial[r])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    boolean isMetallic(int material) {
+        return materials.isMetallic(material);
     }
 
     boolean isSpecular(int material) {

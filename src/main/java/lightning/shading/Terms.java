@@ -48,6 +48,21 @@ public interface Terms {
      */
     void speculars(HitRows rows, int from, int to, int[] which, double shininess, float[] column);
 
+    /**
+     * Writes {@link LightingEquation#matte} of those of the rows {@code from … to − 1} that are in a set; all of them face the light.
+     *
+     * @param column keeps what it holds of other rows
+     */
+    void mattes(HitRows rows, int from, int to, int[] which, float[] column);
+
+    /**
+     * Writes {@link LightingEquation#gloss} and {@link LightingEquation#grazing} of those of the rows {@code from … to − 1} that are in
+     * a set; all of them face the light.
+     *
+     * @param gloss   keeps what it holds of other rows, and {@code grazing} likewise
+     */
+    void glosses(HitRows rows, int from, int to, int[] which, double alpha, float[] gloss, float[] grazing);
+
     /** Writes {@link LightingEquation#falloff} of all rows: of a point light that was measured, or of a spot light whose cone was aimed. */
     void falloffs(HitRows rows, Lamp lamp, float[] to);
 

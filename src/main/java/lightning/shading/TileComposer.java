@@ -2,10 +2,11 @@ package lightning.shading;
 
 import java.util.Arrays;
 import lightning.effects.ViewEffects;
-import lightning.math.Rgb;
+import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
+import lightning.trace.SamplePlaces;
 
 /**
  * Carries colours from the deepest mirror level of a tile up to its pixels. Holds scratch columns:
@@ -13,6 +14,7 @@ import lightning.trace.MaterialTable;
  */
 public final class TileComposer {
     private final Composer composer;
+    private final Backdrop backdrop = new Backdrop();
     /** Cr of one level, and of the level above it. */
     private final float[][][] mirrored = new float[2][3][Terms.ROWS];
 
@@ -39,7 +41,7 @@ public final class TileComposer {
      * @return red, green and blue columns, valid until the next level but one was composed
      */
     public float[][] followed(HitRows rows, World world) {
-        fill(next(), rows.reflective, world.background());
+        backdrop.mirrored(rows, world, next());
         return mirrored[0];
     }
 
@@ -50,11 +52,9 @@ public final class TileComposer {
         return other;
     }
 
-    /** Makes a tile of the film ready for the colours of a first level: the background where no row is. */
-    public void background(HitRows rows, World world, float[][] film) {
-        if (rows.count < film[0].length) {
-            fill(film, film[0].length, world.background());
-        }
+    /** Makes a tile of the film ready for the colours of a first level: what is behind all where no row is. */
+    public void background(HitRows rows, Scene scene, SamplePlaces places, float[][] film) {
+        backdrop.eye(rows, scene, places, film);
     }
 
     /**
@@ -74,11 +74,5 @@ public final class TileComposer {
     /** The sums beside one light, to be given to {@link #level} while that light alone is edited. */
     public BranchSums branches(HitRows rows, Luminaire[] lights, LightLayer[] layers, BranchSums.Key key) {
         return composer.lightSum().branches(rows.count, lights, layers, key);
-    }
-
-    private static void fill(float[][] columns, int length, Rgb color) {
-        Arrays.fill(columns[0], 0, length, (float) color.r());
-        Arrays.fill(columns[1], 0, length, (float) color.g());
-        Arrays.fill(columns[2], 0, length, (float) color.b());
     }
 }

@@ -5,9 +5,12 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import lightning.math.Ray;
 import lightning.math.Vec3;
+import lightning.scene.Links;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
@@ -35,6 +38,11 @@ public final class Geometry {
     private final MaterialTable materials;
     private final Bvh bvh;
     private final Predicate<Material> mirrors;
+    /** Which primitives throw shadows; null where all do. */
+    private final boolean[] casters;
+    private final boolean throwsShadows;
+    /** The same shapes where some of them throw no shadow, by those that do. */
+    private final Map<Links, Geometry> casting = new ConcurrentHashMap<>();
     /** What {@link #changeTo} found last, as long as someone else uses it. Any thread may set it: each that does is right. */
     private volatile WeakReference<ShapeChange> change;
 
@@ -57,6 +65,8 @@ public final class Geometry {
         materials = new MaterialTable(names, tinted, scene, null, mirrors);
         bvh = new Bvh(PrimitiveTable.of(scene.stage(), materialOf(), scene.camera().origin()));
         primitives = bvh.primitives;
+        casters = null;
+        throwsShadows = true;
     }
 
     private Geometry(Geometry shared, Scene scene) {
@@ -68,6 +78,22 @@ public final class Geometry {
         materials = new MaterialTable(names, tinted, scene, shared.materials, mirrors);
         primitives = shared.primitives;
         bvh = shared.bvh;
+        casters = shared.casters;
+        throwsShadows = shared.throwsShadows;
+    }
+
+    /** The same of which only some primitives throw shadows: the tree has no others. */
+    private Geometry(Geometry shared, boolean[] casters) {
+        scene = shared.scene;
+        shapes = shared.shapes;
+        names = shared.names;
+        tinted = shared.tinted;
+        mirrors = shared.mirrors;
+        materials = shared.materials;
+        primitives = shared.primitives;
+        this.casters = casters;
+        throwsShadows = IntStream.range(0, casters.length).anyMatch(s -> casters[s]);
+        bvh = throwsShadows ? shared.bvh.only(casters) : shared.bvh;
     }
 
     /** The form of the tree is another's. */
@@ -80,6 +106,8 @@ public final class Geometry {
         materials = new MaterialTable(names, tinted, scene, shared.materials, mirrors);
         bvh = new Bvh(shared.primitives.from(scene.camera().origin()), shared.bvh);
         primitives = bvh.primitives;
+        casters = null;
+        throwsShadows = true;
     }
 
     /** Other shapes, seen from the same place; materials keep their indices. */
@@ -92,6 +120,28 @@ public final class Geometry {
         materials = new MaterialTable(names, tinted, scene, before.materials, mirrors);
         bvh = Bvh.following(PrimitiveTable.of(scene.stage(), materialOf(), scene.camera().origin()), before.bvh);
         primitives = bvh.primitives;
+        casters = null;
+        throwsShadows = true;
+    }
+
+    /** Of each primitive whether it is of a linked shape; not to be written to. */
+    public boolean[] linked(Links links) {
+        // Every shape is one primitive.
+        return scene.stage().linked(links);
+    }
+
+    /** What ways to a light meet that some shapes do not shadow: primitives keep their indices and their boxes. */
+    public Geometry casting(Links links) {
+        return links.isAll() ? this : casting.computeIfAbsent(links, asked -> new Geometry(this, linked(asked)));
+    }
+
+    /** Whether any primitive throws a shadow; where none does, rays must not be asked. */
+    public boolean throwsShadows() {
+        return throwsShadows;
+    }
+
+    private boolean casts(int primitive) {
+        return casters == null || casters[primitive];
     }
 
     private int[] materialOf() {
@@ -106,7 +156,17 @@ public final class Geometry {
     }
 
     private boolean hasShapesOf(Scene other) {
-        return scene.nodes().equals(other.nodes());
+        return scene.nodes().equals(other.nodes()) && hasReliefsOf(other);
+    }
+
+    /** Whether the materials that shapes have bend normals as those of another scene do: what is met is told with its normal. */
+    private boolean hasReliefsOf(Scene other) {
+        if (scene.materials() == other.materials()) {
+            return true;
+        }
+        Map<String, Material> here = scene.materialsByName();
+        Map<String, Material> there = other.materialsByName();
+        return scene.stage().namedMaterials().stream().allMatch(m -> here.get(m).relief().hasNormalsOf(there.get(m).relief()));
     }
 
     /** Whether these are the shapes of a scene, and an eye may stand at a point of it without their being moved. */
@@ -253,10 +313,10 @@ public final class Geometry {
         return bvh.blocked(ray, limit);
     }
 
-    /** Whether any primitive is met at a distance below {@code limit}; every one is asked. */
+    /** Whether any primitive that throws shadows is met at a distance below {@code limit}; every one is asked. */
     public boolean blockedByAny(Ray ray, double limit) {
         for (int s = 0; s < primitives.count; s++) {
-            if (distance(s, ray) < limit) {
+            if (casts(s) && distance(s, ray) < limit) {
                 return true;
             }
         }
@@ -273,11 +333,11 @@ public final class Geometry {
         return WayEnd.at(point, bvh);
     }
 
-    /** Whether any primitive stands between a point and a light, both in render space; every one is asked. */
+    /** Whether any primitive that throws shadows stands between a point and a light, both in render space; every one is asked. */
     public boolean blockedByAny(Vec3 point, WayEnd end) {
         Ray way = new Ray(point, end.point().minus(point));
         for (int s = 0; s < primitives.count; s++) {
-            if (distance(s, way, end) < 1) {
+            if (casts(s) && distance(s, way, end) < 1) {
                 return true;
             }
         }
@@ -346,7 +406,11 @@ public final class Geometry {
                 diffuse[c] *= texel[c];
             }
         }
+        float[] specular = new float[3];
+        for (int c = 0; c < 3; c++) {
+            specular[c] = materials.metal(material, c) * texel[c] + materials.specular(material, c);
+        }
         return new SurfacePoint(primitive, material, surface.px, surface.py, surface.pz, surface.nx, surface.ny, surface.nz,
-                (float) d.x(), (float) d.y(), (float) d.z(), diffuse, texel);
+                (float) d.x(), (float) d.y(), (float) d.z(), diffuse, specular, texel);
     }
 }

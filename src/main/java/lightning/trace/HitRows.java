@@ -24,7 +24,9 @@ public final class HitRows {
         /** Where any row's material is textured. */
         TEXEL,
         /** Where anti-aliasing looks for edges. */
-        CODE;
+        CODE,
+        /** Where a light of the scene shines on some shapes only. */
+        OWNER;
 
         /** The columns that come and go together. */
         Set<Column> columns() {
@@ -54,7 +56,8 @@ public final class HitRows {
         TEXEL_GREEN(Part.TEXEL, Element.FLOAT),
         TEXEL_BLUE(Part.TEXEL, Element.FLOAT),
         PARENT(Part.HIT, Element.SHORT),
-        CODE(Part.CODE, Element.INT);
+        CODE(Part.CODE, Element.INT),
+        OWNER(Part.OWNER, Element.INT);
 
         private final Part part;
         private final Element element;
@@ -92,6 +95,8 @@ public final class HitRows {
     public final short[] parent;
     /** What anti-aliasing sees of each hit, its texture left out ({@link HitCode}); null where nobody asks. */
     public final int[] code;
+    /** The primitive that was hit; null where nobody asks. */
+    public final int[] owner;
     /** How many runs there are. */
     public int runs;
     /** The material of each run. */
@@ -105,14 +110,14 @@ public final class HitRows {
 
     private final ColumnSet<Column> columns;
 
-    /** Makes room for {@code rows} rows without codes. */
+    /** Makes room for {@code rows} rows without codes and owners. */
     public HitRows(int rows, boolean textured) {
-        this(rows, textured, false);
+        this(rows, textured, false, false);
     }
 
     /** Makes room for {@code rows} rows. */
-    public HitRows(int rows, boolean textured, boolean coded) {
-        this(ColumnSet.room(Column.class, columns(textured, coded), rows));
+    public HitRows(int rows, boolean textured, boolean coded, boolean owned) {
+        this(ColumnSet.room(Column.class, columns(textured, coded, owned), rows));
     }
 
     /** Rows in columns that are filled already; there are no runs yet. */
@@ -132,15 +137,19 @@ public final class HitRows {
         texelBlue = (float[]) columns.get(Column.TEXEL_BLUE);
         parent = (short[]) columns.get(Column.PARENT);
         code = (int[]) columns.get(Column.CODE);
+        owner = (int[]) columns.get(Column.OWNER);
     }
 
-    private static Set<Column> columns(boolean textured, boolean coded) {
+    private static Set<Column> columns(boolean textured, boolean coded, boolean owned) {
         Set<Column> columns = Part.HIT.columns();
         if (textured) {
             columns.addAll(Part.TEXEL.columns());
         }
         if (coded) {
             columns.addAll(Part.CODE.columns());
+        }
+        if (owned) {
+            columns.addAll(Part.OWNER.columns());
         }
         return columns;
     }
@@ -172,6 +181,27 @@ public final class HitRows {
     /** These rows with other codes, or null for none. */
     public HitRows withCode(int[] to) {
         return in(columns.with(Column.CODE, to), reflective);
+    }
+
+    /** These rows with other owners, or null for none. */
+    public HitRows withOwner(int[] to) {
+        return in(columns.with(Column.OWNER, to), reflective);
+    }
+
+    /**
+     * The owners of rows that were traced before these, perhaps in another order, whose rays are known by their parents; 0 for rays
+     * that hit nothing now.
+     */
+    public int[] ownersOf(HitRows rows) {
+        int[] of = new int[RayColumns.MOST];
+        for (int i = 0; i < count; i++) {
+            of[parent[i]] = owner[i];
+        }
+        int[] owners = new int[Element.INT.length(rows.count)];
+        for (int i = 0; i < rows.count; i++) {
+            owners[i] = of[rows.parent[i]];
+        }
+        return owners;
     }
 
     /** These rows, in this order, seen from other parents, with other materials that mirror. */

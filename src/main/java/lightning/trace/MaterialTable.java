@@ -38,6 +38,8 @@ public final class MaterialTable {
     private final float[] diffuse;
     private final float[] specular;
     private final float[] reflective;
+    /** Of metallic materials what a texture multiplies of F0; null where there is none. */
+    private final float[] metal;
 
     /**
      * @param names the materials' names, each once: material {@code m} is that of name {@code m}
@@ -59,6 +61,7 @@ public final class MaterialTable {
         diffuse = new float[3 * count];
         specular = new float[3 * count];
         reflective = new float[3 * count];
+        metal = materials.stream().anyMatch(Material::isMetallic) ? new float[3 * count] : null;
         rank = new int[count];
         ranked = new int[count];
         int casting = 0;
@@ -66,8 +69,18 @@ public final class MaterialTable {
             Material material = materials.get(m);
             this.tinted[m] = tinted.contains(material.name());
             store(material.ambient(), ambient, 3 * m);
-            store(material.diffuse(), diffuse, 3 * m);
-            store(material.specular(), specular, 3 * m);
+            switch (material.model()) {
+                case PHONG -> {
+                    store(material.diffuse(), diffuse, 3 * m);
+                    store(material.specular(), specular, 3 * m);
+                }
+                case METALLIC -> {
+                    double dielectric = 1 - material.metalness();
+                    store(material.base().times(dielectric * (1 - material.f0())), diffuse, 3 * m);
+                    store(Rgb.grey(dielectric * material.f0()), specular, 3 * m);
+                    store(material.base().times(material.metalness()), metal, 3 * m);
+                }
+            }
             store(material.reflective(), reflective, 3 * m);
             casting += mirrors.test(material) ? 1 : 0;
         }
@@ -130,8 +143,14 @@ public final class MaterialTable {
         return ranked[r];
     }
 
+    /** Whether it is of the model {@link lightning.scene.SurfaceModel#METALLIC}. */
+    public boolean isMetallic(int m) {
+        return materials.get(m).isMetallic();
+    }
+
+    /** Whether rows of it have specular terms. */
     public boolean isSpecular(int m) {
-        return specular[3 * m] > 0 || specular[3 * m + 1] > 0 || specular[3 * m + 2] > 0;
+        return isMetallic(m) || specular[3 * m] > 0 || specular[3 * m + 1] > 0 || specular[3 * m + 2] > 0;
     }
 
     /** Whether rows of material {@code m} have texels: from its texture, or from the vertices of any shape that has it. */
@@ -148,18 +167,44 @@ public final class MaterialTable {
         return materials.get(m).shininess();
     }
 
+    /** The width α of the highlights of a metallic material. */
+    public double alpha(int m) {
+        return materials.get(m).alpha();
+    }
+
+    /** Whether any is metallic. */
+    public boolean hasMetallic() {
+        return metal != null;
+    }
+
+    /** What no term of a light is above over rows of these materials: 1, or 1/(2α³) and a rounding of metallic ones. */
+    public double mostTerm() {
+        double most = 1;
+        for (int m = 0; m < count(); m++) {
+            double alpha = alpha(m);
+            most = isMetallic(m) ? Math.max(most, (1 + 0x1p-20) / (2 * alpha * alpha * alpha)) : most;
+        }
+        return most;
+    }
+
     /** k<sub>ambient</sub> before the scene's ambience; {@code channel} 0, 1, 2 for red, green, blue. */
     public float ambient(int m, int channel) {
         return ambient[3 * m + channel];
     }
 
-    /** k<sub>diffuse</sub> before the texture. */
+    /** k<sub>diffuse</sub> before the texture; of a metallic material base·(1 − metalness)·(1 − f0). */
     public float diffuse(int m, int channel) {
         return diffuse[3 * m + channel];
     }
 
+    /** k<sub>specular</sub>; of a metallic material (1 − metalness)·f0: the part of F0 that no texture multiplies. */
     public float specular(int m, int channel) {
         return specular[3 * m + channel];
+    }
+
+    /** Of a metallic material base·metalness: the part of F0 that the texture multiplies; else 0. */
+    public float metal(int m, int channel) {
+        return metal == null ? 0 : metal[3 * m + channel];
     }
 
     public float reflective(int m, int channel) {

@@ -12,6 +12,8 @@ public final class RayColumns {
 
     /** How many rays there are. */
     public int count;
+    /** How many rays a line has, where they are those of all pixels of a rectangle, line by line; else 0. */
+    public int columns;
     /** Where rays of the eye leave from, render space. */
     private final Vec3 eye;
     /** The rows that the rays leave from; null for rays of the eye. */

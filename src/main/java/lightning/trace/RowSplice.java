@@ -65,7 +65,7 @@ public final class RowSplice {
             textured |= ends[r + 1] > ends[r] && materials.isTextured(materials.ranked(r));
         }
         boolean texels = old.texelRed != null || added != null && added.texelRed != null;
-        HitRows room = new HitRows(source.length, textured && texels, old.code != null);
+        HitRows room = new HitRows(source.length, textured && texels, old.code != null, old.owner != null);
         room.count = source.length;
         room.reflective = reflective;
         for (int r = 0; r < materials.count(); r++) {

@@ -3,7 +3,10 @@ package lightning.trace;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.stream.IntStream;
 import lightning.math.Vec3;
+import lightning.scene.Links;
+import lightning.scene.Scene;
 import lightning.trace.primitive.PrimitiveBoxes;
 import lightning.trace.tree.BoxSet;
 import lightning.trace.tree.WayEnd;
@@ -26,9 +29,10 @@ public final class ShapeChange {
 
     private final Geometry before;
     private final Geometry after;
-    /** Of each primitive before the index it has now, perhaps with another material or without its colours; −1 where it is gone or not the same. */
+    /** Of each primitive before the index it has now, perhaps with another material, other normals or without its colours; −1 where it is gone or not the same. */
     private final int[] now;
     private final boolean keepsAny;
+    private final boolean keepsIndices;
     private final BoxSet seen;
     private final BoxSet gone;
     private final BoxSet come;
@@ -38,6 +42,7 @@ public final class ShapeChange {
         after = null;
         now = new int[0];
         keepsAny = true;
+        keepsIndices = true;
         seen = BoxSet.NONE;
         gone = BoxSet.NONE;
         come = BoxSet.NONE;
@@ -70,7 +75,8 @@ public final class ShapeChange {
                 come[comeCount++] = t;
             }
             if (form && (before.materialOf(s) != after.materialOf(t)
-                    || before.primitives().isTinted(s) != after.primitives().isTinted(t))) {
+                    || before.primitives().isTinted(s) != after.primitives().isTinted(t)
+                    || !before.primitives().isBentAs(s, after.primitives(), t))) {
                 painted[paintedCount++] = t;
             }
         }
@@ -82,9 +88,52 @@ public final class ShapeChange {
             }
         }
         keepsAny = goneCount + paintedCount < count;
+        keepsIndices = IntStream.range(0, count).allMatch(s -> now[s] < 0 || now[s] == s);
         this.gone = BoxSet.of(before.bvh(), gone, goneCount);
         this.come = BoxSet.of(after.bvh(), come, comeCount);
         seen = this.gone.and(this.come).and(BoxSet.of(after.bvh(), painted, paintedCount));
+    }
+
+    /** The change of ways to a light alone. */
+    private ShapeChange(ShapeChange of, BoxSet gone, BoxSet come) {
+        before = of.before;
+        after = of.after;
+        now = of.now;
+        keepsAny = of.keepsAny;
+        keepsIndices = of.keepsIndices;
+        this.gone = gone;
+        this.come = come;
+        seen = gone.and(come);
+    }
+
+    /**
+     * What becomes of the ways to a light that only some shapes shadow: the same where a primitive that throws no shadow counts as
+     * none. Of a tree that lacks it, rays find what this one's would if it were not there.
+     *
+     * @param known what rays could meet before
+     * @param from  the shapes that threw shadows
+     * @param to    those that throw them now
+     */
+    public ShapeChange shadows(Geometry known, Links from, Links to) {
+        if (from.isAll() && to.isAll() || before == null && from.equals(to)) {
+            return this;
+        }
+        Geometry later = after(known);
+        boolean[] cast = known.linked(from);
+        boolean[] casts = later.linked(to);
+        int[] gone = new int[cast.length];
+        int goneCount = 0;
+        boolean[] stays = new boolean[casts.length];
+        for (int s = 0; s < cast.length; s++) {
+            int t = before == null ? s : now[s];
+            if (cast[s] && t >= 0 && casts[t]) {
+                stays[t] = true;
+            } else if (cast[s]) {
+                gone[goneCount++] = s;
+            }
+        }
+        int[] come = IntStream.range(0, casts.length).filter(t -> casts[t] && !stays[t]).toArray();
+        return new ShapeChange(this, BoxSet.of(known.bvh(), gone, goneCount), BoxSet.of(later.bvh(), come, come.length));
     }
 
     /** How many primitives, the first ones, have the same names. */
@@ -131,6 +180,11 @@ public final class ShapeChange {
         return come;
     }
 
+    /** Whether every primitive that is the same has the index that it had. */
+    public boolean keepsIndices() {
+        return keepsIndices;
+    }
+
     /** The indices that primitives have now, −1 for none; a ray that touches no box of {@link #seen} met one that has one. */
     public int[] now(int[] primitives) {
         if (before == null) {
@@ -141,6 +195,16 @@ public final class ShapeChange {
             found[i] = primitives[i] < 0 ? -1 : now[primitives[i]];
         }
         return found;
+    }
+
+    /** Whether the primitives that are the same are linked as they were. */
+    public boolean keepsLinks(Scene known, Scene wanted, Links links) {
+        if (before == null || links.isAll()) {
+            return true;
+        }
+        boolean[] was = known.stage().linked(links);
+        boolean[] is = wanted.stage().linked(links);
+        return IntStream.range(0, now.length).allMatch(s -> now[s] < 0 || was[s] == is[now[s]]);
     }
 
     /** Whether ways to a point in render space pass the same ends of those primitives that cast the same shadows. */

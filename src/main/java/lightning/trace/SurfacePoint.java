@@ -12,18 +12,32 @@ import lightning.math.Vec3;
  * @param nx       the unit normal that faces the ray; likewise {@code ny}, {@code nz}
  * @param vx       the unit direction of the ray; likewise {@code vy}, {@code vz}
  * @param diffuse  k<sub>diffuse</sub> with the texture in it, linear RGB, {@code float[3]}
+ * @param specular k<sub>specular</sub>, or F0 with the texture in it, linear RGB, {@code float[3]}
  * @param texel    the texture's colour alone, linear RGB, {@code float[3]}; white where there is none
  */
 public record SurfacePoint(int primitive, int material, float px, float py, float pz, float nx, float ny, float nz,
-        float vx, float vy, float vz, float[] diffuse, float[] texel) {
+        float vx, float vy, float vz, float[] diffuse, float[] specular, float[] texel) {
 
     /** The mirrored ray, V + 2|N·V|N at length 1: away from the surface whatever the rounding. */
     public Ray mirrored() {
+        double[] d = new double[3];
+        mirror(nx, ny, nz, vx, vy, vz, d);
+        return new Ray(new Vec3(px, py, pz), new Vec3(d[0], d[1], d[2]));
+    }
+
+    /**
+     * Writes the direction of the mirrored ray.
+     *
+     * @param to gets x, y, z, {@code double[3]}
+     */
+    public static void mirror(float nx, float ny, float nz, float vx, float vy, float vz, double[] to) {
         double twice = 2 * Math.abs((double) nx * vx + (double) ny * vy + (double) nz * vz);
         double rx = vx + twice * nx;
         double ry = vy + twice * ny;
         double rz = vz + twice * nz;
         double length = Math.sqrt(rx * rx + ry * ry + rz * rz);
-        return new Ray(new Vec3(px, py, pz), new Vec3(rx / length, ry / length, rz / length));
+        to[0] = rx / length;
+        to[1] = ry / length;
+        to[2] = rz / length;
     }
 }

@@ -55,6 +55,7 @@ public final class TileVisibility {
         int lines = Math.min(size, height - y0);
         rays.from = null;
         rays.count = columns * lines;
+        rays.columns = columns;
         for (int y = 0, ray = 0; y < lines; y++) {
             for (int x = 0; x < columns; x++) {
                 rays.slot[ray++] = (short) (y * size + x);
@@ -97,6 +98,7 @@ public final class TileVisibility {
     public HitRows fine(SamplePlaces places, Allocator allocator) {
         rays.from = null;
         rays.count = places.count();
+        rays.columns = 0;
         for (int ray = 0; ray < rays.count; ray++) {
             rays.slot[ray] = (short) ray;
         }
@@ -151,6 +153,7 @@ public final class TileVisibility {
     private void direct(HitRows from, int count) {
         rays.from = from;
         rays.count = count;
+        rays.columns = 0;
         for (int i = 0; i < count; i++) {
             MirrorRays.direction(from, rays.slot[i], rays.dx, rays.dy, rays.dz, i);
         }
@@ -231,6 +234,9 @@ public final class TileVisibility {
         }
         for (int row = 0; rows.code != null && row < rows.count; row++) {
             rows.code[row] = HitCode.of(geometry.number(rays.primitive[rays.order[row]]), rows.nx[row], rows.ny[row], rows.nz[row]);
+        }
+        for (int row = 0; rows.owner != null && row < rows.count; row++) {
+            rows.owner[row] = rays.primitive[rays.order[row]];
         }
     }
 

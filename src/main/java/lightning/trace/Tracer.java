@@ -49,6 +49,9 @@ public interface Tracer {
     /** The same where each row's way leads elsewhere. */
     void blocked(HitRows rows, int[] chosen, RowWays ways, Candidates candidates, int[] blocked);
 
+    /** One that does it the same way among other shapes. */
+    Tracer among(Geometry others);
+
     /** The box of points {@code from … to − 1}, at least one. */
     PointBox box(float[] x, float[] y, float[] z, int from, int to);
 

@@ -95,10 +95,10 @@ class DialTest {
     }
 
     @Test
-    void directionalLight_hasColorIntensityDirectionAndSpreadOnly() {
+    void directionalLight_hasColorIntensityDirectionSpreadAndLinksOnly() {
         assertThat(LightAttribute.ALL.stream().filter(a -> a.term(LightType.DIRECTIONAL).isPresent()).toList())
                 .isEqualTo(List.of(LightAttribute.COLOR, LightAttribute.INTENSITY, LightAttribute.DIRECTION, LightAttribute.SPREAD,
-                        LightAttribute.SAMPLES));
+                        LightAttribute.SAMPLES, LightAttribute.ILLUMINATES, LightAttribute.SHADOWED_BY));
         assertThat(Desk.dial("attenuation constant").obstacle(scene.light("sun"))).contains("a directional light has no attenuation");
     }
 

@@ -233,7 +233,7 @@ class HistoryTest {
 
     @Test
     void selectionOfAShapeOrNothing_isNoLight() {
-        assertThat(new Selection.OfShape("ball").light(history)).isEmpty();
+        assertThat(new Selection.OfNode("ball").light(history)).isEmpty();
         assertThat(Selection.light(history, "nobody")).isEqualTo(Selection.NONE);
         assertThat(Selection.NONE.light(history)).isEmpty();
     }

@@ -123,9 +123,11 @@ class EffectsTest {
     }
 
     @Test
-    void bird_callsForAllButDoorsGobosBanksSeveralSamplesSoftLightsFrustumsAndMeshes() throws Exception {
-        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.VERTEX_COLORS,
-                Effect.BARN_DOORS, Effect.GOBOS, Effect.BANKS,
-                Effect.SOFT_SHADOWS, Effect.ANTIALIASING, Effect.RECT_LIGHTS, Effect.DISC_LIGHTS, Effect.FRUSTUMS, Effect.MESHES);
+    void bird_callsForNoneOfTheLightsAndSurfacesThatItLacks() throws Exception {
+        assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.METALLIC,
+                Effect.BUMPS, Effect.VERTEX_COLORS, Effect.BARN_DOORS, Effect.GOBOS, Effect.PROFILES, Effect.LIGHT_LINKS,
+                Effect.SHADOW_LINKS,
+                Effect.BANKS, Effect.SOFT_SHADOWS, Effect.ANTIALIASING, Effect.ENVIRONMENT, Effect.RECT_LIGHTS, Effect.DISC_LIGHTS,
+                Effect.FRUSTUMS, Effect.MESHES);
     }
 }

@@ -17,6 +17,7 @@ import lightning.mesh.MeshException;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.PlacedShape;
+import lightning.scene.Relief;
 import lightning.scene.Scene;
 import lightning.work.Progress;
 import org.assertj.core.data.Offset;
@@ -93,6 +94,29 @@ class ImporterTest {
         assertThat(read(Files.write(from.resolve("a.glb"), Gltf.binary(clamped, Gltf.SQUARE))).notes())
                 .containsEntry("textures that end or turn back at their edges, repeated here", 1)
                 .containsEntry("textures with hard pixels, smooth here", 1);
+    }
+
+    /** A pixel of 128, 192, 255. */
+    @Test
+    void normalMap_isTheMaterialsWithItsScale() throws Exception {
+        String mapped =
+                SCENE.replace("'materials': [{", "'materials': [{'normalTexture': {'index': 0, 'scale': 0.5}, ").replace("'cameras':",
+                        "'textures': [{'source': 0}], 'images': [{'uri': 'data:image/png;base64,"
+                                + "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGNoOPAfAAQDAkBvhCYaAAAAAElFTkSuQmCC"
+                                + "'}], 'cameras':");
+        Relief relief = imported(Files.write(from.resolve("a.glb"), Gltf.binary(mapped, Gltf.SQUARE))).materials().getFirst().relief();
+        assertThat(relief.strength()).isEqualTo(0.5);
+        assertThat(relief.normals().orElseThrow().image().channel(0, 0, 1)).as("a number, no colour of sRGB").isEqualTo(192 / 255f);
+    }
+
+    @Test
+    void picturesOfHighlights_andTheOtherNumbersOfACamera_areTold() throws Exception {
+        String rich = SCENE.replace("{'yfov': 1}", "{'yfov': 1, 'aspectRatio': 1.5, 'znear': 0.1, 'zfar': 100}").replace("'name': 'red',",
+                "'name': 'red', 'extensions': {'KHR_materials_specular': "
+                        + "{'specularTexture': {'index': 0}, 'specularColorTexture': {'index': 0}}},");
+        assertThat(read(Files.write(from.resolve("a.glb"), Gltf.binary(rich, Gltf.SQUARE))).notes())
+                .containsEntry("specularTexture of materials", 1).containsEntry("specularColorTexture of materials", 1)
+                .containsEntry("aspect ratios of cameras", 1).containsEntry("znear of cameras", 1).containsEntry("zfar of cameras", 1);
     }
 
     @Test

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import lightning.mesh.Mesh;
+import lightning.scene.Links;
 import lightning.scene.Texture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -31,7 +32,17 @@ class BlocksTest {
     /** As if every file were there. */
     private static final SceneFiles FILES = new SceneFiles() {
         @Override
-        public Texture texture(String file) {
+        public lightning.scene.Photometry profile(String file) {
+            throw new IllegalArgumentException(file);
+        }
+
+        @Override
+        public lightning.scene.Sky sky(String file) {
+            throw new IllegalArgumentException(file);
+        }
+
+        @Override
+        public Texture texture(String file, boolean color) {
             return new Texture(1, 1, new float[3]);
         }
 
@@ -87,7 +98,9 @@ class BlocksTest {
                 case Value.Word(String word) -> p.checkWord(word);
                 case Value.Name(String name) -> lightning.scene.Limits.name(name);
                 case Value.Quoted q -> p.checkTogether(q);
-                case Value.Absent a -> assertThat(p.name()).isIn("texture", "gobo", "bank", Blocks.FILE, Blocks.PART);
+                case Value.Linked(Links links) -> assertThat(links.isAll()).isTrue();
+                case Value.Absent a -> assertThat(p.name()).isIn("texture", "bump", "normal_map", "gobo", "profile", "environment", "bank",
+                        Blocks.FILE, Blocks.PART);
             }
         }));
     }
@@ -106,7 +119,7 @@ class BlocksTest {
         Map<String, Value> values = new HashMap<>(c.type.initials());
         values.put("type", new Value.Word("spot"));
         if (c.type == Blocks.MATERIAL) {
-            values.put("texture", new Value.Quoted("a.png"));
+            PictureProperty.ALL.forEach(p -> values.put(p.name(), new Value.Quoted("a.png")));
         }
         values.put(Blocks.FILE, new Value.Quoted("a.ply"));
         if (c.type == Blocks.CAMERA) {

@@ -85,6 +85,7 @@ class FormatDocumentTest {
         String value = switch (p.form()) {
             case NUMBERS -> (p.count() == 1 ? "" : p.count() + " ") + (p.whole() ? "whole " : "") + (p.count() == 1 ? "number" : "numbers:"
                     + String.join(",", p.labels()));
+            case LINKS -> "`all`, `none`, or `only` or `except` and names in quotes";
             case WORD -> "`" + String.join("`, `", p.choices()) + "`";
             case NAME -> "name";
             case QUOTED -> "file name in quotes";

@@ -18,6 +18,7 @@ final class Grammar {
     private final SplittableRandom random;
     private final StringBuilder out = new StringBuilder();
     private final List<String> materials = new ArrayList<>();
+    private final List<String> nodes = new ArrayList<>();
     private final List<String> banks = new ArrayList<>();
     /** The chance of a mistake at each place, one in this many; none where 0. */
     private final int mistakes;
@@ -52,6 +53,9 @@ final class Grammar {
             if (type == Blocks.MATERIAL) {
                 materials.add(name);
             }
+            if (Blocks.NODES.contains(type.keyword())) {
+                nodes.add(name);
+            }
             if (type == Blocks.BANK) {
                 banks.add(name);
             }
@@ -62,7 +66,7 @@ final class Grammar {
         word("{");
         for (Property<?> p : type.properties()) {
             boolean file = p.name().equals(Blocks.FILE) && type.keyword().equals("mesh");
-            boolean missing = p.form() == Property.Form.QUOTED || p.name().equals("repeat") || p.name().equals(Blocks.PART)
+            boolean missing = p.form() == Property.Form.QUOTED || p.name().endsWith("repeat") || p.name().equals(Blocks.PART)
                     || p.name().equals("bank") && banks.isEmpty();
             if (file ? !mistake() : missing ? mistake() : random.nextInt(3) == 0) {
                 word(p.name());
@@ -85,8 +89,21 @@ final class Grammar {
                 }
             }
             case WORD -> word(p.choices().get(random.nextInt(p.choices().size())));
+            case LINKS -> links();
             case NAME -> word(NameText.of(p.name().equals("bank") ? bank() : material()));
             case QUOTED -> word(p.name().equals(Blocks.FILE) ? '"' + MESH + '"' : "\"a.png\"");
+        }
+    }
+
+    private void links() {
+        if (nodes.isEmpty() || random.nextInt(3) == 0) {
+            word(random.nextBoolean() ? "all" : "none");
+            return;
+        }
+        word(random.nextBoolean() ? "only" : "except");
+        int first = random.nextInt(nodes.size());
+        for (int i = first; i < nodes.size() && (i == first || random.nextInt(3) > 0); i++) {
+            word(NameText.quoted(nodes.get(i)));
         }
     }
 

@@ -19,6 +19,7 @@ import lightning.scene.Material;
 import lightning.scene.Node;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
+import lightning.scene.Relief;
 import lightning.scene.Rig;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
@@ -34,11 +35,14 @@ final class Scenes {
 
     private final Random random;
     private final List<Texture> images;
+    private final List<Texture> numbers;
     private final Set<String> names = new HashSet<>();
 
-    Scenes(Random random, List<Texture> images) {
+    /** @param numbers the same pictures, whose samples are no colours */
+    Scenes(Random random, List<Texture> images, List<Texture> numbers) {
         this.random = random;
         this.images = images;
+        this.numbers = numbers;
     }
 
     Scene scene() {
@@ -141,7 +145,8 @@ final class Scenes {
         materials.replaceAll(m -> switch (random.nextInt(3)) {
             case 0 -> m;
             case 1 -> Material.of(m.name()).withAmbient(m.ambient()).withDiffuse(m.diffuse()).withSpecular(m.specular())
-                    .withShininess(m.shininess()).withReflective(m.reflective()).withTexture(texture());
+                    .withShininess(m.shininess()).withReflective(m.reflective()).withTexture(texture())
+                    .withRelief(chance() ? m.relief() : relief());
             default -> Material.of(m.name()).withAmbient(color(1e6)).withDiffuse(m.diffuse()).withSpecular(m.specular())
                     .withShininess(m.shininess()).withReflective(color(1)).withTexture(m.texture());
         });
@@ -158,7 +163,7 @@ final class Scenes {
             case 0 -> l.withName(name());
             case 1 -> l.withType(LightType.values()[random.nextInt(3)]);
             case 2 -> l.withColor(color(1000));
-            case 3 -> l.withIntensity(positive(1e30));
+            case 3 -> l.withIntensity(positive(1e22));
             case 4 -> l.withPosition(vector(1e12));
             case 5 -> l.withDirection(direction());
             case 6 -> l.withAttenuation(attenuation());
@@ -173,7 +178,7 @@ final class Scenes {
     private Light light() {
         Light l = Light.of(name(), LightType.values()[random.nextInt(3)]);
         return chance() ? l
-                : Light.of(l.name(), l.type()).withColor(color(1000)).withIntensity(positive(1e30)).withPosition(vector(1e12))
+                : Light.of(l.name(), l.type()).withColor(color(1000)).withIntensity(positive(1e22)).withPosition(vector(1e12))
                         .withDirection(direction()).withAttenuation(attenuation()).withAngle(positive(180)).withDropoff(positive(1e6))
                         .withOn(chance()).withSolo(chance());
     }
@@ -196,11 +201,19 @@ final class Scenes {
     private Material material(String name) {
         return chance()
                 ? Material.of(name).withAmbient(color(1e6)).withDiffuse(color(1)).withSpecular(color(1)).withShininess(positive(1e6))
-                        .withReflective(color(1)).withTexture(texture())
+                        .withReflective(color(1)).withTexture(texture()).withRelief(relief())
                 : Material.of(name).withTexture(texture());
     }
 
+    private Relief relief() {
+        return new Relief(map(numbers), chance() ? 0.05 : scale(1e-6, 1e9), map(numbers), chance() ? 1 : scale(1e-6, 1e6));
+    }
+
     private Optional<TextureMap> texture() {
+        return map(images);
+    }
+
+    private Optional<TextureMap> map(List<Texture> images) {
         int i = random.nextInt(TEXTURES.size());
         return random.nextInt(3) == 0 ? Optional.of(new TextureMap(TEXTURES.get(i), chance() ? 1 : scale(1e-6, 1e6),
                 scale(1e-6, 1e6), images.get(i))) : Optional.empty();

@@ -42,7 +42,7 @@ class PovSceneTest {
         assertThat(text.chars().filter(c -> c == '{').count()).isEqualTo(text.chars().filter(c -> c == '}').count());
         assertThat(text).doesNotContain("NaN", "Infinity");
         assertThat(text.lines().filter(line -> line.startsWith("light_source"))).hasSize(
-                (int) scene.lights().stream().filter(scene::shines).count());
+                (int) scene.rig().actingLights().stream().filter(scene::shines).count());
         assertThat(text.lines().filter(line -> line.startsWith("  matrix"))).hasSize(scene.placedShapes().size());
     }
 

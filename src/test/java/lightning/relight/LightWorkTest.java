@@ -16,6 +16,8 @@ import lightning.scene.BarnDoors;
 import lightning.scene.Gobo;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Photometry;
+import lightning.scene.Profile;
 import lightning.scene.Texture;
 import lightning.shading.ConeChange;
 import lightning.shading.SeenRows;
@@ -49,6 +51,21 @@ class LightWorkTest {
 
     private static long rows(Studio studio) {
         return studio.seen().level(0).size();
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"POINT", "SPOT"})
+    void profile_rewritesTheFalloffOfLitRows(LightType type) {
+        var profile = Optional.of(new Profile("p.ies",
+                new Photometry(Photometry.Type.C, new double[] {0, 60, 90}, new double[] {0}, new double[] {2, 1, 0.5})));
+        try (Studio studio = Studio.of(type)) {
+            SeenRows seen = studio.seen();
+            long lit = seen.count(0, seen.lit(studio.key()));
+            for (Update update : List.of(studio.edit(l -> l.withProfile(profile)), studio.edit(l -> l.withProfile(Optional.empty())))) {
+                assertPlan(update, FALLOFF);
+                assertWork(update, lit, rows(studio), 0, 0);
+            }
+        }
     }
 
     @ParameterizedTest

@@ -7,6 +7,7 @@ import lightning.scene.Choice;
 import lightning.scene.Kind;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
+import lightning.scene.Links;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.Quantity;
@@ -64,8 +65,15 @@ public final class AttributeArbitraries {
         return switch (attribute.kind()) {
             case Quantity<V> q -> Arbitraries.frequencyOf(Tuple.of(6, numbers(q)), Tuple.of(1, known));
             case Choice<V> c -> Arbitraries.of(c.all());
-            case Kind.Naming _,Kind.Projecting _,Kind.Texturing _ -> known;
+            // Names of the studio's shapes and of others': what a scene lacks is linked to nothing.
+            case Kind.Linking _ -> LightArbitraries.links().map(AttributeArbitraries::cast);
+            case Kind.Filed<?> _,Kind.Naming _,Kind.Texturing _ -> known;
         };
+    }
+
+    @SuppressWarnings("unchecked")
+    private static <V> V cast(Links links) {
+        return (V) links;
     }
 
     private static <V> Arbitrary<V> numbers(Quantity<V> q) {

@@ -17,6 +17,7 @@ import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
+import lightning.scene.SurfaceModel;
 import lightning.scene.World;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -119,6 +120,19 @@ public final class CornerScenes {
     }
 
     private static Arbitrary<Material> materials() {
+        return Arbitraries.oneOf(phong(), metallic());
+    }
+
+    private static Arbitrary<Material> metallic() {
+        Arbitrary<Rgb> factors = Arbitraries.of(Rgb.BLACK, Rgb.WHITE, new Rgb(0, 1, 0.5));
+        Arbitrary<Double> shares = Arbitraries.of(0.0, 1e-300, 0.5, 1.0);
+        return Combinators.combine(Arbitraries.of(0.0, Limits.MAX_EMISSION), factors, shares, shares, shares, factors)
+                .as((ambient, base, metalness, roughness, f0, reflective) -> Material.of("m").withModel(SurfaceModel.METALLIC)
+                        .withAmbient(Rgb.grey(ambient)).withBase(base).withMetalness(metalness).withRoughness(roughness).withF0(f0)
+                        .withReflective(reflective));
+    }
+
+    private static Arbitrary<Material> phong() {
         Arbitrary<Rgb> factors = Arbitraries.of(Rgb.BLACK, Rgb.WHITE, new Rgb(0, 1, 0.5));
         return Combinators.combine(Arbitraries.of(0.0, Limits.MAX_EMISSION), factors, factors,
                 Arbitraries.of(0.0, 1e-300, 0.5, 16.0, Limits.MAX_SHININESS), factors)

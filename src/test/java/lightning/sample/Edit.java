@@ -3,6 +3,7 @@ package lightning.sample;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
@@ -12,11 +13,12 @@ import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.Material;
 import lightning.scene.Node;
+import lightning.scene.Panorama;
+import lightning.scene.Placement;
 import lightning.scene.Rig;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
-import lightning.scene.World;
 
 /** One edit of a scene; in a scene where it makes no sense it changes nothing. Lights are told by their place in the list. */
 public sealed interface Edit {
@@ -167,7 +169,28 @@ public sealed interface Edit {
     record Background(Rgb to) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
-            return history.getLast().withWorld(new World(history.getLast().world().ambience(), to));
+            return history.getLast().withWorld(history.getLast().world().withBackground(to));
+        }
+    }
+
+    record Surround(Optional<Panorama> to) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            return history.getLast().withWorld(history.getLast().world().withEnvironment(to).withLamps(5));
+        }
+    }
+
+    record TurnWorld(double to) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            return history.getLast().withWorld(history.getLast().world().withRotation(to));
+        }
+    }
+
+    record BrightenWorld(double to) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            return history.getLast().withWorld(history.getLast().world().withIntensity(to));
         }
     }
 
@@ -314,6 +337,29 @@ public sealed interface Edit {
 
         private static String fresh(Scene scene) {
             return IntStream.iterate(0, i -> i + 1).mapToObj(i -> "twin" + i).filter(n -> !scene.isTaken(n)).findFirst().orElseThrow();
+        }
+    }
+
+    /** A node of the first level joins a group that moves nothing, the last or the first node; where it is the group, it is dissolved. */
+    record Wrap(int index, boolean last) implements Edit {
+        private static final String NAME = "wrap";
+
+        @Override
+        public Scene apply(List<Scene> history) {
+            Scene s = history.getLast();
+            if (s.nodes().isEmpty()) {
+                return s;
+            }
+            List<Node> nodes = new ArrayList<>(s.nodes());
+            Node node = nodes.remove(index % nodes.size());
+            if (node instanceof Group g && g.name().equals(NAME)) {
+                nodes.addAll(g.children());
+                return s.withNodes(nodes);
+            }
+            List<Node> children = new ArrayList<>(List.of(node));
+            nodes.removeIf(n -> n instanceof Group g && g.name().equals(NAME) && children.addAll(g.children()));
+            nodes.add(last ? nodes.size() : 0, new Group(NAME, Placement.IDENTITY, children));
+            return s.withNodes(nodes);
         }
     }
 

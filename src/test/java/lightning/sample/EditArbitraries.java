@@ -47,7 +47,12 @@ public final class EditArbitraries {
                 LightArbitraries.dropoffs().map(LightChange.Dropoff::new),
                 LightArbitraries.doors().map(d -> new LightChange.Anew<>(LightAttribute.DOORS, d)),
                 LightArbitraries.gobos().map(g -> new LightChange.Anew<>(LightAttribute.GOBO, g)),
+                LightArbitraries.profiles().map(p -> new LightChange.Anew<>(LightAttribute.PROFILE, p)),
                 LightArbitraries.feathers().map(f -> new LightChange.Anew<>(LightAttribute.FEATHER, f)),
+                LightArbitraries.links().map(l -> new LightChange.Anew<>(LightAttribute.ILLUMINATES, l)),
+                LightArbitraries.links().map(l -> new LightChange.Anew<>(LightAttribute.ILLUMINATES, l)),
+                LightArbitraries.links().map(l -> new LightChange.Anew<>(LightAttribute.SHADOWED_BY, l)),
+                LightArbitraries.links().map(l -> new LightChange.Anew<>(LightAttribute.SHADOWED_BY, l)),
                 LightArbitraries.types().map(LightChange.Type::new),
                 LightArbitraries.areas().map(LightChange.Size::new),
                 Arbitraries.of(new LightChange.SwitchOn()),
@@ -90,6 +95,10 @@ public final class EditArbitraries {
         return Arbitraries.oneOf(List.of(
                 Numbers.betweenOr(0, 1, 0.0, 1e6).map(Edit.Ambience::new),
                 Numbers.colors().map(Edit.Background::new),
+                SceneArbitraries.skies().map(s -> new Edit.Surround(java.util.Optional.of(s))),
+                Arbitraries.of(new Edit.Surround(java.util.Optional.empty())),
+                SceneArbitraries.rotations().map(Edit.TurnWorld::new),
+                Numbers.betweenOr(0, 2, 0.0, 1.0).map(Edit.BrightenWorld::new),
                 SceneArbitraries.depths().map(Edit.Depth::new),
                 SceneArbitraries.depths().map(Edit.Depth::new)));
     }
@@ -108,7 +117,8 @@ public final class EditArbitraries {
                 Tuple.of(10, Combinators.combine(nodes(), NodeArbitraries.changes()).as(Edit.OfNode::new)),
                 Tuple.of(1, nodes().map(Edit.RemoveNode::new)),
                 Tuple.of(1, Combinators.combine(nodes(), nodes()).as(Edit.DuplicateNode::new)),
-                Tuple.of(1, Combinators.combine(nodes(), nodes()).as(Edit.SwapNodes::new)));
+                Tuple.of(1, Combinators.combine(nodes(), nodes()).as(Edit.SwapNodes::new)),
+                Tuple.of(2, Combinators.combine(nodes(), Arbitraries.of(true, false)).as(Edit.Wrap::new)));
     }
 
     private static Arbitrary<Integer> nodes() {

@@ -15,6 +15,7 @@ import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
+import lightning.scene.SurfaceModel;
 import lightning.scene.World;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -71,7 +72,7 @@ final class Extremes {
     }
 
     private static Arbitrary<Double> intensities() {
-        return powersOr(NOTHING, 30, 0.0, 1.0, 1.0, 1e30);
+        return powersOr(NOTHING, 22, 0.0, 1.0, 1.0, 1e22);
     }
 
     private static Arbitrary<Rgb> colors() {
@@ -107,6 +108,21 @@ final class Extremes {
     }
 
     private static Arbitrary<Material> material(String name) {
+        return Arbitraries.frequencyOf(Tuple.of(2, phong(name)), Tuple.of(1, metallic(name)));
+    }
+
+    private static Arbitrary<Material> metallic(String name) {
+        return Combinators.combine(Numbers.colors(), MaterialArbitraries.shares(), roughness(), Numbers.colors()).as((base, metalness,
+                roughness, reflective) -> Material.of(name).withModel(SurfaceModel.METALLIC).withAmbient(Rgb.grey(0.1)).withBase(base)
+                        .withMetalness(metalness).withRoughness(roughness).withReflective(reflective));
+    }
+
+    /** Over all magnitudes, most of them below the least that acts. */
+    private static Arbitrary<Double> roughness() {
+        return powersOr(-3, 0, 0.0, 0.045, 1.0);
+    }
+
+    private static Arbitrary<Material> phong(String name) {
         return Combinators.combine(Numbers.colors(), Numbers.colors(), exponents(), Numbers.colors()).as((diffuse, specular, shininess,
                 reflective) -> Material.of(name).withAmbient(Rgb.grey(0.1)).withDiffuse(diffuse).withSpecular(specular)
                         .withShininess(shininess).withReflective(reflective));
@@ -121,6 +137,9 @@ final class Extremes {
         return Arbitraries.frequencyOf(
                 Tuple.of(12, Combinators.combine(Arbitraries.integers().between(0, 1), changes()).as(Edit.OfLight::new)),
                 Tuple.of(2, Combinators.combine(Arbitraries.integers().between(0, 1), exponents().map(MaterialChange.Shininess::new))
+                        .as(Edit.OfMaterial::new)),
+                Tuple.of(2, Combinators.combine(Arbitraries.integers().between(0, 1), Arbitraries.oneOf(
+                        roughness().map(MaterialChange.Roughness::new), Arbitraries.of(SurfaceModel.class).map(MaterialChange.Model::new)))
                         .as(Edit.OfMaterial::new)),
                 Tuple.of(2, EditArbitraries.edits()),
                 Tuple.of(2, Arbitraries.integers().between(1, 4).map(Edit.Undo::new)));

@@ -1,5 +1,7 @@
 package lightning.sample;
 
+import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
@@ -10,6 +12,9 @@ import lightning.scene.BarnDoors;
 import lightning.scene.Gobo;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Links;
+import lightning.scene.Photometry;
+import lightning.scene.Profile;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -26,7 +31,8 @@ final class LightArbitraries {
                         .withIntensity(intensity).withAttenuation(attenuation).withAngle(angle).withDropoff(dropoff)
                         .withOn(shines[0]).withSolo(shines[1]).withArea(area))
                 .flatMap(light -> doors().map(light::withDoors)).flatMap(light -> feathers().map(light::withFeather))
-                .flatMap(light -> gobos().map(light::withGobo))
+                .flatMap(light -> gobos().map(light::withGobo)).flatMap(light -> profiles().map(light::withProfile))
+                .flatMap(light -> seldom().map(light::withIlluminates)).flatMap(light -> seldom().map(light::withShadowedBy))
                 .flatMap(light -> Combinators.combine(places(), aims()).as((at, aim) -> new LightSeed(light, at, aim)));
     }
 
@@ -40,7 +46,7 @@ final class LightArbitraries {
 
     static Arbitrary<Double> intensities() {
         return Arbitraries.frequencyOf(Tuple.of(6, Numbers.between(0, 3)), Tuple.of(2, Arbitraries.of(1.0)),
-                Tuple.of(1, Arbitraries.of(0.0, 1e-45, 1e-300, 1e6, 1e30)));
+                Tuple.of(1, Arbitraries.of(0.0, 1e-45, 1e-300, 1e6, 1e22)));
     }
 
     static Arbitrary<Attenuation> attenuations() {
@@ -74,6 +80,22 @@ final class LightArbitraries {
                 Tuple.of(1, MaterialArbitraries.images().map(image -> Optional.of(new Gobo("sample.png", image)))));
     }
 
+    /** Profiles of all types and symmetries, with steps, and directions that get nothing. */
+    static Arbitrary<Optional<Profile>> profiles() {
+        Arbitrary<Photometry> measured = Arbitraries.of(Photometry.Type.values()).flatMap(type -> Arbitraries.of(type == Photometry.Type.C
+                ? List.of(new double[] {0}, new double[] {0, 90}, new double[] {0, 60, 180}, new double[] {0, 90, 200, 360},
+                        new double[] {90, 180, 270})
+                : List.of(new double[] {0}, new double[] {0, 90}, new double[] {-90, -10, 90})).flatMap(
+                        across -> Arbitraries
+                                .of(type == Photometry.Type.C
+                                        ? List.of(new double[] {0, 20, 20.001, 90}, new double[] {0, 45, 180}, new double[] {90, 180})
+                                        : List.of(new double[] {-90, 0, 90}, new double[] {0, 30, 90}))
+                                .flatMap(up -> Numbers.betweenOr(0, 9, 0.0, 1e-30).array(double[].class).ofSize(up.length * across.length)
+                                        .filter(c -> Arrays.stream(c).max().orElse(0) > 0).map(c -> new Photometry(type, up, across, c)))));
+        return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(Optional.<Profile>empty())),
+                Tuple.of(1, measured.map(p -> Optional.of(new Profile("sample.ies", p)))));
+    }
+
     static Arbitrary<Double> feathers() {
         return Arbitraries.frequencyOf(Tuple.of(2, Arbitraries.of(0.0)), Tuple.of(1, Numbers.betweenOr(0, 60, 1e-9, 90.0)));
     }
@@ -84,6 +106,17 @@ final class LightArbitraries {
                 Tuple.of(2, Arbitraries.of(0.0, 1.0, 1e-300, 1000.0)));
         Arbitrary<Rgb> gels = Arbitraries.frequencyOf(Tuple.of(3, Numbers.colors()), Tuple.of(2, Arbitraries.of(Rgb.WHITE, Rgb.BLACK)));
         return Combinators.combine(gels, masters, on(), solo()).as((gel, master, on, solo) -> new Bank(name, gel, master, on, solo));
+    }
+
+    /** Names of shapes and groups that scenes of {@link NodeArbitraries} may have. */
+    static Arbitrary<Links> links() {
+        Arbitrary<List<String>> names = Arbitraries.of("floor", "shell", "n0", "n1", "n1_0", "n2", "n2_1", "n3", "n4", "twin0", "wrap")
+                .list().ofMinSize(0).ofMaxSize(5);
+        return Combinators.combine(Arbitraries.of(true, false), names).as(Links::new);
+    }
+
+    private static Arbitrary<Links> seldom() {
+        return Arbitraries.frequencyOf(Tuple.of(5, Arbitraries.of(Links.ALL)), Tuple.of(2, links()));
     }
 
     /** Half of them points. */

@@ -103,7 +103,9 @@ sealed interface LightChange {
     record Anew<V>(LightAttribute<V> attribute, V to) implements LightChange {
         @Override
         public Light on(Light light, Scene scene) {
-            return attribute.with(light, to);
+            Light anew = attribute.with(light, to);
+            return anew.withIlluminates(anew.illuminates().within(scene.stage()::hasNode))
+                    .withShadowedBy(anew.shadowedBy().within(scene.stage()::hasNode));
         }
     }
 }

@@ -20,7 +20,9 @@ record LightSeed(Light attributes, Place at, Place aim) {
     Light in(Scene scene, String name) {
         Vec3 position = at.in(scene);
         return attributes.withName(name).withPosition(position).withDirection(direction(position, aim.in(scene)))
-                .withArea(sized(attributes.area(), scene.camera()));
+                .withArea(sized(attributes.area(), scene.camera()))
+                .withIlluminates(attributes.illuminates().within(scene.stage()::hasNode))
+                .withShadowedBy(attributes.shadowedBy().within(scene.stage()::hasNode));
     }
 
     /** Sizes are told for a camera 7 units away from what it looks at. */

@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import lightning.math.Rgb;
 import lightning.scene.Material;
+import lightning.scene.Relief;
+import lightning.scene.SurfaceModel;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 import net.jqwik.api.Arbitraries;
@@ -16,10 +18,35 @@ final class MaterialArbitraries {
     private MaterialArbitraries() {}
 
     static Arbitrary<Material> materials(String name) {
-        return Combinators.combine(ambient(), Numbers.colors(), sometimesBlack(), shininess(), sometimesBlack(), textures())
-                .as((ambient, diffuse, specular, shininess, reflective, texture) -> Material.of(name).withAmbient(ambient)
-                        .withDiffuse(diffuse).withSpecular(specular).withShininess(shininess).withReflective(reflective)
-                        .withTexture(texture));
+        return Arbitraries.frequencyOf(Tuple.of(2, phong(name)), Tuple.of(1, metallic(name)));
+    }
+
+    private static Arbitrary<Material> metallic(String name) {
+        return Combinators.combine(ambient(), Numbers.colors(), shares(), roughness(), shares(), sometimesBlack(), textures(),
+                reliefs())
+                .as((ambient, base, metalness, roughness, f0, reflective, texture, relief) -> Material.of(name)
+                        .withModel(SurfaceModel.METALLIC)
+                        .withAmbient(ambient).withBase(base).withMetalness(metalness).withRoughness(roughness).withF0(f0)
+                        .withReflective(reflective).withTexture(texture).withRelief(relief));
+    }
+
+    /** From 0 to 1, the ends among them. */
+    static Arbitrary<Double> shares() {
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(0.0, 1.0, 0.04)), Tuple.of(1, Numbers.between(0, 1)));
+    }
+
+    /** Mostly anything, and below and about the least that acts. */
+    static Arbitrary<Double> roughness() {
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(0.0, 1e-300, 0.045, 1.0)), Tuple.of(1, Numbers.between(0, 0.1)),
+                Tuple.of(3, Numbers.between(0, 1)));
+    }
+
+    private static Arbitrary<Material> phong(String name) {
+        return Combinators.combine(ambient(), Numbers.colors(), sometimesBlack(), shininess(), sometimesBlack(), textures(),
+                reliefs()).as(
+                        (ambient, diffuse, specular, shininess, reflective, texture, relief) -> Material.of(name).withAmbient(ambient)
+                                .withDiffuse(diffuse).withSpecular(specular).withShininess(shininess).withReflective(reflective)
+                                .withTexture(texture).withRelief(relief));
     }
 
     /** Colours, shininess and textures that come, go and change. */
@@ -31,11 +58,19 @@ final class MaterialArbitraries {
                 sometimesBlack().map(MaterialChange.Specular::new),
                 shininess().map(MaterialChange.Shininess::new),
                 shininess().map(MaterialChange.Shininess::new),
+                Arbitraries.of(SurfaceModel.class).map(MaterialChange.Model::new),
+                Numbers.colors().map(MaterialChange.Base::new),
+                shares().map(MaterialChange.Metalness::new),
+                roughness().map(MaterialChange.Roughness::new),
+                shares().map(MaterialChange.F0::new),
                 sometimesBlack().map(MaterialChange.Reflective::new),
                 sometimesBlack().map(MaterialChange.Reflective::new),
                 Arbitraries.of(Rgb.BLACK).map(MaterialChange.Reflective::new),
                 maps().map(Optional::of).map(MaterialChange.Textured::new),
                 Arbitraries.of(new MaterialChange.Textured(Optional.empty())),
+                reliefs().map(MaterialChange.Relieved::new),
+                reliefs().map(MaterialChange.Relieved::new),
+                Arbitraries.of(new MaterialChange.Relieved(Relief.NONE)),
                 materials("any").map(MaterialChange.Everything::new)));
     }
 
@@ -59,6 +94,21 @@ final class MaterialArbitraries {
         return Arbitraries.frequencyOf(
                 Tuple.of(4, Arbitraries.of(Optional.<TextureMap>empty())),
                 Tuple.of(1, maps().map(Optional::of)));
+    }
+
+    /** None as often as not, flat ones, and bumps that are taller than wide. */
+    static Arbitrary<Relief> reliefs() {
+        Arbitrary<Relief> any = Combinators.combine(textures(), heights(), textures(), heights()).as(Relief::new);
+        Arbitrary<Relief> bumps =
+                Combinators.combine(maps(), heights()).as((map, h) -> new Relief(Optional.of(map), h, Optional.empty(), 1));
+        Arbitrary<Relief> normals =
+                Combinators.combine(maps(), heights()).as((map, s) -> new Relief(Optional.empty(), 1, Optional.of(map), s));
+        return Arbitraries.frequencyOf(Tuple.of(4, Arbitraries.of(Relief.NONE)), Tuple.of(1, any), Tuple.of(1, bumps),
+                Tuple.of(1, normals));
+    }
+
+    private static Arbitrary<Double> heights() {
+        return Arbitraries.of(0.01, 0.1, -0.1, 1.0, 0.0, 1e6, -3.7);
     }
 
     private static Arbitrary<TextureMap> maps() {

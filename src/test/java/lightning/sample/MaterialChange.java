@@ -3,6 +3,8 @@ package lightning.sample;
 import java.util.Optional;
 import lightning.math.Rgb;
 import lightning.scene.Material;
+import lightning.scene.Relief;
+import lightning.scene.SurfaceModel;
 import lightning.scene.TextureMap;
 
 /** A new value for one of a material's properties, or for all. */
@@ -39,6 +41,41 @@ sealed interface MaterialChange {
         }
     }
 
+    record Model(SurfaceModel to) implements MaterialChange {
+        @Override
+        public Material on(Material material) {
+            return material.withModel(to);
+        }
+    }
+
+    record Base(Rgb to) implements MaterialChange {
+        @Override
+        public Material on(Material material) {
+            return material.withBase(to);
+        }
+    }
+
+    record Metalness(double to) implements MaterialChange {
+        @Override
+        public Material on(Material material) {
+            return material.withMetalness(to);
+        }
+    }
+
+    record Roughness(double to) implements MaterialChange {
+        @Override
+        public Material on(Material material) {
+            return material.withRoughness(to);
+        }
+    }
+
+    record F0(double to) implements MaterialChange {
+        @Override
+        public Material on(Material material) {
+            return material.withF0(to);
+        }
+    }
+
     record Reflective(Rgb to) implements MaterialChange {
         @Override
         public Material on(Material material) {
@@ -53,11 +90,17 @@ sealed interface MaterialChange {
         }
     }
 
+    record Relieved(Relief to) implements MaterialChange {
+        @Override
+        public Material on(Material material) {
+            return material.withRelief(to);
+        }
+    }
+
     record Everything(Material to) implements MaterialChange {
         @Override
         public Material on(Material material) {
-            return Material.of(material.name()).withAmbient(to.ambient()).withDiffuse(to.diffuse()).withSpecular(to.specular())
-                    .withShininess(to.shininess()).withReflective(to.reflective()).withTexture(to.texture());
+            return to.withName(material.name());
         }
     }
 }

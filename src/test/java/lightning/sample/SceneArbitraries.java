@@ -2,6 +2,7 @@ package lightning.sample;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import lightning.math.Vec3;
 import lightning.scene.Antialias;
 import lightning.scene.Bank;
@@ -10,12 +11,14 @@ import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.Material;
 import lightning.scene.Node;
+import lightning.scene.Panorama;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Rig;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Sky;
 import lightning.scene.World;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -111,6 +114,27 @@ public final class SceneArbitraries {
     }
 
     static Arbitrary<World> worlds() {
-        return Combinators.combine(Numbers.betweenOr(0, 1, 0.0, 1.0, 1e6), Numbers.colors()).as(World::new);
+        Arbitrary<World> plain = Combinators.combine(Numbers.betweenOr(0, 1, 0.0, 1.0, 1e6), Numbers.colors()).as(World::new);
+        return Arbitraries.frequencyOf(Tuple.of(4, plain), Tuple.of(1, Combinators.combine(plain, skies(), rotations(),
+                Numbers.betweenOr(0, 2, 0.0, 1.0), Arbitraries.of(4, 5, 7)).as(
+                        (world, sky, turn, intensity, lamps) -> world
+                                .withEnvironment(Optional.of(sky)).withRotation(turn).withIntensity(intensity).withLamps(lamps))));
+    }
+
+    static Arbitrary<Double> rotations() {
+        return Numbers.betweenOr(-180, 180, 0.0, 90.0, 360.0);
+    }
+
+    /** Skies of few pixels, black among them. */
+    static Arbitrary<Panorama> skies() {
+        return Combinators.combine(Arbitraries.integers().between(1, 6), Arbitraries.integers().between(1, 4))
+                .as((w, h) -> new int[] {w, h})
+                .flatMap(size -> Numbers.betweenOr(0, 2, 0.0, 50.0).array(Double[].class).ofSize(3 * size[0] * size[1]).map(values -> {
+                    float[] rgb = new float[values.length];
+                    for (int i = 0; i < rgb.length; i++) {
+                        rgb[i] = values[i].floatValue();
+                    }
+                    return new Panorama("sample.hdr", new Sky(size[0], size[1], rgb));
+                }));
     }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.lang.reflect.RecordComponent;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import lightning.edit.LightEdits;
 import lightning.relight.Renderer;
@@ -48,12 +49,18 @@ class AttributeLawsTest {
     }
 
     private static List<String> components(Class<? extends Record> type) {
-        return Arrays.stream(type.getRecordComponents()).flatMap(AttributeLawsTest::names).filter(n -> !n.equals("name")).toList();
+        return Arrays.stream(type.getRecordComponents()).flatMap(AttributeLawsTest::names).filter(n -> !n.equals("name"))
+                .map(AttributeLawsTest::words).toList();
     }
 
-    /** An area's components are attributes of their light. */
+    private static String words(String component) {
+        return component.replaceAll("(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
+    }
+
+    /** An area's components are attributes of their light, a relief's of their material. */
     private static Stream<String> names(RecordComponent component) {
-        return component.getType() == Area.class ? components(Area.class).stream() : Stream.of(component.getName());
+        return component.getType() == Area.class || component.getType() == Relief.class
+                ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(component.getName());
     }
 
     @Property
@@ -91,7 +98,8 @@ class AttributeLawsTest {
     void pastedSettings_areAllButPlaceAndSwitches(@ForAll("lights") Changed<Light> changed) {
         Scene scene = StudioScene.of(LightType.SPOT).withLight(changed.before());
         Scene pasted = LightEdits.paste(scene, StudioScene.KEY, changed.after()).or(scene);
-        boolean stays = List.of(LightAttribute.POSITION, LightAttribute.DIRECTION, LightAttribute.ON, LightAttribute.SOLO)
+        boolean stays = List.of(LightAttribute.POSITION, LightAttribute.DIRECTION, LightAttribute.ON, LightAttribute.SOLO,
+                LightAttribute.ILLUMINATES, LightAttribute.SHADOWED_BY)
                 .contains(changed.attribute());
         assertThat(pasted.lights()).containsExactly(stays ? changed.before() : changed.after());
     }

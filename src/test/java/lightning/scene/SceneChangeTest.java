@@ -57,7 +57,17 @@ class SceneChangeTest {
         Placement p = node.placement();
         Node moved = node.withPlacement(new Placement(new Vec3(1, 2, 3), p.rotate(), p.scale())).withVisible(false);
         assertThat(to(scene.withNode(node.name(), moved))).startsWith(node.name() + ": at ").endsWith(" → 1 2 3, visible yes → no");
-        assertThat(to(scene.withNodes(List.of()))).isEqualTo("the scene");
+        assertThat(to(scene.withNodes(List.of()))).isEqualTo("delete ground, delete ball");
+        assertThat(to(scene.withNodes(scene.nodes().reversed()))).isEqualTo("the scene");
+    }
+
+    @Test
+    void shapesThatComeAndGo_areToldByName() {
+        Shape ball = (Shape) scene.stage().node("ball").orElseThrow();
+        assertThat(to(scene.replacing("ball", List.of()))).isEqualTo("delete ball");
+        assertThat(to(scene.replacing("ball", List.of(ball, ball.withName("ball2"))))).isEqualTo("add ball2");
+        assertThat(to(scene.replacing("ball", List.of(ball.withName("globe"))))).isEqualTo("ball: name ball → globe");
+        assertThat(to(scene.replacing("ball", List.of(ball.withSolid(new Solid.Cone(true)))))).isEqualTo("the scene");
     }
 
     @Test

@@ -71,11 +71,14 @@ class LightSumTest {
             return LightRows.unlit(new byte[rows]);
         }
         boolean specular = random.nextBoolean();
+        boolean grazing = random.nextBoolean();
         if (kept) {
             return new RatioRows(new byte[rows], new float[][] {column(), column(), column()},
-                    specular ? new float[][] {column(), column(), column()} : null, null, 1);
+                    specular ? new float[][] {column(), column(), column()} : null,
+                    grazing ? new float[][] {column(), column(), column()} : null, null, 1);
         }
-        return new LightRows(new byte[rows], column(), specular ? column() : null, random.nextBoolean() ? column() : null, 1);
+        return new LightRows(new byte[rows], column(), specular ? column() : null, grazing ? column() : null,
+                random.nextBoolean() ? column() : null, 1);
     }
 
     private float[] column() {

@@ -151,10 +151,10 @@ class LightingEquationTest {
         assertThat(LightingEquation.sum(new float[0], 0, 0)).isZero();
     }
 
-    /** [0.25·2 + 0.5·3]·(1 − 0.75) + 0.5·4 + 0.75·8 = 0.5 + 2 + 6. */
+    /** [0.25·2 + 0.5·3]·(1 − 0.75) + (0.5·4 + 0.125) + 0.75·8 = 0.5 + 2.125 + 6. */
     @Test
     void color_closesTheEquation() {
-        assertThat(LightingEquation.color(0.25f, 2, 0.5f, 3, 0.5f, 4, 0.75f, 8)).isEqualTo(8.5f);
+        assertThat(LightingEquation.color(0.25f, 2, 0.5f, 3, 0.5f, 4, 0.125f, 0.75f, 8)).isEqualTo(8.625f);
     }
 
     @Test

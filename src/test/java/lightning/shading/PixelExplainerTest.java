@@ -15,6 +15,7 @@ import lightning.sample.SceneArbitraries;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Links;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
@@ -69,7 +70,8 @@ class PixelExplainerTest {
     void everyStateAndMirrors_areSeenOnTheBird() throws Exception {
         Scene bird = JenReader.read(Path.of("scenes/bird.jen")).scene();
         Light sun = bird.light("sun").orElseThrow();
-        var explainer = new PixelExplainer(bird.withLight(sun.withOn(false)).withPicture(bird.picture().withSize(40, 40)));
+        Light lamp = bird.light("lamp").orElseThrow().withIlluminates(Links.only("floor"));
+        var explainer = new PixelExplainer(bird.withLight(sun.withOn(false)).withLight(lamp).withPicture(bird.picture().withSize(40, 40)));
         Set<LightReport.State> seen = EnumSet.noneOf(LightReport.State.class);
         boolean mirrored = false;
         for (int pixel = 0; pixel < 1600; pixel++) {

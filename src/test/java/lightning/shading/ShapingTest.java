@@ -10,6 +10,8 @@ import lightning.scene.BarnDoors;
 import lightning.scene.Gobo;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Photometry;
+import lightning.scene.Profile;
 import lightning.scene.Texture;
 import org.junit.jupiter.api.Test;
 
@@ -92,6 +94,62 @@ class ShapingTest {
         Light light = Light.of("l", LightType.SPOT).withPosition(scene.camera().origin()).withDirection(new Vec3(0, 0, -1)).withAngle(0)
                 .withGobo(Optional.of(new Gobo("red.png", new Texture(1, 1, new float[] {1, 0, 0}))));
         assertThat(Shaping.of(Lamp.of(light, scene)).at(0, 0, -10)).isEqualTo(0.2126, within(1e-9));
+    }
+
+    private static double measured(LightType type, Vec3 direction, Photometry photometry, double x, double y, double z) {
+        var scene = StudioScene.of(type);
+        Light light = Light.of("l", type).withPosition(scene.camera().origin()).withDirection(direction).withAngle(180)
+                .withProfile(Optional.of(new Profile("p.ies", photometry)));
+        return Shaping.of(Lamp.of(light, scene)).at((float) x, (float) y, (float) z);
+    }
+
+    @Test
+    void profileOfTypeC_isOneOfTheAngleFromTheAxisAndOfThatAroundIt() {
+        // Right, top, left, bottom of what looks along -z; nothing below 45 degrees of the axis backwards.
+        var p = new Photometry(Photometry.Type.C, new double[] {0, 90, 135}, new double[] {0, 90, 180, 270, 360},
+                new double[] {8, 4, 0, 8, 1, 0, 8, 2, 0, 8, 3, 0, 8, 4, 0});
+        Vec3 ahead = new Vec3(0, 0, -1);
+        assertThat(measured(LightType.SPOT, ahead, p, 0, 0, -10)).isEqualTo(1);
+        assertThat(measured(LightType.SPOT, ahead, p, 10, 0, 0)).isEqualTo(0.5, within(1e-6));
+        assertThat(measured(LightType.SPOT, ahead, p, 0, 10, 0)).isEqualTo(0.125, within(1e-6));
+        assertThat(measured(LightType.SPOT, ahead, p, -10, 0, 0)).isEqualTo(0.25, within(1e-6));
+        assertThat(measured(LightType.SPOT, ahead, p, 0, -10, 0)).isEqualTo(0.375, within(1e-6));
+        assertThat(measured(LightType.SPOT, ahead, p, 10, 0, -10)).as("half way to the right").isEqualTo(0.75, within(1e-6));
+        assertThat(measured(LightType.SPOT, ahead, p, 10, 10, 0)).as("between right and top").isEqualTo(2.5 / 8, within(1e-6));
+        assertThat(measured(LightType.SPOT, ahead, p, 1, 0, 10)).as("beyond what was measured").isZero();
+    }
+
+    @Test
+    void profileOfAPointLight_hangsStraightDown() {
+        var p = new Photometry(Photometry.Type.C, new double[] {0, 90, 180}, new double[] {0}, new double[] {4, 2, 0});
+        assertThat(measured(LightType.POINT, new Vec3(1, 0, 0), p, 0, -3, 0)).isEqualTo(1);
+        assertThat(measured(LightType.POINT, new Vec3(1, 0, 0), p, 3, 0, 0)).isEqualTo(0.5, within(1e-6));
+        assertThat(measured(LightType.POINT, new Vec3(1, 0, 0), p, 0, 3, 0)).isZero();
+    }
+
+    @Test
+    void profilesOfTypesAAndB_haveTheirPlanesAboutAnUprightAndALyingAxis() {
+        double[] angles = {-90, 0, 90};
+        // By planes to the left, ahead, to the right; in each downwards, ahead, upwards.
+        double[] candela = {1, 2, 3, 4, 8, 5, 6, 7, 0};
+        Vec3 ahead = new Vec3(0, 0, -1);
+        for (Photometry.Type type : new Photometry.Type[] {Photometry.Type.A, Photometry.Type.B}) {
+            var p = new Photometry(type, angles, angles, candela);
+            assertThat(measured(LightType.SPOT, ahead, p, 0, 0, -5)).isEqualTo(1);
+            assertThat(measured(LightType.SPOT, ahead, p, 5, 0, 0)).as("right").isEqualTo(7 / 8.0, within(1e-6));
+            assertThat(measured(LightType.SPOT, ahead, p, -5, 0, 0)).as("left").isEqualTo(2 / 8.0, within(1e-6));
+            assertThat(measured(LightType.SPOT, ahead, p, 0, 0, 5)).as("behind").isZero();
+        }
+        // Half to the right and half up: 45 degrees and atan(1/√2) by upright planes, the other way round by lying ones.
+        double small = Math.toDegrees(Math.atan(Math.sqrt(0.5))) / 90;
+        double low = 8 + (7 - 8) * 0.5;
+        double high = 5 + (0 - 5) * 0.5;
+        assertThat(measured(LightType.SPOT, ahead, new Photometry(Photometry.Type.A, angles, angles, candela), 5, 5, -5))
+                .isEqualTo((low + (high - low) * small) / 8, within(1e-6));
+        double first = 8 + (5 - 8) * 0.5;
+        double second = 7 + (0 - 7) * 0.5;
+        assertThat(measured(LightType.SPOT, ahead, new Photometry(Photometry.Type.B, angles, angles, candela), 5, 5, -5))
+                .isEqualTo((first + (second - first) * small) / 8, within(1e-6));
     }
 
     @Test

@@ -47,7 +47,9 @@ public final class TextureMaker {
         SAND(Nature::sand),
         GRASS(new Grass()),
         NIGHT_SKY(Nature::nightSky),
-        METAL_PLATES(new Metal());
+        METAL_PLATES(new Metal()),
+        GOBO_WINDOW(Gobos::window),
+        GOBO_LEAVES(Gobos::leaves);
 
         final Pattern pattern;
 

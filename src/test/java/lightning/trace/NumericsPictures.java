@@ -3,14 +3,25 @@ package lightning.trace;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
 import lightning.math.Ray;
 import lightning.math.Vec3;
+import lightning.scene.Camera;
+import lightning.scene.Material;
+import lightning.scene.Picture;
 import lightning.scene.Placement;
+import lightning.scene.Relief;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
 import lightning.scene.Solid;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
+import lightning.scene.World;
 import lightning.trace.primitive.Surface;
 import lightning.trace.solid.Form;
 
@@ -37,6 +48,7 @@ final class NumericsPictures {
         Vec3 small = new Vec3(0, 0, -4e-4);
         write("penumbra", panel(x -> soft(x, small, 1e-4, Leaving.BY_EPSILON)), panel(x -> soft(x, small, 1e-4, Leaving.LIGHTNING)));
         write("lamp", panel(x -> lamp(x, false)), panel(x -> lamp(x, true)));
+        write("relief", panel(x -> bumpy(x, false)), panel(x -> bumpy(x, true)));
         write("far-scene", panel(x -> normalFromFloats(x, new Vec3(4e6, 2e6, -3e6))), panel(x -> normalFromFloats(x, Vec3.ZERO)));
     }
 
@@ -122,6 +134,33 @@ final class NumericsPictures {
             dark |= t > least && t < Form.MISS;
         }
         return 0.1 + (dark ? 0 : Math.max(0, toLight.dot(normal)));
+    }
+
+    /** A bumpy ball lit from its left; {@code asks} is whether the ways to the light are asked for the ball itself. */
+    private static double bumpy(double[] x, boolean asks) {
+        Geometry geometry = new Geometry(bumpyBall());
+        Ray ray = new Ray(Vec3.ZERO, new Vec3(x[0], x[1], -9).normalized());
+        if (geometry.nearestOfAll(ray) < 0) {
+            return 0.02;
+        }
+        SurfacePoint p = geometry.surface(0, ray);
+        Vec3 toLight = new Vec3(-0.95, 0.3, 0.1).normalized();
+        boolean dark = asks && geometry.blockedByAny(new Ray(new Vec3(p.px(), p.py(), p.pz()), toLight), Form.MISS);
+        return 0.05 + (dark ? 0 : Math.max(0, toLight.dot(new Vec3(p.nx(), p.ny(), p.nz()))));
+    }
+
+    private static Scene bumpyBall() {
+        int side = 64;
+        float[] heights = new float[3 * side * side];
+        for (int i = 0; i < heights.length; i++) {
+            heights[i] =
+                    (float) (0.5 + 0.5 * Math.sin(2 * Math.PI * (i / 3 % side) / side) * Math.sin(2 * Math.PI * (i / 3 / side) / side));
+        }
+        Relief relief =
+                Relief.NONE.withBump(Optional.of(new TextureMap("bumps.png", 12, 6, new Texture(side, side, heights)))).withHeight(0.08);
+        return new Scene(Picture.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT,
+                List.of(Material.of("bumps").withRelief(relief)),
+                List.of(new Shape(Solid.SPHERE, "ball", "bumps", new Placement(new Vec3(0, 0, -9), Vec3.ZERO, Vec3.ONE))), List.of());
     }
 
     /** A lamp on a tilted square above a floor, seen from above; {@code lies} is whether it is asked if the lamp lies on the square. */

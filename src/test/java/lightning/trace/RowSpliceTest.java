@@ -61,7 +61,7 @@ class RowSpliceTest {
 
     @Test
     void everyArrayOfRows_isAColumn() {
-        HitRows rows = new HitRows(1, true, true);
+        HitRows rows = new HitRows(1, true, true, true);
         long arrays = Arrays.stream(HitRows.class.getFields()).filter(f -> f.getType().isArray())
                 .filter(f -> !f.getName().startsWith("run")).count();
         assertThat(arrays).isEqualTo(HitRows.Column.values().length);
@@ -70,7 +70,7 @@ class RowSpliceTest {
 
     /** Rows of drawn materials, all columns of them filled with anything. */
     private static HitRows rows(Random random, List<Short> parents, MaterialTable materials) {
-        HitRows rows = new HitRows(parents.size(), true, true);
+        HitRows rows = new HitRows(parents.size(), true, true, true);
         rows.count = parents.size();
         for (HitRows.Column column : HitRows.Column.values()) {
             Object array = rows.columns().get(column);

@@ -19,8 +19,12 @@ public final class ShapeMenu {
     public void show(Node owner, String shape, double x, double y) {
         hide();
         MaterialEdits.ofShape(model.scene(), shape).ifPresent(material -> {
-            menu.getItems().setAll(CommandItems.of(model).value(Command.EDIT_MATERIAL,
-                    "Edit Material " + material.name() + " of " + shape, () -> model.materials().chooseOf(shape)));
+            CommandItems items = CommandItems.of(model);
+            menu.getItems().setAll(items.value(Command.EDIT_MATERIAL, "Edit Material " + material.name() + " of " + shape,
+                    () -> model.materials().chooseOf(shape)));
+            menu.getItems().add(items.value(Command.SELECT_SHAPE, "Select " + shape, () -> model.selectNode(shape)));
+            model.scene().stage().around(shape).forEach(group -> menu.getItems().add(
+                    items.value(Command.SELECT_SHAPE, "Select Group " + group.name(), () -> model.selectNode(group.name()))));
             menu.show(owner, x, y);
         });
     }

@@ -30,6 +30,7 @@ import lightning.edit.loop.Frame;
 import lightning.edit.loop.RenderState;
 import lightning.image.ViewTransform;
 import lightning.scene.Light;
+import lightning.scene.Node;
 import lightning.scene.Scene;
 
 /**
@@ -72,6 +73,7 @@ public final class EditorModel implements AutoCloseable {
         workbench = new Workbench(first, precision.get().options(), recovery, files, this::refresh, this::hear, raster,
                 why -> window().execute(() -> say("The last edits could not be kept for the case of a crash: " + Sentence.of(why))));
         LightActions.addTo(this);
+        NodeActions.addTo(this);
         look = new PictureLook(this);
         materials = new MaterialChoice(this);
         lookThrough = new LookThrough(this);
@@ -276,6 +278,17 @@ public final class EditorModel implements AutoCloseable {
         }
     }
 
+    /** Selects the shape or the group of that name in place of a light; nothing where there is none. */
+    public void selectNode(String name) {
+        workbench.select(new Selection.OfNode(name));
+        materials.inFrontProperty().set(false);
+    }
+
+    /** The selected shape or group as it is now; empty while a light is selected. */
+    public Optional<Node> selectedNode() {
+        return situation.get().node();
+    }
+
     /** Renders the scene as edited. */
     public void go() {
         if (staged == null) {
@@ -381,7 +394,7 @@ public final class EditorModel implements AutoCloseable {
         Light light = document().selectedLight().flatMap(l -> scene().light(l.name())).orElse(null);
         selectedLight.set(light);
         Situation s = workbench.situation().withReading(reading != null);
-        situation.set(staged == null ? s : s.withStaged(staged, Optional.ofNullable(light)));
+        situation.set(staged == null ? s : s.withStaged(staged, Optional.ofNullable(light), document().selection().node(staged)));
     }
 
     private void hear() {

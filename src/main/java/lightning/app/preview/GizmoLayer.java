@@ -2,12 +2,14 @@ package lightning.app.preview;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.layout.Pane;
 import javafx.scene.paint.Color;
 import javafx.scene.shape.StrokeLineCap;
 import lightning.edit.LightGizmo;
+import lightning.edit.NodeGizmo;
 import lightning.edit.PreviewCamera;
 import lightning.edit.Viewport;
 import lightning.scene.Light;
@@ -23,6 +25,7 @@ final class GizmoLayer extends Pane {
     private static final Color PLAIN = Color.web("#E8EAF0");
     private static final Color DARK = Color.web("#E8EAF0", 0.4);
     private static final Color EDGE = Color.gray(0, 0.65);
+    private static final List<Color> AXES = List.of(Color.web("#FF6B5E"), Color.web("#7ADB5C"), Color.web("#5CA8FF"));
     private static final double LINE = 1.25;
     private static final double EDGE_LINE = 3;
     private static final double DOT = 4;
@@ -64,6 +67,24 @@ final class GizmoLayer extends Pane {
             dark = darkNow;
         }
         draw(clear(selected, canvas), chosen == null ? List.of() : List.of(chosen), SELECTED, view);
+    }
+
+    /** The handles of the selected shape, where there are any, over all else; the lights were drawn in the same view. */
+    void draw(Optional<NodeGizmo> handles, PreviewCamera camera) {
+        GraphicsContext g = selected.getGraphicsContext2D();
+        handles.ifPresent(gizmo -> gizmo.handles().forEach(handle -> {
+            List<LightGizmo.Stroke> strokes = NodeGizmo.strokes(handle, camera, seen.canvas());
+            lines(g, strokes, EDGE, EDGE_LINE + 1);
+            lines(g, strokes, color(handle), 2 * LINE);
+        }));
+    }
+
+    /** Red, green and blue for x, y and z, as the axes have everywhere. */
+    private static Color color(NodeGizmo.Handle handle) {
+        return switch (handle.act()) {
+            case MOVE, TURN -> AXES.get(handle.axis());
+            case SCALE, FREE -> SELECTED;
+        };
     }
 
     private static GraphicsContext clear(Canvas canvas, Viewport size) {

@@ -21,6 +21,7 @@ import lightning.app.model.EditorModel;
 import lightning.app.model.PreviewLook;
 import lightning.app.model.Sentence;
 import lightning.app.widget.CanvasSize;
+import lightning.edit.Situation;
 import lightning.edit.Viewport;
 import lightning.effects.ViewEffects;
 
@@ -55,6 +56,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         model.documentProperty().subscribe(_ -> opened = true);
         model.sceneProperty().subscribe(_ -> requestLayout());
         model.selectedLightProperty().subscribe(_ -> requestLayout());
+        model.situationProperty().map(Situation::node).subscribe(_ -> requestLayout());
         model.viewProperty().subscribe(_ -> requestLayout());
         PreviewLook look = model.previewLook();
         look.glowingProperty().subscribe(_ -> requestLayout());
@@ -96,6 +98,10 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         addEventHandler(MouseEvent.MOUSE_RELEASED, e -> {
             mouse.release();
             var place = new Viewport.Pixel(e.getX() - left(), e.getY() - top());
+            if (e.getButton() == MouseButton.PRIMARY && e.isStillSincePress() && !e.isShiftDown()
+                    && !model.previewLook().gizmosHiddenProperty().get() && !mouse.takes(place.x(), place.y())) {
+                shapes.select(mouse.canvas(), place);
+            }
             if (e.getButton() == MouseButton.SECONDARY && e.isStillSincePress() && mouse.lightsAt(place.x(), place.y()).isEmpty()) {
                 shapes.offer(mouse.canvas(), place, e.getScreenX(), e.getScreenY());
             }
@@ -155,6 +161,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         gizmos.setVisible(!model.previewLook().gizmosHiddenProperty().get());
         gizmos.draw(model.scene(), model.selectedLight(), model.previewCameraProperty().get(), mouse.canvas(),
                 model.previewLook().sizeProperty().get().factor());
+        gizmos.draw(mouse.handles(), model.previewCameraProperty().get());
         loop.draw(new PreviewLoop.Wish(model.scene(), model.previewCameraProperty().get(), frame.width(), frame.height(),
                 model.viewProperty().get(), model.previewLook().glowingProperty().get() ? ViewEffects.PREVIEW_1998 : ViewEffects.PREVIEW,
                 moving, model.frame() == null ? null : model.frame().geometry()));

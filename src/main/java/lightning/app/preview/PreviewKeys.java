@@ -1,6 +1,7 @@
 package lightning.app.preview;
 
 import javafx.scene.input.KeyEvent;
+import lightning.app.command.ShapeKeys;
 import lightning.app.model.EditorModel;
 import lightning.edit.CameraDrag;
 import lightning.edit.Command;
@@ -35,7 +36,7 @@ final class PreviewKeys {
     }
 
     void pressed(KeyEvent e) {
-        if (handles(e)) {
+        if (handles(e) || ShapeKeys.pressed(model, e)) {
             e.consume();
         }
     }

@@ -8,14 +8,16 @@ import lightning.edit.CameraDrag;
 import lightning.edit.LightEdits;
 import lightning.edit.LightGizmo;
 import lightning.edit.LightManipulation;
+import lightning.edit.NodeEdits;
+import lightning.edit.NodeGizmo;
 import lightning.edit.PreviewCamera;
 import lightning.edit.Viewport;
 import lightning.scene.Light;
 
 /**
  * What a drag in the preview does (paper §3.2, §3.6), free of the toolkit's events: the left button rotates the light
- * under the mouse, the middle one moves it along the view, the right one in the viewing plane; with Shift any button
- * moves the camera.
+ * under the mouse, the middle one moves it along the view, the right one in the viewing plane; a handle of the selected shape is taken
+ * with the left one; with Shift any button moves the camera.
  */
 final class PreviewMouse {
     enum Button { LEFT, MIDDLE, RIGHT }
@@ -34,6 +36,8 @@ final class PreviewMouse {
     private Button button;
     private PreviewCamera cameraBegin;
     private CameraDrag cameraDrag;
+    private NodeGizmo gizmo;
+    private NodeGizmo.Handle handle;
     private double pressX;
     private double pressY;
 
@@ -71,6 +75,21 @@ final class PreviewMouse {
         return hits;
     }
 
+    /** The handles of the selected shape or group; empty where none is selected, while they are hidden, or where it is behind the eye. */
+    Optional<NodeGizmo> handles() {
+        return model.previewLook().gizmosHiddenProperty().get() ? Optional.empty()
+                : model.selectedNode().flatMap(n -> NodeGizmo.of(model.scene(), n, model.previewCameraProperty().get(), canvas));
+    }
+
+    /** Whether a drag from a place takes a light or a handle. */
+    boolean takes(double x, double y) {
+        return !lightsAt(x, y).isEmpty() || handles().flatMap(g -> pick(g, x, y)).isPresent();
+    }
+
+    private Optional<NodeGizmo.Handle> pick(NodeGizmo of, double x, double y) {
+        return of.pick(model.previewCameraProperty().get(), canvas, new Viewport.Pixel(x, y), TOLERANCE);
+    }
+
     /** @param alt makes a middle button of any other */
     void press(double x, double y, Button pressed, boolean shift, boolean alt) {
         pressX = x;
@@ -78,6 +97,12 @@ final class PreviewMouse {
         if (shift) {
             cameraBegin = model.previewCameraProperty().get();
             cameraDrag = null;
+            return;
+        }
+        gizmo = handles().orElse(null);
+        handle = gizmo == null || pressed != Button.LEFT ? null : pick(gizmo, x, y).orElse(null);
+        if (handle != null) {
+            gesture = new Object();
             return;
         }
         List<Light> hits = lightsAt(x, y);
@@ -100,6 +125,14 @@ final class PreviewMouse {
         next = null;
         if (cameraBegin != null) {
             dragCamera(right, down);
+        } else if (handle != null) {
+            var from = new Viewport.Pixel(pressX, pressY);
+            var to = new Viewport.Pixel(x, y);
+            PreviewCamera view = model.previewCameraProperty().get();
+            NodeGizmo taken = gizmo;
+            NodeGizmo.Handle by = handle;
+            model.edit(scene -> NodeEdits.placement(scene, taken.node().name(), _ -> taken.dragged(by, view, canvas, from, to)), gesture)
+                    .ifPresent(model::say);
         } else if (begin != null) {
             PreviewCamera view = model.previewCameraProperty().get();
             Light moved = switch (button) {
@@ -126,6 +159,8 @@ final class PreviewMouse {
         }
         next = null;
         begin = null;
+        gizmo = null;
+        handle = null;
         gesture = null;
         cameraBegin = null;
         cameraDrag = null;

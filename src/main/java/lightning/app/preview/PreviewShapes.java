@@ -1,5 +1,6 @@
 package lightning.app.preview;
 
+import java.util.function.Consumer;
 import javafx.scene.Node;
 import lightning.app.command.ShapeMenu;
 import lightning.app.model.EditorModel;
@@ -28,13 +29,22 @@ final class PreviewShapes {
      * @param x of the screen, pixels; likewise {@code y}
      */
     void offer(Viewport viewport, Viewport.Pixel place, double x, double y) {
+        find(viewport, place, shape -> menu.show(canvas, shape, x, y));
+    }
+
+    /** Selects the shape at a place; nothing where there is none. */
+    void select(Viewport viewport, Viewport.Pixel place) {
+        find(viewport, place, model::selectNode);
+    }
+
+    private void find(Viewport viewport, Viewport.Pixel place, Consumer<String> found) {
         Scene scene = model.scene();
         Frame shared = model.frame();
         PreviewCamera view = model.previewCameraProperty().get();
         Thread.ofVirtual().name("lightning-pick").start(() -> {
             picker = shared != null && shared.geometry().serves(scene) ? ScenePicker.of(scene, shared.geometry())
                     : picker == null ? new ScenePicker(scene) : picker.forScene(scene);
-            picker.at(view, viewport, place).ifPresent(found -> model.window().execute(() -> menu.show(canvas, found.shape(), x, y)));
+            picker.at(view, viewport, place).ifPresent(at -> model.window().execute(() -> found.accept(at.shape())));
         });
     }
 

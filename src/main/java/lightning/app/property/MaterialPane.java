@@ -3,6 +3,7 @@ package lightning.app.property;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
@@ -31,6 +32,8 @@ import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.MaterialAttribute.Section;
 import lightning.scene.Quantity;
+import lightning.scene.SurfaceModel;
+import lightning.scene.TextureMap;
 
 /** The property editor of a material: its colours, its shininess, its texture. All shapes that have it change together. */
 final class MaterialPane extends VBox {
@@ -41,6 +44,7 @@ final class MaterialPane extends VBox {
     private final ComboBox<String> name = new ComboBox<>();
     private final Label users = new Label();
     private final List<Row> rows = new ArrayList<>();
+    private final List<Part> parts = new ArrayList<>();
     private final Obstacle unnamed;
     private String shown = "";
     /** Of which material, among which nodes, {@link #users} tells. */
@@ -54,7 +58,24 @@ final class MaterialPane extends VBox {
      * @param obstacle disables it and says why; or enables it
      * @param revert   forgets what was typed
      */
-    private record Row(Node node, Consumer<Optional<String>> obstacle, Consumer<Material> show, Runnable showNothing, Runnable revert) {}
+    private record Row(MaterialAttribute<?> attribute, Node node, Consumer<Optional<String>> obstacle, Consumer<Material> show,
+            Runnable showNothing, Runnable revert) {}
+
+    /** Widgets that people find together. */
+    private record Part(Node pane, List<Row> rows) {
+        /** Shows the attributes that a material of this model has. */
+        void fit(SurfaceModel model) {
+            boolean any = false;
+            for (Row row : rows) {
+                boolean acts = row.attribute().acts(model);
+                any |= acts;
+                row.node().setVisible(acts);
+                row.node().setManaged(acts);
+            }
+            pane.setVisible(any);
+            pane.setManaged(any);
+        }
+    }
 
     MaterialPane(EditorModel model) {
         this.model = model;
@@ -93,7 +114,9 @@ final class MaterialPane extends VBox {
     private Node section(Section section) {
         List<Row> widgets = MaterialAttribute.ALL.stream().filter(a -> a.section() == section).flatMap(a -> rows(a).stream()).toList();
         rows.addAll(widgets);
-        return Sections.section(Sections.title(section.name()), widgets.stream().map(Row::node).toArray(Node[]::new));
+        Node pane = Sections.section(Sections.title(section.name()), widgets.stream().map(Row::node).toArray(Node[]::new));
+        parts.add(new Part(pane, widgets));
+        return pane;
     }
 
     private <V> List<Row> rows(MaterialAttribute<V> attribute) {
@@ -103,15 +126,17 @@ final class MaterialPane extends VBox {
                 case EACH -> IntStream.range(0, q.labels().size()).mapToObj(i -> number(attribute, q, i)).toList();
                 case POSITION, DIRECTION -> throw new IllegalStateException("there is no widget for " + attribute.title());
             };
-            case Kind.Texturing _ -> List.of(texture());
-            case Choice<V> _,Kind.Naming _,Kind.Projecting _ ->
+            case Kind.Texturing _ -> List.of(picture(pictured(attribute)));
+            case Choice<V> c -> List.of(choice(attribute, c));
+            case Kind.Filed<?> _,Kind.Linking _,Kind.Naming _ ->
                     throw new IllegalStateException("there is no widget for " + attribute.title());
         };
     }
 
     private <V> Row color(MaterialAttribute<V> attribute, Quantity<V> q) {
         ColorSliders sliders = new SurfaceColor<>(model, attribute, q).sliders();
-        return new Row(sliders, sliders::setObstacle, m -> sliders.show(q.color(attribute.of(m))), sliders::showNothing, sliders::revert);
+        return new Row(attribute, sliders, sliders::setObstacle, m -> sliders.show(q.color(attribute.of(m))), sliders::showNothing,
+                sliders::revert);
     }
 
     private <V> Row number(MaterialAttribute<V> attribute, Quantity<V> q, int index) {
@@ -121,14 +146,43 @@ final class MaterialPane extends VBox {
                 Gauge.of(title, new Steps(q.step(), q.min(), q.max()), (v, gesture) -> model.edit(scene -> MaterialEdits.with(scene, shown,
                         m -> attribute.with(m, q.with(attribute.of(m), index, v))), gesture)));
         widget.setId(title);
-        return new Row(widget, widget::setObstacle, m -> widget.show(q.number(attribute.of(m), index)), widget::showNothing,
+        return new Row(attribute, widget, widget::setObstacle, m -> widget.show(q.number(attribute.of(m), index)), widget::showNothing,
                 widget::revert);
     }
 
-    private Row texture() {
-        var part = new TexturePart(model);
+    private <V> Row choice(MaterialAttribute<V> attribute, Choice<V> choice) {
+        var box = new ComboBox<String>();
+        box.setId(attribute.title());
+        box.setAccessibleText(attribute.title());
+        box.setMaxWidth(Double.MAX_VALUE);
+        choice.words().forEach(word -> box.getItems().add(Sections.title(word)));
+        var around = new StackPane(box);
+        var obstacle = new Obstacle(around, box, attribute.help());
+        box.valueProperty().addListener((_, _, now) -> {
+            if (!showing && now != null) {
+                model.edit(scene -> MaterialEdits.set(scene, shown, attribute, choice.value(now.toLowerCase(Locale.ROOT))), null);
+            }
+        });
+        return new Row(attribute, around, obstacle::set, m -> choose(box, Sections.title(attribute.text(m))), () -> choose(box, null),
+                () -> {});
+    }
+
+    private void choose(ComboBox<String> box, String word) {
+        showing = true;
+        box.setValue(word);
+        showing = false;
+    }
+
+    /** Its kind has told that it is a picture: the compiler cannot follow that. */
+    @SuppressWarnings("unchecked")
+    private static MaterialAttribute<Optional<TextureMap>> pictured(MaterialAttribute<?> attribute) {
+        return (MaterialAttribute<Optional<TextureMap>>) attribute;
+    }
+
+    private Row picture(MaterialAttribute<Optional<TextureMap>> attribute) {
+        var part = new TexturePart(model, attribute);
         // It knows itself whether it shows another material.
-        return new Row(part, part::setObstacle, part::show, part::showNothing, () -> {});
+        return new Row(attribute, part, part::setObstacle, part::show, part::showNothing, () -> {});
     }
 
     private void show(Material material) {
@@ -144,6 +198,7 @@ final class MaterialPane extends VBox {
             rows.forEach(row -> row.revert().run());
         }
         shown = material.name();
+        parts.forEach(part -> part.fit(material.model()));
         showNames();
         rows.forEach(row -> row.show().accept(material));
     }

@@ -19,6 +19,7 @@ import lightning.edit.Dial;
 import lightning.edit.LightEdits;
 import lightning.edit.OpenDocument;
 import lightning.edit.Situation;
+import lightning.jen.PropertyEdit;
 import lightning.math.Vec3;
 import lightning.scene.Choice;
 import lightning.scene.Kind;
@@ -55,7 +56,12 @@ public final class PropertyPane extends VBox {
         bank = new BankSection(model);
         ScrollPane scroll = Sections.scroll(Stream.of(Stream.of(header),
                 Stream.of(Section.COLOUR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE).map(this::section),
-                Stream.of(Sections.section("Bank", bank), Sections.section("Scene", dial(Dial.AMBIENCE, "")))).flatMap(s -> s)
+                Stream.of(Sections.section("Links", Sections.caption("Shines on"),
+                        new LinksPart(model, LightAttribute.ILLUMINATES, "The shapes and groups that the light shines on"),
+                        Sections.caption("Shadowed by"),
+                        new LinksPart(model, LightAttribute.SHADOWED_BY, "The shapes and groups that throw shadows in its light")),
+                        Sections.section("Bank", bank), Sections.section("Scene", dial(Dial.AMBIENCE, ""))))
+                .flatMap(s -> s)
                 .toArray(Node[]::new));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);
@@ -78,8 +84,13 @@ public final class PropertyPane extends VBox {
                 case POSITION, DIRECTION -> List.of(Sections.caption(Sections.title(attribute.title())), vector(attribute, q));
                 case EACH -> Dial.of(attribute).stream().map(d -> dial(d, attribute.unit().startsWith("degrees") ? " °" : "")).toList();
             };
-            case Kind.Projecting _ -> List.of(Sections.caption(Sections.title(attribute.title())), new GoboPart(model));
-            case Choice<V> _,Kind.Naming _,Kind.Texturing _ ->
+            case Kind.Projecting _ -> List.of(Sections.caption(Sections.title(attribute.title())), new LightFilePart<>(model,
+                    LightAttribute.GOBO, Command.CHOOSE_GOBO, PropertyEdit::textures,
+                    "A picture that the light projects: black holds it back"));
+            case Kind.Shining _ -> List.of(Sections.caption(Sections.title(attribute.title())), new LightFilePart<>(model,
+                    LightAttribute.PROFILE, Command.CHOOSE_PROFILE, PropertyEdit::profiles,
+                    "How strongly the light shines in each direction, as an IES file tells"));
+            case Choice<V> _,Kind.Linking _,Kind.Naming _,Kind.Surrounding _,Kind.Texturing _ ->
                     throw new IllegalStateException("there is no widget for " + attribute.title());
         };
     }

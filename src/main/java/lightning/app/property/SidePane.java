@@ -6,8 +6,11 @@ import javafx.scene.control.Tab;
 import javafx.scene.control.TabPane;
 import lightning.app.model.EditorModel;
 
-/** The properties of what the artist works on: the selected light, or a material. */
+/** The properties of what the artist works on: the selected light, a material, or the selected shape. */
 public final class SidePane extends TabPane {
+
+    private boolean ofShape;
+    private boolean choosing;
 
     public SidePane(EditorModel model) {
         setId("side");
@@ -16,14 +19,32 @@ public final class SidePane extends TabPane {
         setTabClosingPolicy(TabClosingPolicy.UNAVAILABLE);
         Tab light = tab("Light", "light-tab", () -> new PropertyPane(model));
         Tab material = tab("Material", "material-tab", () -> new MaterialPane(model));
-        getTabs().setAll(light, material);
+        Tab shape = tab("Shape", "shape-tab", () -> new NodePane(model));
+        getTabs().setAll(light, material, shape);
         var inFront = model.materials().inFrontProperty();
-        inFront.subscribe(on -> getSelectionModel().select(on ? material : light));
-        getSelectionModel().selectedItemProperty().subscribe(now -> inFront.set(now == material));
+        inFront.subscribe(on -> show(on ? material : ofShape ? shape : light));
+        model.situationProperty().map(s -> s.node().isPresent()).subscribe(now -> {
+            ofShape = now;
+            if (!inFront.get()) {
+                show(ofShape ? shape : light);
+            }
+        });
+        getSelectionModel().selectedItemProperty().subscribe(now -> {
+            choosing = true;
+            inFront.set(now == material);
+            choosing = false;
+        });
+    }
+
+    /** What the artist has put in front stays there. */
+    private void show(Tab tab) {
+        if (!choosing) {
+            getSelectionModel().select(tab);
+        }
     }
 
     /** @param content made when the tab is first in front: each is a third of all that is in the window */
-    private static Tab tab(String title, String id, Supplier<Node> content) {
+    static Tab tab(String title, String id, Supplier<Node> content) {
         var tab = new Tab(title);
         tab.setId(id);
         tab.selectedProperty().subscribe(inFront -> {

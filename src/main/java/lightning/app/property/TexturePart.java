@@ -1,21 +1,16 @@
 package lightning.app.property;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import javafx.css.PseudoClass;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
-import javafx.scene.control.MenuItem;
-import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
-import lightning.app.command.CommandItems;
 import lightning.app.model.EditorModel;
 import lightning.app.model.Sentence;
 import lightning.app.widget.ArrowWidget;
@@ -26,32 +21,38 @@ import lightning.edit.Command;
 import lightning.edit.MaterialEdits;
 import lightning.edit.Steps;
 import lightning.jen.PropertyEdit;
+import lightning.scene.Kind;
 import lightning.scene.Limits;
 import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
 import lightning.scene.TextureMap;
 
 /**
- * The picture on a material: typed as the scene file names it, or taken from those that lie beside the scene, and how
+ * A picture that a material has: typed as the scene file names it, or taken from those that lie beside the scene, and how
  * often it repeats. It is read on a thread of its own.
  */
 final class TexturePart extends VBox {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
-    private static final Optional<String> NO_TEXTURE = Optional.of("the material has no texture");
 
     private final EditorModel model;
+    private final MaterialAttribute<Optional<TextureMap>> attribute;
+    private final Optional<String> missing;
     private final TextField file = new TextField();
-    private final MenuButton found = new MenuButton("Choose");
+    private final MenuButton found;
     private final Label refusal = new Label();
     private final ArrowWidget repeatU;
     private final ArrowWidget repeatV;
     private final Obstacle obstacle;
     private Material shown;
 
-    TexturePart(EditorModel model) {
+    TexturePart(EditorModel model, MaterialAttribute<Optional<TextureMap>> attribute) {
         this.model = model;
+        this.attribute = attribute;
+        String title = attribute.title();
+        missing = Optional.of("the material has no " + title);
         getStyleClass().add("texture-part");
-        file.setId("texture");
-        file.setAccessibleText("texture's file name");
+        file.setId(title);
+        file.setAccessibleText(title + ": file name");
         file.setPromptText("none");
         file.setOnAction(_ -> commit());
         file.focusedProperty().addListener((_, was, _) -> {
@@ -66,12 +67,11 @@ final class TexturePart extends VBox {
             }
         });
         HBox.setHgrow(file, Priority.ALWAYS);
-        found.setId("textures");
-        found.setAccessibleText("Choose a texture");
+        found = new FileMenu(model, "Choose", Command.CHOOSE_TEXTURE, PropertyEdit::textures, this::set);
+        found.setId(title + "-found");
+        found.setAccessibleText("Choose a picture: " + title);
         found.setMinWidth(USE_PREF_SIZE);
-        found.setOnShowing(_ -> fill());
-        offer(List.of());
-        refusal.setId("texture-refusal");
+        refusal.setId(title + "-refusal");
         refusal.getStyleClass().add("refusal");
         refusal.setWrapText(true);
         refusal.managedProperty().bind(refusal.visibleProperty());
@@ -79,9 +79,18 @@ final class TexturePart extends VBox {
         var row = new HBox(file, found);
         row.getStyleClass().add("header-row");
         obstacle = new Obstacle(this, row);
-        repeatU = repeat("repeat-u", "Repeat around", "repeat u", (map, v) -> new TextureMap(map.file(), v, map.repeatV(), map.image()));
-        repeatV = repeat("repeat-v", "Repeat along", "repeat v", (map, v) -> new TextureMap(map.file(), map.repeatU(), v, map.image()));
+        repeatU = repeat(id("u"), "Repeat around", repeats("u"), (map, v) -> new TextureMap(map.file(), v, map.repeatV(), map.image()));
+        repeatV = repeat(id("v"), "Repeat along", repeats("v"), (map, v) -> new TextureMap(map.file(), map.repeatU(), v, map.image()));
         getChildren().addAll(row, refusal, repeatU, repeatV);
+    }
+
+    private String id(String axis) {
+        return repeats(axis).replace('_', '-').replace(' ', '-');
+    }
+
+    /** As the scene file calls it. */
+    private String repeats(String axis) {
+        return (attribute.kind() instanceof Kind.Texturing t ? t.repeat() : "repeat") + " " + axis;
     }
 
     private interface Repeat {
@@ -91,31 +100,9 @@ final class TexturePart extends VBox {
     private ArrowWidget repeat(String id, String label, String title, Repeat with) {
         var widget = new ArrowWidget(label, title, Gauge.of(title, new Steps(1, -Limits.MAX_REPEAT, Limits.MAX_REPEAT),
                 (v, gesture) -> model.edit(scene -> MaterialEdits.with(scene, shown.name(),
-                        m -> m.withTexture(m.texture().map(map -> with.of(map, v)))), gesture)));
+                        m -> attribute.with(m, attribute.of(m).map(map -> with.of(map, v)))), gesture)));
         widget.setId(id);
         return widget;
-    }
-
-    private Path folder() {
-        return model.document().file().toAbsolutePath().getParent();
-    }
-
-    /** What lies beside the scene is seen a moment later. */
-    private void fill() {
-        Path folder = folder();
-        model.files().beside(() -> PropertyEdit.textures(folder), this::offer, _ -> offer(List.of()));
-    }
-
-    private void offer(List<String> names) {
-        List<MenuItem> items = new ArrayList<>();
-        items.add(item("None", ""));
-        items.add(new SeparatorMenuItem());
-        names.forEach(name -> items.add(item(name, name)));
-        found.getItems().setAll(items);
-    }
-
-    private MenuItem item(String title, String name) {
-        return CommandItems.of(model).value(Command.CHOOSE_TEXTURE, title, () -> set(name));
     }
 
     void show(Material material) {
@@ -124,11 +111,11 @@ final class TexturePart extends VBox {
         if (other) {
             revert();
         }
-        Optional<String> none = material.texture().isEmpty() ? NO_TEXTURE : Optional.empty();
+        Optional<String> none = attribute.of(material).isEmpty() ? missing : Optional.empty();
         repeatU.setObstacle(none);
         repeatV.setObstacle(none);
-        repeatU.show(material.texture().map(TextureMap::repeatU).orElse(1.0));
-        repeatV.show(material.texture().map(TextureMap::repeatV).orElse(1.0));
+        repeatU.show(attribute.of(material).map(TextureMap::repeatU).orElse(1.0));
+        repeatV.show(attribute.of(material).map(TextureMap::repeatV).orElse(1.0));
     }
 
     /** Shows that there is no material. */
@@ -147,8 +134,8 @@ final class TexturePart extends VBox {
         }
     }
 
-    private static String name(Material material) {
-        return material == null ? "" : material.texture().map(TextureMap::file).orElse("");
+    private String name(Material material) {
+        return material == null ? "" : attribute.of(material).map(TextureMap::file).orElse("");
     }
 
     private void revert() {
@@ -174,12 +161,12 @@ final class TexturePart extends VBox {
     private void set(String wanted) {
         String material = shown.name();
         if (wanted.isEmpty()) {
-            model.edit(scene -> MaterialEdits.noTexture(scene, material)).ifPresent(this::mark);
+            model.edit(scene -> MaterialEdits.set(scene, material, attribute, Optional.empty())).ifPresent(this::mark);
             return;
         }
         var scene = model.scene();
-        Path folder = folder();
-        model.files().beside(() -> MaterialEdits.texture(scene, material, wanted, folder), read -> take(material, read),
+        Path folder = FileMenu.folder(model);
+        model.files().beside(() -> MaterialEdits.picture(scene, material, attribute, wanted, folder), read -> take(material, read),
                 why -> mark(Sentence.of(why)));
     }
 
@@ -187,7 +174,7 @@ final class TexturePart extends VBox {
         switch (read) {
             case Change.Refused refused -> mark(refused.reason());
             case Change.To to -> model.edit(scene -> MaterialEdits.with(scene, material,
-                    m -> m.withTexture(to.scene().materialsByName().get(material).texture()))).ifPresentOrElse(this::mark, this::revert);
+                    m -> attribute.copy(to.scene().materialsByName().get(material), m))).ifPresentOrElse(this::mark, this::revert);
         }
     }
 }

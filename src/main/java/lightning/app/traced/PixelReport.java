@@ -45,7 +45,7 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<Lig
     private static float share(LightReport light) {
         float sum = 0;
         for (int c = 0; c < 3; c++) {
-            sum += light.diffuse()[c] + light.highlight()[c];
+            sum += light.diffuse()[c] + light.highlight()[c] + light.sheen()[c];
         }
         return sum;
     }
@@ -70,6 +70,7 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<Lig
                 case DARK -> "dark";
                 case AWAY -> "facing away";
                 case OUTSIDE -> "outside the cone";
+                case UNLINKED -> "not linked";
                 case SHADOWED -> "shadowed";
                 case LIT -> Math.round(100 * share(light) / Math.max(total, Float.MIN_NORMAL)) + " %" + samples(light);
             });

@@ -19,7 +19,7 @@ public record LaneEngine() implements Engine {
 
     @Override
     public Tracer tracer(Geometry geometry) {
-        return new LaneTracer(geometry);
+        return geometry.primitives().hasMeshes() ? new GroupedTracer(geometry) : new LaneTracer(geometry);
     }
 
     @Override

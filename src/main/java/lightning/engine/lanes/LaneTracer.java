@@ -20,7 +20,7 @@ import lightning.trace.tree.PointBox;
 import lightning.trace.tree.WayEnd;
 
 /** Traces the rays of a tile in packets, one lane for each ray. */
-final class LaneTracer implements Tracer {
+class LaneTracer implements Tracer {
     private static final VectorSpecies<Double> DOUBLES = Lanes.SPECIES;
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_PREFERRED;
     private static final VectorSpecies<Float> HALF = VectorSpecies.of(float.class, VectorShape.forBitSize(DOUBLES.vectorBitSize() / 2));
@@ -34,6 +34,11 @@ final class LaneTracer implements Tracer {
 
     LaneTracer(Geometry geometry) {
         packets = new PacketTracer(geometry);
+    }
+
+    @Override
+    public Tracer among(Geometry others) {
+        return new LaneTracer(others);
     }
 
     @Override
@@ -59,10 +64,10 @@ final class LaneTracer implements Tracer {
 
     @Override
     public void nearest(RayColumns rays, Candidates candidates) {
-        begin(rays);
+        begin(rays, packet);
         for (int ray = 0; ray < rays.count; ray += W) {
             int live = Math.min(W, rays.count - ray);
-            load(rays, ray, live);
+            load(rays, ray, live, packet);
             packets.nearest(packet, live, candidates);
             System.arraycopy(packet.t, 0, rays.t, ray, live);
             System.arraycopy(packet.primitive, 0, rays.primitive, ray, live);
@@ -72,10 +77,10 @@ final class LaneTracer implements Tracer {
 
     @Override
     public void distances(RayColumns rays) {
-        begin(rays);
+        begin(rays, packet);
         for (int ray = 0; ray < rays.count; ray += W) {
             int live = Math.min(W, rays.count - ray);
-            load(rays, ray, live);
+            load(rays, ray, live, packet);
             System.arraycopy(rays.primitive, ray, packet.primitive, 0, live);
             packets.distances(packet, live);
             System.arraycopy(packet.t, 0, rays.t, ray, live);
@@ -83,8 +88,8 @@ final class LaneTracer implements Tracer {
         }
     }
 
-    /** Puts the origin that all rays of the eye have into the packet. */
-    private void begin(RayColumns rays) {
+    /** Puts the origin that all rays of the eye have into a packet. */
+    static void begin(RayColumns rays, RayPacket packet) {
         if (rays.from == null) {
             Arrays.fill(packet.ox, rays.originX(0));
             Arrays.fill(packet.oy, rays.originY(0));
@@ -92,7 +97,8 @@ final class LaneTracer implements Tracer {
         }
     }
 
-    private void load(RayColumns rays, int ray, int live) {
+    /** Puts rays from {@code ray} on into the first {@code live} lanes of a packet. */
+    static void load(RayColumns rays, int ray, int live, RayPacket packet) {
         HitRows from = rays.from;
         for (int i = 0; from != null && i < live; i++) {
             int row = rays.slot[ray + i];
@@ -161,7 +167,7 @@ final class LaneTracer implements Tracer {
             for (int part = 0; chosen[b] != 0 && part < WORD; part += W) {
                 int asked = chosen[b] >>> part & -1 >>> -W;
                 if (asked != 0) {
-                    load(rows, ways, row + part, asked);
+                    load(rows, ways, row + part, asked, packet);
                     bits |= (packets.blocked(packet, W, candidates) & asked) << part;
                 }
             }
@@ -177,7 +183,7 @@ final class LaneTracer implements Tracer {
             for (int part = 0; chosen[b] != 0 && part < WORD; part += W) {
                 int asked = chosen[b] >>> part & -1 >>> -W;
                 if (asked != 0) {
-                    load(rows, ways, row + part);
+                    load(rows, ways, row + part, packet);
                     bits |= (ways.open ? blocked(asked, ways.limit(), candidates)
                             : blockedByEnds(ways, row + part, asked, candidates)) << part;
                 }
@@ -205,13 +211,18 @@ final class LaneTracer implements Tracer {
 
     /** Which of the packet's lanes in {@code asked} are blocked. */
     private int blocked(int asked, double limit, Candidates candidates) {
-        for (int i = 0; i < W; i++) {
-            packet.limit[i] = (asked >>> i & 1) != 0 ? limit : -1;
-        }
+        limit(asked, limit, packet);
         return packets.blocked(packet, W, candidates) & asked;
     }
 
-    private void load(HitRows rows, RowWays ways, int row) {
+    /** Rays that are not asked end before they begin. */
+    static void limit(int asked, double limit, RayPacket packet) {
+        for (int i = 0; i < W; i++) {
+            packet.limit[i] = (asked >>> i & 1) != 0 ? limit : -1;
+        }
+    }
+
+    static void load(HitRows rows, RowWays ways, int row, RayPacket packet) {
         axis(rows.px, row, ways.x, ways.ends, packet.ox, packet.dx);
         axis(rows.py, row, ways.y, ways.ends, packet.oy, packet.dy);
         axis(rows.pz, row, ways.z, ways.ends, packet.oz, packet.dz);
@@ -226,15 +237,11 @@ final class LaneTracer implements Tracer {
         }
     }
 
-    /** Rows that were not chosen get a ray that ends before it begins. */
-    private void load(HitRows rows, Ways ways, int row, int chosen) {
+    static void load(HitRows rows, Ways ways, int row, int chosen, RayPacket packet) {
         axis(rows.px, row, ways.source().x(), ways.ends(), packet.ox, packet.dx);
         axis(rows.py, row, ways.source().y(), ways.ends(), packet.oy, packet.dy);
         axis(rows.pz, row, ways.source().z(), ways.ends(), packet.oz, packet.dz);
-        double limit = ways.limit();
-        for (int i = 0; i < W; i++) {
-            packet.limit[i] = (chosen >>> i & 1) != 0 ? limit : -1;
-        }
+        limit(chosen, ways.limit(), packet);
     }
 
     private static void axis(float[] points, int row, double source, boolean ends, double[] origin, double[] direction) {

@@ -35,6 +35,7 @@ final class LightLanes implements Terms {
     private final double[] axisCosine = new double[ROWS];
     private final double[] power = new double[ROWS];
     private final float[] specular = new float[ROWS];
+    private final float[] grazed = new float[ROWS];
     /** What {@link #faint(double)} is of {@link #faintOf}. */
     private double faint = -1;
     private double faintOf;
@@ -240,7 +241,7 @@ final class LightLanes implements Terms {
         PowerLanes.of(power, 0, words * RowBits.WIDTH, shininess);
         round(words * RowBits.WIDTH);
         for (int w = 0; w < words; w++) {
-            merge(word[w], which[word[w]] & RowBits.within(word[w], from, to), w * RowBits.WIDTH, column);
+            merge(word[w], which[word[w]] & RowBits.within(word[w], from, to), specular, w * RowBits.WIDTH, column);
         }
     }
 
@@ -278,11 +279,11 @@ final class LightLanes implements Terms {
         }
     }
 
-    private void merge(int b, int bits, int from, float[] column) {
+    private static void merge(int b, int bits, float[] values, int from, float[] column) {
         for (int i = 0; i < RowBits.WIDTH; i += WIDE.length()) {
             int row = b * RowBits.WIDTH + i;
             FloatVector old = FloatVector.fromArray(WIDE, column, row);
-            old.blend(FloatVector.fromArray(WIDE, specular, from + i), VectorMask.fromLong(WIDE, bits >>> i)).intoArray(column, row);
+            old.blend(FloatVector.fromArray(WIDE, values, from + i), VectorMask.fromLong(WIDE, bits >>> i)).intoArray(column, row);
         }
     }
 
@@ -308,6 +309,111 @@ final class LightLanes implements Terms {
         DoubleVector positive = DoubleVector.zero(D).blend(c, c.compare(VectorOperators.GT, 0));
         positive.blend(1, positive.compare(VectorOperators.GT, 1)).intoArray(power, at);
         return positive.compare(VectorOperators.GT, faint).anyTrue();
+    }
+
+    @Override
+    public void mattes(HitRows rows, int from, int to, int[] which, float[] column) {
+        for (int b = from / RowBits.WIDTH; b * RowBits.WIDTH < to; b++) {
+            int bits = which[b] & RowBits.within(b, from, to);
+            if (bits != 0) {
+                int row = b * RowBits.WIDTH;
+                for (int i = row; i < row + RowBits.WIDTH; i += LANES) {
+                    matte(rows, i);
+                }
+                merge(b, bits, specular, row, column);
+            }
+        }
+    }
+
+    private void matte(HitRows rows, int i) {
+        DoubleVector nl = lightCosine(rows, i);
+        DoubleVector below = nl.mul(one().sub(fifth(one().sub(nl))));
+        store(below.mul(one().sub(fifth(one().sub(viewCosine(rows, i))))), specular, i);
+    }
+
+    @Override
+    public void glosses(HitRows rows, int from, int to, int[] which, double alpha, float[] gloss, float[] grazing) {
+        for (int b = from / RowBits.WIDTH; b * RowBits.WIDTH < to; b++) {
+            int bits = which[b] & RowBits.within(b, from, to);
+            if (bits != 0) {
+                int row = b * RowBits.WIDTH;
+                facets(rows, row, alpha);
+                merge(b, bits, specular, row, gloss);
+                merge(b, bits, grazed, row, grazing);
+            }
+        }
+    }
+
+    /** Both terms of a word's rows, to {@link #specular} and {@link #grazed}. */
+    private void facets(HitRows rows, int row, double alpha) {
+        for (int i = row; i < row + RowBits.WIDTH; i += LANES) {
+            microfacets(rows, i, alpha);
+            schlick(rows, i);
+        }
+    }
+
+    /** Writes N·L·D·V to {@link #power}. */
+    private void microfacets(HitRows rows, int i, double alpha) {
+        DoubleVector nx = load(rows.nx, i);
+        DoubleVector ny = load(rows.ny, i);
+        DoubleVector nz = load(rows.nz, i);
+        DoubleVector hx = DoubleVector.fromArray(D, lx, i).sub(load(rows.vx, i));
+        DoubleVector hy = DoubleVector.fromArray(D, ly, i).sub(load(rows.vy, i));
+        DoubleVector hz = DoubleVector.fromArray(D, lz, i).sub(load(rows.vz, i));
+        DoubleVector nh = nx.mul(hx).add(ny.mul(hy)).add(nz.mul(hz));
+        DoubleVector lengths = nx.mul(nx).add(ny.mul(ny)).add(nz.mul(nz)).mul(hx.mul(hx).add(hy.mul(hy)).add(hz.mul(hz)));
+        DoubleVector c = unit(nh.mul(nh).div(lengths));
+        DoubleVector nl = lightCosine(rows, i);
+        double a = alpha * alpha;
+        DoubleVector t = c.mul(a - 1).add(1);
+        DoubleVector both = beside(nl, a).mul(beside(viewCosine(rows, i), a));
+        nl.mul(a).div(t.mul(t).mul(both)).intoArray(power, i);
+    }
+
+    private static DoubleVector beside(DoubleVector cosine, double a) {
+        return cosine.add(cosine.mul(cosine).mul(1 - a).add(a).lanewise(VectorOperators.SQRT));
+    }
+
+    /** Parts what stands in {@link #power} by (1 − V·H)⁵. */
+    private void schlick(HitRows rows, int i) {
+        DoubleVector vx = load(rows.vx, i);
+        DoubleVector vy = load(rows.vy, i);
+        DoubleVector vz = load(rows.vz, i);
+        DoubleVector hx = DoubleVector.fromArray(D, lx, i).sub(vx);
+        DoubleVector hy = DoubleVector.fromArray(D, ly, i).sub(vy);
+        DoubleVector hz = DoubleVector.fromArray(D, lz, i).sub(vz);
+        DoubleVector vh = vx.mul(hx).add(vy.mul(hy)).add(vz.mul(hz)).neg();
+        DoubleVector lengths = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).mul(hx.mul(hx).add(hy.mul(hy)).add(hz.mul(hz)));
+        DoubleVector s = fifth(one().sub(unit(vh.div(lengths.lanewise(VectorOperators.SQRT)))));
+        DoubleVector facets = DoubleVector.fromArray(D, power, i);
+        store(facets.mul(one().sub(s)), specular, i);
+        store(facets.mul(s), grazed, i);
+    }
+
+    /** Cut to 0…1; 0 for what is no number. */
+    private static DoubleVector unit(DoubleVector c) {
+        DoubleVector positive = DoubleVector.zero(D).blend(c, c.compare(VectorOperators.GT, 0));
+        return positive.blend(1, positive.compare(VectorOperators.GT, 1));
+    }
+
+    private DoubleVector lightCosine(HitRows rows, int i) {
+        return load(rows.nx, i).mul(DoubleVector.fromArray(D, lx, i)).add(load(rows.ny, i).mul(DoubleVector.fromArray(D, ly, i)))
+                .add(load(rows.nz, i).mul(DoubleVector.fromArray(D, lz, i)));
+    }
+
+    private static DoubleVector viewCosine(HitRows rows, int i) {
+        DoubleVector c = load(rows.nx, i).mul(load(rows.vx, i)).add(load(rows.ny, i).mul(load(rows.vy, i)))
+                .add(load(rows.nz, i).mul(load(rows.vz, i))).neg();
+        return DoubleVector.zero(D).blend(c, c.compare(VectorOperators.GT, 0));
+    }
+
+    private static DoubleVector fifth(DoubleVector x) {
+        DoubleVector square = x.mul(x);
+        return square.mul(square).mul(x);
+    }
+
+    private static DoubleVector one() {
+        return DoubleVector.broadcast(D, 1);
     }
 
     private static DoubleVector load(float[] column, int i) {

@@ -22,7 +22,7 @@ public final class PacketTracer {
     static final int FEW = 32;
 
     /** Up to this many primitives are tested without their boxes, which cost as much as one or two primitives. */
-    private static final int BARE = 3;
+    static final int BARE = 3;
 
     private final PrimitiveTable primitives;
     private final Bvh bvh;
@@ -219,7 +219,7 @@ public final class PacketTracer {
         return -1 >>> -live;
     }
 
-    private static boolean forwards(RayPacket p, int lane, int axis) {
+    static boolean forwards(RayPacket p, int lane, int axis) {
         return (axis == 0 ? p.dx : axis == 1 ? p.dy : p.dz)[lane] > 0;
     }
 

@@ -19,4 +19,6 @@ public final class RayPacket extends Rays {
     public final int[] primitive = new int[WIDTH];
     /** The part of it that was hit. */
     public final int[] part = new int[WIDTH];
+    /** {@link #primitive} while it is looked for, as doubles to be compared and blended like the distances. */
+    final double[] found = new double[WIDTH];
 }

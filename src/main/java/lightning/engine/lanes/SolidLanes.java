@@ -8,14 +8,11 @@ import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LT;
 import static lightning.trace.solid.Lanes.SPECIES;
 
-import java.util.Arrays;
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
-import lightning.trace.mesh.MeshPackets;
-import lightning.trace.mesh.MeshProbe;
 import lightning.trace.primitive.PrimitiveTable;
 import lightning.trace.solid.Form;
 import lightning.trace.solid.KindLanes;
@@ -27,7 +24,7 @@ import lightning.trace.solid.Touch;
  *
  * <p>Solids are asked for whole vectors of lanes, those in which the mask has bits. Lanes that the primitive's box has
  * rejected get the same answer as from the box: a miss, or a hit behind a nearer one. Meshes are asked for the lanes of the mask
- * alone; where a ray begins or ends on the mesh, one after the other.
+ * alone ({@link MeshGroup}).
  */
 final class SolidLanes {
     private static final VectorSpecies<Integer> INTS =
@@ -37,15 +34,13 @@ final class SolidLanes {
     /** The distances to the primitive in question. */
     private final double[] own = new double[RayPacket.WIDTH];
     private final KindLanes lanes = new KindLanes();
-    private final MeshProbe probe = new MeshProbe();
-    private final MeshPackets packets = new MeshPackets();
-    private final double[] unlimited = new double[RayPacket.WIDTH];
-    /** The nearest primitive so far, as doubles to be compared and blended like the distances. */
-    private final double[] found = new double[RayPacket.WIDTH];
+    final MeshGroup mesh;
+    /** A group of one packet. */
+    private final RayPacket[] alone = new RayPacket[1];
 
     SolidLanes(PrimitiveTable primitives) {
         this.primitives = primitives;
-        Arrays.fill(unlimited, Form.MISS);
+        mesh = new MeshGroup(primitives);
     }
 
     /** The first lane of the vectors in which the mask has bits. */
@@ -79,14 +74,15 @@ final class SolidLanes {
     void begin(RayPacket p) {
         for (int h = 0; h < RayPacket.WIDTH; h += Lanes.COUNT) {
             broadcast(SPECIES, Form.MISS).intoArray(p.t, h);
-            broadcast(SPECIES, -1).intoArray(found, h);
+            broadcast(SPECIES, -1).intoArray(p.found, h);
         }
     }
 
     /** Puts primitive {@code s} into the lanes of a mask, which is not 0, where it is nearer than what they have; whether there is one. */
     boolean nearer(RayPacket p, int s, int mask) {
         if (primitives.mesh(s) != null) {
-            return meshNearer(p, s, mask);
+            alone[0] = p;
+            return mesh.nearer(alone, mask, s) != 0;
         }
         int from = first(mask);
         int to = end(mask);
@@ -95,64 +91,30 @@ final class SolidLanes {
         for (int h = from; h < to; h += Lanes.COUNT) {
             DoubleVector t = fromArray(SPECIES, own, h);
             DoubleVector best = fromArray(SPECIES, p.t, h);
-            DoubleVector primitive = fromArray(SPECIES, found, h);
+            DoubleVector primitive = fromArray(SPECIES, p.found, h);
             VectorMask<Double> nearer = t.compare(LT, best).or(t.compare(EQ, best).and(primitive.compare(GT, s)));
             best.blend(t, nearer).intoArray(p.t, h);
-            primitive.blend(s, nearer).intoArray(found, h);
+            primitive.blend(s, nearer).intoArray(p.found, h);
             any |= nearer.anyTrue();
         }
         return any;
     }
 
-    private boolean meshNearer(RayPacket p, int s, int mask) {
-        if (primitives.isUnderEye(s)) {
-            return meshNearerInTurn(p, s, mask);
-        }
-        boolean any = false;
-        packets.begin(primitives.mesh(s), primitives.data, primitives.at[s]);
-        packets.add(p, mask, p.t);
-        packets.nearest();
-        for (int left = packets.met(0); left != 0; left &= left - 1) {
-            int i = Integer.numberOfTrailingZeros(left);
-            any |= take(p, s, i, packets.distance(0, i), packets.triangle(0, i));
-        }
-        return any;
-    }
-
-    private boolean meshNearerInTurn(RayPacket p, int s, int mask) {
-        boolean any = false;
-        for (int left = mask; left != 0; left &= left - 1) {
-            int i = Integer.numberOfTrailingZeros(left);
-            primitives.enter(probe, s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]);
-            any |= take(p, s, i, probe.nearest(p.t[i]), probe.triangle());
-        }
-        return any;
-    }
-
-    private boolean take(RayPacket p, int s, int i, double t, int part) {
-        boolean nearer = t < p.t[i] || t == p.t[i] && found[i] > s;
-        if (nearer) {
-            p.t[i] = t;
-            p.part[i] = part;
-            found[i] = s;
-        }
-        return nearer;
-    }
-
     /** Writes what has been found to the packet's {@code primitive}. */
     void write(RayPacket p) {
         for (int h = 0; h < RayPacket.WIDTH; h += Lanes.COUNT) {
-            DoubleVector v = fromArray(SPECIES, found, h);
+            DoubleVector v = fromArray(SPECIES, p.found, h);
             ((IntVector) v.convertShape(D2I, INTS, 0)).intoArray(p.primitive, h);
         }
     }
 
     /** One bit for each lane of a mask, which is not 0, that meets primitive {@code s} at a distance below its {@code limit}. */
     int below(RayPacket p, int s, int mask) {
-        int index = p.end.indexOf(s);
         if (primitives.mesh(s) != null) {
-            return meshBelow(p, s, index, mask);
+            alone[0] = p;
+            return (int) mesh.below(alone, mask, s);
         }
+        int index = p.end.indexOf(s);
         int from = first(mask);
         int to = end(mask);
         distances(p, s, from, to);
@@ -168,27 +130,10 @@ final class SolidLanes {
         return met & mask;
     }
 
-    private int meshBelow(RayPacket p, int s, int index, int mask) {
-        if (index < 0 && !primitives.isUnderEye(s)) {
-            packets.begin(primitives.mesh(s), primitives.data, primitives.at[s]);
-            packets.add(p, mask, p.limit);
-            packets.blocked();
-            return packets.met(0);
-        }
-        int met = 0;
-        for (int left = mask; left != 0; left &= left - 1) {
-            int i = Integer.numberOfTrailingZeros(left);
-            boolean ends = index >= 0 && p.end.touches(index, p.ox[i], p.oy[i], p.oz[i]);
-            primitives.enter(probe, s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i], ends);
-            met |= (probe.blocked(p.limit[i]) ? 1 : 0) << i;
-        }
-        return met;
-    }
-
     /** Writes {@code t} and {@code part} of those lanes of {@code mask} whose primitive is {@code s}; returns which they are. */
     int distances(RayPacket p, int s, int mask) {
         if (primitives.mesh(s) != null) {
-            return meshDistances(p, s, mask);
+            return mesh.distances(p, s, mask);
         }
         int from = first(mask);
         int to = end(mask);
@@ -199,32 +144,6 @@ final class SolidLanes {
                 p.t[i] = own[i];
                 done |= 1 << i;
             }
-        }
-        return done;
-    }
-
-    private int meshDistances(RayPacket p, int s, int mask) {
-        int done = 0;
-        for (int left = mask; left != 0; left &= left - 1) {
-            int i = Integer.numberOfTrailingZeros(left);
-            done |= (p.primitive[i] == s ? 1 : 0) << i;
-        }
-        if (primitives.isUnderEye(s)) {
-            for (int left = done; left != 0; left &= left - 1) {
-                int i = Integer.numberOfTrailingZeros(left);
-                primitives.enter(probe, s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]);
-                p.t[i] = probe.nearest(Form.MISS);
-                p.part[i] = probe.triangle();
-            }
-            return done;
-        }
-        packets.begin(primitives.mesh(s), primitives.data, primitives.at[s]);
-        packets.add(p, done, unlimited);
-        packets.nearest();
-        for (int left = packets.met(0); left != 0; left &= left - 1) {
-            int i = Integer.numberOfTrailingZeros(left);
-            p.t[i] = packets.distance(0, i);
-            p.part[i] = packets.triangle(0, i);
         }
         return done;
     }

@@ -5,6 +5,7 @@ import jdk.incubator.vector.VectorSpecies;
 import lightning.shading.Addends;
 import lightning.shading.Shade;
 import lightning.shading.Sums;
+import lightning.shading.Terms;
 import lightning.trace.HitRows;
 
 /**
@@ -15,6 +16,7 @@ final class SumLanes implements Sums {
     private static final VectorSpecies<Float> F = FloatVector.SPECIES_PREFERRED;
 
     private final Touch touch = new Touch();
+    private final float[] glow = new float[Terms.ROWS];
 
     @Override
     public void sum(int rows, Addends a, float[][] to) {
@@ -55,8 +57,8 @@ final class SumLanes implements Sums {
     }
 
     @Override
-    public void close(HitRows rows, int run, Shade shade, float ambience, float[][] diffuse, float[][] specular, float[][] mirrored,
-            float[][] to) {
+    public void close(HitRows rows, int run, Shade shade, float ambience, float[][] diffuse, float[][] specular, float[][] grazing,
+            float[][] mirrored, float[][] to) {
         int start = rows.runStart(run) & -F.length();
         int end = rows.runEnd[run];
         for (int c = 0; c < 3; c++) {
@@ -64,16 +66,30 @@ final class SumLanes implements Sums {
             float[] image = shade.mirrors() ? mirrored[c] : null;
             touch.column(texel, start, end);
             touch.column(image, start, end);
-            close(start, end, shade, c, shade.ambient()[c] * ambience, diffuse[c], specular == null ? null : specular[c], texel, image,
-                    to[c]);
+            float[] shown = specular == null ? null : specular[c];
+            if (grazing != null) {
+                glow(start, end, shade, c, shown, grazing[c], texel);
+                shown = glow;
+            }
+            close(start, end, shade, c, shade.ambient()[c] * ambience, diffuse[c], shown, grazing == null ? shade.specular()[c] : 1, texel,
+                    image, to[c]);
+        }
+    }
+
+    /** Writes F0 times the specular sum plus the grazing one, of one channel of a metallic material, to {@link #glow}. */
+    private void glow(int start, int end, Shade shade, int channel, float[] specular, float[] grazing, float[] texel) {
+        float metal = shade.metal()[channel];
+        float plain = shade.specular()[channel];
+        for (int i = start; i < end; i += F.length()) {
+            FloatVector f0 = texel == null ? FloatVector.broadcast(F, metal) : FloatVector.fromArray(F, texel, i).mul(metal);
+            FloatVector.fromArray(F, specular, i).mul(f0.add(plain)).add(FloatVector.fromArray(F, grazing, i)).intoArray(glow, i);
         }
     }
 
     /** One channel. */
-    private static void close(int start, int end, Shade shade, int channel, float emitted, float[] diffuse, float[] specular,
+    private static void close(int start, int end, Shade shade, int channel, float emitted, float[] diffuse, float[] specular, float ks,
             float[] texel, float[] image, float[] to) {
         float kd = shade.diffuse()[channel];
-        float ks = shade.specular()[channel];
         float kr = shade.reflective()[channel];
         for (int i = start; i < end; i += F.length()) {
             FloatVector light = FloatVector.fromArray(F, diffuse, i);

@@ -53,8 +53,8 @@ final class SurfaceLanes {
             for (int h = 0; h < RayPacket.WIDTH; h += Lanes.COUNT) {
                 VectorMask<Integer> same = IntVector.fromArray(INTS, p.primitive, h).compare(EQ, s);
                 int mask = (int) same.toLong();
-                if (mask != 0 && primitives.mesh(s) != null) {
-                    mesh(p, s, h, mask & left >>> h, out);
+                if (mask != 0 && (primitives.mesh(s) != null || primitives.relief(s) != null)) {
+                    each(p, s, h, mask & left >>> h, out);
                     left &= ~(mask << h);
                 } else if (mask != 0) {
                     left &= ~(mask << h);
@@ -66,8 +66,8 @@ final class SurfaceLanes {
         }
     }
 
-    /** The surfaces of a mesh, one lane after the other. */
-    private void mesh(RayPacket p, int s, int h, int lanes, SurfacePacket out) {
+    /** The surfaces of a mesh or of what has a relief, one lane after the other. */
+    private void each(RayPacket p, int s, int h, int lanes, SurfacePacket out) {
         for (int left = lanes; left != 0; left &= left - 1) {
             int i = h + Integer.numberOfTrailingZeros(left);
             surface.at(primitives, s, p.part[i], p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i], p.t[i]);

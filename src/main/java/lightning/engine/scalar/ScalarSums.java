@@ -34,8 +34,8 @@ final class ScalarSums implements Sums {
     }
 
     @Override
-    public void close(HitRows rows, int run, Shade shade, float ambience, float[][] diffuse, float[][] specular, float[][] mirrored,
-            float[][] to) {
+    public void close(HitRows rows, int run, Shade shade, float ambience, float[][] diffuse, float[][] specular, float[][] grazing,
+            float[][] mirrored, float[][] to) {
         for (int c = 0; c < 3; c++) {
             float emitted = shade.ambient()[c] * ambience;
             float kd = shade.diffuse()[c];
@@ -46,7 +46,10 @@ final class ScalarSums implements Sums {
                 if (shade.mirrors()) {
                     color *= 1 - kr;
                 }
-                if (specular != null) {
+                if (grazing != null) {
+                    float metal = shade.textured() ? texel[i] * shade.metal()[c] : shade.metal()[c];
+                    color += specular[c][i] * (metal + shade.specular()[c]) + grazing[c][i];
+                } else if (specular != null) {
                     color += specular[c][i] * shade.specular()[c];
                 }
                 if (shade.mirrors()) {

@@ -149,6 +149,77 @@ final class ScalarTerms implements Terms {
     }
 
     @Override
+    public void mattes(HitRows rows, int from, int to, int[] which, float[] column) {
+        for (int i = from; i < to; i++) {
+            if (RowBits.contains(which, i)) {
+                double nl = lightCosine(rows, i);
+                column[i] = (float) (nl * (1 - fifth(1 - nl)) * (1 - fifth(1 - viewCosine(rows, i))));
+            }
+        }
+    }
+
+    @Override
+    public void glosses(HitRows rows, int from, int to, int[] which, double alpha, float[] gloss, float[] grazing) {
+        for (int i = from; i < to; i++) {
+            if (RowBits.contains(which, i)) {
+                double facets = microfacets(rows, i, alpha);
+                double schlick = schlick(rows, i);
+                gloss[i] = (float) (facets * (1 - schlick));
+                grazing[i] = (float) (facets * schlick);
+            }
+        }
+    }
+
+    /** N·L. */
+    private double lightCosine(HitRows rows, int i) {
+        return rows.nx[i] * lx[i] + rows.ny[i] * ly[i] + rows.nz[i] * lz[i];
+    }
+
+    /** max(N·V, 0). */
+    private static double viewCosine(HitRows rows, int i) {
+        double c = -((double) rows.nx[i] * rows.vx[i] + (double) rows.ny[i] * rows.vy[i] + (double) rows.nz[i] * rows.vz[i]);
+        return c > 0 ? c : 0;
+    }
+
+    private static double fifth(double x) {
+        double square = x * x;
+        return square * square * x;
+    }
+
+    /** N·L·D·V. */
+    private double microfacets(HitRows rows, int i, double alpha) {
+        double nx = rows.nx[i];
+        double ny = rows.ny[i];
+        double nz = rows.nz[i];
+        double hx = lx[i] - rows.vx[i];
+        double hy = ly[i] - rows.vy[i];
+        double hz = lz[i] - rows.vz[i];
+        double nh = nx * hx + ny * hy + nz * hz;
+        double c = nh * nh / ((nx * nx + ny * ny + nz * nz) * (hx * hx + hy * hy + hz * hz));
+        c = c > 0 ? c > 1 ? 1 : c : 0;
+        double nl = lightCosine(rows, i);
+        double nv = viewCosine(rows, i);
+        double a = alpha * alpha;
+        double t = c * (a - 1) + 1;
+        double gl = nl + Math.sqrt(a + (1 - a) * (nl * nl));
+        double gv = nv + Math.sqrt(a + (1 - a) * (nv * nv));
+        return nl * a / (t * t * (gl * gv));
+    }
+
+    /** (1 − V·H)⁵. */
+    private double schlick(HitRows rows, int i) {
+        double vx = rows.vx[i];
+        double vy = rows.vy[i];
+        double vz = rows.vz[i];
+        double hx = lx[i] - vx;
+        double hy = ly[i] - vy;
+        double hz = lz[i] - vz;
+        double vh = -(vx * hx + vy * hy + vz * hz);
+        double c = vh / Math.sqrt((vx * vx + vy * vy + vz * vz) * (hx * hx + hy * hy + hz * hz));
+        return fifth(1 - (c > 0 ? c > 1 ? 1 : c : 0));
+    }
+
+    @Override
     public void falloffs(HitRows rows, Lamp lamp, float[] to) {
         for (int i = 0; i < rows.count; i++) {
             to[i] = (float) factor(lamp, i);

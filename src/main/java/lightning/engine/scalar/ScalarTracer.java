@@ -27,6 +27,11 @@ final class ScalarTracer implements Tracer {
     }
 
     @Override
+    public Tracer among(Geometry others) {
+        return new ScalarTracer(others);
+    }
+
+    @Override
     public void eye(CameraRays camera, int column, int row, int columns, int lines, RayColumns rays) {
         for (int y = 0, ray = 0; y < lines; y++) {
             for (int x = 0; x < columns; x++) {

@@ -69,8 +69,8 @@ public final class Dispatcher {
             return new UpdatePlan.Nothing();
         }
         MaterialTable materials = shapes.after(cache.geometry()).of(wanted).materials();
-        LevelPlan top = level(cache.geometry().materials(), known, cache.lights(), wanted, materials, shapes, accuracy);
-        LevelPlan mirrored = refresh ? level(cache.mirroredGeometry().materials(), cache.mirroredScene(), cache.mirroredLights(), wanted,
+        LevelPlan top = level(cache.geometry(), known, cache.lights(), wanted, materials, shapes, accuracy);
+        LevelPlan mirrored = refresh ? level(cache.mirroredGeometry(), cache.mirroredScene(), cache.mirroredLights(), wanted,
                 materials, shapes, accuracy) : null;
         if (resampled && !(top.materials().mirrors().isEmpty() && mirrored.materials().mirrors().isEmpty())) {
             return new UpdatePlan.FirstPass("other samples and mirrors");
@@ -84,7 +84,7 @@ public final class Dispatcher {
     }
 
     /** @param lights those of {@code known} */
-    private static LevelPlan level(MaterialTable shown, Scene known, List<KnownLight> lights, Scene wanted, MaterialTable materials,
+    private static LevelPlan level(Geometry shown, Scene known, List<KnownLight> lights, Scene wanted, MaterialTable materials,
             ShapeChange shapes, Accuracy accuracy) {
         LightMatch match = new LightMatch(known.rig().actingLights(), wanted.rig().actingLights());
         List<LayerPlan> layers = new ArrayList<>();
@@ -92,31 +92,34 @@ public final class Dispatcher {
         for (int l = 0; l < match.after().size(); l++) {
             Light light = match.after().get(l);
             KnownLight origin = match.origin(l) < 0 ? null : lights.get(match.origin(l));
-            boolean holds = origin != null && holds(origin, wanted, shapes);
+            boolean holds = origin != null && holds(origin, known, wanted, shapes);
             LightUpdate update = update(holds ? origin.stamp() : null, origin == null || origin.stamp() == null, light, wanted, accuracy);
             // A dark light's layers that do not hold are dropped, and with them what would tell where it shone.
             boolean forgotten = origin != null && !holds && update instanceof LightUpdate.Keep;
-            layers.add(new LayerPlan(light, forgotten ? null : origin, update));
+            ShapeChange shadows = holds && origin.stamp() != null ? shapes.shadows(shown, origin.stamp().light().shadowedBy(),
+                    LayerPlan.shadowedBy(light, origin.stamp(), update)) : ShapeChange.NONE;
+            layers.add(new LayerPlan(light, forgotten ? null : origin, update, shadows));
             forgets |= forgotten;
         }
         List<String> dropped = match.gone().stream().map(i -> match.before().get(i).name()).toList();
         // A change of the order or number of lights changes how their sum is grouped.
         boolean compose = forgets || !match.keepsPlaces() || !known.world().equals(wanted.world());
         return new LevelPlan(layers, dropped, compose,
-                MaterialDifference.between(shown, materials));
+                MaterialDifference.between(shown.materials(), materials));
     }
 
     /**
      * Whether a light's layers hold among other shapes, but for rows that can meet those: not where the shapes decide whether it lies on
-     * one that stays as it is, for then they may differ everywhere. Of a light that is larger than a point it is not asked for each of
+     * one that stays as it is, for then they may differ everywhere; nor where a shape that stays is linked to it now, or no more, because
+     * it is in another group. Of a light that is larger than a point it is not asked for each of
      * its samples: it is computed anew.
      */
-    private static boolean holds(KnownLight light, Scene scene, ShapeChange shapes) {
+    private static boolean holds(KnownLight light, Scene known, Scene scene, ShapeChange shapes) {
         if (light.stamp() == null) {
             return true;
         }
         Light computed = light.stamp().light();
-        return shapes == ShapeChange.NONE || !computed.isArea()
+        return shapes == ShapeChange.NONE || !computed.isArea() && shapes.keepsLinks(known, scene, computed.illuminates())
                 && (!computed.type().hasPosition() || shapes.keepsEnd(Lamp.of(computed, scene).source()));
     }
 
@@ -145,17 +148,17 @@ public final class Dispatcher {
             return dark ? new LightUpdate.Keep() : new LightUpdate.FullRecompute(added);
         }
         return switch (accuracy) {
-            case EXACT -> dark ? new LightUpdate.Keep() : exact(LightDifference.between(before.light(), light));
+            case EXACT -> dark ? new LightUpdate.Keep() : exact(LightDifference.between(before.light(), light), light);
             case RATIO -> wanted.shines(light) ? ratio(before.light(), light, wanted) : new LightUpdate.Keep();
         };
     }
 
-    private static LightUpdate exact(LightDifference difference) {
-        if (difference.moved()) {
+    private static LightUpdate exact(LightDifference difference, Light light) {
+        if (difference.moved() || difference.shadows() && light.isArea()) {
             return new LightUpdate.FullRecompute(false);
         }
-        if (difference.cone() != ConeChange.NONE || difference.falloff()) {
-            return new LightUpdate.Partial(difference.cone(), difference.falloff(), difference.weight());
+        if (difference.cone() != ConeChange.NONE || difference.falloff() || difference.shadows()) {
+            return new LightUpdate.Partial(difference.cone(), difference.falloff(), difference.weight(), difference.shadows());
         }
         return difference.weight() ? new LightUpdate.Reweight() : new LightUpdate.Keep();
     }
@@ -166,7 +169,7 @@ public final class Dispatcher {
      */
     private static LightUpdate ratio(Light before, Light light, Scene wanted) {
         LightDifference difference = LightDifference.between(before, light);
-        LightUpdate least = exact(difference);
+        LightUpdate least = exact(difference, light);
         if (least instanceof LightUpdate.Keep) {
             return least;
         }

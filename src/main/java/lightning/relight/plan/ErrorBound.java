@@ -33,7 +33,8 @@ public record ErrorBound(double relative, double absolute, double largest) {
         if (relative == 0) {
             return NONE;
         }
-        double absolute = RatioBound.absolute(top, 1) + RatioBound.absolute(mirrors, depth);
+        double absolute = RatioBound.absolute(top, 1, RatioBound.terms(cache.geometry().materials()))
+                + RatioBound.absolute(mirrors, depth, RatioBound.terms(cache.mirroredGeometry().materials()));
         return new ErrorBound(relative, absolute, relative * cache.brightest() + absolute);
     }
 

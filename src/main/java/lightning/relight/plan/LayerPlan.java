@@ -3,6 +3,8 @@ package lightning.relight.plan;
 import lightning.cache.KnownLight;
 import lightning.cache.LayerStamp;
 import lightning.scene.Light;
+import lightning.scene.Links;
+import lightning.trace.ShapeChange;
 
 /**
  * The update of one light's layer.
@@ -10,11 +12,26 @@ import lightning.scene.Light;
  * @param light  the light as wanted
  * @param from   the light known before that it goes on from, null for none
  * @param update what to do
+ * @param shadows what became of the shapes that throw shadows in its light
  */
-public record LayerPlan(Light light, KnownLight from, LightUpdate update) {
+public record LayerPlan(Light light, KnownLight from, LightUpdate update, ShapeChange shadows) {
+    /** One that is shadowed as before. */
+    public LayerPlan(Light light, KnownLight from, LightUpdate update) {
+        this(light, from, update, ShapeChange.NONE);
+    }
+
     /** What the layers there are were computed for, or null where there are none. */
     public LayerStamp before() {
         return from == null ? null : from.stamp();
+    }
+
+    /**
+     * Which shapes throw shadows in the light as its layer shows it afterwards, where the update goes on from one.
+     *
+     * @param before what the layers there are were computed for
+     */
+    public static Links shadowedBy(Light light, LayerStamp before, LightUpdate update) {
+        return update instanceof LightUpdate.Keep ? before.light().shadowedBy() : light.shadowedBy();
     }
 
     /**

@@ -17,15 +17,16 @@ import lightning.shading.ConeChange;
  * @param cone    which rows may enter or leave the cone
  * @param falloff whether the falloff of any row may change
  * @param weight  whether colour · intensity changes
+ * @param shadows whether other shapes throw shadows in its light
  */
-record LightDifference(boolean moved, ConeChange cone, boolean falloff, boolean weight) {
+record LightDifference(boolean moved, ConeChange cone, boolean falloff, boolean weight, boolean shadows) {
 
     static LightDifference between(Light before, Light wanted) {
         Set<LightTerm> changed = changed(before, wanted);
         ConeChange cone = cone(changed, before, wanted);
         return new LightDifference(changed.contains(LightTerm.SOURCE), cone,
                 changed.contains(LightTerm.FALLOFF) || cone == ConeChange.TURN || cone != ConeChange.NONE && wanted.gobo().isPresent(),
-                changed.contains(LightTerm.WEIGHT));
+                changed.contains(LightTerm.WEIGHT), changed.contains(LightTerm.SHADOW));
     }
 
     /** The terms of attributes that act with another value than before, or come into action, or go out of it. */
@@ -45,6 +46,9 @@ record LightDifference(boolean moved, ConeChange cone, boolean falloff, boolean 
     private static ConeChange cone(Set<LightTerm> changed, Light before, Light wanted) {
         if (changed.contains(LightTerm.AXIS)) {
             return ConeChange.TURN;
+        }
+        if (changed.contains(LightTerm.REACH)) {
+            return ConeChange.LINKS;
         }
         return !changed.contains(LightTerm.OPENING) ? ConeChange.NONE
                 : before.angle() > wanted.angle() ? ConeChange.ANGLE_REMOVE : ConeChange.ANGLE_ADD;

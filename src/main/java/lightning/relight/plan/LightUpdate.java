@@ -17,8 +17,15 @@ public sealed interface LightUpdate {
      * @param cone    which rows may enter or leave its cone (§4.3)
      * @param falloff whether attenuation or spot coefficient changed (§4.2, §4.4)
      * @param weight  whether colour or intensity changed too
+     * @param shadows whether other shapes throw shadows in its light
      */
-    record Partial(ConeChange cone, boolean falloff, boolean weight) implements LightUpdate {}
+    record Partial(ConeChange cone, boolean falloff, boolean weight, boolean shadows) implements LightUpdate {
+
+        /** One that is shadowed by the same shapes. */
+        public Partial(ConeChange cone, boolean falloff, boolean weight) {
+            this(cone, falloff, weight, false);
+        }
+    }
 
     /** At accuracy ratio: contributions anew, because their error bound grew too large; no ray is cast. */
     record Refresh() implements LightUpdate {}

@@ -21,11 +21,15 @@ record MaterialDifference(MaterialTable before, MaterialTable wanted) {
     }
 
     private boolean recolors(int m) {
-        return differs(MaterialTerm.COLOR, m) || texture(m);
+        return differs(MaterialTerm.COLOR, m) || model(m) || texture(m);
     }
 
     private boolean specular(int m) {
-        return before.isSpecular(m) != wanted.isSpecular(m) || wanted.isSpecular(m) && differs(MaterialTerm.HIGHLIGHT, m);
+        return model(m) || before.isSpecular(m) != wanted.isSpecular(m) || wanted.isSpecular(m) && differs(MaterialTerm.HIGHLIGHT, m);
+    }
+
+    private boolean model(int m) {
+        return differs(MaterialTerm.MODEL, m);
     }
 
     private boolean texture(int m) {

@@ -10,7 +10,8 @@ import lightning.trace.MaterialTable;
  *
  * @param materials  as they are wanted
  * @param recolored  any colour or the texture changed: the equation is closed anew where their rows are
- * @param speculars  the shininess changed, or highlights came or went: one term of each light is computed anew, without a ray
+ * @param speculars  the shininess, roughness or model changed, or highlights came or went: terms of each light are computed anew,
+ *                   without a ray
  * @param retextured the texture changed: their rows' texels are looked up anew, without a search
  * @param mirrors    reflectivity came or went: their rows begin or cease to cast mirrored rays
  */

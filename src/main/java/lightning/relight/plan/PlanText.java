@@ -47,10 +47,14 @@ final class PlanText {
                     case NONE -> {}
                     case ANGLE_REMOVE -> parts.add("angle remove");
                     case ANGLE_ADD -> parts.add("angle add");
+                    case LINKS -> parts.add("links");
                     case TURN -> parts.add("turn");
                 }
                 if (partial.falloff()) {
                     parts.add("falloff");
+                }
+                if (partial.shadows()) {
+                    parts.add("shadows");
                 }
                 if (partial.weight()) {
                     parts.add("weight");

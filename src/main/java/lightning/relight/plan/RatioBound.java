@@ -3,6 +3,7 @@ package lightning.relight.plan;
 import lightning.cache.LayerStamp;
 import lightning.math.Rgb;
 import lightning.scene.Light;
+import lightning.trace.MaterialTable;
 
 /**
  * How far a picture made by ratios may be from the exact one.
@@ -43,6 +44,9 @@ import lightning.scene.Light;
  * is scaled no more either: beyond its shares it is off by at most w′ + η. What closes the equation underflows by less than
  * 64η. Both are within two least normal floats for each light. A is twice the sum over the lights, for diffuse and
  * specular contributions, on each level of mirrors.
+ *
+ * <p>So far no term is above 1. Of a metallic material the specular and the grazing one are at most T
+ * ({@link MaterialTable#mostTerm}); each loss above is at most that of a term of 1, T times, so that A is 1 + 2T times the sum.
  */
 final class RatioBound {
     private static final double UNIT = 0x1p-24;
@@ -112,14 +116,23 @@ final class RatioBound {
         return 32 - Integer.numberOfLeadingZeros(Math.max(0, terms - 1));
     }
 
-    /** The absolute part A of as many levels as given. */
-    static double absolute(LayerStamp[] stamps, int levels) {
+    /** What the terms of one light over rows of these materials at most add up to. */
+    static double terms(MaterialTable materials) {
+        return materials.hasMetallic() ? 1 + 2 * materials.mostTerm() : 2;
+    }
+
+    /**
+     * The absolute part A of as many levels as given.
+     *
+     * @param terms what the terms of one light at most add up to ({@link #terms})
+     */
+    static double absolute(LayerStamp[] stamps, int levels, double terms) {
         double sum = 0;
         for (LayerStamp stamp : stamps) {
             if (stamp != null && stamp.roundings() > 0) {
-                sum += 2 * (weight(stamp.light()) * (stamp.lostOfContribution() + stamp.lostOfWeight()) + 2 * Float.MIN_NORMAL);
+                sum += weight(stamp.light()) * (stamp.lostOfContribution() + stamp.lostOfWeight()) + 2 * Float.MIN_NORMAL;
             }
         }
-        return levels * sum;
+        return levels * terms * sum;
     }
 }

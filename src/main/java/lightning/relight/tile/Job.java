@@ -1,5 +1,6 @@
 package lightning.relight.tile;
 
+import java.util.Arrays;
 import lightning.image.Film;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
@@ -27,6 +28,15 @@ public record Job(PreparedScene shown, PreparedScene mirrored, Options options, 
     /** Whether mirror levels are kept as full rows. */
     boolean keepsRows() {
         return options.storage() == MirrorStorage.FULL_ROWS;
+    }
+
+    /** Whether rows must know whose they are. */
+    boolean owned() {
+        return isLinked(shown) || isLinked(mirrored);
+    }
+
+    private static boolean isLinked(PreparedScene scene) {
+        return Arrays.stream(scene.lights()).anyMatch(l -> !l.light().illuminates().isAll());
     }
 
     int depth() {

@@ -51,7 +51,7 @@ public record LevelJob(LevelPlan plan, List<LightJob> lights, ShapeChange shapes
     LightLayer[] layers(TileLevel old, LayerUpdater updater, Progress progress) {
         LightLayer[] layers = new LightLayer[lights.size()];
         for (int l = 0; l < layers.length && !progress.isCancelled(); l++) {
-            layers[l] = lights.get(l).after(old, updater, plan.materials().speculars(), shapes);
+            layers[l] = lights.get(l).after(old, updater, plan.materials().speculars());
         }
         return layers;
     }
@@ -60,7 +60,7 @@ public record LevelJob(LevelPlan plan, List<LightJob> lights, ShapeChange shapes
     boolean recodes(TileLevel old, LightLayer[] layers) {
         boolean recodes = plan.compose() || !plan.materials().isEmpty();
         for (int l = 0; l < layers.length && !recodes; l++) {
-            recodes = lights.get(l).recodes(old, layers[l], shapes);
+            recodes = lights.get(l).recodes(old, layers[l]);
         }
         return recodes;
     }

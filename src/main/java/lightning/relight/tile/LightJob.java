@@ -16,7 +16,8 @@ import lightning.trace.ShapeChange;
  *
  * @param plan     how its layers follow from those before
  * @param light    the light as wanted
- * @param computed the light that its layers were computed for; null where there are none
+ * @param computed the light that its layers were computed for, shadowed by the shapes that shadow it afterwards; null where there are
+ *                 none
  * @param shone    what the scene before has of it, its weight there included; null where it has no such light
  */
 public record LightJob(LayerPlan plan, Luminaire light, Luminaire computed, Luminaire shone) {
@@ -24,7 +25,8 @@ public record LightJob(LayerPlan plan, Luminaire light, Luminaire computed, Lumi
     /** @param known the scene before */
     static LightJob of(LayerPlan plan, Luminaire light, Scene known) {
         LayerStamp stamp = plan.before();
-        return new LightJob(plan, light, stamp == null ? null : Luminaire.shining(stamp.light(), known),
+        return new LightJob(plan, light, stamp == null ? null : Luminaire.shining(stamp.light()
+                .withShadowedBy(LayerPlan.shadowedBy(plan.light(), stamp, plan.update())), known),
                 plan.from() == null ? null : Luminaire.of(plan.from().light(), known));
     }
 
@@ -37,9 +39,8 @@ public record LightJob(LayerPlan plan, Luminaire light, Luminaire computed, Lumi
      * Its layer over one tile's rows after the update: that before where nothing of it changes; null where it never shone.
      *
      * @param speculars materials whose specular term changed
-     * @param shapes    what became of the shapes
      */
-    LightLayer after(TileLevel old, LayerUpdater updater, MaterialSet speculars, ShapeChange shapes) {
+    LightLayer after(TileLevel old, LayerUpdater updater, MaterialSet speculars) {
         LightLayer before = before(old);
         if (before == null) {
             // Never lit, or a mirror level that a deeper recursion added while the light was dark.
@@ -48,12 +49,13 @@ public record LightJob(LayerPlan plan, Luminaire light, Luminaire computed, Lumi
         if (plan.update() instanceof LightUpdate.FullRecompute) {
             return updater.full(old.rows(), light);
         }
-        if (light.isDark() && !shapes.isEmpty() && updater.mayChange(old.rows(), computed, before, shapes)) {
+        ShapeChange shadows = plan.shadows();
+        if (light.isDark() && !shadows.isEmpty() && updater.mayChange(old.rows(), computed, before, shadows)) {
             // Made anew once it shines.
             return null;
         }
         LightLayer ready = updater.speculars(old.rows(), computed, before, speculars);
-        ready = shapes.isEmpty() ? ready : updater.shadowed(old.rows(), computed, ready, shapes);
+        ready = shadows.isEmpty() ? ready : updater.shadowed(old.rows(), computed, ready, shadows);
         return updater.update(old.rows(), computed, light, ready, plan.update());
     }
 
@@ -64,13 +66,13 @@ public record LightJob(LayerPlan plan, Luminaire light, Luminaire computed, Lumi
 
     /** Whether it changes anything in the picture, as far as one light's plan tells. */
     boolean changes() {
-        return reweights() || !(plan.update() instanceof LightUpdate.Keep);
+        return reweights() || !(plan.update() instanceof LightUpdate.Keep) || !plan.shadows().isEmpty();
     }
 
     /** Whether anti-aliasing may see other edges of it than before over a tile's rows: it sees neither weight nor falloff. */
-    boolean recodes(TileLevel old, LightLayer after, ShapeChange shapes) {
+    boolean recodes(TileLevel old, LightLayer after) {
         boolean wasDark = shone == null || shone.isDark();
-        return wasDark != light.isDark() || before(old) != after && !(keepsStates() && shapes.isEmpty());
+        return wasDark != light.isDark() || before(old) != after && !(keepsStates() && plan.shadows().isEmpty());
     }
 
     private boolean keepsStates() {

@@ -5,9 +5,11 @@ import lightning.cache.TileLevel;
 import lightning.effects.ViewEffects;
 import lightning.engine.Engine;
 import lightning.image.Film;
+import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.shading.Luminaire;
 import lightning.shading.TileComposer;
+import lightning.trace.SamplePlaces;
 
 /**
  * Composes tiles from layers that are known, whatever was composed of them before: no ray is cast and no light's term
@@ -42,10 +44,10 @@ public final class TilePainter {
     }
 
     /** The tile of the film: red, green, blue, {@code float[1024]} each. */
-    public float[][] film(TileLevel top, Luminaire[] lights, World world, float[][] cr) {
+    public float[][] film(TileLevel top, Luminaire[] lights, Scene scene, SamplePlaces places, float[][] cr) {
         float[][] pixels = new float[3][Film.TILE_PIXELS];
-        eye.background(top.rows(), world, pixels);
-        eye.level(top.rows(), lights, top.layers(), null, world, cr, pixels);
+        eye.background(top.rows(), scene, places, pixels);
+        eye.level(top.rows(), lights, top.layers(), null, scene.world(), cr, pixels);
         return pixels;
     }
 }

@@ -23,6 +23,8 @@ final class TileWorker {
     private final Engine engine;
     private final Tracer tracer;
     private final LevelWorker eye;
+    /** Whether rows know whose they are. */
+    private final boolean owned;
     /** Made when it is needed first. */
     private LevelWorker mirror;
     /** Made when anti-aliasing asks for it first. */
@@ -42,6 +44,7 @@ final class TileWorker {
         this.engine = engine;
         tracer = engine.tracer(job.shown().geometry());
         eye = new LevelWorker(job, job.shown(), engine, tracer);
+        owned = job.owned();
     }
 
     private LevelWorker mirror() {
@@ -70,13 +73,13 @@ final class TileWorker {
         int y0 = tile / job.tilesX() * Film.TILE;
         eyeRays += (long) Math.min(Film.TILE, job.scene().picture().width() - x0)
                 * Math.min(Film.TILE, job.scene().picture().height() - y0);
-        return traced(eye.visibility.eye(x0, y0, Film.TILE, rows(job.coding())), job.coding(), false);
+        return traced(SamplePlaces.centers(x0, y0), eye.visibility.eye(x0, y0, Film.TILE, rows(job.coding())), job.coding(), false);
     }
 
     /** Traces finer samples; null where the work was cancelled. */
     CachedTile fine(SamplePlaces places) {
         eyeRays += places.count();
-        return traced(eye.visibility.fine(places, HitRows::new), false, true);
+        return traced(places, eye.visibility.fine(places, rows(false)), false, true);
     }
 
     /** Whether the samples made last have other colours than before. */
@@ -89,16 +92,16 @@ final class TileWorker {
         return colors;
     }
 
-    private CachedTile traced(HitRows rows, boolean coded, boolean fine) {
+    private CachedTile traced(SamplePlaces places, HitRows rows, boolean coded, boolean fine) {
         TileLevel top = eye.lit(rows);
         begin(coded, top);
         Mirrors mirrors = traced(new TileLevel[] {top}, new int[0][], coded);
         return job.progress().isCancelled() ? null
-                : finish(top, mirrors, false, null, coded ? coder.codes() : null, fine);
+                : finish(places, top, mirrors, false, null, coded ? coder.codes() : null, fine);
     }
 
-    private static TileVisibility.Allocator rows(boolean coded) {
-        return (count, textured) -> new HitRows(count, textured, coded);
+    private TileVisibility.Allocator rows(boolean coded) {
+        return (count, textured) -> new HitRows(count, textured, coded, owned);
     }
 
     /** Updates the centres of a tile's pixels as planned; null where the work was cancelled. */
@@ -119,16 +122,52 @@ final class TileWorker {
      */
     private CachedTile withCodes(SamplePlaces places, CachedTile old) {
         TileLevel[] levels = old.levels.clone();
-        HitRows seen = eye.visibility.eye(places.x0(), places.y0(), Film.TILE, rows(true));
-        eyeRays += (long) Math.min(Film.TILE, job.scene().picture().width() - places.x0())
-                * Math.min(Film.TILE, job.scene().picture().height() - places.y0());
-        levels[0] = levels[0].withCode(seen.code);
+        levels[0] = levels[0].withCode(seen(places, true).code);
         for (int k = 1; k < levels.length; k++) {
             HitRows above = levels[k - 1].rows();
             mirroredRays += above.reflective;
             levels[k] = levels[k].withCode(mirror().visibility.mirrored(above, null, rows(true)).code);
         }
         return new CachedTile(levels, old.hitShapes, old.mirrored, old.film, null);
+    }
+
+    /** What the eye rays of some places hit. */
+    private HitRows seen(SamplePlaces places, boolean coded) {
+        if (places.pixels() != null) {
+            eyeRays += places.count();
+            return eye.visibility.fine(places, rows(coded));
+        }
+        eyeRays += (long) Math.min(Film.TILE, job.scene().picture().width() - places.x0())
+                * Math.min(Film.TILE, job.scene().picture().height() - places.y0());
+        return eye.visibility.eye(places.x0(), places.y0(), Film.TILE, rows(coded));
+    }
+
+    /** A tile whose rows know whose they are where a light asks for that, and do not where none does. */
+    private CachedTile owned(SamplePlaces places, CachedTile old) {
+        boolean known = old.levels[0].rows().owner != null;
+        return !owned && !known || owned && known && job.shapes().keepsIndices() ? old
+                : new CachedTile(owned ? known ? reindexed(old) : withOwners(places, old) : withoutOwners(old), old.hitShapes,
+                        old.mirrored, old.film, old.codes);
+    }
+
+    /** What rays hit is asked again: the rows and their light are those that are known. */
+    private TileLevel[] withOwners(SamplePlaces places, CachedTile old) {
+        TileLevel[] levels = old.levels.clone();
+        levels[0] = levels[0].withOwner(seen(places, false).ownersOf(levels[0].rows()));
+        for (int k = 1; k < levels.length; k++) {
+            HitRows above = levels[k - 1].rows();
+            mirroredRays += above.reflective;
+            levels[k] = levels[k].withOwner(mirror().visibility.mirrored(above, null, rows(false)).ownersOf(levels[k].rows()));
+        }
+        return levels;
+    }
+
+    private TileLevel[] reindexed(CachedTile old) {
+        return Arrays.stream(old.levels).map(level -> level.withOwner(job.shapes().now(level.rows().owner))).toArray(TileLevel[]::new);
+    }
+
+    private static TileLevel[] withoutOwners(CachedTile old) {
+        return Arrays.stream(old.levels).map(level -> level.withOwner(null)).toArray(TileLevel[]::new);
     }
 
     private static CachedTile withoutCodes(CachedTile old) {
@@ -146,7 +185,8 @@ final class TileWorker {
      * @param codes whether anti-aliasing looks at these rows
      * @param fine  whether they are finer samples
      */
-    private CachedTile relight(SamplePlaces places, CachedTile old, boolean codes, boolean fine) {
+    private CachedTile relight(SamplePlaces places, CachedTile of, boolean codes, boolean fine) {
+        CachedTile old = owned(places, of);
         TileLevel known = old.levels[0];
         MaterialUpdate materials = job.top().plan().materials();
         RowSplice order = materials.mirrors().isIn(known.rows())
@@ -166,7 +206,7 @@ final class TileWorker {
         }
         boolean same = order == null && mirrors.cr == old.mirrored && !job.top().recolors(sorted, top.layers());
         EdgeCodes seen = !coded ? old.codes : (mirrorsStay ? coder.codes(old.codes) : coder.codes()).or(old.codes);
-        return finish(top, mirrors, same, old.film, seen, fine);
+        return finish(places, top, mirrors, same, old.film, seen, fine);
     }
 
     private void begin(boolean coded, TileLevel top) {
@@ -189,13 +229,14 @@ final class TileWorker {
      * @param film the colours of before
      * @param fine whether the rows are finer samples, whose colours only accuracy ratio keeps, to bound its errors
      */
-    private CachedTile finish(TileLevel top, Mirrors mirrors, boolean same, float[][] film, EdgeCodes codes, boolean fine) {
+    private CachedTile finish(SamplePlaces places, TileLevel top, Mirrors mirrors, boolean same, float[][] film, EdgeCodes codes,
+            boolean fine) {
         TileLevel[] levels = mirrors.levels.clone();
         levels[0] = top;
         boolean kept = !fine || job.options().accuracy() == Accuracy.RATIO;
         if (!same) {
             colors = kept ? new float[3][Film.TILE_PIXELS] : samples();
-            eye.composer.background(top.rows(), job.scene().world(), colors);
+            eye.composer.background(top.rows(), job.scene(), places, colors);
             levels[0] = eye.compose(top, job.top(), mirrors.cr, colors);
             filmBytes += kept ? 12L * Film.TILE_PIXELS : 0;
         }

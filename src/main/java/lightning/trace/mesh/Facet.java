@@ -108,4 +108,33 @@ public final class Facet {
         return c == null ? 0 : weight[0] * c[2 * vertex[0] + axis] + weight[1] * c[2 * vertex[1] + axis]
                 + weight[2] * c[2 * vertex[2] + axis];
     }
+
+    /**
+     * Writes the gradient of a texture coordinate over the triangle, {@code axis} 0 or 1, to {@code to[i … i + 2]}: with the edges e and f
+     * from the first vertex, along which it grows by p and q, and n = e × f it is (p·(f × n) + q·(n × e)) / n². 0 where there is none.
+     */
+    public void gradient(int axis, double[] to, int i) {
+        float[] p = mesh.positions();
+        float[] c = mesh.coordinates();
+        double square = nx * nx + ny * ny + nz * nz;
+        if (c == null || !(square > 0)) {
+            to[i] = 0;
+            to[i + 1] = 0;
+            to[i + 2] = 0;
+            return;
+        }
+        int a = 3 * vertex[0];
+        double growE = ((double) c[2 * vertex[1] + axis] - c[2 * vertex[0] + axis]) / square;
+        double growF = ((double) c[2 * vertex[2] + axis] - c[2 * vertex[0] + axis]) / square;
+        double x = growE * edge(p, 2, a, 0) - growF * edge(p, 1, a, 0);
+        double y = growE * edge(p, 2, a, 1) - growF * edge(p, 1, a, 1);
+        double z = growE * edge(p, 2, a, 2) - growF * edge(p, 1, a, 2);
+        to[i] = y * nz - z * ny;
+        to[i + 1] = z * nx - x * nz;
+        to[i + 2] = x * ny - y * nx;
+    }
+
+    private double edge(float[] p, int to, int from, int axis) {
+        return (double) p[3 * vertex[to] + axis] - p[from + axis];
+    }
 }

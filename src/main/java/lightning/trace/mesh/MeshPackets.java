@@ -134,12 +134,17 @@ public final class MeshPackets {
     private void everywhere(int i) {
         int leaves = tree.triangle.length / MeshTree.WIDTH;
         for (int leaf = 0; leaf < leaves; leaf++) {
-            rays.face(tree.vertex, leaf, i);
-            int slots = rays.signs(i, depth);
-            if (slots != 0 && take(i, leaf, slots) && any) {
+            if (ends(i, leaf)) {
                 return;
             }
         }
+    }
+
+    /** Asks a leaf's triangles for ray {@code i}; whether that is all there is to know. */
+    private boolean ends(int i, int leaf) {
+        rays.face(tree.vertex, leaf, i);
+        int slots = rays.signs(i, depth);
+        return slots != 0 && take(i, leaf, slots) && any;
     }
 
     /** Leads the open rays {@code i … end − 1}, whole packets, through the tree as one beam, if they are one. */
@@ -216,12 +221,8 @@ public final class MeshPackets {
                     continue;
                 }
                 top = push(next, mask, sight.in, top);
-            } else {
-                rays.face(tree.vertex, ~next, i);
-                int slots = rays.signs(i, depth);
-                if (slots != 0 && take(i, ~next, slots) && any) {
-                    return;
-                }
+            } else if (ends(i, ~next)) {
+                return;
             }
             do {
                 if (top == 0) {

@@ -28,9 +28,7 @@ final class MeshTreeBuilder {
     MeshTree tree() {
         chunks(count, (from, to) -> boxes.take(mesh, from, to));
         float[] all = TriangleBoxes.empty();
-        for (int i = 0; i < count; i++) {
-            TriangleBoxes.grow(all, 0, boxes.boxes, 6 * i);
-        }
+        boxes.enclose(0, count, all);
         TriangleSet root = count == 0 ? null
                 : ForkJoinPool.commonPool().submit(() -> split(0, count, 0, all, new TriangleSplit(boxes))).join();
         WideNodes nodes = new WideNodes(root);

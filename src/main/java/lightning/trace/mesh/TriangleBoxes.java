@@ -53,6 +53,30 @@ final class TriangleBoxes {
         }
     }
 
+    /** Writes the box of the triangles {@code from … to − 1} to {@code box}. */
+    void enclose(int from, int to, float[] box) {
+        float x = Float.POSITIVE_INFINITY;
+        float y = x;
+        float z = x;
+        float u = x;
+        float v = x;
+        float w = x;
+        for (int i = 6 * from; i < 6 * to; i += 6) {
+            x = boxes[i] < x ? boxes[i] : x;
+            y = boxes[i + 1] < y ? boxes[i + 1] : y;
+            z = boxes[i + 2] < z ? boxes[i + 2] : z;
+            u = boxes[i + 3] < u ? boxes[i + 3] : u;
+            v = boxes[i + 4] < v ? boxes[i + 4] : v;
+            w = boxes[i + 5] < w ? boxes[i + 5] : w;
+        }
+        box[0] = x;
+        box[1] = y;
+        box[2] = z;
+        box[3] = u;
+        box[4] = v;
+        box[5] = w;
+    }
+
     /** A box that holds nothing. */
     static float[] empty() {
         float[] box = new float[6];

@@ -7,8 +7,11 @@ package lightning.trace.primitive;
  * camera. That covers everything by which a ray that {@link lightning.trace.solid.Form} lets hit the primitive may miss its box:
  * the rounding of the box, of a ray that starts within the extent, and of a distance to float, together below
  * 11·2⁻²⁴ of the extent, and the error of {@code Form} in double, about 2⁻²⁶ of it where a cone is grazed.
+ * Where a primitive is far wider along one axis than along another, what rounds along the one counts for more along the
+ * other; then a share of the extent is added to its pad ({@link Slack#share}). Rays also start from where such a primitive is met:
+ * the extent holds every pad.
  *
- * <p>Where a primitive is so skewed that its inverse map hardly inverts, or a scene so large that floats
+ * <p>Where a primitive is so skewed that its inverse map hardly inverts, its share is above ½, or a scene is so large that floats
  * would overflow, boxes cannot be trusted: then all are infinite and every primitive is tested.
  */
 public final class PrimitiveBoxes {
@@ -20,18 +23,20 @@ public final class PrimitiveBoxes {
     /**
      * @param bounds what the primitives take up seen from the camera, {@code double[6 * count]}: min x y z, max x y z
      * @param slack  how far the map lets rays meet each outside of that; {@code +∞} if nobody knows
+     * @param share  how far roundings of its form do, as a share of the extent
      */
-    static float[] of(double[] bounds, double[] slack) {
+    static float[] of(double[] bounds, double[] slack, double[] share) {
         double extent = 0;
         for (int s = 0; s < slack.length; s++) {
+            double within = share[s] <= 0.5 ? 1 - share[s] : 0;
             for (int i = 6 * s; i < 6 * s + 6; i++) {
-                extent = Math.max(extent, Math.abs(bounds[i]) + slack[s]);
+                extent = Math.max(extent, (Math.abs(bounds[i]) + slack[s]) / within);
             }
         }
         boolean trusted = extent <= MAX_EXTENT;
         float[] boxes = new float[6 * slack.length];
         for (int s = 0; s < slack.length; s++) {
-            double pad = trusted ? extent * PAD + slack[s] : Double.POSITIVE_INFINITY;
+            double pad = trusted ? extent * (PAD + share[s]) + slack[s] : Double.POSITIVE_INFINITY;
             for (int i = 6 * s; i < 6 * s + 3; i++) {
                 boxes[i] = Math.nextDown((float) (bounds[i] - pad));
                 boxes[i + 3] = Math.nextUp((float) (bounds[i + 3] + pad));

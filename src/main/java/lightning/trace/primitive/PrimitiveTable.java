@@ -2,9 +2,12 @@ package lightning.trace.primitive;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import lightning.math.Transform;
 import lightning.math.Vec3;
+import lightning.scene.Material;
 import lightning.scene.PlacedShape;
+import lightning.scene.Relief;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.Stage;
@@ -40,6 +43,8 @@ public final class PrimitiveTable {
     private final byte[] kind;
     /** The mesh of each primitive that is one; null where none is. */
     private final MeshSolid[] meshes;
+    /** What bends the normals of each primitive, null for nothing; null where there is nothing at all. */
+    private final Relief[] reliefs;
     /** How far a point that was put on the primitive may lie off it because shape and camera are rounded, scene units. */
     private final double[] off;
     /** Whether the eye lies on the primitive. */
@@ -62,12 +67,13 @@ public final class PrimitiveTable {
      */
     public record Boxed(PrimitiveTable primitives, float[] boxes) {}
 
-    /** Writes to {@code bounds} and {@code slack} what {@link PrimitiveBoxes} wants. */
-    private PrimitiveTable(byte[] kind, MeshSolid[] meshes, int[] material, int[] owner, int[] at, double[] data, Stage stage, Vec3 camera,
-            double[] bounds, double[] slack) {
+    /** Writes to {@code bounds}, {@code slack} and {@code share} what {@link PrimitiveBoxes} wants. */
+    private PrimitiveTable(byte[] kind, MeshSolid[] meshes, Relief[] reliefs, int[] material, int[] owner, int[] at, double[] data,
+            Stage stage, Vec3 camera, double[] bounds, double[] slack, double[] share) {
         count = kind.length;
         this.kind = kind;
         this.meshes = meshes;
+        this.reliefs = reliefs;
         this.material = material;
         this.owner = owner;
         this.at = at;
@@ -94,6 +100,7 @@ public final class PrimitiveTable {
             }
             error[s] = far * Surface.ERROR;
             slack[s] = Slack.of(render, inverse, far);
+            share[s] = mesh(s) == null ? Slack.share(render, inverse, kind(s).form().tip(data, at[s])) : 0;
             extremes[0] = Math.max(extremes[0], far);
             Vec3 reach = reach(shape.directionsBack().absolute());
             off(s, shape, reach, bounds, place, camera);
@@ -137,20 +144,21 @@ public final class PrimitiveTable {
                 System.arraycopy(own, 0, data, at[s] + Form.MAP, own.length);
             }
         }
-        return boxed(kind, meshes, material, owner, at, data, stage, camera);
+        return boxed(kind, meshes, reliefs(stage), material, owner, at, data, stage, camera);
     }
 
-    private static Boxed boxed(byte[] kind, MeshSolid[] meshes, int[] material, int[] owner, int[] at, double[] data, Stage stage,
-            Vec3 camera) {
+    private static Boxed boxed(byte[] kind, MeshSolid[] meshes, Relief[] reliefs, int[] material, int[] owner, int[] at, double[] data,
+            Stage stage, Vec3 camera) {
         double[] bounds = new double[6 * kind.length];
         double[] slack = new double[kind.length];
-        PrimitiveTable table = new PrimitiveTable(kind, meshes, material, owner, at, data, stage, camera, bounds, slack);
-        return new Boxed(table, PrimitiveBoxes.of(bounds, slack));
+        double[] share = new double[kind.length];
+        PrimitiveTable table = new PrimitiveTable(kind, meshes, reliefs, material, owner, at, data, stage, camera, bounds, slack, share);
+        return new Boxed(table, PrimitiveBoxes.of(bounds, slack, share));
     }
 
     /**
      * Whether all that rays read of primitive {@code s} has the same bits as what they read of primitive {@code t} of another table
-     * in the same render space; materials may differ.
+     * in the same render space; materials may differ, and normals that are bent.
      */
     public boolean isAlike(int s, PrimitiveTable o, int t) {
         return kind[s] == o.kind[t] && (kind[s] != MESH || mesh(s).mesh() == o.mesh(t).mesh())
@@ -164,7 +172,7 @@ public final class PrimitiveTable {
 
     /** The same primitives seen from elsewhere. */
     public Boxed from(Vec3 camera) {
-        return boxed(kind, meshes, material, owner, at, data.clone(), stage, camera);
+        return boxed(kind, meshes, reliefs, material, owner, at, data.clone(), stage, camera);
     }
 
     /**
@@ -212,6 +220,11 @@ public final class PrimitiveTable {
         } else {
             mesh.extent(mx, my, mz, t, bounds, i);
         }
+    }
+
+    /** Whether any primitive is a mesh. */
+    public boolean hasMeshes() {
+        return meshes != null;
     }
 
     /** The mesh that primitive {@code s} is; null where it is a canonical solid. */
@@ -281,6 +294,27 @@ public final class PrimitiveTable {
         to[i + 9] = m.m21();
         to[i + 10] = m.m22();
         to[i + 11] = m.t2();
+    }
+
+    private static Relief[] reliefs(Stage stage) {
+        Map<String, Material> materials = stage.materialsByName();
+        if (materials.values().stream().allMatch(m -> m.relief().isFlat())) {
+            return null;
+        }
+        return stage.shapes().stream().map(s -> materials.get(s.material()).relief()).map(r -> r.isFlat() ? null : r)
+                .toArray(Relief[]::new);
+    }
+
+    /** What bends the normals of primitive {@code s}; null for nothing. */
+    public Relief relief(int s) {
+        return reliefs == null ? null : reliefs[s];
+    }
+
+    /** Whether normals of primitive {@code s} are bent as those of primitive {@code t} of another table. */
+    public boolean isBentAs(int s, PrimitiveTable o, int t) {
+        Relief one = relief(s);
+        Relief other = o.relief(t);
+        return one == other || one != null && other != null && one.hasNormalsOf(other);
     }
 
     /** Whether primitive {@code s} shows colours of its vertices. */

@@ -7,10 +7,8 @@ import lightning.trace.mesh.Facet;
  * surface. Reused for one after the other.
  *
  * <p><b>The normal</b> is the mean of the vertices' by their weights at the point, on the side of the triangle that is seen. A mirror
- * would send some rays into the surface by it, at the rim of what is seen; it is therefore bent towards the viewer until the mirrored
- * ray rises by at least {@link #LOW} from the triangle, or as steeply as the viewer's own ray where that is flatter (after Keller et
- * al. 2017, The Iray Light Transport Simulation and Rendering System, appendix A.3). So it faces the viewer, too. What the material
- * does not mirror gets the same normal: a material's edit must not move it.
+ * would send some rays into the surface by it, at the rim of what is seen; it is therefore {@link ShadingNormal#bend bent} afterwards.
+ * What the material does not mirror gets the same normal: a material's edit must not move it.
  *
  * <p><b>The point</b> from which shadows are asked is lifted to where the planes through the vertices at a right angle to their
  * normals are, those below it left out, by the same weights (Hanika 2021, Hacking the Shadow Terminator, Ray Tracing Gems II,
@@ -18,16 +16,11 @@ import lightning.trace.mesh.Facet;
  * the surface is hollow, nor from a vertex whose normal leads into the triangle.
  */
 final class SmoothNormal {
-    /** The sine of half a degree, about: as flat as a bent normal lets a mirrored ray leave. */
-    private static final double LOW = 0x1p-7;
-
     private final double[] x = new double[3];
     private final double[] y = new double[3];
     private final double[] z = new double[3];
-    /** Of length 1. */
-    double nx;
-    double ny;
-    double nz;
+    /** 1 where the vertices' normals lead to the side that is seen, −1 where they lead away from it. */
+    double side;
     /** How the point is lifted, scene units. */
     double liftX;
     double liftY;
@@ -38,9 +31,9 @@ final class SmoothNormal {
      *
      * @param m  the map to the mesh's own space at {@code m[i …]}, by whose transpose normals come back
      * @param gx the triangle's normal, of length 1, on the side that is seen
-     * @param dx the direction of the ray, of any length
+     * @param to gets the normal, not yet bent
      */
-    void at(Facet facet, double[] m, int i, double gx, double gy, double gz, double dx, double dy, double dz) {
+    void at(Facet facet, double[] m, int i, double gx, double gy, double gz, ShadingNormal to) {
         double sumX = 0;
         double sumY = 0;
         double sumZ = 0;
@@ -55,15 +48,14 @@ final class SmoothNormal {
             sumY += facet.weight(v) * y[v];
             sumZ += facet.weight(v) * z[v];
         }
-        double side = sumX * gx + sumY * gy + sumZ * gz < 0 ? -1 : 1;
-        lift(facet, side, gx, gy, gz);
-        if (!take(side * sumX, side * sumY, side * sumZ)) {
-            take(gx, gy, gz);
+        side = sumX * gx + sumY * gy + sumZ * gz < 0 ? -1 : 1;
+        lift(facet, gx, gy, gz);
+        if (!to.take(side * sumX, side * sumY, side * sumZ)) {
+            to.take(gx, gy, gz);
         }
-        bend(gx, gy, gz, dx, dy, dz);
     }
 
-    private void lift(Facet facet, double side, double gx, double gy, double gz) {
+    private void lift(Facet facet, double gx, double gy, double gz) {
         liftX = 0;
         liftY = 0;
         liftZ = 0;
@@ -78,39 +70,5 @@ final class SmoothNormal {
                 liftZ += by * z[v];
             }
         }
-    }
-
-    private void bend(double gx, double gy, double gz, double dx, double dy, double dz) {
-        double back = -1 / Math.sqrt(dx * dx + dy * dy + dz * dz);
-        double vx = dx * back;
-        double vy = dy * back;
-        double vz = dz * back;
-        double twice = 2 * (nx * vx + ny * vy + nz * vz);
-        double rx = twice * nx - vx;
-        double ry = twice * ny - vy;
-        double rz = twice * nz - vz;
-        double rises = rx * gx + ry * gy + rz * gz;
-        double least = Math.min(LOW, vx * gx + vy * gy + vz * gz);
-        if (rises < least) {
-            rx += (least - rises) * gx;
-            ry += (least - rises) * gy;
-            rz += (least - rises) * gz;
-            double unit = 1 / Math.sqrt(rx * rx + ry * ry + rz * rz);
-            if (!take(vx + rx * unit, vy + ry * unit, vz + rz * unit)) {
-                take(gx, gy, gz);
-            }
-        }
-    }
-
-    /** Makes a direction the normal; whether it is one. */
-    private boolean take(double toX, double toY, double toZ) {
-        double length = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
-        boolean any = length > 0 && length < Double.POSITIVE_INFINITY;
-        if (any) {
-            nx = toX / length;
-            ny = toY / length;
-            nz = toZ / length;
-        }
-        return any;
     }
 }

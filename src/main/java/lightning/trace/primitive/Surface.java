@@ -1,5 +1,6 @@
 package lightning.trace.primitive;
 
+import lightning.scene.Relief;
 import lightning.trace.mesh.Facet;
 import lightning.trace.mesh.MeshSolid;
 
@@ -11,7 +12,8 @@ import lightning.trace.mesh.MeshSolid;
  * error along the normal: twice what rounding each coordinate to float can move it that way, Σ|nᵢ·pᵢ|·2⁻²⁴, and
  * the error of the hit in double, which grows with the coordinates of the shape and of the ray's origin. Rays
  * that leave from it need no further care. The normal has length 1 and faces the incoming ray. A mesh that has normals is shaded by
- * them, and the point is lifted first ({@link SmoothNormal}).
+ * them, and the point is lifted first ({@link SmoothNormal}); one whose material has a relief by what that makes of the normal
+ * ({@link ReliefNormal}).
  */
 public final class Surface {
     /** The share of a point's coordinates, seen along the normal, by which it is moved: two float roundings. */
@@ -22,6 +24,8 @@ public final class Surface {
     private final double[] outward = new double[3];
     private final Facet facet = new Facet();
     private final SmoothNormal smooth = new SmoothNormal();
+    private final ReliefNormal tilted = new ReliefNormal();
+    private final ShadingNormal shading = new ShadingNormal();
     public double ownX;
     public double ownY;
     public double ownZ;
@@ -72,19 +76,38 @@ public final class Surface {
         nx = (float) bx;
         ny = (float) by;
         nz = (float) bz;
-        if (mesh != null && facet.isSmooth()) {
-            smooth.at(facet, m, i, bx, by, bz, dx, dy, dz);
-            nx = (float) smooth.nx;
-            ny = (float) smooth.ny;
-            nz = (float) smooth.nz;
+        boolean round = mesh != null && facet.isSmooth();
+        if (round) {
+            smooth.at(facet, m, i, bx, by, bz, shading);
             x += smooth.liftX;
             y += smooth.liftY;
             z += smooth.liftZ;
+        }
+        Relief relief = primitives.relief(s);
+        if (round || relief != null) {
+            shade(primitives, s, relief, round ? smooth.side : facing < 0 ? -1 : 1, round, bx, by, bz, dx, dy, dz);
         }
         double off = (Math.abs(x * bx) + Math.abs(y * by) + Math.abs(z * bz)) * OFFSET
                 + ((Math.abs(ox) + Math.abs(oy) + Math.abs(oz)) * ERROR + primitives.error[s]);
         px = (float) (x + bx * off);
         py = (float) (y + by * off);
         pz = (float) (z + bz * off);
+    }
+
+    /** Shades by another normal than the surface's own, by the relief and the mesh's normals, as far as there are any. */
+    private void shade(PrimitiveTable primitives, int s, Relief relief, double side, boolean round, double gx, double gy, double gz,
+            double dx, double dy, double dz) {
+        if (!round) {
+            shading.x = gx;
+            shading.y = gy;
+            shading.z = gz;
+        }
+        boolean tilts = relief != null && tilted.at(primitives, s, relief, facet, ownX, ownY, ownZ, side, shading);
+        if (round || tilts) {
+            shading.bend(gx, gy, gz, dx, dy, dz);
+            nx = (float) shading.x;
+            ny = (float) shading.y;
+            nz = (float) shading.z;
+        }
     }
 }

@@ -1,7 +1,6 @@
 package lightning.trace.primitive;
 
 import java.util.Arrays;
-import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 import lightning.trace.mesh.Facet;
 import lightning.trace.mesh.MeshSolid;
@@ -13,6 +12,7 @@ import lightning.trace.mesh.MeshSolid;
  * picture repeats endlessly; v runs upwards, from the picture's bottom row.
  */
 public final class TextureLookup {
+    private final PictureCell cell = new PictureCell();
     private final Facet facet = new Facet();
     private final double[] uv = new double[2];
 
@@ -31,7 +31,8 @@ public final class TextureLookup {
             Arrays.fill(rgb, 1);
         } else {
             coordinates(primitives, s, mesh, x, y, z);
-            bilinear(map.image(), uv[0] * map.repeatU(), uv[1] * map.repeatV(), rgb);
+            cell.at(map, uv[0], uv[1]);
+            cell.color(rgb);
         }
         if (primitives.isTinted(s)) {
             for (int c = 0; c < 3; c++) {
@@ -47,25 +48,5 @@ public final class TextureLookup {
             uv[0] = facet.coordinate(0);
             uv[1] = facet.coordinate(1);
         }
-    }
-
-    private static void bilinear(Texture image, double u, double v, float[] rgb) {
-        int width = image.width();
-        int height = image.height();
-        double column = (u - Math.floor(u)) * width - 0.5;
-        double row = (1 - (v - Math.floor(v))) * height - 0.5;
-        double left = Math.floor(column);
-        double top = Math.floor(row);
-        double across = column - left;
-        double along = row - top;
-        int x0 = wrap((int) left, width);
-        int x1 = wrap((int) left + 1, width);
-        int y0 = wrap((int) top, height);
-        int y1 = wrap((int) top + 1, height);
-        image.mix(x0, y0, x1, y1, across, along, rgb);
-    }
-
-    private static int wrap(int i, int size) {
-        return i < 0 ? i + size : i >= size ? i - size : i;
     }
 }

@@ -55,6 +55,21 @@ public abstract class Form {
     /** Writes the texture coordinates at a point on the surface, across and upwards, to {@code uv[0]} and {@code uv[1]}. */
     public abstract void coordinates(double[] data, int at, double x, double y, double z, double[] uv);
 
+    /**
+     * Writes the gradients of the texture coordinates at a point on the surface to {@code to[0 … 2]} and {@code to[3 … 5]}; what they
+     * have at a right angle to the surface means nothing. 0 where there is none.
+     */
+    public abstract void gradients(double[] data, int at, double x, double y, double z, double[] to);
+
+    /** Writes the gradient of {@link #longitude} to {@code to[0 … 2]}; 0 on the axis, which has none. */
+    static void longitudeGradient(double x, double z, double[] to) {
+        double square = 2 * Math.PI * (x * x + z * z);
+        boolean off = square > 0;
+        to[0] = off ? z / square : 0;
+        to[1] = 0;
+        to[2] = off ? -x / square : 0;
+    }
+
     /** The longitude of a point, from 0 to 1. */
     static double longitude(double x, double z) {
         return StrictMath.atan2(x, z) / (2 * Math.PI) + 0.5;

@@ -137,4 +137,19 @@ class Frustum extends Form {
         uv[0] = side ? longitude(x, z) : 0.5 * (x + 1);
         uv[1] = side ? y : 0.5 * (z + 1);
     }
+
+    @Override
+    public final void gradients(double[] data, int at, double x, double y, double z, double[] to) {
+        boolean side = isSide(data, at, x, y, z);
+        if (side) {
+            longitudeGradient(x, z, to);
+        } else {
+            to[0] = 0.5;
+            to[1] = 0;
+            to[2] = 0;
+        }
+        to[3] = 0;
+        to[4] = side ? 1 : 0;
+        to[5] = side ? 0 : 0.5;
+    }
 }

@@ -56,4 +56,14 @@ final class Plane extends Form {
         uv[0] = x + 0.5;
         uv[1] = z + 0.5;
     }
+
+    @Override
+    public void gradients(double[] data, int at, double x, double y, double z, double[] to) {
+        to[0] = 1;
+        to[1] = 0;
+        to[2] = 0;
+        to[3] = 0;
+        to[4] = 0;
+        to[5] = 1;
+    }
 }

@@ -76,4 +76,14 @@ final class Sphere extends Form {
         uv[0] = longitude(x, z);
         uv[1] = StrictMath.asin(y < -1 ? -1 : y > 1 ? 1 : y) / Math.PI + 0.5;
     }
+
+    /** Along the surface, latitude rises as y / (π·cosine of the latitude) does. */
+    @Override
+    public void gradients(double[] data, int at, double x, double y, double z, double[] to) {
+        double ring = Math.PI * Math.sqrt(x * x + z * z);
+        longitudeGradient(x, z, to);
+        to[3] = 0;
+        to[4] = ring > 0 ? 1 / ring : 0;
+        to[5] = 0;
+    }
 }

@@ -76,6 +76,80 @@ public final class Bvh {
         return moved.size() <= WORN * form.found ? moved : new Bvh(boxed);
     }
 
+    /** A tree of those primitives of another that are kept, with its boxes, in the order of its nodes; at least one is kept. */
+    private Bvh(Bvh all, boolean[] kept) {
+        primitives = all.primitives;
+        depth = all.depth;
+        found = all.found;
+        int[] below = new int[all.axis.length];
+        int count = 0;
+        // Children come after their node.
+        for (int c = all.child.length - 1; c >= 0; c--) {
+            int here = all.child[c] < 0 ? kept[~all.child[c]] ? 1 : 0 : below[all.child[c]];
+            below[c / 2] += here;
+            count += all.child[c] < 0 ? here : 0;
+        }
+        int inner = Math.max(1, count - 1);
+        child = new int[2 * inner];
+        boxes = new float[12 * inner];
+        axis = new byte[inner];
+        leaf = new int[primitives.count];
+        int only = keep(all, below, kept, 0, new int[1]);
+        if (only < 0) {
+            // One that is left alone is both children of the root.
+            child[0] = only;
+            child[1] = only;
+        }
+        for (int c = child.length - 1; c >= 0; c--) {
+            if (child[c] < 0) {
+                leaf[~child[c]] = 6 * c;
+                System.arraycopy(all.boxes, all.leaf[~child[c]], boxes, 6 * c, 6);
+            } else {
+                BvhBuilder.empty(boxes, 6 * c);
+                BvhBuilder.grow(boxes, 6 * c, boxes, 12 * child[c]);
+                BvhBuilder.grow(boxes, 6 * c, boxes, 12 * child[c] + 6);
+            }
+        }
+    }
+
+    /**
+     * Keeps what is below a child of a node of another tree that has anything to keep.
+     *
+     * @param below of each node of it how many primitives are kept
+     * @param nodes how many nodes there are here, {@code int[1]}
+     * @return what stands for it here
+     */
+    private int keep(Bvh all, int[] below, boolean[] kept, int from, int[] nodes) {
+        int at = from;
+        // Of a node with one side alone that side stands in its place.
+        while (at >= 0) {
+            int left = all.child[2 * at];
+            int right = all.child[2 * at + 1];
+            if (isKept(left, below, kept) && isKept(right, below, kept)) {
+                int node = nodes[0]++;
+                axis[node] = all.axis[at];
+                child[2 * node] = keep(all, below, kept, left, nodes);
+                child[2 * node + 1] = keep(all, below, kept, right, nodes);
+                return node;
+            }
+            at = isKept(left, below, kept) ? left : right;
+        }
+        return at;
+    }
+
+    private static boolean isKept(int child, int[] below, boolean[] kept) {
+        return child < 0 ? kept[~child] : below[child] > 0;
+    }
+
+    /**
+     * The tree that finds the same primitives but those that are left out; their indices and boxes stay.
+     *
+     * @param kept for each primitive whether it is kept: at least one is
+     */
+    public Bvh only(boolean[] kept) {
+        return primitives.count == 1 ? this : new Bvh(this, kept);
+    }
+
     private double size() {
         double size = 0;
         for (int c = 0; c < child.length; c++) {

@@ -17,9 +17,12 @@ import lightning.app.model.GizmoSize;
 import lightning.edit.Command;
 import lightning.edit.LightEdits;
 import lightning.edit.LightManipulation;
+import lightning.edit.NodeGizmo;
 import lightning.edit.PreviewCamera;
 import lightning.math.Vec3;
 import lightning.scene.Light;
+import lightning.scene.Node;
+import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.Test;
 
 class PreviewTest extends EditorDesk {
@@ -269,5 +272,38 @@ class PreviewTest extends EditorDesk {
         robot.interact(() -> model().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withPosition(new Vec3(0, 50, 0)))));
         QuickRobot.settle();
         assertThat(model().previewCameraProperty().get()).isEqualTo(before);
+    }
+
+    private NodeGizmo.Handle handle(NodeGizmo of, NodeGizmo.Act act, int axis) {
+        return of.handles().stream().filter(h -> h.act() == act && h.axis() == axis).findFirst().orElseThrow();
+    }
+
+    @Test
+    void clickOnAShape_selectsItAndAnArrowMovesIt() {
+        robot.clickOn(inPreview(new Vec3(0, 0.6, 0)));
+        waitFor("it is selected", () -> model().selectedNode().isPresent());
+        Node ball = model().selectedNode().orElseThrow();
+        assertThat(ball.name()).isEqualTo("ball");
+        PreviewCamera view = model().previewCameraProperty().get();
+        NodeGizmo gizmo = NodeGizmo.of(model().scene(), ball, view, preview().viewport()).orElseThrow();
+        Vec3 tip = handle(gizmo, NodeGizmo.Act.MOVE, 1).lines().getFirst().to();
+        Point2D from = inPreview(tip);
+        robot.moveTo(from);
+        robot.press(MouseButton.PRIMARY);
+        robot.moveTo(from.add(0, -20));
+        robot.moveTo(inPreview(tip.plus(new Vec3(0, 0.5, 0))));
+        robot.release(MouseButton.PRIMARY);
+        Vec3 at = model().selectedNode().orElseThrow().placement().at();
+        assertThat(at.x()).isZero();
+        assertThat(at.z()).isZero();
+        assertThat(at.y()).isBetween(1.4, 1.6);
+        click("go");
+        waitForPicture();
+        robot.interact(() -> model().run(Command.UPDATE_REFLECTIONS));
+        waitFor("the mirrors are current", () -> !model().enabled(Command.UPDATE_REFLECTIONS)
+                && model().situationProperty().get().inWork().isEmpty());
+        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        click("undo");
+        assertThat(model().selectedNode()).as("all of the drag was one step").contains(ball);
     }
 }

@@ -151,6 +151,25 @@ class MaterialPaneTest extends EditorDesk {
     }
 
     @Test
+    void bump_isReadBesideTheSceneMadeHigherAndTakenAway() throws IOException {
+        picture("dots.png");
+        robot.interact(() -> {
+            model().materials().choose("matt");
+            model().materials().inFrontProperty().set(true);
+        });
+        assertThat(robot.lookup("#bump-repeat-u .number-field").query().isDisabled()).isTrue();
+        type("bump", "dots.png");
+        waitFor("it is read", () -> material("matt").relief().bump().isPresent());
+        type("height .number-field", "0.2");
+        assertThat(material("matt").relief().height()).isEqualTo(0.2);
+        assertThat(material("matt").texture()).isEmpty();
+        click("go");
+        waitForPicture();
+        type("bump", " ");
+        assertThat(material("matt").relief().bump()).isEmpty();
+    }
+
+    @Test
     void textureThatIsNotThere_isRefusedInASentence() {
         type("texture", "missing.png");
         waitFor("it is refused",
@@ -162,7 +181,7 @@ class MaterialPaneTest extends EditorDesk {
     void texturesBesideTheScene_areOffered() throws IOException {
         picture("dots.png");
         robot.interact(() -> model().materials().inFrontProperty().set(true));
-        MenuButton found = robot.lookup("#textures").query();
+        MenuButton found = robot.lookup("#texture-found").query();
         robot.interact(() -> found.getOnShowing().handle(null));
         waitFor("it is seen", () -> found.getItems().stream().anyMatch(i -> "dots.png".equals(i.getText())));
         MenuItem dots = found.getItems().stream().filter(i -> "dots.png".equals(i.getText())).findFirst().orElseThrow();

@@ -120,7 +120,7 @@ class RatioBoundTest {
     void layersThatWereNotScaled_areExact() {
         LayerStamp[] fresh = {LayerStamp.fresh(ONE), null};
         assertThat(RatioBound.relative(fresh, 3, 1)).isZero();
-        assertThat(RatioBound.absolute(fresh, 4)).isZero();
+        assertThat(RatioBound.absolute(fresh, 4, 2)).isZero();
         assertThat(RatioBound.relative(new LayerStamp[0], 3, 1)).isZero();
     }
 
@@ -131,7 +131,7 @@ class RatioBoundTest {
         LayerStamp[] stamps =
                 {new LayerStamp(ONE, 2, 0x1p-100, 0x1p-101), null, LayerStamp.fresh(ONE), new LayerStamp(four, 4, 0x1p-100, 0)};
         double lost = 2 * (0x1p-100 + 0x1p-101 + 2 * Float.MIN_NORMAL) + 2 * (4 * 0x1p-100 + 2 * Float.MIN_NORMAL);
-        assertThat(RatioBound.absolute(stamps, 3)).isEqualTo(3 * lost);
+        assertThat(RatioBound.absolute(stamps, 3, 2)).isEqualTo(3 * lost);
     }
 
     /** 1.055/2.4 is the steepest that sRGB answers to a share of a value, 12.92 to a difference. */
@@ -168,7 +168,7 @@ class RatioBoundTest {
                 brightest = Math.max(brightest, value);
             }
             LayerStamp[] stamps = {RatioBound.scaled(LayerStamp.fresh(key), dim, true, false, 1)};
-            assertThat(update.errorBound()).isCloseTo(RatioBound.relative(stamps, 2, 1) * brightest + RatioBound.absolute(stamps, 3),
+            assertThat(update.errorBound()).isCloseTo(RatioBound.relative(stamps, 2, 1) * brightest + RatioBound.absolute(stamps, 3, 2),
                     within(1e-20));
             assertThat(brightest).isGreaterThan(0.1);
         }

@@ -1,0 +1,26 @@
+package lightning.app.model;
+
+import lightning.edit.Command;
+import lightning.edit.NodeEdits;
+import lightning.scene.Node;
+import lightning.scene.Scene;
+
+/** What the commands do to the selected shape or group. */
+final class NodeActions {
+    private NodeActions() {}
+
+    static void addTo(EditorModel model) {
+        model.setAction(Command.SHOW_SHAPE, () -> model.selectedNode()
+                .ifPresent(n -> model.edit(scene -> NodeEdits.visible(scene, n.name(), !n.visible())).ifPresent(model::say)));
+        model.setAction(Command.DUPLICATE_SHAPE, () -> model.selectedNode().ifPresent(n -> duplicate(model, n)));
+        model.setAction(Command.DELETE_SHAPE, () -> model.selectedNode()
+                .ifPresent(n -> model.edit(scene -> NodeEdits.delete(scene, n.name())).ifPresent(model::say)));
+    }
+
+    /** The copy is selected. */
+    private static void duplicate(EditorModel model, Node original) {
+        Scene before = model.scene();
+        model.edit(scene -> NodeEdits.duplicate(scene, original.name())).ifPresentOrElse(model::say,
+                () -> model.selectNode(NodeEdits.copyOf(before, original.name())));
+    }
+}

@@ -1,0 +1,58 @@
+package lightning.app.property;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.SeparatorMenuItem;
+import lightning.app.command.CommandItems;
+import lightning.app.model.EditorModel;
+import lightning.edit.Command;
+
+/** Offers the files of a kind that lie beside the scene, and none; what lies there is seen a moment after the menu opens. */
+final class FileMenu extends MenuButton {
+    private final EditorModel model;
+    private final Command command;
+    private final Function<Path, List<String>> names;
+    private final Consumer<String> chosen;
+
+    /**
+     * @param command what choosing one does
+     * @param names   those of a folder
+     * @param chosen  hears the name of the file; empty for none
+     */
+    FileMenu(EditorModel model, String text, Command command, Function<Path, List<String>> names, Consumer<String> chosen) {
+        super(text);
+        this.model = model;
+        this.command = command;
+        this.names = names;
+        this.chosen = chosen;
+        setOnShowing(_ -> fill());
+        offer(List.of());
+    }
+
+    private void fill() {
+        Path folder = folder(model);
+        model.files().beside(() -> names.apply(folder), this::offer, _ -> offer(List.of()));
+    }
+
+    private void offer(List<String> names) {
+        List<MenuItem> items = new ArrayList<>();
+        items.add(item("None", ""));
+        items.add(new SeparatorMenuItem());
+        names.forEach(name -> items.add(item(name, name)));
+        getItems().setAll(items);
+    }
+
+    private MenuItem item(String title, String name) {
+        return CommandItems.of(model).value(command, title, () -> chosen.accept(name));
+    }
+
+    /** The folder that the scene lies in. */
+    static Path folder(EditorModel model) {
+        return model.document().file().toAbsolutePath().getParent();
+    }
+}

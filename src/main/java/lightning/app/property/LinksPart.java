@@ -1,0 +1,100 @@
+package lightning.app.property;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import javafx.geometry.Insets;
+import javafx.scene.control.CheckBox;
+import javafx.scene.control.CustomMenuItem;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.RadioMenuItem;
+import javafx.scene.control.SeparatorMenuItem;
+import javafx.scene.control.ToggleGroup;
+import javafx.scene.layout.StackPane;
+import lightning.app.model.EditorModel;
+import lightning.app.widget.Obstacle;
+import lightning.edit.LightEdits;
+import lightning.edit.Situation;
+import lightning.scene.Group;
+import lightning.scene.Light;
+import lightning.scene.LightAttribute;
+import lightning.scene.Links;
+import lightning.scene.Node;
+
+/** Some links of the selected light: which shapes and groups, by check marks in a menu, and whether only those or all but those. */
+final class LinksPart extends StackPane {
+    /** So many shapes and groups are offered; links that name others can be written in the file. */
+    private static final int MOST = 200;
+    private static final double INDENT = 16;
+
+    private final EditorModel model;
+    private final LightAttribute<Links> attribute;
+    private final MenuButton choice = new MenuButton();
+    private final Obstacle obstacle;
+
+    LinksPart(EditorModel model, LightAttribute<Links> attribute, String what) {
+        this.model = model;
+        this.attribute = attribute;
+        choice.setId(attribute.name());
+        choice.setAccessibleText(attribute.title());
+        choice.setMaxWidth(Double.MAX_VALUE);
+        // A menu that has no item never opens.
+        choice.getItems().setAll(new SeparatorMenuItem());
+        choice.setOnShowing(_ -> fill());
+        getChildren().add(choice);
+        obstacle = new Obstacle(this, choice, what);
+        model.situationProperty().subscribe(this::show);
+    }
+
+    private void show(Situation now) {
+        choice.setText(now.selected().map(attribute::text).orElse("all"));
+        obstacle.set(now.selected().isEmpty() ? Optional.of("no light is selected") : Optional.empty());
+    }
+
+    private void fill() {
+        Light light = model.selectedLight();
+        List<MenuItem> items = new ArrayList<>();
+        if (light != null) {
+            Links links = attribute.of(light);
+            var modes = new ToggleGroup();
+            items.add(mode("All but the checked", false, links, modes));
+            items.add(mode("Only the checked", true, links, modes));
+            items.add(new SeparatorMenuItem());
+            offer(model.scene().nodes(), 0, links, items);
+        }
+        choice.getItems().setAll(items);
+    }
+
+    private RadioMenuItem mode(String title, boolean only, Links links, ToggleGroup modes) {
+        var item = new RadioMenuItem(title);
+        item.setToggleGroup(modes);
+        item.setSelected(links.only() == only);
+        item.setOnAction(_ -> set(l -> new Links(only, l.names())));
+        return item;
+    }
+
+    private void offer(List<Node> nodes, int depth, Links links, List<MenuItem> items) {
+        for (Node node : nodes) {
+            if (items.size() > MOST) {
+                return;
+            }
+            var box = new CheckBox(node.name());
+            box.setMnemonicParsing(false);
+            box.setSelected(links.names().contains(node.name()));
+            box.setPadding(new Insets(0, 0, 0, INDENT * depth));
+            box.setOnAction(_ -> set(l -> l.with(node.name(), box.isSelected())));
+            items.add(new CustomMenuItem(box, false));
+            if (node instanceof Group g) {
+                offer(g.children(), depth + 1, links, items);
+            }
+        }
+    }
+
+    private void set(UnaryOperator<Links> edit) {
+        String name = model.selectedLight().name();
+        model.edit(scene -> LightEdits.with(scene, name, light -> attribute.with(light, edit.apply(attribute.of(light)))))
+                .ifPresent(model::say);
+    }
+}

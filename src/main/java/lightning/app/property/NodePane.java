@@ -1,0 +1,133 @@
+package lightning.app.property;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javafx.scene.control.Label;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+import lightning.app.command.CommandButton;
+import lightning.app.model.EditorModel;
+import lightning.app.widget.ArrowWidget;
+import lightning.app.widget.Gauge;
+import lightning.app.widget.VectorField;
+import lightning.edit.Command;
+import lightning.edit.NodeEdits;
+import lightning.edit.Situation;
+import lightning.edit.Steps;
+import lightning.math.Vec3;
+import lightning.scene.Group;
+import lightning.scene.Limits;
+import lightning.scene.Node;
+import lightning.scene.Placement;
+import lightning.scene.Shape;
+
+/** The placement of the selected shape or group: where it stands, how it is turned, how large it is. */
+final class NodePane extends VBox {
+    private static final Optional<String> NO_SHAPE = Optional.of("no shape is selected");
+    private static final Steps DEGREES = new Steps(5, -Limits.MAX_ROTATION, Limits.MAX_ROTATION);
+
+    private final EditorModel model;
+    private final Label name = new Label();
+    private final Label about = new Label();
+    private final VectorField at;
+    private final List<ArrowWidget> turns;
+    private final VectorField scale;
+    private String shown = "";
+
+    NodePane(EditorModel model) {
+        this.model = model;
+        setId("shape");
+        getStyleClass().add("properties");
+        name.setId("shape-name");
+        name.getStyleClass().add("shape-name");
+        about.setId("shape-about");
+        about.getStyleClass().add("caption");
+        about.setWrapText(true);
+        at = vector("at", (p, v) -> new Placement(v, p.rotate(), p.scale()));
+        turns = IntStream.range(0, 3).mapToObj(this::turn).toList();
+        scale = vector("scale", (p, v) -> new Placement(p.at(), p.rotate(), v));
+        var gap = new Region();
+        HBox.setHgrow(gap, Priority.ALWAYS);
+        var row = new HBox(name, gap, CommandButton.icon(model, Command.RENAME_SHAPE));
+        row.getStyleClass().add("header-row");
+        var header = new VBox(row, about);
+        header.getStyleClass().add("light-header");
+        List<javafx.scene.Node> rotate = new ArrayList<>(turns);
+        ScrollPane scroll = Sections.scroll(header, Sections.section("Position", at),
+                Sections.section("Rotation", rotate.toArray(javafx.scene.Node[]::new)),
+                Sections.section("Scale", scale));
+        setVgrow(scroll, Priority.ALWAYS);
+        getChildren().add(scroll);
+        model.situationProperty().subscribe(this::show);
+    }
+
+    private interface WithVector {
+        Placement on(Placement placement, Vec3 v);
+    }
+
+    private VectorField vector(String property, WithVector with) {
+        var field = new VectorField(property, v -> model.edit(scene -> NodeEdits.placement(scene, shown, p -> with.on(p, v))));
+        field.setId("shape-" + property);
+        return field;
+    }
+
+    private ArrowWidget turn(int axis) {
+        String label = List.of("x", "y", "z").get(axis);
+        var widget = new ArrowWidget("About " + label + " °", "rotate " + label, Gauge.of("rotate " + label, DEGREES,
+                (degrees, gesture) -> model.edit(scene -> NodeEdits.placement(scene, shown, p -> turned(p, axis, degrees)), gesture)));
+        widget.setId("rotate-" + label);
+        return widget;
+    }
+
+    private static Placement turned(Placement p, int axis, double degrees) {
+        Vec3 r = p.rotate();
+        return new Placement(p.at(), switch (axis) {
+            case 0 -> new Vec3(degrees, r.y(), r.z());
+            case 1 -> new Vec3(r.x(), degrees, r.z());
+            default -> new Vec3(r.x(), r.y(), degrees);
+        }, p.scale());
+    }
+
+    private void show(Situation now) {
+        Optional<String> obstacle = now.node().isEmpty() ? NO_SHAPE : Optional.empty();
+        Stream.of(at, scale).forEach(f -> f.setObstacle(obstacle));
+        turns.forEach(t -> t.setObstacle(obstacle));
+        String selected = now.node().map(Node::name).orElse("");
+        if (!selected.equals(shown)) {
+            shown = selected;
+            // What was typed was meant for the other shape.
+            at.revert();
+            scale.revert();
+            turns.forEach(ArrowWidget::revert);
+        }
+        now.node().ifPresentOrElse(this::show, this::showNothing);
+    }
+
+    private void show(Node node) {
+        name.setText(node.name());
+        about.setText(switch (node) {
+            case Group g -> "Group of " + g.children().size();
+            case Shape s -> Sections.title(OutlineCell.noun(s)) + " of material " + s.material();
+        } + (node.visible() ? "" : ", hidden"));
+        at.show(node.placement().at());
+        scale.show(node.placement().scale());
+        Vec3 r = node.placement().rotate();
+        turns.get(0).show(r.x());
+        turns.get(1).show(r.y());
+        turns.get(2).show(r.z());
+    }
+
+    private void showNothing() {
+        name.setText("");
+        about.setText("Click a shape in the preview or in the list of shapes");
+        at.showNothing();
+        scale.showNothing();
+        turns.forEach(ArrowWidget::showNothing);
+    }
+}

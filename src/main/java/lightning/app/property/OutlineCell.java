@@ -1,0 +1,190 @@
+package lightning.app.property;
+
+import java.util.Optional;
+import javafx.css.PseudoClass;
+import javafx.geometry.Insets;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListCell;
+import javafx.scene.control.TextField;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.control.Tooltip;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import lightning.app.model.EditorModel;
+import lightning.edit.Command;
+import lightning.edit.NodeEdits;
+import lightning.scene.Group;
+import lightning.scene.Node;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import org.kordamp.ikonli.Ikon;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignE;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignV;
+
+/** A line of the list of shapes: kind, name, which a double click renames in place, and an eye; of a group the arrow that folds it. */
+final class OutlineCell extends ListCell<OutlineRow> {
+    private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
+    private static final PseudoClass DARK = PseudoClass.getPseudoClass("dark");
+    private static final double INDENT = 14;
+
+    private final EditorModel model;
+    private final OutlinePane pane;
+    private final Button fold = new Button();
+    private final FontIcon arrow = new FontIcon();
+    private final FontIcon kind = new FontIcon();
+    private final Label name = new Label();
+    private final TextField field = new TextField();
+    private final ToggleButton eye = LightCell.toggle("eye");
+    private final FontIcon lid = new FontIcon();
+    private final HBox row = new HBox(fold, kind, name, eye);
+    private Node shown;
+
+    OutlineCell(EditorModel model, OutlinePane pane) {
+        this.model = model;
+        this.pane = pane;
+        fold.setGraphic(arrow);
+        fold.getStyleClass().addAll("flat", "fold");
+        fold.setFocusTraversable(false);
+        fold.setOnAction(_ -> pane.fold(shown.name()));
+        kind.getStyleClass().add("light-type");
+        name.setMaxWidth(Double.MAX_VALUE);
+        HBox.setHgrow(name, Priority.ALWAYS);
+        HBox.setHgrow(field, Priority.ALWAYS);
+        eye.setGraphic(lid);
+        eye.setOnAction(_ -> {
+            model.edit(scene -> NodeEdits.visible(scene, shown.name(), !shown.visible())).ifPresent(model::say);
+            show();
+        });
+        row.getStyleClass().add("light-row");
+        model.sceneProperty().subscribe(_ -> show());
+        setOnMouseClicked(event -> {
+            if (event.getClickCount() == 2 && shown != null) {
+                model.run(Command.RENAME_SHAPE);
+            }
+        });
+        field.setAccessibleText("new name");
+        field.setOnAction(_ -> rename());
+        field.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
+            if (event.getCode() == KeyCode.ESCAPE) {
+                cancelEdit();
+                event.consume();
+            }
+        });
+        field.focusedProperty().addListener((_, wasFocused, _) -> {
+            if (wasFocused && isEditing()) {
+                cancelEdit();
+            }
+        });
+    }
+
+    @Override
+    protected void updateItem(OutlineRow item, boolean empty) {
+        super.updateItem(item, empty);
+        show();
+    }
+
+    private void show() {
+        Node node = isEmpty() || getItem() == null ? null : getItem().node(model.scene().stage());
+        setGraphic(node == null ? null : row);
+        if (node == null) {
+            setAccessibleText(null);
+        } else {
+            show(node);
+        }
+        shown = node;
+    }
+
+    private void show(Node node) {
+        // A click has switched it already, whatever came of it.
+        eye.setSelected(node.visible());
+        row.setPadding(new Insets(0, 0, 0, INDENT * getItem().depth()));
+        fold.setVisible(node instanceof Group);
+        arrow.setIconCode(pane.isUnfolded(node.name()) ? MaterialDesignC.CHEVRON_DOWN : MaterialDesignC.CHEVRON_RIGHT);
+        if (node == shown) {
+            return;
+        }
+        fold.setAccessibleText("fold or unfold " + node.name());
+        kind.setIconCode(icon(node));
+        name.setText(node.name());
+        lid.setIconCode(node.visible() ? MaterialDesignE.EYE_OUTLINE : MaterialDesignE.EYE_OFF_OUTLINE);
+        LightCell.describe(eye, node.name() + " visible", node.visible() ? "Hide it: no picture, no shadow" : "Show it again");
+        row.pseudoClassStateChanged(DARK, !node.visible());
+        setAccessibleText(node.name() + ", " + noun(node) + (node.visible() ? "" : ", hidden"));
+    }
+
+    /** What it is, for people. */
+    static String noun(Node node) {
+        return switch (node) {
+            case Group _ -> "group";
+            case Shape s -> s.solid().noun();
+        };
+    }
+
+    private static Ikon icon(Node node) {
+        return switch (node) {
+            case Group _ -> MaterialDesignF.FOLDER_OUTLINE;
+            case Shape s -> switch (s.solid()) {
+                case Solid.Sphere _ -> MaterialDesignC.CIRCLE_OUTLINE;
+                case Solid.Cone _ -> MaterialDesignC.CONE;
+                case Solid.Cylinder _ -> MaterialDesignC.CYLINDER;
+                case Solid.Frustum _ -> MaterialDesignC.CUP_OUTLINE;
+                case Solid.Plane _ -> MaterialDesignS.SQUARE_OUTLINE;
+                case Solid.Triangles _ -> MaterialDesignV.VECTOR_POLYGON;
+            };
+        };
+    }
+
+    @Override
+    public void startEdit() {
+        if (shown == null || !model.enabled(Command.RENAME_SHAPE)) {
+            return;
+        }
+        super.startEdit();
+        if (isEditing()) {
+            field.setText(shown.name());
+            mark(Optional.empty());
+            replace(name, field);
+            field.requestFocus();
+            field.selectAll();
+        }
+    }
+
+    @Override
+    public void cancelEdit() {
+        super.cancelEdit();
+        replace(field, name);
+        getListView().setEditable(false);
+        getListView().requestFocus();
+    }
+
+    private void rename() {
+        String typed = field.getText().strip();
+        Optional<String> refusal = typed.equals(shown.name()) ? Optional.empty() : pane.rename(shown.name(), typed);
+        mark(refusal);
+        if (refusal.isEmpty()) {
+            cancelEdit();
+        } else {
+            model.say(refusal.get());
+        }
+    }
+
+    private void mark(Optional<String> refusal) {
+        field.pseudoClassStateChanged(REFUSED, refusal.isPresent());
+        field.setTooltip(refusal.map(Tooltip::new).orElse(null));
+        field.setAccessibleHelp(refusal.orElse(""));
+    }
+
+    private void replace(javafx.scene.Node old, javafx.scene.Node with) {
+        int place = row.getChildren().indexOf(old);
+        if (place >= 0) {
+            row.getChildren().set(place, with);
+        }
+    }
+}

@@ -1,0 +1,36 @@
+package lightning.jen;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import lightning.scene.Attribute;
+import lightning.scene.Choice;
+import lightning.scene.Kind;
+import lightning.scene.LightAttribute;
+import lightning.scene.MaterialAttribute;
+import lightning.scene.Quantity;
+
+/**
+ * A property that names the file of a picture.
+ *
+ * @param repeat the property beside it that says how often the picture repeats; empty where there is none
+ * @param color  whether the file's samples are colours; else they are numbers
+ */
+record PictureProperty(String name, Optional<String> repeat, boolean color) {
+    /** All that there are, of all blocks: no two have the same name. */
+    static final List<PictureProperty> ALL = Stream.concat(MaterialAttribute.ALL.stream(), LightAttribute.ALL.stream())
+            .flatMap(PictureProperty::of).toList();
+
+    private static Stream<PictureProperty> of(Attribute<?, ?> attribute) {
+        return switch (attribute.kind()) {
+            case Kind.Texturing t -> Stream.of(new PictureProperty(attribute.name(), Optional.of(t.repeat()), t.color()));
+            case Kind.Projecting _ -> Stream.of(new PictureProperty(attribute.name(), Optional.empty(), true));
+            case Quantity<?> _,Choice<?> _,Kind.Linking _,Kind.Naming _,Kind.Shining _,Kind.Surrounding _ -> Stream.empty();
+        };
+    }
+
+    /** Why how often it repeats may not be said where there is no picture. */
+    String missing() {
+        return repeat.orElseThrow() + " needs a " + name + ", found none";
+    }
+}

@@ -1,0 +1,107 @@
+package lightning.scene;
+
+import java.util.Arrays;
+
+/**
+ * Luminous intensities over two angles, each over the largest of all: 0…1, never changed after construction.
+ *
+ * <p>Half planes go through a common axis, the planes; a direction lies at an angle in one of them. For {@link Type#C} the axis is that of the light, a plane
+ * has an angle of 0 … 360 degrees and a direction 0 … 180 from the axis. For {@link Type#A} and {@link Type#B} both are −90 … 90 (ANSI/IESNA
+ * LM-63-02, 3 and 5).
+ */
+public final class Photometry {
+    /** Which axis the planes share: upright, lying, that of the light. */
+    public enum Type {
+        A,
+        B,
+        C
+    }
+
+    private final Type type;
+    private final double[] vertical;
+    private final double[] horizontal;
+    private final float[] share;
+
+    /**
+     * @param vertical   degrees, increasing
+     * @param horizontal degrees, increasing; of type C from 0 to 0, 90, 180, 360, or from 90 to 270; of the others −90 or 0 to 90, or 0 alone
+     * @param candela    ≥ 0, finite, one above 0: all of the first horizontal angle, then of the next; not kept
+     */
+    public Photometry(Type type, double[] vertical, double[] horizontal, double[] candela) {
+        if (candela.length != vertical.length * horizontal.length || vertical.length == 0) {
+            throw new IllegalArgumentException(candela.length + " values at " + vertical.length + "×" + horizontal.length + " angles");
+        }
+        this.type = type;
+        this.vertical = vertical.clone();
+        this.horizontal = horizontal.clone();
+        double most = Arrays.stream(candela).max().orElseThrow();
+        share = new float[candela.length];
+        for (int i = 0; i < share.length; i++) {
+            share[i] = (float) (candela[i] / most);
+        }
+    }
+
+    public Type type() {
+        return type;
+    }
+
+    /**
+     * The share of the largest intensity in a direction, bilinear between the angles; 0 where no vertical angle reaches.
+     *
+     * @param up     the direction's vertical angle in degrees: type C 0…180, others −180…180
+     * @param across its horizontal angle in degrees: type C 0…360, others −180…180
+     */
+    public double at(double up, double across) {
+        double v = type != Type.C && vertical[0] >= 0 ? Math.abs(up) : up;
+        double h = folded(across);
+        if (!(v >= vertical[0] && v <= vertical[vertical.length - 1]) || type != Type.C && Math.abs(across) > 90) {
+            return 0;
+        }
+        int below = place(vertical, v);
+        int left = place(horizontal, h);
+        double t = between(vertical, below, v);
+        double first = column(left, below, t);
+        double s = between(horizontal, left, h);
+        return s == 0 ? first : first * (1 - s) + column(left + 1, below, t) * s;
+    }
+
+    private double column(int plane, int below, double t) {
+        int i = plane * vertical.length + below;
+        return t == 0 ? share[i] : share[i] * (1 - t) + share[i + 1] * t;
+    }
+
+    /** The horizontal angle that was measured in place of another, by the symmetry of what was. */
+    private double folded(double across) {
+        double last = horizontal[horizontal.length - 1];
+        if (type != Type.C) {
+            return horizontal[0] >= 0 ? Math.abs(across) : across;
+        }
+        if (last == 270) {
+            return across < 90 ? 180 - across : across > 270 ? 540 - across : across;
+        }
+        double half = last <= 180 && across > 180 ? 360 - across : across;
+        return last <= 90 && half > 90 ? 180 - half : half;
+    }
+
+    /** The last of the angles that is not above one, and of a single angle that. */
+    private static int place(double[] angles, double angle) {
+        int found = Arrays.binarySearch(angles, angle);
+        return Math.clamp(found >= 0 ? found : -found - 2, 0, angles.length - 1);
+    }
+
+    /** How far an angle is from that at a place to the next, 0…1. */
+    private static double between(double[] angles, int place, double angle) {
+        return place + 1 == angles.length ? 0 : Math.clamp((angle - angles[place]) / (angles[place + 1] - angles[place]), 0, 1);
+    }
+
+    @Override
+    public boolean equals(Object o) {
+        return this == o || o instanceof Photometry p && type == p.type && Arrays.equals(vertical, p.vertical)
+                && Arrays.equals(horizontal, p.horizontal) && Arrays.equals(share, p.share);
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * Arrays.hashCode(vertical) + Arrays.hashCode(horizontal);
+    }
+}

@@ -1,0 +1,84 @@
+package lightning.shading;
+
+import java.util.Arrays;
+import lightning.math.Vec3;
+import lightning.scene.Limits;
+import lightning.scene.Scene;
+import lightning.scene.World;
+import lightning.trace.CameraRays;
+import lightning.trace.HitRows;
+import lightning.trace.SamplePlaces;
+import lightning.trace.SurfacePoint;
+
+/**
+ * What rays see that hit nothing: the background, or the environment in their direction. No row exists for them, so their directions are computed
+ * anew, with the bits that they were cast with.
+ */
+final class Backdrop {
+    private final double[] direction = new double[3];
+    private final double[] color = new double[3];
+
+    /** The colour in a direction of length 1, {@code float[3]}. */
+    static float[] color(World world, Vec3 direction) {
+        float[][] to = new float[3][1];
+        new Backdrop().write(world, direction.x(), direction.y(), direction.z(), to, 0);
+        return new float[] {to[0][0], to[1][0], to[2][0]};
+    }
+
+    private void write(World world, double x, double y, double z, float[][] to, int i) {
+        if (world.environment().isEmpty()) {
+            to[0][i] = (float) world.background().r();
+            to[1][i] = (float) world.background().g();
+            to[2][i] = (float) world.background().b();
+            return;
+        }
+        world.environment().get().sky().radiance(x, y, z, world.rotation(), color);
+        for (int c = 0; c < 3; c++) {
+            to[c][i] = (float) Math.min(color[c] * world.intensity(), Limits.MAX_EMISSION);
+        }
+    }
+
+    /** Fills what the eye's rays of a tile see behind all: every place, or those without a row. */
+    void eye(HitRows rows, Scene scene, SamplePlaces places, float[][] to) {
+        if (rows.count == to[0].length) {
+            return;
+        }
+        World world = scene.world();
+        if (world.environment().isEmpty()) {
+            constant(world, to, to[0].length);
+            return;
+        }
+        var camera = new CameraRays(scene.camera(), scene.picture());
+        boolean[] hit = new boolean[to[0].length];
+        for (int i = 0; i < rows.count; i++) {
+            hit[rows.parent[i]] = true;
+        }
+        double[] dx = new double[1];
+        double[] dy = new double[1];
+        double[] dz = new double[1];
+        for (int i = 0; i < places.count(); i++) {
+            if (!hit[i]) {
+                camera.at(places.x(i), places.y(i), dx, dy, dz, 0);
+                write(world, dx[0], dy[0], dz[0], to, i);
+            }
+        }
+    }
+
+    /** Fills what the mirrored rays of a level see behind all. */
+    void mirrored(HitRows above, World world, float[][] to) {
+        if (world.environment().isEmpty()) {
+            constant(world, to, above.reflective);
+            return;
+        }
+        for (int i = 0; i < above.reflective; i++) {
+            SurfacePoint.mirror(above.nx[i], above.ny[i], above.nz[i], above.vx[i], above.vy[i], above.vz[i], direction);
+            write(world, direction[0], direction[1], direction[2], to, i);
+        }
+    }
+
+    private static void constant(World world, float[][] to, int length) {
+        Arrays.fill(to[0], 0, length, (float) world.background().r());
+        Arrays.fill(to[1], 0, length, (float) world.background().g());
+        Arrays.fill(to[2], 0, length, (float) world.background().b());
+    }
+}

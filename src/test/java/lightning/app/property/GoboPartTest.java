@@ -1,0 +1,91 @@
+package lightning.app.property;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javax.imageio.ImageIO;
+import lightning.app.EditorDesk;
+import lightning.edit.Command;
+import lightning.scene.Gobo;
+import lightning.scene.Scene;
+import lightning.shading.ReferenceTracer;
+import org.junit.jupiter.api.Test;
+
+class GoboPartTest extends EditorDesk {
+    private MenuButton choice() {
+        return robot.lookup("#gobo").query();
+    }
+
+    private void select(String light) {
+        robot.interact(() -> model().selectLight(light));
+    }
+
+    private void picture(String name) throws IOException {
+        var image = new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, 0xffffff);
+        image.setRGB(1, 1, 0xffffff);
+        ImageIO.write(image, "png", Files.createDirectories(folder.resolve("textures")).resolve(name).toFile());
+    }
+
+    private void choose(String name) {
+        robot.interact(() -> choice().getOnShowing().handle(null));
+        waitFor("it is offered", () -> choice().getItems().stream().anyMatch(i -> name.equals(i.getText())));
+        MenuItem item = choice().getItems().stream().filter(i -> name.equals(i.getText())).findFirst().orElseThrow();
+        robot.interact(item::fire);
+    }
+
+    @Test
+    void pictureBesideTheScene_isProjectedAndTakenBackByUndo() throws IOException {
+        picture("dots.png");
+        Scene before = model().scene();
+        select("stage");
+        choose("dots.png");
+        waitFor("it is read", () -> light("stage").gobo().map(Gobo::file).orElse("").equals("dots.png"));
+        assertThat(choice().getText()).isEqualTo("dots.png");
+        click("go");
+        waitForPicture();
+        robot.interact(() -> model().run(Command.UPDATE_REFLECTIONS));
+        waitFor("the mirrors are current", () -> !model().enabled(Command.UPDATE_REFLECTIONS)
+                && model().situationProperty().get().inWork().isEmpty());
+        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        click("undo");
+        assertThat(model().scene()).isEqualTo(before);
+        assertThat(choice().getText()).isEqualTo("none");
+    }
+
+    @Test
+    void none_takesItAway() throws IOException {
+        picture("dots.png");
+        select("stage");
+        choose("dots.png");
+        waitFor("it is read", () -> light("stage").gobo().isPresent());
+        choose("None");
+        waitFor("it is gone", () -> light("stage").gobo().isEmpty());
+    }
+
+    @Test
+    void lightThatIsNoSpot_projectsNothingAndSaysWhy() {
+        select("lamp");
+        assertThat(choice().isDisabled()).isTrue();
+        select("stage");
+        assertThat(choice().isDisabled()).isFalse();
+    }
+
+    @Test
+    void pictureThatIsGone_isRefusedInASentence() throws IOException {
+        picture("dots.png");
+        select("stage");
+        robot.interact(() -> choice().getOnShowing().handle(null));
+        waitFor("it is offered", () -> choice().getItems().stream().anyMatch(i -> "dots.png".equals(i.getText())));
+        Files.delete(folder.resolve("textures").resolve("dots.png"));
+        MenuItem item = choice().getItems().stream().filter(i -> "dots.png".equals(i.getText())).findFirst().orElseThrow();
+        robot.interact(item::fire);
+        waitFor("it is refused", () -> model().messageProperty().get().contains("dots.png"));
+        assertThat(light("stage").gobo()).isEmpty();
+        assertThat(isEnabled(Command.UNDO)).isFalse();
+    }
+}

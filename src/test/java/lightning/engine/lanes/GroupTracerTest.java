@@ -1,0 +1,86 @@
+package lightning.engine.lanes;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Random;
+import lightning.math.Ray;
+import lightning.trace.Geometry;
+import lightning.trace.TraceScenes;
+import lightning.trace.solid.Form;
+import lightning.trace.tree.Candidates;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+
+/** Every answer of a group is compared with the scalar functions of all shapes, bit for bit. */
+class GroupTracerTest {
+    private static final int GROUPS = 8;
+    private static final int W = RayPacket.WIDTH;
+
+    private static Candidates unknown() {
+        Candidates candidates = new Candidates();
+        candidates.tooMany = true;
+        return candidates;
+    }
+
+    /** Some rays of some packets, at least one. */
+    private static long set(Random random) {
+        long set = 0;
+        for (int k = 0; k < GroupTracer.MOST; k++) {
+            long rays = random.nextInt(3) == 0 ? 0 : random.nextBoolean() ? -1 : random.nextLong();
+            set |= (rays & -1L >>> -W) << k * W;
+        }
+        return set == 0 ? 1L << random.nextInt(64) : set;
+    }
+
+    @Property
+    void nearest_isThatOfAllShapesInEveryBit(@ForAll @IntRange(min = 1, max = 40) int shapes, @ForAll long seed) {
+        Geometry geometry = new Geometry(TraceScenes.wild(shapes, seed));
+        for (int few : new int[] {1, Integer.MAX_VALUE}) {
+            GroupTracer tracer = new GroupTracer(geometry.bvh(), few);
+            TraceRays rays = new TraceRays(geometry, seed);
+            Random random = new Random(seed);
+            for (int n = 0; n < GROUPS; n++) {
+                long set = set(random);
+                fill(tracer, rays);
+                tracer.nearest(set, unknown());
+                for (long left = set; left != 0; left &= left - 1) {
+                    RayPacket p = tracer.packets[Long.numberOfTrailingZeros(left) / W];
+                    int i = Long.numberOfTrailingZeros(left) % W;
+                    Ray ray = TraceRays.ray(p, i);
+                    int expected = geometry.nearestOfAll(ray);
+                    assertThat(p.primitive[i]).as("%s", ray).isEqualTo(expected);
+                    assertThat(PacketTracerTest.bits(p.t[i]))
+                            .isEqualTo(PacketTracerTest.bits(expected < 0 ? Form.MISS : geometry.distance(expected, ray)));
+                }
+            }
+        }
+    }
+
+    @Property
+    void blocked_isThatOfAllShapes(@ForAll @IntRange(min = 1, max = 40) int shapes, @ForAll long seed) {
+        Geometry geometry = new Geometry(TraceScenes.wild(shapes, seed));
+        for (int few : new int[] {1, Integer.MAX_VALUE}) {
+            GroupTracer tracer = new GroupTracer(geometry.bvh(), few);
+            TraceRays rays = new TraceRays(geometry, seed);
+            Random random = new Random(seed);
+            for (int n = 0; n < GROUPS; n++) {
+                long set = set(random);
+                fill(tracer, rays);
+                long expected = 0;
+                for (long left = set; left != 0; left &= left - 1) {
+                    RayPacket p = tracer.packets[Long.numberOfTrailingZeros(left) / W];
+                    int i = Long.numberOfTrailingZeros(left) % W;
+                    expected |= geometry.blockedByAny(TraceRays.ray(p, i), p.limit[i]) ? left & -left : 0;
+                }
+                assertThat(tracer.blocked(set, unknown())).isEqualTo(expected);
+            }
+        }
+    }
+
+    private static void fill(GroupTracer tracer, TraceRays rays) {
+        for (RayPacket p : tracer.packets) {
+            rays.fill(p);
+        }
+    }
+}

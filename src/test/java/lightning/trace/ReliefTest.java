@@ -1,0 +1,183 @@
+package lightning.trace;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Optional;
+import lightning.math.Ray;
+import lightning.math.Rgb;
+import lightning.math.Vec3;
+import lightning.mesh.Mesh;
+import lightning.scene.Camera;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Material;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
+import lightning.scene.Relief;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
+import lightning.scene.World;
+import lightning.shading.ReferenceTracer;
+import net.jqwik.api.Example;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.DoubleRange;
+
+/** Normals that bump and normal maps bend: against what they are on paper. */
+class ReliefTest {
+    private static final Vec3 EYE = new Vec3(0.3, 20, 30);
+    /** Rises by 1 from left to right, but for its edge. */
+    private static final Texture ACROSS = heights(4, 1, 0, 0.25f, 0.5f, 0.75f);
+    /** Rises by 1 from its bottom to its top, but for its edge. */
+    private static final Texture UPWARDS = heights(1, 4, 0.75f, 0.5f, 0.25f, 0);
+
+    @Example
+    void rampAcrossASquare_tiltsItsNormalAgainstU() {
+        Relief relief = bump(ACROSS, 0.5);
+        // Two units wide, so that it rises by a quarter of a unit each.
+        assertNormal(plane(relief, 2), new Vec3(0.01, 5, 0.02), new Vec3(0, -1, 0), new Vec3(-0.25, 1, 0));
+    }
+
+    @Example
+    void rampUpASquare_tiltsItsNormalAgainstV() {
+        assertNormal(plane(bump(UPWARDS, 0.5), 2), new Vec3(0.01, 5, 0.02), new Vec3(0, -1, 0), new Vec3(0, 1, -0.25));
+    }
+
+    @Example
+    void rampSeenFromBehind_isHollow() {
+        assertNormal(plane(bump(ACROSS, 0.5), 2), new Vec3(0.01, -5, 0.02), new Vec3(0, 1, 0), new Vec3(0.25, -1, 0));
+    }
+
+    @Example
+    void rampThatRepeatsTwiceTheOtherWay_isTwiceAsSteepTheOtherWay() {
+        Relief relief = new Relief(Optional.of(new TextureMap("a.png", -2, 1, ACROSS)), 0.5, Optional.empty(), 1);
+        assertNormal(plane(relief, 2), new Vec3(-0.49, 5, 0.02), new Vec3(0, -1, 0), new Vec3(0.5, 1, 0));
+    }
+
+    @Example
+    void rampAroundABall_tiltsByItsLongitude() {
+        Scene ball = scene(Solid.SPHERE, bump(ACROSS, 1.5), new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(3, 3, 3)));
+        assertNormal(ball, new Vec3(0, 0, 9), new Vec3(0, 0, -1), new Vec3(-1.5 / (2 * Math.PI * 3), 0, 1));
+    }
+
+    @Example
+    void rampUpABall_tiltsByItsLatitude() {
+        Scene ball = scene(Solid.SPHERE, bump(UPWARDS, 1.5), new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(3, 3, 3)));
+        assertNormal(ball, new Vec3(0, 0, 9), new Vec3(0, 0, -1), new Vec3(0, -1.5 / (Math.PI * 3), 1));
+    }
+
+    @Example
+    void rampUpACylinder_tiltsByItsHeight() {
+        Scene drum = scene(new Solid.Cylinder(true), bump(UPWARDS, 0.5), new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(1, 4, 1)));
+        assertNormal(drum, new Vec3(0, 2.01, 9), new Vec3(0, 0, -1), new Vec3(0, -0.125, 1));
+    }
+
+    @Example
+    void rampOnATriangle_tiltsByItsCoordinates() {
+        // u along x, v along −z: half a picture each unit.
+        Mesh mesh = new Mesh(new float[] {-1, 0, 1, 1, 0, 1, -1, 0, -1}, new int[] {0, 1, 2}, null, new float[] {0, 0, 1, 0, 0, 1}, null);
+        Scene scene = scene(new Solid.Triangles("a.ply", "", true, mesh), bump(ACROSS, 0.5), Placement.IDENTITY);
+        assertNormal(scene, new Vec3(-0.01, 5, 0.02), new Vec3(0, -1, 0), new Vec3(-0.25, 1, 0));
+    }
+
+    @Example
+    void leaningNormalOnASquare_leansWhereUAndVGrow() {
+        assertNormal(plane(normals(0.6f, 0, 0.8f, 1), 2), new Vec3(0.1, 5, 0.1), new Vec3(0, -1, 0), new Vec3(0.6, 0.8, 0));
+        assertNormal(plane(normals(0, 0.6f, 0.8f, 1), 2), new Vec3(0.1, 5, 0.1), new Vec3(0, -1, 0), new Vec3(0, 0.8, 0.6));
+    }
+
+    @Example
+    void leaningNormalOnAMirroredBall_leansWhereUGrows() {
+        Placement mirrored = new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(-1, 1, 1));
+        assertNormal(scene(Solid.SPHERE, normals(0.6f, 0, 0.8f, 1), mirrored), new Vec3(0, 0, 9), new Vec3(0, 0, -1),
+                new Vec3(-0.6, 0, 0.8));
+        assertNormal(scene(Solid.SPHERE, normals(0, 0.6f, 0.8f, 1), mirrored), new Vec3(0, 0, 9), new Vec3(0, 0, -1),
+                new Vec3(0, 0.6, 0.8));
+    }
+
+    @Example
+    void strength_isAFactorOnWhatLeans() {
+        assertNormal(plane(normals(0.6f, 0, 0.8f, 0.5), 2), new Vec3(0.1, 5, 0.1), new Vec3(0, -1, 0), new Vec3(0.3, 0.8, 0));
+    }
+
+    @Property(tries = 100)
+    void picturesWithoutSlope_changeNoBit(@ForAll @DoubleRange(min = -0.9, max = 0.9) double x, @ForAll @DoubleRange(min = -0.9,
+            max = 0.9) double y, @ForAll @DoubleRange(min = 0, max = 1) double height) {
+        Placement placed = new Placement(new Vec3(1, 0.2, 0), new Vec3(10, 20, 30), new Vec3(2, 3, 4));
+        Ray ray = new Ray(new Vec3(1 + x, 0.2 + y, 20).minus(EYE), new Vec3(0.01, 0.02, -1).normalized());
+        float h = (float) height;
+        SurfacePoint smooth = new Geometry(scene(Solid.SPHERE, Relief.NONE, placed)).surface(0, ray);
+        assertThat(same(smooth, new Geometry(scene(Solid.SPHERE, bump(heights(2, 2, h, h, h, h), 5), placed)).surface(0, ray))).isTrue();
+        assertThat(same(smooth, new Geometry(scene(Solid.SPHERE, normals(0, 0, 1, 5), placed)).surface(0, ray))).isTrue();
+    }
+
+    /** However steep bumps are: the surface itself is in between. */
+    @Property(tries = 30)
+    void lightBelowTheSurface_givesNothing(@ForAll @DoubleRange(min = 0.01, max = 100) double height) {
+        Relief relief = new Relief(Optional.of(new TextureMap("a.png", 3, 5, ACROSS)), height,
+                Optional.of(new TextureMap("b.png", 7, 3, heights(2, 2, 0.1f, 0.9f, 0.8f, 0.3f))), 2);
+        Vec3 light = new Vec3(4, 3, -6);
+        Scene scene = scene(Solid.SPHERE, relief, new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(2, 2, 2)))
+                .withWorld(new World(0, new Rgb(0, 0, 0))).withPicture(new Picture(24, 24, 0))
+                .withCamera(new Camera(new Vec3(0, 0, 9), Vec3.ZERO, new Vec3(0, 1, 0), 28))
+                .withLights(List.of(Light.of("sun", LightType.POINT).withPosition(light)));
+        Geometry smooth = new Geometry(scene.withMaterials(List.of(Material.of("m"))));
+        ReferenceTracer tracer = new ReferenceTracer(scene);
+        int seen = 0;
+        for (int i = 0; i < 24 * 24; i++) {
+            Ray ray = new Eye(scene).through(i % 24, i / 24);
+            if (smooth.nearestOfAll(ray) >= 0) {
+                SurfacePoint at = smooth.surfaceOfAll(0, ray);
+                Vec3 way = light.minus(smooth.toScene(new Vec3(at.px(), at.py(), at.pz())));
+                if (way.normalized().dot(new Vec3(at.nx(), at.ny(), at.nz())) < -1e-3) {
+                    seen++;
+                    assertThat(tracer.pixel(i % 24, i / 24)).containsExactly(0, 0, 0);
+                }
+            }
+        }
+        assertThat(seen).isGreaterThan(100);
+    }
+
+    private static boolean same(SurfacePoint a, SurfacePoint b) {
+        return a.nx() == b.nx() && a.ny() == b.ny() && a.nz() == b.nz() && a.px() == b.px() && a.py() == b.py() && a.pz() == b.pz();
+    }
+
+    private static void assertNormal(Scene scene, Vec3 from, Vec3 direction, Vec3 expected) {
+        SurfacePoint at = new Geometry(scene).surface(0, new Ray(from.minus(EYE), direction));
+        Vec3 unit = expected.normalized();
+        assertThat((double) at.nx()).isCloseTo(unit.x(), within(1e-6));
+        assertThat((double) at.ny()).isCloseTo(unit.y(), within(1e-6));
+        assertThat((double) at.nz()).isCloseTo(unit.z(), within(1e-6));
+    }
+
+    private static Scene plane(Relief relief, double size) {
+        return scene(Solid.PLANE, relief, new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(size, 1, size)));
+    }
+
+    private static Scene scene(Solid solid, Relief relief, Placement placement) {
+        return new Scene(Picture.DEFAULT, new Camera(EYE, Vec3.ZERO, new Vec3(0, 1, 0), 40), World.DEFAULT,
+                List.of(Material.of("m").withRelief(relief)), List.of(new Shape(solid, "shape", "m", placement)), List.of());
+    }
+
+    private static Relief bump(Texture image, double height) {
+        return new Relief(Optional.of(new TextureMap("a.png", 1, 1, image)), height, Optional.empty(), 1);
+    }
+
+    private static Relief normals(float x, float y, float z, double strength) {
+        Texture image = new Texture(1, 1, new float[] {(x + 1) / 2, (y + 1) / 2, (z + 1) / 2});
+        return new Relief(Optional.empty(), 1, Optional.of(new TextureMap("n.png", 1, 1, image)), strength);
+    }
+
+    private static Texture heights(int width, int height, float... grey) {
+        float[] rgb = new float[3 * grey.length];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = grey[i / 3];
+        }
+        return new Texture(width, height, rgb);
+    }
+}
