@@ -86,14 +86,14 @@ public final class Renderer implements AutoCloseable {
 
     private PlannedUpdate plan(Scene wanted, boolean mirrors) {
         long start = System.nanoTime();
-        PixelCache base = unfinished == null ? cache : unfinished.base(cache, wanted, mirrors);
-        UpdatePlan difference = difference(base, wanted, mirrors);
-        UpdatePlan told = difference instanceof UpdatePlan.Nothing && converts() ? new Conversion(cache, options).plan() : difference;
-        return new PlannedUpdate(wanted, mirrors, difference, told, base, cache, System.nanoTime() - start);
+        Unfinished.Start way = unfinished == null ? new Unfinished.Start(cache, difference(wanted, mirrors))
+                : unfinished.start(cache, wanted, mirrors);
+        UpdatePlan told = way.plan() instanceof UpdatePlan.Nothing && converts() ? new Conversion(cache, options).plan() : way.plan();
+        return new PlannedUpdate(wanted, mirrors, way.plan(), told, way.from(), cache, System.nanoTime() - start);
     }
 
-    private UpdatePlan difference(PixelCache base, Scene wanted, boolean mirrors) {
-        return Dispatcher.plan(base, wanted, mirrors, options.accuracy());
+    private UpdatePlan difference(Scene wanted, boolean mirrors) {
+        return Dispatcher.plan(cache, wanted, mirrors, options.accuracy());
     }
 
     private boolean converts() {
@@ -276,7 +276,7 @@ public final class Renderer implements AutoCloseable {
         if (converts() && !(plan instanceof UpdatePlan.FirstPass)) {
             work = work.plus(convert(new Conversion(cache, options), progress));
             // The same lights and rows, but layers are known in another way.
-            plan = difference(cache, wanted, planned.mirrors);
+            plan = difference(wanted, planned.mirrors);
         }
         UpdatePlan told = plan instanceof UpdatePlan.Nothing ? planned.update() : plan;
         work = work.plus(switch (plan) {

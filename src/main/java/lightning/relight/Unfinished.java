@@ -35,22 +35,35 @@ record Unfinished(PixelCache whole, UpdatePlan plan, Tally work, long nanosecond
     }
 
     /**
-     * What an update to a scene goes on from: the centres known, or, where the samples could then not follow, the whole picture.
+     * What an update goes on from, and how.
+     *
+     * @param from the newest picture, or the whole one before it
+     */
+    record Start(PixelCache from, UpdatePlan plan) {}
+
+    /**
+     * How an update gets to a scene: from the centres known, or, where the samples could then not follow, from the whole picture.
      * They follow where both ways lead to layers that were computed for the same lights: a light that changed and then ceased to
-     * shine leaves older layers behind.
+     * shine leaves older layers behind. Both ways lead to the same mirrors: where a change of depth makes them anew they show the
+     * wanted scene, though the whole picture may have the wanted depth already, and no reason of its own to touch them.
      *
      * @param centers the newest picture, of centres alone
      * @param mirrors whether mirror images shall show the wanted scene too
      */
-    PixelCache base(PixelCache centers, Scene wanted, boolean mirrors) {
-        if (whole == null || !(Dispatcher.plan(centers, wanted, mirrors, Accuracy.EXACT) instanceof UpdatePlan.Relight next)
-                || next.resampled() || !mirrorsFollow(centers, next, wanted)) {
-            return centers;
+    Start start(PixelCache centers, Scene wanted, boolean mirrors) {
+        UpdatePlan fromCenters = Dispatcher.plan(centers, wanted, mirrors, Accuracy.EXACT);
+        Start goesOn = new Start(centers, fromCenters);
+        if (whole == null || !(fromCenters instanceof UpdatePlan.Relight next) || next.resampled()
+                || !mirrorsFollow(centers, next, wanted)) {
+            return goesOn;
         }
-        return switch (Dispatcher.plan(whole, wanted, mirrors, Accuracy.EXACT)) {
-            case UpdatePlan.Nothing _,UpdatePlan.FirstPass _ -> whole;
-            case UpdatePlan.Relight all -> leadAlike(centers, next, all) ? centers : whole;
-        };
+        UpdatePlan fromWhole = Dispatcher.plan(whole, wanted, mirrored(centers, next, wanted).equals(wanted), Accuracy.EXACT);
+        return fromWhole instanceof UpdatePlan.Relight all && leadAlike(centers, next, all) ? goesOn : new Start(whole, fromWhole);
+    }
+
+    /** What mirrors show after an update of the centres. */
+    private static Scene mirrored(PixelCache centers, UpdatePlan.Relight next, Scene wanted) {
+        return next.mirrors() == null ? centers.mirroredScene() : wanted;
     }
 
     /**
@@ -58,7 +71,7 @@ record Unfinished(PixelCache whole, UpdatePlan plan, Tally work, long nanosecond
      * where a change of depth made them anew between two edits that leave mirrors alone.
      */
     boolean mirrorsFollow(PixelCache centers, UpdatePlan.Relight next, Scene wanted) {
-        Scene mirrored = next.mirrors() == null ? centers.mirroredScene() : wanted;
+        Scene mirrored = mirrored(centers, next, wanted);
         return whole == null || mirrored.equals(wanted)
                 || mirrored.equals(whole.mirroredScene()) && whole.scene().picture().depth() == wanted.picture().depth();
     }

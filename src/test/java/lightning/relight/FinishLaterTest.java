@@ -201,6 +201,32 @@ class FinishLaterTest {
     }
 
     @Test
+    void depthTakenBackBeforeTheSamples_leavesMirrorsThatShowTheScene() {
+        Scene lit = key(0.5, true);
+        Scene dark = key(0.5, false);
+        Options options = Options.DEFAULT.withReflections(Reflections.STALE);
+        try (Renderer later = new Renderer(options); Renderer atOnce = new Renderer(options)) {
+            for (Renderer renderer : List.of(later, atOnce)) {
+                renderer.render(studio(), Progress.NONE);
+                renderer.render(lit, Progress.NONE);
+                renderer.render(dark, Progress.NONE);
+                // Mirrors show that the light is off, but what is known of it there is of the intensity before.
+                renderer.updateReflections(Progress.NONE);
+            }
+            for (Scene scene : List.of(dark.withPicture(dark.picture().withDepth(0)), lit)) {
+                centers(later, scene);
+                atOnce.render(scene, Progress.NONE);
+            }
+            if (!later.isFinished()) {
+                later.finish(Progress.NONE);
+            }
+            assertThat(later.reflectionsAreCurrent()).isEqualTo(atOnce.reflectionsAreCurrent()).isTrue();
+            FilmAssert.assertSameBits(later.film(), atOnce.film(), "depth-and-back");
+            FilmAssert.assertSameBits(later.film(), new ReferenceTracer(lit).trace(), "depth-and-back");
+        }
+    }
+
+    @Test
     void anotherAccuracyBeforeTheSamples_isAnUpdateOfTheFinishedPicture() {
         try (Renderer renderer = new Renderer(Options.DEFAULT)) {
             renderer.render(studio(), Progress.NONE);
