@@ -1,20 +1,14 @@
 package lightning.app.property;
 
 import java.util.Locale;
-import java.util.Optional;
 import java.util.function.BiFunction;
 import javafx.collections.ObservableSet;
 import javafx.css.PseudoClass;
-import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
-import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
-import javafx.scene.input.KeyCode;
-import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.Paints;
@@ -31,7 +25,6 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
  * bank, or out of one.
  */
 final class LightCell extends ListCell<RigRow> {
-    private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
     private static final PseudoClass DARK = PseudoClass.getPseudoClass("dark");
     private static final PseudoClass MEMBER = PseudoClass.getPseudoClass("member");
 
@@ -39,7 +32,7 @@ final class LightCell extends ListCell<RigRow> {
     private final FontIcon type = new FontIcon();
     private final Region chip = new Region();
     private final Label name = new Label();
-    private final TextField field = new TextField();
+    private final NameField field;
     private final ToggleButton solo = toggle("solo");
     private final ToggleButton on = toggle("on");
     private final FontIcon bulb = new FontIcon();
@@ -54,9 +47,8 @@ final class LightCell extends ListCell<RigRow> {
         LightDrag.between(this, model);
         type.getStyleClass().add("light-type");
         chip.getStyleClass().add("light-chip");
-        name.setMaxWidth(Double.MAX_VALUE);
-        HBox.setHgrow(name, Priority.ALWAYS);
-        HBox.setHgrow(field, Priority.ALWAYS);
+        field = new NameField(model, name, (old, typed) -> model.edit(scene -> LightEdits.rename(scene, old, typed)), this::cancelEdit,
+                this::leave);
         solo.setGraphic(new FontIcon(MaterialDesignA.ALPHA_S_CIRCLE));
         solo.setOnAction(_ -> edit((scene, light) -> LightEdits.solo(scene, light, solo.isSelected())));
         on.setGraphic(bulb);
@@ -67,19 +59,6 @@ final class LightCell extends ListCell<RigRow> {
         setOnMouseClicked(event -> {
             if (event.getClickCount() == 2 && getItem() instanceof RigRow.OfLight) {
                 model.run(Command.RENAME_LIGHT);
-            }
-        });
-        field.setAccessibleText("new name");
-        field.setOnAction(_ -> rename());
-        field.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
-            if (event.getCode() == KeyCode.ESCAPE) {
-                cancelEdit();
-                event.consume();
-            }
-        });
-        field.focusedProperty().addListener((_, wasFocused, _) -> {
-            if (wasFocused && isEditing()) {
-                cancelEdit();
             }
         });
     }
@@ -167,46 +146,22 @@ final class LightCell extends ListCell<RigRow> {
             return;
         }
         super.startEdit();
-        if (!isEditing()) {
-            return;
+        if (isEditing()) {
+            field.open(shown.name());
         }
-        field.setText(shown.name());
-        mark(Optional.empty());
-        replace(name, field);
-        field.requestFocus();
-        field.selectAll();
     }
 
     @Override
     public void cancelEdit() {
         super.cancelEdit();
-        replace(field, name);
+        field.close();
         getListView().setEditable(false);
         getListView().requestFocus();
     }
 
-    private void rename() {
-        String old = shown.name();
-        String typed = field.getText().strip();
-        Optional<String> refusal = model.edit(scene -> LightEdits.rename(scene, old, typed));
-        mark(refusal);
-        if (refusal.isEmpty()) {
+    private void leave() {
+        if (isEditing()) {
             cancelEdit();
-        } else {
-            model.say(refusal.get());
-        }
-    }
-
-    private void mark(Optional<String> refusal) {
-        field.pseudoClassStateChanged(REFUSED, refusal.isPresent());
-        field.setTooltip(refusal.map(Tooltip::new).orElse(null));
-        field.setAccessibleHelp(refusal.orElse(""));
-    }
-
-    private void replace(Node old, Node with) {
-        int place = row.getChildren().indexOf(old);
-        if (place >= 0) {
-            row.getChildren().set(place, with);
         }
     }
 }

@@ -6,13 +6,9 @@ import javafx.geometry.Insets;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
-import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
-import javafx.scene.input.KeyCode;
-import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import lightning.app.model.EditorModel;
 import lightning.edit.Command;
 import lightning.edit.NodeEdits;
@@ -30,7 +26,6 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignV;
 
 /** A line of the list of shapes: kind, name, which a double click renames in place, and an eye; of a group the arrow that folds it. */
 final class OutlineCell extends ListCell<OutlineRow> {
-    private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
     private static final PseudoClass DARK = PseudoClass.getPseudoClass("dark");
     private static final double INDENT = 14;
 
@@ -40,7 +35,7 @@ final class OutlineCell extends ListCell<OutlineRow> {
     private final FontIcon arrow = new FontIcon();
     private final FontIcon kind = new FontIcon();
     private final Label name = new Label();
-    private final TextField field = new TextField();
+    private final NameField field;
     private final ToggleButton eye = LightCell.toggle("eye");
     private final FontIcon lid = new FontIcon();
     private final HBox row = new HBox(fold, kind, name, eye);
@@ -54,9 +49,8 @@ final class OutlineCell extends ListCell<OutlineRow> {
         fold.setFocusTraversable(false);
         fold.setOnAction(_ -> pane.fold(shown.name()));
         kind.getStyleClass().add("light-type");
-        name.setMaxWidth(Double.MAX_VALUE);
-        HBox.setHgrow(name, Priority.ALWAYS);
-        HBox.setHgrow(field, Priority.ALWAYS);
+        field = new NameField(model, name, (old, typed) -> typed.equals(old) ? Optional.empty() : pane.rename(old, typed), this::cancelEdit,
+                this::leave);
         eye.setGraphic(lid);
         eye.setOnAction(_ -> {
             model.edit(scene -> NodeEdits.visible(scene, shown.name(), !shown.visible())).ifPresent(model::say);
@@ -67,19 +61,6 @@ final class OutlineCell extends ListCell<OutlineRow> {
         setOnMouseClicked(event -> {
             if (event.getClickCount() == 2 && shown != null) {
                 model.run(Command.RENAME_SHAPE);
-            }
-        });
-        field.setAccessibleText("new name");
-        field.setOnAction(_ -> rename());
-        field.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
-            if (event.getCode() == KeyCode.ESCAPE) {
-                cancelEdit();
-                event.consume();
-            }
-        });
-        field.focusedProperty().addListener((_, wasFocused, _) -> {
-            if (wasFocused && isEditing()) {
-                cancelEdit();
             }
         });
     }
@@ -148,43 +129,21 @@ final class OutlineCell extends ListCell<OutlineRow> {
         }
         super.startEdit();
         if (isEditing()) {
-            field.setText(shown.name());
-            mark(Optional.empty());
-            replace(name, field);
-            field.requestFocus();
-            field.selectAll();
+            field.open(shown.name());
         }
     }
 
     @Override
     public void cancelEdit() {
         super.cancelEdit();
-        replace(field, name);
+        field.close();
         getListView().setEditable(false);
         getListView().requestFocus();
     }
 
-    private void rename() {
-        String typed = field.getText().strip();
-        Optional<String> refusal = typed.equals(shown.name()) ? Optional.empty() : pane.rename(shown.name(), typed);
-        mark(refusal);
-        if (refusal.isEmpty()) {
+    private void leave() {
+        if (isEditing()) {
             cancelEdit();
-        } else {
-            model.say(refusal.get());
-        }
-    }
-
-    private void mark(Optional<String> refusal) {
-        field.pseudoClassStateChanged(REFUSED, refusal.isPresent());
-        field.setTooltip(refusal.map(Tooltip::new).orElse(null));
-        field.setAccessibleHelp(refusal.orElse(""));
-    }
-
-    private void replace(javafx.scene.Node old, javafx.scene.Node with) {
-        int place = row.getChildren().indexOf(old);
-        if (place >= 0) {
-            row.getChildren().set(place, with);
         }
     }
 }
