@@ -1,6 +1,5 @@
 package lightning.fulltrace;
 
-import java.util.Arrays;
 import lightning.effects.ViewEffects;
 import lightning.engine.Engine;
 import lightning.image.Film;
@@ -59,11 +58,6 @@ final class TileTracer {
             visibility = new TileVisibility(geometry, scene, tracer);
             kernel = new LightKernel(geometry, tracer, engine.terms(), ViewEffects.ALL);
             composer = new TileComposer(materials, engine.sums(), ViewEffects.ALL);
-        }
-
-        /** Whether rows must know whose they are. */
-        boolean isLinked() {
-            return Arrays.stream(lights).anyMatch(l -> !l.light().illuminates().isAll());
         }
     }
 
@@ -167,7 +161,7 @@ final class TileTracer {
     private HitRows level(int k) {
         if (levels[k] == null) {
             levels[k] = new HitRows(Film.TILE_PIXELS, true, sampling.antialias() == Antialias.EDGES,
-                    eye.isLinked() || mirrors.isLinked());
+                    Luminaire.anyLinked(eye.lights) || Luminaire.anyLinked(mirrors.lights));
         }
         return levels[k];
     }

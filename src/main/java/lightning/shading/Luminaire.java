@@ -1,5 +1,6 @@
 package lightning.shading;
 
+import java.util.Arrays;
 import lightning.math.Rgb;
 import lightning.scene.Light;
 import lightning.scene.Scene;
@@ -25,6 +26,11 @@ public record Luminaire(Light light, float red, float green, float blue, Lamp la
     /** Prepares all lights of a scene, in its order. */
     public static Luminaire[] all(Scene scene) {
         return scene.rig().actingLights().stream().map(light -> of(light, scene)).toArray(Luminaire[]::new);
+    }
+
+    /** Whether any of them shines on some shapes alone, so that rows must know whose they are. */
+    public static boolean anyLinked(Luminaire[] lights) {
+        return Arrays.stream(lights).anyMatch(l -> !l.light().illuminates().isAll());
     }
 
     /** Prepares a light as if it were on and no other were solo. */

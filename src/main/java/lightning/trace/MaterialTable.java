@@ -145,7 +145,7 @@ public final class MaterialTable {
 
     /** Whether it is of the model {@link lightning.scene.SurfaceModel#METALLIC}. */
     public boolean isMetallic(int m) {
-        return materials.get(m).isMetallic();
+        return metal != null && materials.get(m).isMetallic();
     }
 
     /** Whether rows of it have specular terms. */

@@ -97,18 +97,7 @@ final class GroupedTracer extends LaneTracer {
 
     @Override
     public void blocked(HitRows rows, int[] chosen, Ways ways, Candidates candidates, int[] blocked) {
-        start(ways.end());
-        for (int b = 0, row = 0; row < rows.count; b++, row += WORD) {
-            blocked[b] = 0;
-            for (int part = 0; chosen[b] != 0 && part < WORD; part += W) {
-                int asked = chosen[b] >>> part & -1 >>> -W;
-                if (asked != 0) {
-                    load(rows, ways, row + part, asked, packet[count]);
-                    add(b, part, asked, candidates, blocked);
-                }
-            }
-        }
-        ask(candidates, blocked);
+        blocked(rows, chosen, ways.end(), (row, asked, p) -> load(rows, ways, row, asked, p), candidates, blocked);
     }
 
     @Override
@@ -117,14 +106,25 @@ final class GroupedTracer extends LaneTracer {
             super.blocked(rows, chosen, ways, candidates, blocked);
             return;
         }
-        start(WayEnd.OPEN);
+        blocked(rows, chosen, WayEnd.OPEN, (row, asked, p) -> {
+            load(rows, ways, row, p);
+            limit(asked, ways.limit(), p);
+        }, candidates, blocked);
+    }
+
+    /** Fills a packet with the ways of the rows from {@code row} on, of which bits of {@code asked} are asked. */
+    private interface Loading {
+        void load(int row, int asked, RayPacket packet);
+    }
+
+    private void blocked(HitRows rows, int[] chosen, WayEnd end, Loading loading, Candidates candidates, int[] blocked) {
+        start(end);
         for (int b = 0, row = 0; row < rows.count; b++, row += WORD) {
             blocked[b] = 0;
             for (int part = 0; chosen[b] != 0 && part < WORD; part += W) {
                 int asked = chosen[b] >>> part & -1 >>> -W;
                 if (asked != 0) {
-                    load(rows, ways, row + part, packet[count]);
-                    limit(asked, ways.limit(), packet[count]);
+                    loading.load(row + part, asked, packet[count]);
                     add(b, part, asked, candidates, blocked);
                 }
             }

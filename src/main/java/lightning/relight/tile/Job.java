@@ -1,9 +1,9 @@
 package lightning.relight.tile;
 
-import java.util.Arrays;
 import lightning.image.Film;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
+import lightning.shading.Luminaire;
 import lightning.trace.ShapeChange;
 import lightning.work.Progress;
 
@@ -32,11 +32,7 @@ public record Job(PreparedScene shown, PreparedScene mirrored, Options options, 
 
     /** Whether rows must know whose they are. */
     boolean owned() {
-        return isLinked(shown) || isLinked(mirrored);
-    }
-
-    private static boolean isLinked(PreparedScene scene) {
-        return Arrays.stream(scene.lights()).anyMatch(l -> !l.light().illuminates().isAll());
+        return Luminaire.anyLinked(shown.lights()) || Luminaire.anyLinked(mirrored.lights());
     }
 
     int depth() {

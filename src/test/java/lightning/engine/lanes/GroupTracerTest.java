@@ -36,51 +36,59 @@ class GroupTracerTest {
     @Property
     void nearest_isThatOfAllShapesInEveryBit(@ForAll @IntRange(min = 1, max = 40) int shapes, @ForAll long seed) {
         Geometry geometry = new Geometry(TraceScenes.wild(shapes, seed));
-        for (int few : new int[] {1, Integer.MAX_VALUE}) {
-            GroupTracer tracer = new GroupTracer(geometry.bvh(), few);
-            TraceRays rays = new TraceRays(geometry, seed);
-            Random random = new Random(seed);
-            for (int n = 0; n < GROUPS; n++) {
-                long set = set(random);
-                fill(tracer, rays);
-                tracer.nearest(set, unknown());
-                for (long left = set; left != 0; left &= left - 1) {
-                    RayPacket p = tracer.packets[Long.numberOfTrailingZeros(left) / W];
-                    int i = Long.numberOfTrailingZeros(left) % W;
-                    Ray ray = TraceRays.ray(p, i);
-                    int expected = geometry.nearestOfAll(ray);
-                    assertThat(p.primitive[i]).as("%s", ray).isEqualTo(expected);
-                    assertThat(PacketTracerTest.bits(p.t[i]))
-                            .isEqualTo(PacketTracerTest.bits(expected < 0 ? Form.MISS : geometry.distance(expected, ray)));
-                }
-            }
-        }
+        asked(geometry, seed, (tracer, set) -> {
+            tracer.nearest(set, unknown());
+            each(tracer, set, (p, i, _) -> {
+                Ray ray = TraceRays.ray(p, i);
+                int expected = geometry.nearestOfAll(ray);
+                assertThat(p.primitive[i]).as("%s", ray).isEqualTo(expected);
+                assertThat(PacketTracerTest.bits(p.t[i]))
+                        .isEqualTo(PacketTracerTest.bits(expected < 0 ? Form.MISS : geometry.distance(expected, ray)));
+            });
+        });
     }
 
     @Property
     void blocked_isThatOfAllShapes(@ForAll @IntRange(min = 1, max = 40) int shapes, @ForAll long seed) {
         Geometry geometry = new Geometry(TraceScenes.wild(shapes, seed));
+        asked(geometry, seed, (tracer, set) -> {
+            long blocked = tracer.blocked(set, unknown());
+            each(tracer, set, (p, i, bit) -> assertThat((blocked & bit) != 0)
+                    .isEqualTo(geometry.blockedByAny(TraceRays.ray(p, i), p.limit[i])));
+            assertThat(blocked & ~set).isZero();
+        });
+    }
+
+    /** What is asked of a group's rays in a set. */
+    private interface Question {
+        void ask(GroupTracer tracer, long set);
+    }
+
+    /** Looks at ray {@code i} of a packet, which is the group's ray of that bit. */
+    private interface Look {
+        void at(RayPacket packet, int i, long bit);
+    }
+
+    /** Fills groups, that go down the tree and that ask all shapes, with rays, some of which are asked. */
+    private static void asked(Geometry geometry, long seed, Question question) {
         for (int few : new int[] {1, Integer.MAX_VALUE}) {
             GroupTracer tracer = new GroupTracer(geometry.bvh(), few);
             TraceRays rays = new TraceRays(geometry, seed);
             Random random = new Random(seed);
             for (int n = 0; n < GROUPS; n++) {
                 long set = set(random);
-                fill(tracer, rays);
-                long expected = 0;
-                for (long left = set; left != 0; left &= left - 1) {
-                    RayPacket p = tracer.packets[Long.numberOfTrailingZeros(left) / W];
-                    int i = Long.numberOfTrailingZeros(left) % W;
-                    expected |= geometry.blockedByAny(TraceRays.ray(p, i), p.limit[i]) ? left & -left : 0;
+                for (RayPacket p : tracer.packets) {
+                    rays.fill(p);
                 }
-                assertThat(tracer.blocked(set, unknown())).isEqualTo(expected);
+                question.ask(tracer, set);
             }
         }
     }
 
-    private static void fill(GroupTracer tracer, TraceRays rays) {
-        for (RayPacket p : tracer.packets) {
-            rays.fill(p);
+    private static void each(GroupTracer tracer, long set, Look look) {
+        for (long left = set; left != 0; left &= left - 1) {
+            int ray = Long.numberOfTrailingZeros(left);
+            look.at(tracer.packets[ray / W], ray % W, left & -left);
         }
     }
 }
