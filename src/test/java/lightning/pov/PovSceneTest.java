@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lightning.jen.JenReader;
@@ -16,10 +17,12 @@ import lightning.sample.SceneArbitraries;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
 import lightning.scene.Node;
+import lightning.scene.Panorama;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.Sky;
 import lightning.scene.Solid;
 import lightning.scene.World;
 import net.jqwik.api.Arbitrary;
@@ -74,6 +77,24 @@ class PovSceneTest {
     void nameOfTheFile_isInNoWayPartOfTheSyntax() throws Exception {
         PovScene pov = PovScene.of(JenReader.read(Path.of("scenes/bird.jen")).scene(), "a\"b\\c\nd");
         assertThat(pov.text()).doesNotContain("a\"b", "\\c");
+    }
+
+    /** POV-Ray 3.7's manual, "map_type 1": the picture begins at x, and goes about y towards z. */
+    @Property(tries = 50, edgeCases = EdgeCasesMode.NONE)
+    void environment_isTurnedToWhereItIsSeen(@ForAll @DoubleRange(min = -360, max = 360) double rotation) {
+        Sky sky = new Sky(4, 1, new float[] {1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0});
+        World world = World.DEFAULT.withEnvironment(Optional.of(new Panorama("a\"b.hdr", sky))).withRotation(rotation);
+        String text = PovScene.of(new Scene(Picture.DEFAULT, Camera.DEFAULT, world, List.of(), List.of(), List.of()), "x").text();
+        assertThat(text).contains("hdr \"a\\\"b.hdr\" map_type 1");
+        Matcher turn = Pattern.compile("sky_sphere[^r]*rotate <0, (.*), 0>").matcher(text.replace("hdr", "").replace("interpolate", ""));
+        assertThat(turn.find()).isTrue();
+        for (int column = 0; column < 4; column++) {
+            // A turn by +90 degrees about y takes z to x in POV-Ray, and an angle from x towards z becomes smaller.
+            double angle = Math.toRadians(360 * (column + 0.5) / 4 - Double.parseDouble(turn.group(1)));
+            double[] seen = new double[3];
+            sky.radiance(Math.cos(angle), 0, Math.sin(angle), rotation, seen);
+            assertThat(seen[0]).isEqualTo(column + 1, within(1e-9));
+        }
     }
 
     @Test
