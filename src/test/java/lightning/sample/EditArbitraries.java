@@ -16,6 +16,11 @@ public final class EditArbitraries {
         return edits().list().ofMinSize(1).ofMaxSize(12);
     }
 
+    /** One to twelve edits of lights alone. */
+    static Arbitrary<List<Edit>> sequencesOfLights() {
+        return ofLights().list().ofMinSize(1).ofMaxSize(12);
+    }
+
     static Arbitrary<Edit> edits() {
         return Arbitraries.frequencyOf(Tuple.of(9, single()),
                 Tuple.of(1, single().list().ofMinSize(2).ofMaxSize(4).map(Edit.Together::new)));

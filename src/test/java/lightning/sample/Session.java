@@ -25,6 +25,11 @@ public final class Session {
         return Combinators.combine(EditArbitraries.sequences(), SceneArbitraries.scenes()).as(Session::new);
     }
 
+    /** Sessions of one to twelve edits of lights alone. */
+    public static Arbitrary<Session> ofLights() {
+        return Combinators.combine(EditArbitraries.sequencesOfLights(), SceneArbitraries.scenes()).as(Session::new);
+    }
+
     /** Sessions of one to ten edits with weights, falloffs and highlights down to what a float can no longer hold. */
     public static Arbitrary<Session> extremes() {
         return Combinators.combine(Extremes.edits(), Extremes.scenes()).as(Session::new);
