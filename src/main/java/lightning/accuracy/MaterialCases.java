@@ -1,7 +1,6 @@
 package lightning.accuracy;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
@@ -59,8 +58,6 @@ final class MaterialCases {
     }
 
     private void add(String name, Scene... steps) {
-        List<Scene> scenes = new ArrayList<>(List.of(scene));
-        scenes.addAll(Arrays.asList(steps));
-        cases.add(new PaperCase(name, "", Double.NaN, scenes));
+        cases.add(PaperCase.further(name, scene, steps));
     }
 }

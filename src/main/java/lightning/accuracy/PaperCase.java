@@ -1,6 +1,7 @@
 package lightning.accuracy;
 
 import java.util.List;
+import java.util.stream.Stream;
 import lightning.scene.Scene;
 import lightning.scene.SceneChange;
 import lightning.text.Quote;
@@ -21,6 +22,11 @@ public record PaperCase(String name, String figure, double paperSaving, List<Sce
         if (scenes.size() < 2) {
             throw new IllegalArgumentException("case " + Quote.of(name) + " must have at least two scenes, had " + scenes.size());
         }
+    }
+
+    /** A case that the paper does not have, from a scene by some steps. */
+    static PaperCase further(String name, Scene before, Scene... steps) {
+        return new PaperCase(name, "", Double.NaN, Stream.concat(Stream.of(before), Stream.of(steps)).toList());
     }
 
     /** The scene that is traced in full at first. */

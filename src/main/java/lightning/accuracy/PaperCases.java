@@ -14,7 +14,7 @@ import lightning.scene.Limits;
 import lightning.scene.Scene;
 
 /**
- * The paper's printed edits (§4.1–4.9) and a few more, of materials too, for any scene.
+ * The paper's printed edits (§4.1–4.9) and a few more, of materials and shapes too, for any scene.
  *
  * <p>Each case edits the first light of the type it needs that shines; a case that finds no such
  * light, or would change nothing, is left out. On {@code scenes/bird.jen} the values are those that
@@ -59,6 +59,7 @@ public final class PaperCases {
         builder.printed();
         builder.further();
         builder.cases.addAll(MaterialCases.of(scene, value));
+        builder.cases.addAll(ShapeCases.of(scene, value));
         return List.copyOf(builder.cases);
     }
 

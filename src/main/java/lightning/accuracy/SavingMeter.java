@@ -12,6 +12,7 @@ import lightning.relight.Update;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
 import lightning.shading.TraceCounts;
+import lightning.trace.Geometry;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
@@ -132,7 +133,7 @@ public final class SavingMeter implements AutoCloseable {
                 return work.get().milliseconds();
             });
         }
-        var tracer = new TraditionalTracer(traced, renderer.cache().geometry()).by(Engines.FASTEST);
+        TraditionalTracer tracer = tracer(traced);
         TraceCounts fullRays = tracer.trace(workers, progress).rays();
         turn.add(() -> Turns.time(() -> tracer.trace(workers, progress)));
         List<Timing> times = turns.take(turn, progress.silent());
@@ -156,6 +157,12 @@ public final class SavingMeter implements AutoCloseable {
         return new TurnTimes(times.get(0), times.get(1));
     }
 
+    /** The full trace of a scene, by the tree of boxes that is known where it holds the scene's shapes. */
+    private TraditionalTracer tracer(Scene scene) {
+        Geometry known = renderer.cache().geometry();
+        return (known.serves(scene) ? new TraditionalTracer(scene, known) : new TraditionalTracer(scene)).by(Engines.FASTEST);
+    }
+
     /** Shows a scene, mirrors included, as if nothing had been asked before: no way to a light is known from a later edit. */
     private void settle(Scene scene, Progress progress) {
         renderer.forget();
@@ -174,7 +181,7 @@ public final class SavingMeter implements AutoCloseable {
             for (Scene[] edit : edits) {
                 settle(edit[0], progress);
                 renderer.render(edit[1], progress);
-                new TraditionalTracer(edit[1], renderer.cache().geometry()).by(Engines.FASTEST).trace(workers, progress);
+                tracer(edit[1]).trace(workers, progress);
             }
         } while (!edits.isEmpty() && System.nanoTime() - start < WARM_UP_NANOSECONDS);
     }

@@ -23,7 +23,10 @@ import lightning.relight.tile.Options;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.shading.ConeChange;
 import lightning.shading.TraceCounts;
 import lightning.trace.Geometry;
@@ -46,7 +49,8 @@ class PaperCasesTest {
                 "intensity", "attenuation", "angle-smaller", "angle-larger", "dropoff", "position", "direction", "type",
                 "delete", "add", "ambience", "position-feet", "composite-1", "composite-2", "off", "on", "solo", "rename",
                 "undo", "depth-less", "depth-more", "spot-turned", "point-to-spot", "material-color", "shininess", "reflectivity",
-                "mirror-off", "mirror-on", "texture-off", "texture-on");
+                "mirror-off", "mirror-on", "texture-off", "texture-on", "shape-moved", "shape-turned", "shape-scaled", "shape-hidden",
+                "shape-shown");
     }
 
     @Test
@@ -147,7 +151,7 @@ class PaperCasesTest {
                 for (Scene step : edit.scenes()) {
                     Update update = renderer.render(step, Progress.NONE);
                     assertThat(renderer.film().sameBits(
-                            new TraditionalTracer(step, geometry).trace(workers, Progress.NONE).film()))
+                            new TraditionalTracer(step, geometry.serves(step) ? geometry : new Geometry(step)).trace(workers, Progress.NONE).film()))
                             .as(edit.name() + ": " + update.plan().text()).isTrue();
                 }
             }
@@ -183,10 +187,27 @@ class PaperCasesTest {
 
         assertThat(PaperCases.of(pointOnly)).extracting(PaperCase::name).containsExactlyInAnyOrder("attenuation", "position",
                 "add", "ambience", "position-feet", "composite-1", "off", "on", "solo", "rename", "undo", "depth-less", "depth-more",
-                "point-to-spot", "material-color", "shininess", "reflectivity", "mirror-off", "mirror-on", "texture-off", "texture-on");
+                "point-to-spot", "material-color", "shininess", "reflectivity", "mirror-off", "mirror-on", "texture-off", "texture-on",
+                "shape-moved", "shape-turned", "shape-scaled", "shape-hidden", "shape-shown");
         assertThat(PaperCases.of(bird.withLights(List.of()))).extracting(PaperCase::name).containsExactlyInAnyOrder("add", "ambience",
                 "depth-less", "depth-more", "material-color", "shininess", "reflectivity", "mirror-off", "mirror-on", "texture-off",
-                "texture-on");
+                "texture-on", "shape-moved", "shape-turned", "shape-scaled", "shape-hidden", "shape-shown");
+    }
+
+    @Test
+    void editOfAShape_tracesLessThanThePicture() {
+        Scene bird = SceneFiles.read("bird");
+        long all = (long) bird.picture().width() * bird.picture().height();
+        for (String name : List.of("shape-moved", "shape-turned", "shape-scaled", "shape-hidden", "shape-shown")) {
+            assertThat(lastUpdate(bird(name)).rays().eye()).as(name).isPositive().isLessThan(all);
+        }
+    }
+
+    @Test
+    void floorsAndWalls_areNoShapesToMove() {
+        Scene bird = SceneFiles.read("bird");
+        Scene walls = bird.withNodes(List.of(new Shape(Solid.PLANE, "wall", bird.materials().getFirst().name(), Placement.IDENTITY)));
+        assertThat(PaperCases.of(walls)).extracting(PaperCase::name).contains("color").doesNotContain("shape-moved", "shape-hidden");
     }
 
     @ParameterizedTest
