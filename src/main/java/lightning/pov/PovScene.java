@@ -49,7 +49,8 @@ public final class PovScene {
             // POV-Ray's picture begins at the x axis and runs towards z; ours, a quarter before that, begins in the middle at −z.
             body.append("sky_sphere {\n  pigment { image_map { hdr \"").append(p.file().replaceAll("[\\\\\"]", "\\\\$0"))
                     .append("\" map_type 1 interpolate 2 } }\n  rotate <0, ")
-                    .append(scene.world().rotation() - 90).append(", 0>\n  emission rgb ").append(scene.world().intensity()).append("\n}\n");
+                    .append(scene.world().rotation() - 90).append(", 0>\n  emission rgb ").append(scene.world().intensity())
+                    .append("\n}\n");
         });
         body.append(camera(scene));
         var meshes = new PovMesh(scene, losses);

@@ -151,7 +151,8 @@ class PaperCasesTest {
                 for (Scene step : edit.scenes()) {
                     Update update = renderer.render(step, Progress.NONE);
                     assertThat(renderer.film().sameBits(
-                            new TraditionalTracer(step, geometry.serves(step) ? geometry : new Geometry(step)).trace(workers, Progress.NONE).film()))
+                            new TraditionalTracer(step, geometry.serves(step) ? geometry : new Geometry(step)).trace(workers, Progress.NONE)
+                                    .film()))
                             .as(edit.name() + ": " + update.plan().text()).isTrue();
                 }
             }

@@ -40,7 +40,8 @@ class ReliefWorkTest {
     private static Scene scene() {
         Relief relief = Relief.NONE.withBump(Optional.of(HEIGHTS)).withHeight(0.2);
         return new Scene(new Picture(64, 32, 1), new Camera(new Vec3(0, 0, 20), Vec3.ZERO, Vec3.Y, 20), World.DEFAULT,
-                List.of(Material.of("rough").withDiffuse(Rgb.grey(0.7)).withRelief(relief), Material.of("smooth").withDiffuse(Rgb.grey(0.7))),
+                List.of(Material.of("rough").withDiffuse(Rgb.grey(0.7)).withRelief(relief),
+                        Material.of("smooth").withDiffuse(Rgb.grey(0.7))),
                 List.of(ball("left", "rough", -3.5), ball("right", "smooth", 3.5)),
                 List.of(Light.of("sun", LightType.DIRECTIONAL).withDirection(new Vec3(0, -1, -0.5))));
     }
