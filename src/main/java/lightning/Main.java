@@ -12,28 +12,40 @@ import lightning.cli.Lightning;
 public final class Main {
     /** How long Ctrl-C waits for a command to put away what it was writing. */
     private static final int PATIENCE_SECONDS = 5;
+    private static final int BAD_INPUT = 2;
 
     private Main() {}
 
     /**
-     * Opens the editor where there are no arguments but a scene file, else runs the command that they
-     * name; exits with its code. Where no window can be opened, the tour of the same scene takes the
+     * Opens the editor where there are no arguments but a file that it opens, with or without the word {@code edit}; else runs the
+     * command that they name; exits with its code. Where no window can be opened, the tour of the same scene takes the
      * editor's place.
      */
     public static void main(String[] args) {
         if (!namesTheEditor(args)) {
             command(args);
         }
-        Optional<String> obstacle = LightningApp.open(List.of(args));
+        List<String> file = file(args);
+        Optional<String> obstacle = LightningApp.open(file);
         if (obstacle.isEmpty()) {
             System.exit(0);
         }
-        System.err.println("lightning: " + obstacle.get() + "; here is the tour of the scene instead.");
-        command(Stream.concat(Stream.of("tour"), Stream.of(args)).toArray(String[]::new));
+        if (file.stream().allMatch(name -> name.endsWith(".jen"))) {
+            System.err.println("lightning: " + obstacle.get() + "; here is the tour of the scene instead.");
+            command(Stream.concat(Stream.of("tour"), file.stream()).toArray(String[]::new));
+        }
+        System.err.println("lightning: " + obstacle.get() + "; 'lightning import' makes a scene of the file without one.");
+        System.exit(BAD_INPUT);
     }
 
     static boolean namesTheEditor(String... args) {
-        return args.length == 0 || args.length == 1 && args[0].endsWith(".jen") && !args[0].startsWith("-");
+        List<String> file = file(args);
+        return file.isEmpty() || file.size() == 1 && LightningApp.opens(file.getFirst()) && !file.getFirst().startsWith("-");
+    }
+
+    /** The arguments without the word that names the editor. */
+    private static List<String> file(String... args) {
+        return List.of(args).subList(args.length > 0 && args[0].equals("edit") ? 1 : 0, args.length);
     }
 
     private static void command(String... args) {

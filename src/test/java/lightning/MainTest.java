@@ -12,6 +12,18 @@ class MainTest {
     }
 
     @Test
+    void fileThatTheEditorMakesASceneOf_namesIt_withOrWithoutTheWord() {
+        for (String file : new String[] {"a.gltf", "a.glb", "a.obj", "a.ply", "a.nff", "A.GLB", "a.jen"}) {
+            assertThat(Main.namesTheEditor(file)).as(file).isTrue();
+            assertThat(Main.namesTheEditor("edit", file)).as(file).isTrue();
+        }
+        assertThat(Main.namesTheEditor("edit")).isTrue();
+        assertThat(Main.namesTheEditor("edit", "--help")).isFalse();
+        assertThat(Main.namesTheEditor("edit", "a.png")).isFalse();
+        assertThat(Main.namesTheEditor("edit", "a.jen", "b.jen")).isFalse();
+    }
+
+    @Test
     void everythingElse_namesACommand() {
         assertThat(Main.namesTheEditor("render", "scenes/bird.jen")).isFalse();
         assertThat(Main.namesTheEditor("--help")).isFalse();

@@ -17,7 +17,6 @@ import lightning.app.preview.PreviewPane;
 import lightning.app.property.ListTabs;
 import lightning.app.property.SidePane;
 import lightning.edit.Command;
-import lightning.exchange.Importer;
 
 /** Everything inside the editor's frame: traced picture, preview, and beside them the lights and their properties. */
 public final class EditorWindow implements AutoCloseable {
@@ -59,9 +58,8 @@ public final class EditorWindow implements AutoCloseable {
         return frame.getScene().getWindow();
     }
 
-    /** A scene, or a file of which one can be made. */
     private static boolean isScene(File file) {
-        return file.getName().endsWith(".jen") || Importer.isNamedSo(file.getName());
+        return Opening.isNamedSo(file.getName());
     }
 
     private void dragOver(DragEvent e) {

@@ -37,7 +37,7 @@ public class LightningApp extends Application {
     /**
      * Opens the editor and returns when its window is closed. At most once in a process.
      *
-     * @param arguments the scene file to open, or nothing
+     * @param arguments the file to open, a scene or one of which a scene can be made, or nothing
      * @return why no window can be opened, as {@link Display#obstacle} tells; empty if one was
      */
     public static Optional<String> open(List<String> arguments) {
@@ -56,6 +56,16 @@ public class LightningApp extends Application {
         return obstacle;
     }
 
+    /** Whether the editor opens a file, by its name. */
+    public static boolean opens(String file) {
+        return Opening.isNamedSo(file);
+    }
+
+    /** The file to open. */
+    Path file() {
+        return file(getParameters() == null ? List.of() : getParameters().getUnnamed());
+    }
+
     private static Path file(List<String> arguments) {
         return arguments.isEmpty() ? Folders.firstScene() : Path.of(arguments.getFirst());
     }
@@ -72,7 +82,7 @@ public class LightningApp extends Application {
 
     @Override
     public void start(Stage stage) {
-        Path file = file(getParameters() == null ? List.of() : getParameters().getUnnamed());
+        Path file = file();
         preferences.choice("theme", Looks.DARK).wear();
         var frame = new EditorFrame(file);
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
@@ -132,6 +142,9 @@ public class LightningApp extends Application {
         }
         opened(editor);
         editor.offer(opening.left());
+        if (opening.next() != null) {
+            editor.files().load(opening.next());
+        }
     }
 
     /** An editor has its window. */

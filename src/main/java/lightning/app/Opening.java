@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import lightning.edit.OpenDocument;
 import lightning.edit.Recovery;
+import lightning.exchange.Importer;
 import lightning.jen.JenException;
 
 /**
@@ -12,22 +13,31 @@ import lightning.jen.JenException;
  *
  * @param failed the scene that was named, where it could not be opened for {@code why}; else null
  * @param left   what crashes left unsaved
+ * @param next   a file of another program, of which a scene is made as soon as there is a window that can ask; else null
  */
-record Opening(OpenDocument document, Path failed, Exception why, List<Recovery.Found> left) {
+record Opening(OpenDocument document, Path failed, Exception why, List<Recovery.Found> left, Path next) {
+
+    /** Whether a file is by its name a scene, or one of another program of which a scene can be made. */
+    static boolean isNamedSo(String file) {
+        return file.endsWith(".jen") || Importer.isNamedSo(file);
+    }
 
     /**
-     * Reads a scene; the first scene takes the place of one that cannot be opened.
+     * Reads a scene; the first scene takes the place of one that cannot be opened, or is not made yet.
      *
      * @throws IOException   if neither could be read
      * @throws JenException  if the first scene, which was read in place of the other, does not parse
      */
     static Opening read(Path file, Recovery recovery) throws IOException, JenException {
         List<Recovery.Found> left = left(recovery);
+        if (Importer.isNamedSo(file.toString())) {
+            return new Opening(OpenDocument.open(Folders.firstScene()), null, null, left, file);
+        }
         try {
-            return new Opening(OpenDocument.open(file), null, null, left);
+            return new Opening(OpenDocument.open(file), null, null, left, null);
         } catch (IOException | JenException | RuntimeException e) {
             try {
-                return new Opening(OpenDocument.open(Folders.firstScene()), file, e, left);
+                return new Opening(OpenDocument.open(Folders.firstScene()), file, e, left, null);
             } catch (IOException | JenException again) {
                 again.addSuppressed(e);
                 throw e;

@@ -45,6 +45,7 @@ public final class Lightning {
 
     static CommandLine commands(Console console) {
         CommandLine commands = new CommandLine(new RootCommand(console))
+                .addSubcommand(new EditCommand())
                 .addSubcommand(new RenderCommand(console))
                 .addSubcommand(new RelightCommand(console))
                 .addSubcommand(new ExplainCommand(console))

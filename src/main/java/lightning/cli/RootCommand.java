@@ -20,8 +20,9 @@ import picocli.CommandLine.Spec;
 @Command(name = "lightning", versionProvider = RootCommand.Version.class,
         header = "Light ray-traced scenes: trace once, then relight exactly in a fraction of a full trace.",
         description = {
-            "Without a command, opens the scene (scenes/bird.jen where none is named) in the editor. Where no window can be",
-            "opened, takes the tour of it instead: every kind of edit, with pictures and times."},
+            "Without a command, opens the scene (scenes/bird.jen where none is named) in the editor, or makes one of a glTF, OBJ, PLY or",
+            "NFF file and opens it. Where no window can be opened, takes the tour of the scene instead: every kind of edit, with pictures",
+            "and times."},
         commandListHeading = "%nCommands (each has a --help with examples):%n",
         footer = {
             "Exit codes: 0 done, 1 the check failed (relight --verify, compare), 2 bad usage or bad input, 130 cancelled.",
