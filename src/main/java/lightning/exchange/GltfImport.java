@@ -28,7 +28,7 @@ import lightning.scene.Node;
 import lightning.scene.Placement;
 import lightning.work.Progress;
 
-/** Makes a scene of a glTF file: nodes become groups and shapes, cameras, punctual lights and materials their nearest here. */
+/** Makes a scene of a glTF file: nodes become groups and shapes, cameras and punctual lights their nearest here. */
 final class GltfImport {
     private final Pieces pieces;
     private final LightUnits units;
@@ -119,6 +119,7 @@ final class GltfImport {
     }
 
     private Node shape(String node, GltfPart part, Placement placement, Transform outer) {
+        pieces.notes.add("shapes without a material, grey here", part.material() < 0 ? 1 : 0);
         String material = part.material() < 0 ? Material.DEFAULT.name() : materials.get(part.material());
         return pieces.shape(node.isEmpty() ? part.name() : node, meshFile, part.name(), part.triangles(), material, placement, outer);
     }

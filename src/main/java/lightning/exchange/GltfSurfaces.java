@@ -12,14 +12,19 @@ import lightning.mesh.MeshException;
 import lightning.scene.Limits;
 import lightning.scene.Material;
 import lightning.scene.Relief;
+import lightning.scene.SurfaceModel;
 import lightning.scene.TextureMap;
 
-/** Makes materials of a glTF file's. */
+/** Makes metallic materials of a glTF file's, and tells what they cannot say. */
 final class GltfSurfaces {
+    /** The image in a rougher surface is blurred by more than 3° to each side: there its highlight has half its height (GGX). */
+    private static final double ROUGHEST_MIRROR = 0.2;
+
     private final Pieces pieces;
     private final GltfScene file;
     private final String meshFile;
     private final Map<Integer, Optional<String>> images = new HashMap<>();
+    private final Map<Integer, SurfaceMeans> means = new HashMap<>();
 
     /** @param meshFile the name of the glTF file beside the scene */
     GltfSurfaces(Pieces pieces, GltfScene file, String meshFile) {
@@ -28,36 +33,53 @@ final class GltfSurfaces {
         this.meshFile = meshFile;
     }
 
-    /**
-     * The nearest that Phong's model has. A roughness r is a lobe of exponent (2 / r⁴ − 2) / 4: that of Blinn's model with the same
-     * width at its top (Walter and others, Microfacet models for refraction, 2007, §5.2), a quarter for the angle to the mirrored
-     * direction. Its height is that of the lobe head on, at most 1. Metals mirror as (1 − r)².
-     */
     Material material(GltfMaterial m) throws IOException, MeshException {
-        double metallic = Pieces.clamp(m.metallic(), 1);
-        double roughness = Pieces.clamp(m.roughness(), 1);
         Rgb base = pieces.color(m.base(), 1, "base colors of materials");
-        Rgb emission = pieces.color(m.emission(), Limits.MAX_EMISSION, "emission of materials");
-        Material made = Material.of("material");
         if (m.unlit()) {
-            made = made.withAmbient(base).withDiffuse(Rgb.BLACK);
             pieces.notes.add("textures of unlit materials", m.image() < 0 ? 0 : 1);
-            return made;
+            return Material.of("material").withAmbient(base).withDiffuse(Rgb.BLACK);
         }
-        double blinn = Math.min(2 / Math.pow(Math.max(roughness, 0.03), 4) - 2, 4 * Limits.MAX_SHININESS);
-        double height = (blinn + 2) / 8;
-        Rgb headOn = mix(m.reflection(), base, metallic);
-        Rgb specular = roughness == 1 ? Rgb.BLACK
-                : new Rgb(Pieces.clamp(headOn.r() * height, 1), Pieces.clamp(headOn.g() * height, 1), Pieces.clamp(headOn.b() * height, 1));
-        double mirror = metallic * (1 - roughness) * (1 - roughness);
-        made = made.withAmbient(emission).withDiffuse(base.times(1 - mirror)).withSpecular(specular)
-                .withShininess(specular.isBlack() ? made.shininess() : Math.rint(100 * blinn / 4) / 100).withReflective(base.times(mirror));
-        pieces.notes.add("metallic and rough materials, shown by Phong's model");
-        return relieved(made.withTexture(picture(m.image())), m);
+        SurfaceMeans means = m.surface() < 0 ? SurfaceMeans.NONE : means(m.surface());
+        Material made = Material.of("material").withModel(SurfaceModel.METALLIC).withBase(base)
+                .withAmbient(pieces.color(m.emission(), Limits.MAX_EMISSION, "emission of materials"))
+                .withMetalness(Pieces.clamp(m.metallic() * means.metalness(), 1))
+                .withRoughness(Pieces.clamp(m.roughness() * means.roughness(), 1)).withTexture(picture(m.image()));
+        return relieved(mirroring(highlit(made, m)), m);
     }
 
-    private static Rgb mix(Rgb a, Rgb b, double share) {
-        return new Rgb(a.r() + share * (b.r() - a.r()), a.g() + share * (b.g() - a.g()), a.b() + share * (b.b() - a.b()));
+    /** With what a surface mirrors of lights where it is no metal: a grey share here, and all of it where it is grazed. */
+    private Material highlit(Material made, GltfMaterial m) {
+        Rgb head = pieces.color(m.reflection(), 1, "highlights of materials");
+        boolean grey = head.min() == head.max();
+        if (made.metalness() < 1) {
+            pieces.notes.add("colored highlights of materials that are no metals, grey here", grey ? 0 : 1);
+            pieces.notes.add("highlights of materials weakened where they are grazed, not weakened here", m.grazing() == 1 ? 0 : 1);
+        }
+        return made.withF0(grey ? head.r() : Math.min(head.luminance(), 1));
+    }
+
+    /**
+     * With mirrored shapes where it is a metal all over and so smooth that they are sharp. Each pixel of such a surface costs as many rays as
+     * the picture is deep, and {@code reflective} knows no picture, and weakens what the surface emits; so all other metals show lights alone.
+     */
+    private Material mirroring(Material made) {
+        boolean mirrors = made.metalness() == 1 && made.roughness() <= ROUGHEST_MIRROR && made.texture().isEmpty()
+                && made.ambient().isBlack();
+        pieces.notes.add("metals that mirror lights alone here, being rough, in part no metal, textured or shining",
+                made.metalness() > 0 && !mirrors ? 1 : 0);
+        return mirrors ? made.withReflective(made.base()) : made;
+    }
+
+    /** @param image of roughness and metalness */
+    private SurfaceMeans means(int image) throws IOException, MeshException {
+        SurfaceMeans known = means.get(image);
+        if (known == null) {
+            known = SurfaceMeans.of(file.imageBytes(image)).orElse(SurfaceMeans.NONE);
+            means.put(image, known);
+        }
+        pieces.notes.add(known == SurfaceMeans.NONE ? "metallicRoughnessTexture of materials"
+                : "metallicRoughnessTexture of materials, of which the mean is taken");
+        return known;
     }
 
     private Optional<TextureMap> picture(int image) throws IOException, MeshException {

@@ -3,17 +3,19 @@ package lightning.gltf;
 import lightning.math.Rgb;
 
 /**
- * A material of a glTF file, by what of it acts without pictures.
+ * A material of a glTF file.
  *
  * @param base       linear colour, times the picture where there is one
- * @param metallic   0 … 1
- * @param roughness  0 … 1
+ * @param metallic   0 … 1, times the blue of the picture of surfaces where there is one
+ * @param roughness  0 … 1, times its green
  * @param reflection the share of light that it mirrors when seen head on, where it is no metal
+ * @param grazing    the same where it is seen from its side
  * @param emission   linear, strength included
  * @param unlit      whether it shows its base colour, whatever light there is
  * @param image      the number of the base colour's image; −1 for none
+ * @param surface    the number of the image of metalness and roughness; −1 for none
  * @param normals    the number of the image of its normal map; −1 for none
  * @param lean       a factor on how far these normals lean
  */
-public record GltfMaterial(String name, Rgb base, double metallic, double roughness, Rgb reflection, Rgb emission, boolean unlit,
-        int image, int normals, double lean) {}
+public record GltfMaterial(String name, Rgb base, double metallic, double roughness, Rgb reflection, double grazing, Rgb emission,
+        boolean unlit, int image, int surface, int normals, double lean) {}

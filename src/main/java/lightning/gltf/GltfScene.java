@@ -153,7 +153,7 @@ public final class GltfScene {
         return !uri.isThere() || uri.text().orElse("").startsWith("data:") ? Optional.empty() : Optional.of(file.buffers().beside(uri));
     }
 
-    /** The bytes of an image that is embedded. */
+    /** The bytes of an image, be it embedded or a file. */
     public byte[] imageBytes(int image) throws IOException, MeshException {
         Json at = file.array("images").at(image);
         if (at.get("uri").isThere()) {

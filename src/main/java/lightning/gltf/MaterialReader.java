@@ -22,36 +22,67 @@ final class MaterialReader {
     GltfMaterial material(Json material) throws MeshException {
         Json look = material.get("pbrMetallicRoughness");
         Json extensions = material.get("extensions");
-        double[] base = look.get("baseColorFactor").numbers(1, 1, 1, 1);
-        double[] emission = material.get("emissiveFactor").numbers(0, 0, 0);
-        double strength = extensions.get("KHR_materials_emissive_strength").get("emissiveStrength").number(1);
-        double ior = extensions.get("KHR_materials_ior").get("ior").number(1.5);
-        Json specular = extensions.get("KHR_materials_specular");
-        double[] tint = specular.get("specularColorFactor").numbers(1, 1, 1);
-        double head = Math.pow((ior - 1) / (ior + 1), 2) * specular.get("specularFactor").number(1);
         for (String picture : List.of("occlusionTexture", "emissiveTexture")) {
             notes.add(picture + " of materials", material.get(picture).isThere() ? 1 : 0);
         }
+        notes.add("transparent materials", material.get("alphaMode").text().orElse("OPAQUE").equals("OPAQUE") ? 0 : 1);
+        double[] emission = material.get("emissiveFactor").numbers(0, 0, 0);
+        double strength = extensions.get("KHR_materials_emissive_strength").get("emissiveStrength").number(1);
+        Json normals = material.get("normalTexture");
+        Json glossy = extensions.get("KHR_materials_pbrSpecularGlossiness");
+        Surface surface = glossy.isThere() && !look.isThere() ? glossy(glossy) : metallic(look, extensions);
+        return new GltfMaterial(material.get("name").text().orElse(""), surface.base, surface.metallic, surface.roughness,
+                surface.reflection, surface.grazing, new Rgb(emission[0], emission[1], emission[2]).times(strength),
+                extensions.get("KHR_materials_unlit").isThere(), surface.image, surface.picture, image(normals),
+                normals.get("scale").number(1));
+    }
+
+    /** How a material answers light, as {@link GltfMaterial} has it. */
+    private record Surface(Rgb base, int image, double metallic, double roughness, int picture, Rgb reflection, double grazing) {}
+
+    /** Appendix B of glTF 2.0; KHR_materials_ior; KHR_materials_specular, which caps what is tinted and then weakens all of it. */
+    private Surface metallic(Json look, Json extensions) throws MeshException {
+        double[] base = look.get("baseColorFactor").numbers(1, 1, 1, 1);
+        double ior = extensions.get("KHR_materials_ior").get("ior").number(1.5);
+        Json specular = extensions.get("KHR_materials_specular");
         for (String picture : List.of("specularTexture", "specularColorTexture")) {
             notes.add(picture + " of materials", specular.get(picture).isThere() ? 1 : 0);
         }
-        Json normals = material.get("normalTexture");
-        notes.add("metallicRoughnessTexture of materials", look.get("metallicRoughnessTexture").isThere() ? 1 : 0);
-        notes.add("transparent materials", material.get("alphaMode").text().orElse("OPAQUE").equals("OPAQUE") ? 0 : 1);
-        return new GltfMaterial(material.get("name").text().orElse(""), new Rgb(base[0], base[1], base[2]),
-                look.get("metallicFactor").number(1),
-                look.get("roughnessFactor").number(1), new Rgb(head * tint[0], head * tint[1], head * tint[2]),
-                new Rgb(emission[0], emission[1], emission[2]).times(strength), extensions.get("KHR_materials_unlit").isThere(),
-                image(look.get("baseColorTexture")), image(normals), normals.get("scale").number(1));
+        double[] tint = specular.get("specularColorFactor").numbers(1, 1, 1);
+        double weight = specular.get("specularFactor").number(1);
+        double head = (ior - 1) * (ior - 1) / ((ior + 1) * (ior + 1));
+        return new Surface(new Rgb(base[0], base[1], base[2]), image(look.get("baseColorTexture")),
+                look.get("metallicFactor").number(1), look.get("roughnessFactor").number(1),
+                source(look.get("metallicRoughnessTexture")), new Rgb(Math.min(head * tint[0], 1) * weight,
+                        Math.min(head * tint[1], 1) * weight, Math.min(head * tint[2], 1) * weight),
+                weight);
+    }
+
+    /** The model of files before the metallic one, of which nothing is a metal; that it was used is told as an extension. */
+    private Surface glossy(Json look) throws MeshException {
+        double[] diffuse = look.get("diffuseFactor").numbers(1, 1, 1, 1);
+        double[] specular = look.get("specularFactor").numbers(1, 1, 1);
+        boolean pictured = look.get("specularGlossinessTexture").isThere();
+        notes.add("specularGlossinessTexture of materials", pictured ? 1 : 0);
+        // What such a picture multiplies tells nothing by itself: most say 1.
+        return new Surface(new Rgb(diffuse[0], diffuse[1], diffuse[2]), image(look.get("diffuseTexture")), 0,
+                pictured ? 0.5 : 1 - look.get("glossinessFactor").number(1), -1,
+                pictured ? Rgb.grey(0.04) : new Rgb(specular[0], specular[1], specular[2]), 1);
     }
 
     private int image(Json texture) throws MeshException {
+        if (texture.isThere()) {
+            sampler(texture.get("index").in(file.array("textures")).get("sampler"));
+        }
+        return source(texture);
+    }
+
+    /** The number of a texture's image; −1 for none. */
+    private int source(Json texture) throws MeshException {
         if (!texture.isThere()) {
             return -1;
         }
-        Json named = texture.get("index").in(file.array("textures"));
-        sampler(named.get("sampler"));
-        Json source = named.get("source");
+        Json source = texture.get("index").in(file.array("textures")).get("source");
         if (!source.isThere()) {
             notes.add("textures in formats of extensions");
             return -1;

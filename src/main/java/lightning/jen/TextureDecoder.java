@@ -24,7 +24,7 @@ import lightning.text.Quote;
  * <p>The samples s are taken as sRGB in 0…1, whatever colour profile the file carries, and decoded
  * by {@link SrgbCurve}, in double, rounded once to float; samples that are numbers stay as they are. Transparency is ignored; a grey sample counts for all channels.
  */
-final class TextureDecoder {
+public final class TextureDecoder {
     private static final Set<String> FORMATS = Set.of("png", "jpeg");
 
     private TextureDecoder() {}
@@ -43,7 +43,21 @@ final class TextureDecoder {
         if (bytes > JenLimits.TEXTURE_BYTES) {
             throw unusable(name, "must have at most " + JenLimits.TEXTURE_BYTES + " bytes, has " + bytes);
         }
-        try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(Files.readAllBytes(path)))) {
+        return decode(name, Files.readAllBytes(path), color, pixelsLeft);
+    }
+
+    /**
+     * The samples of a picture as numbers from 0 to 1.
+     *
+     * @param name what messages call it
+     * @throws UnusableFileException if it is no PNG or JPEG, too large or damaged
+     */
+    public static Texture numbers(String name, byte[] file) throws UnusableFileException {
+        return decode(name, file, false, JenLimits.TEXTURE_PIXELS);
+    }
+
+    private static Texture decode(String name, byte[] file, boolean color, long pixelsLeft) throws UnusableFileException {
+        try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
             ImageReader reader = reader(name, in);
             try {
                 reader.setInput(in, true, true);
@@ -55,6 +69,8 @@ final class TextureDecoder {
             } finally {
                 reader.dispose();
             }
+        } catch (IOException e) {
+            throw unusable(name, "cannot be decoded: " + e.getMessage());
         }
     }
 

@@ -1,7 +1,7 @@
 package lightning.jen;
 
 /** Says in a sentence why a file that a scene names cannot be used. */
-final class UnusableFileException extends Exception {
+public final class UnusableFileException extends Exception {
     private static final long serialVersionUID = 1;
 
     UnusableFileException(String message) {

@@ -23,6 +23,11 @@ public record Rgb(double r, double g, double b) {
         return r == 0 && g == 0 && b == 0;
     }
 
+    /** How bright it is, 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709). */
+    public double luminance() {
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    }
+
     /** The smallest channel; NaN if any is NaN. */
     public double min() {
         return Math.min(Math.min(r, g), b);

@@ -53,7 +53,7 @@ class ImporterTest {
         assertThat(scene.placedShapes()).extracting(s -> s.shape().name()).containsExactly("floor", "floor 2");
         PlacedShape lying = scene.placedShapes().getFirst();
         assertNear(lying.toWorld().point(new Vec3(1, 1, 0)), new Vec3(2, 0, 3));
-        assertThat(lying.material().diffuse()).isEqualTo(new Rgb(1, 0, 0));
+        assertThat(lying.material().base()).isEqualTo(new Rgb(1, 0, 0));
     }
 
     @Test
