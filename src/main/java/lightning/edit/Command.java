@@ -36,6 +36,9 @@ public enum Command {
 
     CHOOSE_GOBO("Choose Gobo", "Let the light project a picture that lies beside the scene", "mdi2p-projector", "", Obstacles.NONE),
 
+    CHOOSE_ENVIRONMENT("Choose Environment", "Surround the scene with a picture that lies beside it, and light it by that",
+            "mdi2i-image-filter-hdr", "", Obstacles.NONE),
+
     SELECT_SHAPE("Select Shape", "Select the shape under the mouse, to place it", "mdi2c-cursor-default-click-outline", "", Obstacles.NONE),
     SHOW_SHAPE("Hide or Show Shape", "Take the selected shape or group out of the picture, or bring it back", "mdi2e-eye-off-outline", "",
             Obstacles.alone(Obstacles::noShape)),

@@ -3,6 +3,8 @@ package lightning.edit;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.BiFunction;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.scene.Attribute;
@@ -21,18 +23,26 @@ import lightning.text.Quote;
  */
 public final class Dial {
     /** Of the scene. */
-    public static final Dial AMBIENCE = ofScene(World.AMBIENCE, Scene::world, Scene::withWorld);
+    public static final Dial AMBIENCE = ofWorld(World.AMBIENCE);
+    /** Of the scene: a factor of what comes from its environment. */
+    public static final Dial ENVIRONMENT_INTENSITY = ofWorld(World.INTENSITY);
+    /** Of the scene: how far its environment is turned. */
+    public static final Dial ENVIRONMENT_ROTATION = ofWorld(World.ROTATION);
+    /** Of the scene: how many lamps its environment's light is made of, whole. */
+    public static final Dial ENVIRONMENT_LAMPS = ofWorld(World.LAMPS);
     /** Of the scene: mirror bounces, whole. */
-    public static final Dial DEPTH = ofScene(Picture.DEPTH, Scene::picture, Scene::withPicture);
+    public static final Dial DEPTH = ofScene(Picture.DEPTH, Scene::picture, Scene::withPicture, _ -> Optional.empty());
 
     /** All, those of lights first. */
     public static final List<Dial> ALL =
-            Stream.concat(LightAttribute.ALL.stream().flatMap(a -> of(a).stream()), Stream.of(AMBIENCE, DEPTH)).toList();
+            Stream.concat(LightAttribute.ALL.stream().flatMap(a -> of(a).stream()), Stream.of(AMBIENCE, ENVIRONMENT_INTENSITY,
+                    ENVIRONMENT_ROTATION, ENVIRONMENT_LAMPS, DEPTH)).toList();
 
     private final String title;
     private final String label;
     private final Quantity<?> quantity;
-    private final Optional<LightAttribute<?>> attribute;
+    private final boolean ofScene;
+    private final BiFunction<Scene, Optional<Light>, Optional<String>> obstacle;
     private final Get get;
     private final Set set;
 
@@ -52,11 +62,13 @@ public final class Dial {
         Scene on(Scene scene, T part);
     }
 
-    private Dial(String title, String label, Quantity<?> quantity, Optional<LightAttribute<?>> attribute, Get get, Set set) {
+    private Dial(String title, String label, Quantity<?> quantity, boolean ofScene,
+            BiFunction<Scene, Optional<Light>, Optional<String>> obstacle, Get get, Set set) {
         this.title = title;
         this.label = label;
         this.quantity = quantity;
-        this.attribute = attribute;
+        this.ofScene = ofScene;
+        this.obstacle = obstacle;
         this.get = get;
         this.set = set;
     }
@@ -72,7 +84,8 @@ public final class Dial {
         // What a channel or an axis is of, people see by the colour or the place that it stands beside.
         String title = label.isEmpty() ? attribute.title()
                 : quantity.form() == Quantity.Form.COLOR ? label : attribute.title() + " " + label;
-        return new Dial(title, label.isEmpty() ? title : label, quantity, Optional.of(attribute),
+        return new Dial(title, label.isEmpty() ? title : label, quantity, false,
+                (_, selected) -> selected.isEmpty() ? Optional.of("no light is selected") : attribute.obstacle(selected.get().type()),
                 (scene, light) -> quantity.number(attribute.of(LightEdits.light(scene, light)), index),
                 (scene, light, value) -> {
                     Light before = LightEdits.light(scene, light);
@@ -80,11 +93,17 @@ public final class Dial {
                 });
     }
 
-    private static <T, V> Dial ofScene(Attribute<T, V> attribute, Part<T> part, WithPart<T> with) {
+    private static Dial ofWorld(Attribute<World, ?> attribute) {
+        return ofScene(attribute, Scene::world, Scene::withWorld, scene -> scene.world().obstacle(attribute));
+    }
+
+    private static <T, V> Dial ofScene(Attribute<T, V> attribute, Part<T> part, WithPart<T> with,
+            Function<Scene, Optional<String>> obstacle) {
         if (!(attribute.kind() instanceof Quantity<V> quantity)) {
             throw new IllegalArgumentException(attribute.title() + " is no number");
         }
-        return new Dial(attribute.title(), attribute.title(), quantity, Optional.empty(),
+        String title = attribute.title();
+        return new Dial(title, title.substring(title.lastIndexOf(' ') + 1), quantity, true, (scene, _) -> obstacle.apply(scene),
                 (scene, _) -> quantity.number(attribute.of(part.of(scene)), 0),
                 (scene, _, value) -> with.on(scene,
                         attribute.with(part.of(scene), quantity.with(attribute.of(part.of(scene)), 0, value))));
@@ -107,7 +126,7 @@ public final class Dial {
 
     /** Whether it belongs to the scene and needs no light. */
     public boolean isOfScene() {
-        return attribute.isEmpty();
+        return ofScene;
     }
 
     /**
@@ -145,11 +164,8 @@ public final class Dial {
     }
 
     /** Why it cannot be turned: a clause; empty if it can. */
-    public Optional<String> obstacle(Optional<Light> selected) {
-        if (attribute.isEmpty()) {
-            return Optional.empty();
-        }
-        return selected.isEmpty() ? Optional.of("no light is selected") : attribute.get().obstacle(selected.get().type());
+    public Optional<String> obstacle(Scene scene, Optional<Light> selected) {
+        return obstacle.apply(scene, selected);
     }
 
     @Override

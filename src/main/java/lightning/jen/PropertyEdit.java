@@ -41,6 +41,7 @@ public final class PropertyEdit {
     private static final String NAME = "name";
     private static final String MATERIAL = "material:";
     private static final String NONE = "none";
+    private static final String WORLD = "world";
 
     private PropertyEdit() {}
 
@@ -117,12 +118,29 @@ public final class PropertyEdit {
      */
     public static <F extends FromFile> Scene file(Scene scene, String light, LightAttribute<Optional<F>> attribute, String file,
             Path folder) {
-        String property = attribute.name();
+        return file(scene, NameText.of(light), attribute.name(), file, folder);
+    }
+
+    /** The same of the environment around the scene. */
+    public static Scene environment(Scene scene, String file, Path folder) {
+        return file(scene, WORLD, World.ENVIRONMENT.name(), file, folder);
+    }
+
+    private static Scene file(Scene scene, String target, String property, String file, Path folder) {
         if (file.isEmpty()) {
-            return set(scene, NameText.of(light), property, NONE);
+            return set(scene, target, property, NONE);
         }
         FileName.check(property, file, TextureFolder.NAME);
-        return set(scene, NameText.of(light), property, new Value.Quoted(file).text(), new HeldFiles(scene, Optional.of(folder)));
+        return set(scene, target, property, new Value.Quoted(file).text(), new HeldFiles(scene, Optional.of(folder)));
+    }
+
+    /**
+     * The names of the pictures that {@link #environment} would find by them, in alphabetical order.
+     *
+     * @param folder where environments are looked for, as if the scene file were in it
+     */
+    public static List<String> environments(Path folder) {
+        return new SkyFolder(folder).names();
     }
 
     /**
@@ -147,7 +165,7 @@ public final class PropertyEdit {
         return switch (target) {
             case "picture" -> scene.withPicture(edited(files, Blocks.PICTURE, "", scene.picture(), property, value));
             case "camera" -> scene.withCamera(edited(files, Blocks.CAMERA, "", scene.camera(), property, value));
-            case "world" -> scene.withWorld(edited(files, Blocks.WORLD, "", scene.world(), property, value));
+            case WORLD -> scene.withWorld(edited(files, Blocks.WORLD, "", scene.world(), property, value));
             default -> target.startsWith(MATERIAL)
                     ? setMaterial(scene, NameText.read(target.substring(MATERIAL.length())), property, value, files)
                     : setNamed(scene, NameText.read(target), property, value, files);
@@ -233,7 +251,7 @@ public final class PropertyEdit {
         if (scene.material(target).isPresent()) {
             return setMaterial(scene, target, property, value, files);
         }
-        List<String> known = Stream.of(Stream.of("picture", "camera", "world"), scene.lights().stream().map(Light::name),
+        List<String> known = Stream.of(Stream.of("picture", "camera", WORLD), scene.lights().stream().map(Light::name),
                 scene.rig().banks().stream().map(Bank::name), names(scene.nodes()), scene.materials().stream().map(Material::name))
                 .flatMap(s -> s).filter(k -> !k.equals(target))
                 .toList();

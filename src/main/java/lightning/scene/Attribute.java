@@ -21,7 +21,7 @@ public sealed class Attribute<T, V> permits LightAttribute, MaterialAttribute {
 
     /**
      * @param name    as a scene file writes it
-     * @param title   as people are told it, one word, lower case
+     * @param title   as people are told it, lower case
      * @param initial the value where a file does not say
      * @param unit    for the documents; empty where there is none
      */

@@ -25,11 +25,11 @@ public record World(double ambience, Rgb background, Optional<Panorama> environm
             Quantity.color(Limits.MAX_EMISSION), Rgb.BLACK, "linear red, green, blue", World::background, World::withBackground);
     public static final Attribute<World, Optional<Panorama>> ENVIRONMENT = new Attribute<>("environment", "environment",
             new Kind.Surrounding(), Optional.empty(), "a Radiance HDR file", World::environment, World::withEnvironment);
-    public static final Attribute<World, Double> ROTATION = new Attribute<>("rotation", "rotation",
+    public static final Attribute<World, Double> ROTATION = new Attribute<>("rotation", "environment rotation",
             Quantity.number(-Limits.MAX_ROTATION, Limits.MAX_ROTATION, 5), 0.0, "degrees about y", World::rotation, World::withRotation);
-    public static final Attribute<World, Double> INTENSITY = new Attribute<>("intensity", "intensity",
+    public static final Attribute<World, Double> INTENSITY = new Attribute<>("intensity", "environment intensity",
             Quantity.number(0, Limits.MAX_BANK_INTENSITY, 0.1), 1.0, "factor of the environment", World::intensity, World::withIntensity);
-    public static final Attribute<World, Integer> LAMPS = new Attribute<>("lamps", "lamps",
+    public static final Attribute<World, Integer> LAMPS = new Attribute<>("lamps", "environment lamps",
             Quantity.whole(Limits.MIN_LIGHT_SAMPLES, Limits.MAX_LIGHT_SAMPLES), 16, "that the environment's light is made of", World::lamps,
             World::withLamps);
 
@@ -73,6 +73,12 @@ public record World(double ambience, Rgb background, Optional<Panorama> environm
 
     public World withLamps(int v) {
         return new World(ambience, background, environment, rotation, intensity, v);
+    }
+
+    /** Why a value of an attribute does nothing in this world: a clause; empty where it acts. */
+    public Optional<String> obstacle(Attribute<World, ?> attribute) {
+        boolean ofEnvironment = attribute == ROTATION || attribute == INTENSITY || attribute == LAMPS;
+        return ofEnvironment && environment.isEmpty() ? Optional.of("the scene has no environment") : Optional.empty();
     }
 
     /**

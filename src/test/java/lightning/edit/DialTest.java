@@ -82,15 +82,16 @@ class DialTest {
 
     @Test
     void spot_hasEveryDialButThoseOfOtherAreas() {
-        assertThat(Dial.ALL.stream().filter(dial -> dial.obstacle(scene.light("key")).isPresent()).map(Dial::title).toList())
-                .containsExactlyInAnyOrder("spread", "width", "height");
+        assertThat(Dial.ALL.stream().filter(dial -> dial.obstacle(scene, scene.light("key")).isPresent()).map(Dial::title).toList())
+                .containsExactlyInAnyOrder("spread", "width", "height", "environment intensity", "environment rotation",
+                        "environment lamps");
     }
 
     @Test
     void pointLight_hasNoConeAndNoDirection() {
-        assertThat(Desk.dial("angle").obstacle(scene.light("fill"))).contains("a point light has no angle");
-        assertThat(Desk.dial("dropoff").obstacle(scene.light("fill"))).contains("a point light has no dropoff");
-        assertThat(Desk.dial("attenuation linear").obstacle(scene.light("fill"))).isEmpty();
+        assertThat(Desk.dial("angle").obstacle(scene, scene.light("fill"))).contains("a point light has no angle");
+        assertThat(Desk.dial("dropoff").obstacle(scene, scene.light("fill"))).contains("a point light has no dropoff");
+        assertThat(Desk.dial("attenuation linear").obstacle(scene, scene.light("fill"))).isEmpty();
         assertThat(LightAttribute.DIRECTION.obstacle(LightType.POINT)).contains("a point light has no direction");
     }
 
@@ -99,13 +100,14 @@ class DialTest {
         assertThat(LightAttribute.ALL.stream().filter(a -> a.term(LightType.DIRECTIONAL).isPresent()).toList())
                 .isEqualTo(List.of(LightAttribute.COLOR, LightAttribute.INTENSITY, LightAttribute.DIRECTION, LightAttribute.SPREAD,
                         LightAttribute.SAMPLES, LightAttribute.ILLUMINATES, LightAttribute.SHADOWED_BY));
-        assertThat(Desk.dial("attenuation constant").obstacle(scene.light("sun"))).contains("a directional light has no attenuation");
+        assertThat(Desk.dial("attenuation constant").obstacle(scene, scene.light("sun")))
+                .contains("a directional light has no attenuation");
     }
 
     @Test
     void withoutASelection_onlyTheScenesDialsTurn() {
         for (Dial dial : Dial.ALL) {
-            assertThat(dial.obstacle(Optional.empty()).isEmpty()).isEqualTo(dial == Dial.AMBIENCE || dial == Dial.DEPTH);
+            assertThat(dial.obstacle(scene, Optional.empty()).isEmpty()).isEqualTo(dial == Dial.AMBIENCE || dial == Dial.DEPTH);
         }
     }
 

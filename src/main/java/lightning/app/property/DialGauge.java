@@ -17,14 +17,14 @@ record DialGauge(EditorModel model, Dial dial) implements Gauge {
     /** The arrow widget of a dial, which follows the model. */
     static ArrowWidget widget(EditorModel model, Dial dial, String unit) {
         ArrowWidget widget = new ArrowWidget(Sections.title(dial.label()) + unit, dial.title(), new DialGauge(model, dial));
-        widget.setId(dial.label());
+        widget.setId(dial.isOfScene() ? dial.title().replace(' ', '-') : dial.label());
         model.situationProperty().subscribe(now -> show(now, dial, widget));
         return widget;
     }
 
     private static void show(Situation now, Dial dial, ArrowWidget widget) {
         Optional<Light> light = now.selected();
-        widget.setObstacle(dial.obstacle(light));
+        widget.setObstacle(dial.obstacle(now.scene(), light));
         if (dial.isOfScene() || light.isPresent()) {
             widget.show(dial.value(now.scene(), light.map(Light::name).orElse("")));
         } else {

@@ -60,7 +60,12 @@ public final class PropertyPane extends VBox {
                         new LinksPart(model, LightAttribute.ILLUMINATES, "The shapes and groups that the light shines on"),
                         Sections.caption("Shadowed by"),
                         new LinksPart(model, LightAttribute.SHADOWED_BY, "The shapes and groups that throw shadows in its light")),
-                        Sections.section("Bank", bank), Sections.section("Scene", dial(Dial.AMBIENCE, ""))))
+                        Sections.section("Bank", bank),
+                        Sections.section("Scene", dial(Dial.AMBIENCE, ""), Sections.caption("Environment"), FilePart.ofWorld(model,
+                                Command.CHOOSE_ENVIRONMENT, PropertyEdit::environments,
+                                "A picture of all that is far around, which lights the scene"),
+                                dial(Dial.ENVIRONMENT_INTENSITY, ""), dial(Dial.ENVIRONMENT_ROTATION, " °"),
+                                dial(Dial.ENVIRONMENT_LAMPS, ""))))
                 .flatMap(s -> s)
                 .toArray(Node[]::new));
         setVgrow(scroll, Priority.ALWAYS);
@@ -84,10 +89,10 @@ public final class PropertyPane extends VBox {
                 case POSITION, DIRECTION -> List.of(Sections.caption(Sections.title(attribute.title())), vector(attribute, q));
                 case EACH -> Dial.of(attribute).stream().map(d -> dial(d, attribute.unit().startsWith("degrees") ? " °" : "")).toList();
             };
-            case Kind.Projecting _ -> List.of(Sections.caption(Sections.title(attribute.title())), new LightFilePart<>(model,
+            case Kind.Projecting _ -> List.of(Sections.caption(Sections.title(attribute.title())), FilePart.of(model,
                     LightAttribute.GOBO, Command.CHOOSE_GOBO, PropertyEdit::textures,
                     "A picture that the light projects: black holds it back"));
-            case Kind.Shining _ -> List.of(Sections.caption(Sections.title(attribute.title())), new LightFilePart<>(model,
+            case Kind.Shining _ -> List.of(Sections.caption(Sections.title(attribute.title())), FilePart.of(model,
                     LightAttribute.PROFILE, Command.CHOOSE_PROFILE, PropertyEdit::profiles,
                     "How strongly the light shines in each direction, as an IES file tells"));
             case Choice<V> _,Kind.Linking _,Kind.Naming _,Kind.Surrounding _,Kind.Texturing _ ->

@@ -1,0 +1,136 @@
+package lightning.app.property;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import javafx.scene.control.MenuButton;
+import javafx.scene.layout.StackPane;
+import lightning.app.model.EditorModel;
+import lightning.app.model.Sentence;
+import lightning.app.widget.Obstacle;
+import lightning.edit.Change;
+import lightning.edit.Command;
+import lightning.edit.Situation;
+import lightning.jen.PropertyEdit;
+import lightning.scene.Attribute;
+import lightning.scene.FromFile;
+import lightning.scene.Light;
+import lightning.scene.LightAttribute;
+import lightning.scene.Panorama;
+import lightning.scene.Scene;
+import lightning.scene.World;
+
+/** What the selected light or the world has from a file: one of those that lie beside the scene. It is read on a thread of its own. */
+final class FilePart<F extends FromFile> extends StackPane {
+    private final EditorModel model;
+    private final Owner<F> owner;
+    private final MenuButton choice;
+    private final Obstacle obstacle;
+
+    /** Who has it. */
+    private sealed interface Owner<F extends FromFile> {
+        Attribute<?, Optional<F>> attribute();
+
+        /** What it has now, for people. */
+        String text(Situation now);
+
+        /** Why it can have none now: a clause; empty where it can. */
+        Optional<String> obstacle(Situation now);
+
+        /** The scene with what a file holds; {@code who} is the selected light's name. */
+        Scene read(Scene scene, String who, String file, Path folder);
+
+        /** {@code to} with what {@code from} has. */
+        Scene copy(Scene from, Scene to, String who);
+    }
+
+    private record OfLight<F extends FromFile>(LightAttribute<Optional<F>> attribute) implements Owner<F> {
+        @Override
+        public String text(Situation now) {
+            return now.selected().map(attribute::text).orElse("none");
+        }
+
+        @Override
+        public Optional<String> obstacle(Situation now) {
+            return now.selected().isEmpty() ? Optional.of("no light is selected") : attribute.obstacle(now.selected().get().type());
+        }
+
+        @Override
+        public Scene read(Scene scene, String who, String file, Path folder) {
+            return PropertyEdit.file(scene, who, attribute, file, folder);
+        }
+
+        @Override
+        public Scene copy(Scene from, Scene to, String who) {
+            Light light = to.light(who).orElseThrow(() -> new IllegalArgumentException("the light is gone"));
+            return to.withLight(attribute.copy(from.light(who).orElseThrow(), light));
+        }
+    }
+
+    private record OfWorld(Attribute<World, Optional<Panorama>> attribute) implements Owner<Panorama> {
+        @Override
+        public String text(Situation now) {
+            return attribute.text(now.scene().world());
+        }
+
+        @Override
+        public Optional<String> obstacle(Situation now) {
+            return Optional.empty();
+        }
+
+        @Override
+        public Scene read(Scene scene, String who, String file, Path folder) {
+            return PropertyEdit.environment(scene, file, folder);
+        }
+
+        @Override
+        public Scene copy(Scene from, Scene to, String who) {
+            return to.withWorld(attribute.copy(from.world(), to.world()));
+        }
+    }
+
+    private FilePart(EditorModel model, Owner<F> owner, Command command, Function<Path, List<String>> names, String help) {
+        this.model = model;
+        this.owner = owner;
+        choice = new FileMenu(model, "none", command, names, this::set);
+        choice.setId(owner.attribute().name());
+        choice.setAccessibleText(owner.attribute().title());
+        choice.setMaxWidth(Double.MAX_VALUE);
+        getChildren().add(choice);
+        obstacle = new Obstacle(this, choice, help);
+        model.situationProperty().subscribe(this::show);
+    }
+
+    /**
+     * Of the selected light.
+     *
+     * @param command what choosing one does
+     * @param names   those of a folder
+     * @param help    what it is
+     */
+    static <F extends FromFile> FilePart<F> of(EditorModel model, LightAttribute<Optional<F>> attribute, Command command,
+            Function<Path, List<String>> names, String help) {
+        return new FilePart<>(model, new OfLight<>(attribute), command, names, help);
+    }
+
+    /** The same of the environment. */
+    static FilePart<Panorama> ofWorld(EditorModel model, Command command, Function<Path, List<String>> names, String help) {
+        return new FilePart<>(model, new OfWorld(World.ENVIRONMENT), command, names, help);
+    }
+
+    private void show(Situation now) {
+        choice.setText(owner.text(now));
+        obstacle.set(owner.obstacle(now));
+    }
+
+    /** What was read is taken over by the scene as it is then. */
+    private void set(String file) {
+        String who = model.selectedLight() == null ? "" : model.selectedLight().name();
+        Path folder = FileMenu.folder(model);
+        Scene asked = model.scene();
+        model.files().beside(() -> owner.read(asked, who, file, folder),
+                read -> model.edit(scene -> Change.of(() -> owner.copy(read, scene, who))).ifPresent(model::say),
+                e -> model.say(Sentence.of(e)));
+    }
+}
