@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import lightning.sample.DefaultLocale;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -63,11 +64,11 @@ class LocaleTest {
                 + (done.out() + done.err()).replace(folder.toString(), "FOLDER").replaceAll("-?\\d+\\.\\d+|-?\\d+(?= (ms|%))", "TIME"));
     }
 
-    @ParameterizedTest
-    @MethodSource("locales")
-    void measurements_areWrittenInPlainDigits(Locale locale) throws Exception {
+    /** Egypt's digits are the ones that can be told from plain ones. */
+    @Test
+    void measurements_areWrittenInPlainDigits() throws Exception {
         Path scene = Cli.scene(folder);
-        List<String> texts = DefaultLocale.during(locale, () -> List.of(
+        List<String> texts = DefaultLocale.during(Locale.of("ar", "EG"), () -> List.of(
                 Cli.run("tour", scene, "-o", folder.resolve("tour"), "--size", "24x16", "--repetitions", "1").isDone().out(),
                 Cli.run("effects", scene, "--repetitions", "1").isDone().out(),
                 Cli.run("bench", scene, "-o", folder.resolve("bench"), "--quick", "--repetitions", "1", "--size", "24x16").isDone().out(),

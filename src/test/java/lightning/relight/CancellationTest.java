@@ -59,7 +59,7 @@ class CancellationTest {
                 SessionAssert.assertSameBits(disturbed.film(), undisturbed.film(), "after-a-cancelled-update", session, step,
                         actual.plan().text());
             }
-            SceneCoverage.collect("cancelled", cancelled > 0, 50);
+            SceneCoverage.collect("cancelled", cancelled > 0, 35);
         }
     }
 

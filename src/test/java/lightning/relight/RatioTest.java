@@ -57,7 +57,7 @@ class RatioTest {
                 Update update = renderer.render(session.scenes().get(step), Progress.NONE);
                 differs |= !Oracle.assertKept(renderer, update, "after edit " + step).isNone();
             }
-            SceneCoverage.collect("differs from the exact picture", differs, 15);
+            SceneCoverage.collect("differs from the exact picture", differs, 10);
         }
     }
 
@@ -78,7 +78,7 @@ class RatioTest {
                 Update update = renderer.render(session.scenes().get(step), Progress.NONE);
                 differs |= !Oracle.assertKept(renderer, update, "after edit " + step).isNone();
             }
-            SceneCoverage.collect("differs from the exact picture", differs, 3);
+            SceneCoverage.collect("differs from the exact picture", differs, 2);
         }
     }
 

@@ -57,7 +57,7 @@ class ViewEffectsTest {
         }
     }
 
-    @Property(edgeCases = EdgeCasesMode.NONE, tries = 200)
+    @Property(edgeCases = EdgeCasesMode.NONE, tries = 100)
     void hiddenEffects_areAReRenderOfTheSceneWithoutThem(@ForAll("sessions") Session session,
             @ForAll @Size(13) List<Set<Effect>> hidden) {
         try (Renderer renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.CURRENT).withThreads(1))) {

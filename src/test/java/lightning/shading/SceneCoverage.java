@@ -7,9 +7,9 @@ import lightning.scene.Scene;
 import lightning.trace.SurfacePoint;
 import net.jqwik.api.statistics.Statistics;
 
-/** Counts over the cases of a property what their pictures show, and asks for a fifth of each. */
+/** Counts over the cases of a property what their pictures show, and asks for a tenth of each. */
 public final class SceneCoverage {
-    private static final double LEAST_PERCENT = 20;
+    private static final double LEAST_PERCENT = 10;
     /** Below so many cases the shares say nothing. */
     private static final int ENOUGH = 100;
 
