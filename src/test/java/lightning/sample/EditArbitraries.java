@@ -16,9 +16,18 @@ public final class EditArbitraries {
         return edits().list().ofMinSize(1).ofMaxSize(12);
     }
 
-    /** One to twelve edits of lights alone. */
-    static Arbitrary<List<Edit>> sequencesOfLights() {
-        return ofLights().list().ofMinSize(1).ofMaxSize(12);
+    /** One to twelve edits of how strongly lights shine and how they fade. */
+    static Arbitrary<List<Edit>> sequencesOfScales() {
+        Arbitrary<Edit> edits = Combinators.combine(lights(), scales()).as(Edit.OfLight::new);
+        return edits.list().ofMinSize(1).ofMaxSize(12);
+    }
+
+    private static Arbitrary<LightChange> scales() {
+        return Arbitraries.oneOf(List.of(
+                LightArbitraries.colors().map(LightChange.Color::new),
+                LightArbitraries.intensities().map(LightChange.Intensity::new),
+                LightArbitraries.attenuations().map(LightChange.Fading::new),
+                LightArbitraries.dropoffs().map(LightChange.Dropoff::new)));
     }
 
     static Arbitrary<Edit> edits() {

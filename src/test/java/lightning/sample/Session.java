@@ -25,9 +25,9 @@ public final class Session {
         return Combinators.combine(EditArbitraries.sequences(), SceneArbitraries.scenes()).as(Session::new);
     }
 
-    /** Sessions of one to twelve edits of lights alone. */
-    public static Arbitrary<Session> ofLights() {
-        return Combinators.combine(EditArbitraries.sequencesOfLights(), SceneArbitraries.scenes()).as(Session::new);
+    /** Sessions of one to twelve edits of how strongly lights shine and how they fade. */
+    public static Arbitrary<Session> ofScales() {
+        return Combinators.combine(EditArbitraries.sequencesOfScales(), SceneArbitraries.scenes()).as(Session::new);
     }
 
     /** Sessions of one to ten edits with weights, falloffs and highlights down to what a float can no longer hold. */
