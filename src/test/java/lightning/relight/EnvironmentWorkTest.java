@@ -71,6 +71,7 @@ class EnvironmentWorkTest {
         assertThat(Studio.layers(turned)).first().isEqualTo(new LightUpdate.Keep());
         assertThat(Studio.layers(turned)).hasSize(1 + LAMPS)
                 .filteredOn(update -> update.equals(new LightUpdate.FullRecompute(false))).hasSize(LAMPS);
+        assertThat(turned.plan().steps()).containsExactly("environment 1 to environment 5: full recompute", "reflections");
         assertThat(turned.rays().eye() + turned.rays().mirrored()).isZero();
         assertThat(turned.rays().shadow()).isEqualTo(facing());
     }

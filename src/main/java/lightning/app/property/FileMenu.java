@@ -26,6 +26,8 @@ final class FileMenu extends MenuButton {
      */
     FileMenu(EditorModel model, String text, Command command, Function<Path, List<String>> names, Consumer<String> chosen) {
         super(text);
+        // An underscore in a file's name is one.
+        setMnemonicParsing(false);
         this.model = model;
         this.command = command;
         this.names = names;

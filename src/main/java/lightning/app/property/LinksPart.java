@@ -40,6 +40,7 @@ final class LinksPart extends StackPane {
         choice.setId(attribute.name());
         choice.setAccessibleText(attribute.title());
         choice.setMaxWidth(Double.MAX_VALUE);
+        choice.setMnemonicParsing(false);
         // A menu that has no item never opens.
         choice.getItems().setAll(new SeparatorMenuItem());
         choice.setOnShowing(_ -> fill());

@@ -5,6 +5,9 @@ import java.util.List;
 
 /** Puts a plan into words. */
 final class PlanText {
+    /** So many lights are told by the first and the last. */
+    private static final int MANY = 4;
+
     private PlanText() {}
 
     static List<String> of(UpdatePlan.Relight plan) {
@@ -12,9 +15,7 @@ final class PlanText {
         for (String name : plan.top().dropped()) {
             steps.add(name + ": delete");
         }
-        for (LayerPlan layer : plan.top().layers()) {
-            describe(layer, steps);
-        }
+        describe(plan.top().layers(), steps);
         steps.addAll(plan.top().materials().steps());
         if (!plan.shapes().isEmpty()) {
             steps.add("shapes");
@@ -34,13 +35,30 @@ final class PlanText {
         return steps;
     }
 
-    private static void describe(LayerPlan layer, List<String> steps) {
-        String name = layer.light().name() + ": ";
-        switch (layer.update()) {
-            case LightUpdate.Keep _ -> {}
-            case LightUpdate.Reweight _ -> steps.add(name + "weight");
-            case LightUpdate.Refresh _ -> steps.add(name + "refresh");
-            case LightUpdate.FullRecompute full -> steps.add(name + (full.added() ? "add" : "full recompute"));
+    /** Many lights in a row of which the same is done, as those of an environment, are one step. */
+    private static void describe(List<LayerPlan> layers, List<String> steps) {
+        int end = 0;
+        for (int i = 0; i < layers.size(); i = end) {
+            String what = words(layers.get(i).update());
+            end = i + 1;
+            while (end < layers.size() && words(layers.get(end).update()).equals(what)) {
+                end++;
+            }
+            if (end - i >= MANY && !what.isEmpty()) {
+                steps.add(layers.get(i).light().name() + " to " + layers.get(end - 1).light().name() + ": " + what);
+            } else if (!what.isEmpty()) {
+                layers.subList(i, end).forEach(layer -> steps.add(layer.light().name() + ": " + what));
+            }
+        }
+    }
+
+    /** What is done to a light's layer; empty for nothing. */
+    private static String words(LightUpdate update) {
+        return switch (update) {
+            case LightUpdate.Keep _ -> "";
+            case LightUpdate.Reweight _ -> "weight";
+            case LightUpdate.Refresh _ -> "refresh";
+            case LightUpdate.FullRecompute full -> full.added() ? "add" : "full recompute";
             case LightUpdate.Partial partial -> {
                 List<String> parts = new ArrayList<>();
                 switch (partial.cone()) {
@@ -59,8 +77,8 @@ final class PlanText {
                 if (partial.weight()) {
                     parts.add("weight");
                 }
-                steps.add(name + String.join(" + ", parts));
+                yield String.join(" + ", parts);
             }
-        }
+        };
     }
 }
