@@ -195,6 +195,7 @@ class FilesTest extends EditorDesk {
         waitFor("it asks", () -> robot.lookup("#units-watts").tryQuery().isPresent());
         robot.type(javafx.scene.input.KeyCode.ESCAPE);
         waitFor("it is gone", () -> robot.lookup("#units-watts").tryQuery().isEmpty());
+        assertThat(text("message")).isEmpty();
         assertThat(model().document().name()).isEqualTo("desk.jen");
         assertThat(folder.resolve("lit.jen")).doesNotExist();
     }
@@ -204,6 +205,7 @@ class FilesTest extends EditorDesk {
         answer = Files.writeString(folder.resolve("bad.obj"), "v 0 0 0\nf 1 2 3\n");
         begin(Command.LOAD_FILE);
         waitFor("it tells", () -> says("bad.obj could not be opened"));
+        assertThat(text("message")).isEmpty();
         assertThat(model().document().name()).isEqualTo("desk.jen");
         assertThat(folder.resolve("bad.jen")).doesNotExist();
         robot.type(javafx.scene.input.KeyCode.ESCAPE);

@@ -100,6 +100,8 @@ public final class FileActions {
             if (brought.pictures().isEmpty()) {
                 write(file, brought.made());
             } else {
+                // The line says no longer that it is read.
+                model.say("");
                 notices.lightUnits(file, brought.pictures()).ifPresent(units -> write(file, brought.made().in(units)));
             }
         });
@@ -132,7 +134,10 @@ public final class FileActions {
     private <T> void reading(Path file, FileThread.Work<T> work, Consumer<T> then) {
         model.setReading(file);
         model.files().beside(work, read -> whileWanted(file, () -> then.accept(read)),
-                why -> whileWanted(file, () -> notices.failed(Quote.path(file.getFileName()) + " could not be opened", why)));
+                why -> whileWanted(file, () -> {
+                    model.say("");
+                    notices.failed(Quote.path(file.getFileName()) + " could not be opened", why);
+                }));
     }
 
     private void whileWanted(Path file, Runnable then) {
