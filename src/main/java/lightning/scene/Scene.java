@@ -71,7 +71,7 @@ public record Scene(Picture picture, Camera camera, World world, Stage stage, Ri
      * serves the other's: they differ in lights, materials, the world and how deep mirrors are followed at most.
      */
     public boolean showsSameShapes(Scene o) {
-        return hasSameView(o) && nodes().equals(o.nodes());
+        return hasSameView(o) && stage.hasNodesOf(o.stage);
     }
 
     /** Whether both are seen by the same camera at the same size. */

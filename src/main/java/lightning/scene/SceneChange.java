@@ -154,10 +154,10 @@ public final class SceneChange {
         int begin = 0;
         int end = from.size();
         int endNow = to.size();
-        while (begin < Math.min(end, endNow) && from.get(begin).equals(to.get(begin))) {
+        while (begin < Math.min(end, endNow) && same(from.get(begin), to.get(begin))) {
             begin++;
         }
-        while (Math.min(end, endNow) > begin && from.get(end - 1).equals(to.get(endNow - 1))) {
+        while (Math.min(end, endNow) > begin && same(from.get(end - 1), to.get(endNow - 1))) {
             end--;
             endNow--;
         }
@@ -170,6 +170,11 @@ public final class SceneChange {
             }
         }
         return known;
+    }
+
+    /** Of very many nodes all but a few are the very same. */
+    private static boolean same(Node a, Node b) {
+        return a == b || a.equals(b);
     }
 
     private boolean node(Node a, Node b, List<String> changed) {

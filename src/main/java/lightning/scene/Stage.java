@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import lightning.math.Transform;
 import lightning.text.Quote;
 
@@ -94,40 +95,26 @@ public final class Stage {
 
     /** The shape or the group of that name. */
     public Optional<Node> node(String name) {
-        return hasNode(name) ? Optional.of(node(nodes(), name)) : Optional.empty();
+        return places(name).map(places -> NodePlaces.at(nodes(), places));
     }
 
-    private static Node node(List<Node> nodes, String name) {
-        for (Node node : nodes) {
-            Node found = node.name().equals(name) ? node : node instanceof Group g ? node(g.children(), name) : null;
-            if (found != null) {
-                return found;
-            }
-        }
-        return null;
+    /**
+     * Where the shape or the group of that name stands: its places in the groups around it, the outermost first, and in the innermost; at
+     * least one. Empty where there is none.
+     */
+    public Optional<int[]> places(String name) {
+        return hasNode(name) ? Optional.of(tree.places.of(nodes(), name)) : Optional.empty();
     }
 
     /** The groups around the shape or the group of that name, the outermost first; none where there is none of that name. */
     public List<Group> around(String name) {
-        List<Group> groups = new ArrayList<>();
-        around(nodes(), name, groups);
-        return groups;
+        int[] places = places(name).orElse(new int[1]);
+        return IntStream.range(1, places.length).mapToObj(n -> (Group) NodePlaces.at(nodes(), Arrays.copyOf(places, n))).toList();
     }
 
-    private static boolean around(List<Node> nodes, String name, List<Group> groups) {
-        for (Node node : nodes) {
-            if (node.name().equals(name)) {
-                return true;
-            }
-            if (node instanceof Group g) {
-                groups.add(g);
-                if (around(g.children(), name, groups)) {
-                    return true;
-                }
-                groups.removeLast();
-            }
-        }
-        return false;
+    /** How many nodes were looked at to find some by their names. */
+    long looked() {
+        return tree.places.looked();
     }
 
     /**
@@ -146,46 +133,47 @@ public final class Stage {
      * @throws IllegalArgumentException as {@link #Stage(List, List)}
      */
     public Stage replacing(String name, List<? extends Node> by) {
-        var splice = new Splice(name, by);
+        Optional<int[]> places = places(name);
+        if (places.isEmpty()) {
+            return this;
+        }
+        var splice = new Splice(places.get(), by);
         List<Node> nodes = splice.in(nodes(), 0, 1, 1);
-        return splice.old == null || by.equals(List.of(splice.old)) ? this : new Stage(materials, new Tree(tree, nodes, splice));
+        return by.equals(List.of(splice.old)) ? this : new Stage(materials, new Tree(tree, nodes, splice));
     }
 
-    /** Nodes in place of one, and where that stands. */
+    /** Nodes in place of one. */
     private static final class Splice {
-        final String name;
+        final int[] places;
         final List<? extends Node> by;
-        /** The node that goes; null until it is found. */
+        /** The node that goes. */
         Node old;
-        /** Of the groups around it: how many they are, and the products of their scales. */
-        int nesting;
+        /** The products of the scales of the groups around it. */
         double least;
         double most;
 
-        Splice(String name, List<? extends Node> by) {
-            this.name = name;
+        /** @param places where the node stands that goes */
+        Splice(int[] places, List<? extends Node> by) {
+            this.places = places;
             this.by = by;
         }
 
-        List<Node> in(List<Node> nodes, int outerNesting, double outerLeast, double outerMost) {
-            for (int i = 0; i < nodes.size(); i++) {
-                Node node = nodes.get(i);
-                if (node.name().equals(name)) {
-                    old = node;
-                    nesting = outerNesting;
-                    least = outerLeast;
-                    most = outerMost;
-                    return spliced(nodes, i, by);
-                }
-                if (node instanceof Group g) {
-                    List<Node> children = in(g.children(), outerNesting + 1, outerLeast * g.placement().leastScale(),
-                            outerMost * g.placement().mostScale());
-                    if (old != null) {
-                        return spliced(nodes, i, List.of(g.withChildren(children)));
-                    }
-                }
+        int nesting() {
+            return places.length - 1;
+        }
+
+        List<Node> in(List<Node> nodes, int depth, double outerLeast, double outerMost) {
+            int place = places[depth];
+            Node node = nodes.get(place);
+            if (depth == nesting()) {
+                old = node;
+                least = outerLeast;
+                most = outerMost;
+                return spliced(nodes, place, by);
             }
-            return nodes;
+            var group = (Group) node;
+            return spliced(nodes, place, List.of(group.withChildren(in(group.children(), depth + 1,
+                    outerLeast * group.placement().leastScale(), outerMost * group.placement().mostScale()))));
         }
 
         private static List<Node> spliced(List<Node> nodes, int at, List<? extends Node> by) {
@@ -207,9 +195,9 @@ public final class Stage {
         return tree.outline == o.tree.outline;
     }
 
-    /** Whether in both each shape has the same material, because the one was made of the other. */
-    public boolean sharesUsersWith(Stage o) {
-        return tree.users == o.tree.users;
+    /** Whether both have equal shapes and groups in the same order. Where one of them was edited this is known without a walk. */
+    boolean hasNodesOf(Stage o) {
+        return tree == o.tree || tree.hash == o.tree.hash && nodes().equals(o.nodes());
     }
 
     /** All visible shapes, in the order of the file, with materials and groups resolved. */
@@ -255,18 +243,20 @@ public final class Stage {
 
     @Override
     public boolean equals(Object o) {
-        return this == o || o instanceof Stage s && materials.equals(s.materials) && tree.nodes.equals(s.tree.nodes);
+        return this == o || o instanceof Stage s && hasNodesOf(s) && materials.equals(s.materials);
     }
 
     @Override
     public int hashCode() {
-        return 31 * materials.hashCode() + tree.nodes.hashCode();
+        return 31 * materials.hashCode() + Long.hashCode(tree.hash);
     }
 
     /** All that is in some nodes, checked for limits: in the order of the file. */
     private static final class Survey {
         final List<String> names = new ArrayList<>();
         final List<Shape> shapes = new ArrayList<>();
+        /** A sum over the nodes, each by itself. */
+        long hash;
 
         Survey(List<? extends Node> nodes, int nesting, double leastScale, double mostScale) {
             take(nodes, nesting, leastScale, mostScale);
@@ -280,10 +270,22 @@ public final class Stage {
                 double most = mostScale * node.placement().mostScale();
                 Limits.combinedScale(() -> "shape " + Quote.of(node.name()), least, most);
                 switch (node) {
-                    case Group g -> take(g.children(), nesting + 1, least, most);
-                    case Shape s -> shapes.add(s);
+                    case Group g -> {
+                        hash += spread(31 * g.name().hashCode() + g.placement().hashCode(), g.visible());
+                        take(g.children(), nesting + 1, least, most);
+                    }
+                    case Shape s -> {
+                        hash += spread(s.hashCode(), true);
+                        shapes.add(s);
+                    }
                 }
             }
+        }
+
+        /** So that sums of few bits tell nodes apart. */
+        private static long spread(int hash, boolean visible) {
+            long mixed = (hash * 2L + (visible ? 1 : 0)) * 0x9E3779B97F4A7C15L;
+            return (mixed ^ mixed >>> 32) * 0xD6E8FEB86659FD93L;
         }
 
         /** The names, sorted. */
@@ -293,14 +295,11 @@ public final class Stage {
             return all;
         }
 
-        boolean hasSameUsers(Survey o) {
-            boolean same = shapes.size() == o.shapes.size();
-            for (int i = 0; same && i < shapes.size(); i++) {
-                Shape a = shapes.get(i);
-                Shape b = o.shapes.get(i);
-                same = a.name().equals(b.name()) && a.material().equals(b.material());
-            }
-            return same;
+        /** For each material of the shapes the first that has it. */
+        Map<String, String> users() {
+            Map<String, String> users = new LinkedHashMap<>();
+            shapes.forEach(s -> users.putIfAbsent(s.material(), s.name()));
+            return users;
         }
     }
 
@@ -318,6 +317,9 @@ public final class Stage {
         final Map<String, String> users;
         /** Stands for the names and their places in the tree, told by identity. */
         final Object outline;
+        /** Equal for equal nodes. */
+        final long hash;
+        final NodePlaces places;
         /** Found when it is asked for; whoever finds it finds the same. */
         private List<Shape> shapes;
         /** The shapes linked by what was asked last. */
@@ -337,19 +339,24 @@ public final class Stage {
                     throw taken(names[i]);
                 }
             }
-            users = users(all.shapes);
+            users = all.users();
             outline = new Object();
+            hash = all.hash;
+            places = new NodePlaces();
         }
 
         /** Those of another with some in place of one. */
         private Tree(Tree before, List<Node> nodes, Splice splice) {
             this.nodes = nodes;
-            var gone = new Survey(List.of(splice.old), splice.nesting, splice.least, splice.most);
-            var came = new Survey(splice.by, splice.nesting, splice.least, splice.most);
+            var gone = new Survey(List.of(splice.old), splice.nesting(), splice.least, splice.most);
+            var came = new Survey(splice.by, splice.nesting(), splice.least, splice.most);
             count = Limits.range("the number of shapes", before.count - gone.shapes.size() + came.shapes.size(), 0, Limits.MAX_SHAPES);
             names = gone.names.equals(came.names) ? before.names : merged(before.names, gone.sorted(), came.sorted());
-            users = gone.hasSameUsers(came) ? before.users : users(new Survey(nodes, 0, 1, 1).shapes);
+            Map<String, String> known = users(before.users, gone.users(), came.users());
+            users = known != null ? known : new Survey(nodes, 0, 1, 1).users();
             outline = sameOutline(List.of(splice.old), splice.by) ? before.outline : new Object();
+            hash = before.hash - gone.hash + came.hash;
+            places = new NodePlaces(splice.places);
         }
 
         boolean[] linked(Links links) {
@@ -419,10 +426,25 @@ public final class Stage {
             return new IllegalArgumentException("shape " + Quote.of(name) + ": the name is already taken");
         }
 
-        private static Map<String, String> users(List<Shape> shapes) {
-            Map<String, String> users = new LinkedHashMap<>();
-            shapes.forEach(s -> users.putIfAbsent(s.material(), s.name()));
-            return users;
+        /**
+         * The users of all shapes where some came in the place of others; null where only a walk tells. Of a material that shapes came
+         * with, and went with, the first of all stands before them, or among them.
+         */
+        private static Map<String, String> users(Map<String, String> all, Map<String, String> gone, Map<String, String> came) {
+            Map<String, String> users = new LinkedHashMap<>(all);
+            int first = 0;
+            for (Map.Entry<String, String> user : gone.entrySet()) {
+                if (all.get(user.getKey()).equals(user.getValue())) {
+                    String next = came.get(user.getKey());
+                    if (next == null) {
+                        return null;
+                    }
+                    first++;
+                    users.put(user.getKey(), next);
+                }
+            }
+            boolean ordered = first < 2 || List.copyOf(gone.keySet()).equals(List.copyOf(came.keySet()));
+            return ordered && gone.keySet().containsAll(came.keySet()) ? users : null;
         }
 
         /** All visible shapes in the order of the file; the nodes themselves where none is a group or hidden. */

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Random;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
+import java.util.function.IntConsumer;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import javafx.application.Platform;
@@ -18,8 +19,10 @@ import lightning.app.command.FilePrompt;
 import lightning.app.model.EditorModel;
 import lightning.app.model.Preferences;
 import lightning.app.widget.Looks;
+import lightning.edit.Command;
 import lightning.edit.FileThread;
 import lightning.edit.LightEdits;
+import lightning.edit.NodeEdits;
 import lightning.edit.OpenDocument;
 import lightning.edit.Recovery;
 import lightning.effects.ViewEffects;
@@ -27,6 +30,7 @@ import lightning.math.Vec3;
 import lightning.relight.Renderer;
 import lightning.relight.tile.Options;
 import lightning.scene.Camera;
+import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.work.Progress;
 
@@ -92,24 +96,48 @@ public final class EditingPace {
             Thread.sleep(REST_MS);
         }
         Thread.sleep(20 * REST_MS);
-        String name = model.lights().getFirst().name();
+        String light = model.lights().getFirst().name();
+        pace("a light's intensity", model, i -> model.edit(scene -> LightEdits.with(scene, light, l -> l.withIntensity(1 + 0.01 * i))));
+        String ball = "b" + shapes / 2;
+        onWindow(() -> {
+            model.selectNode(ball);
+            return null;
+        });
+        pace("a shape moved", model, i -> model.edit(scene -> NodeEdits.placement(scene, ball,
+                p -> new Placement(p.at().plus(new Vec3(0, 0.0001, 0)), p.rotate(), p.scale()))));
+        pace("hidden or shown", model, i -> model.edit(scene -> NodeEdits.visible(scene, ball, i % 2 == 0)));
+        pace("renamed", model, i -> model.edit(scene -> NodeEdits.rename(scene, i == 0 ? ball : ball + "_" + (i - 1), ball + "_" + i)));
+        String renamed = ball + "_" + (SAMPLES + WARM_UPS - 1);
+        pace("copied", model, i -> {
+            model.selectNode(renamed);
+            model.run(Command.DUPLICATE_SHAPE);
+        });
+        pace("deleted", model, i -> {
+            model.selectNode("b" + (shapes / 3 + i));
+            model.run(Command.DELETE_SHAPE);
+        });
+        pace("another selected", model, i -> model.selectNode("b" + (shapes / 4 + i)));
+    }
+
+    /** @param edit gets the number of the edit, from 0 */
+    private static void pace(String what, EditorModel model, IntConsumer edit) throws Exception {
         long id = onWindow(() -> Thread.currentThread().threadId());
         var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         double[] handler = new double[SAMPLES];
         double[] all = new double[SAMPLES];
         for (int i = -WARM_UPS; i < SAMPLES; i++) {
-            double intensity = 1 + 0.01 * (i + WARM_UPS);
+            int number = i + WARM_UPS;
             long begin = threads.getThreadCpuTime(id);
             long end = onWindow(() -> {
-                model.edit(scene -> LightEdits.with(scene, name, light -> light.withIntensity(intensity)));
+                edit.accept(number);
                 return threads.getThreadCpuTime(id);
             });
             Thread.sleep(REST_MS);
             handler[Math.max(i, 0)] = (end - begin) / 1e6;
             all[Math.max(i, 0)] = (threads.getThreadCpuTime(id) - begin) / 1e6;
         }
-        say("window's thread, the edit itself", median(handler), "ms of processor time");
-        say("window's thread, with layout and pictures", median(all), "ms of processor time");
+        say(what + ", the edit itself", median(handler), "ms of processor time");
+        say(what + ", with layout and pictures", median(all), "ms of processor time");
     }
 
     private static <T> T onWindow(Callable<T> task) throws Exception {
@@ -119,7 +147,7 @@ public final class EditingPace {
     }
 
     private static void say(String what, double value, String unit) {
-        System.out.printf(Locale.ROOT, "%-45s %10.3f %s%n", what, value, unit);
+        System.out.printf(Locale.ROOT, "%-55s %10.3f %s%n", what, value, unit);
     }
 
     private static double since(long start) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import lightning.sample.SceneArbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Assume;
@@ -116,5 +117,19 @@ class StageReplacingTest {
     @Test
     void unknownName_changesNothing() {
         assertThat(STAGE.replacing("d", List.of())).isSameAs(STAGE);
+    }
+
+    @Test
+    void editsOfOneOfManyShapes_lookForItOnce() {
+        Stage stage = new Stage(List.of(), IntStream.range(0, 1000).<Node>mapToObj(i -> sphere("s" + i)).toList());
+        stage.node("s500");
+        assertThat(stage.looked()).isGreaterThanOrEqualTo(500);
+        for (List<? extends Node> by : List.<List<? extends Node>>of(List.of(sphere("s500").withVisible(false)), List.of(sphere("other")),
+                List.of(sphere("s500"), sphere("other")), List.of())) {
+            Stage edited = stage.replacing("s500", by);
+            by.forEach(node -> assertThat(edited.node(node.name())).contains(node));
+            assertThat(edited.node("s501")).contains(sphere("s501"));
+            assertThat(edited.looked()).isLessThan(10);
+        }
     }
 }

@@ -32,6 +32,7 @@ import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.MaterialAttribute.Section;
 import lightning.scene.Quantity;
+import lightning.scene.Scene;
 import lightning.scene.SurfaceModel;
 import lightning.scene.TextureMap;
 
@@ -39,6 +40,8 @@ import lightning.scene.TextureMap;
 final class MaterialPane extends VBox {
     private static final Optional<String> NO_MATERIAL = Optional.of("the scene has no shapes");
     private static final int NAMES_SHOWN = 4;
+    /** Of shapes; takes some tens of microseconds. */
+    private static final int WALKED_AT_ONCE = 1000;
 
     private final EditorModel model;
     private final ComboBox<String> name = new ComboBox<>();
@@ -50,6 +53,7 @@ final class MaterialPane extends VBox {
     /** Of which material, among which nodes, {@link #users} tells. */
     private String toldUsersOf = "";
     private List<lightning.scene.Node> toldAmong = List.of();
+    private boolean walking;
     private boolean showing;
 
     /**
@@ -226,11 +230,28 @@ final class MaterialPane extends VBox {
         }
     }
 
-    /** All shapes are walked, so not for edits of the material itself. */
+    /** All shapes are walked, so not for edits of the material itself; many of them not on the window's thread. */
     private void tellUsers() {
         toldUsersOf = shown;
         toldAmong = model.scene().nodes();
-        List<String> shapes = MaterialChoice.shapesOf(model.scene(), shown);
+        Scene scene = model.scene();
+        if (scene.stage().shapeCount() <= WALKED_AT_ONCE) {
+            tell(MaterialChoice.shapesOf(scene, shown));
+        } else if (!walking) {
+            walking = true;
+            String of = shown;
+            model.files().beside(() -> MaterialChoice.shapesOf(scene, of), shapes -> {
+                walking = false;
+                if (of.equals(toldUsersOf) && scene.nodes() == toldAmong) {
+                    tell(shapes);
+                } else if (!toldUsersOf.isEmpty()) {
+                    tellUsers();
+                }
+            }, _ -> walking = false);
+        }
+    }
+
+    private void tell(List<String> shapes) {
         users.setText(
                 shapes.isEmpty() ? "No shape has it" : "On " + String.join(", ", shapes.subList(0, Math.min(NAMES_SHOWN, shapes.size())))
                         + (shapes.size() > NAMES_SHOWN ? " and " + (shapes.size() - NAMES_SHOWN) + " more" : ""));

@@ -149,7 +149,7 @@ final class OutlinePane extends VBox {
     private void list(Stage stage) {
         showing = true;
         listed = stage;
-        list.getItems().setAll(OutlineRow.of(stage, unfolded));
+        OutlineRow.update(list.getItems(), stage, unfolded);
         int shapes = stage.shapeCount();
         count.setText(shapes == 1 ? "1 shape" : String.format(Locale.ROOT, "%,d shapes", shapes));
         showing = false;
@@ -158,10 +158,7 @@ final class OutlinePane extends VBox {
     /** @param scroll whether the line is brought into view */
     private void mark(Stage stage, boolean scroll) {
         showing = true;
-        int row = -1;
-        for (int i = 0; selected != null && row < 0 && i < list.getItems().size(); i++) {
-            row = list.getItems().get(i).node(stage) == selected ? i : -1;
-        }
+        int row = selected == null ? -1 : stage.places(selected.name()).map(places -> OutlineRow.line(list.getItems(), places)).orElse(-1);
         if (row < 0) {
             list.getSelectionModel().clearSelection();
         } else if (list.getSelectionModel().getSelectedIndex() != row) {

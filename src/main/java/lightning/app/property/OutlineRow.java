@@ -3,6 +3,8 @@ package lightning.app.property;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
+import javafx.collections.ObservableList;
 import lightning.scene.Group;
 import lightning.scene.Node;
 import lightning.scene.Stage;
@@ -15,6 +17,8 @@ import lightning.scene.Stage;
  * @param depth how many groups it is in
  */
 record OutlineRow(OutlineRow group, int place, int depth) {
+    /** More lines that came or went are all made anew. */
+    private static final int MOST = 1000;
 
     /** What stands there; null where nothing does. */
     Node node(Stage stage) {
@@ -31,6 +35,36 @@ record OutlineRow(OutlineRow group, int place, int depth) {
         List<OutlineRow> rows = new ArrayList<>(stage.nodes().size());
         add(null, 0, stage.nodes(), unfolded, rows);
         return rows;
+    }
+
+    /**
+     * Makes lines those of a stage. A line is a place, so that where no group is unfolded lines come and go at the end alone, and nothing is
+     * walked.
+     */
+    static void update(ObservableList<OutlineRow> lines, Stage stage, Set<String> unfolded) {
+        int before = lines.size();
+        int now = stage.nodes().size();
+        if (!unfolded.isEmpty() || before > 0 && lines.getLast().place != before - 1 || Math.abs(now - before) > MOST) {
+            List<OutlineRow> all = of(stage, unfolded);
+            if (!all.equals(lines)) {
+                lines.setAll(all);
+            }
+        } else if (now < before) {
+            lines.subList(now, before).clear();
+        } else if (now > before) {
+            lines.addAll(IntStream.range(before, now).mapToObj(place -> new OutlineRow(null, place, 0)).toList());
+        }
+    }
+
+    /** The line of what stands at some places, as {@link Stage#places} gives them; −1 where a group around it is folded. */
+    static int line(List<OutlineRow> lines, int... places) {
+        OutlineRow row = null;
+        for (int place : places) {
+            row = new OutlineRow(row, place, row == null ? 0 : row.depth + 1);
+        }
+        // No line stands before its place.
+        int from = places[0];
+        return from < lines.size() && lines.get(from).equals(row) ? from : lines.indexOf(row);
     }
 
     private static void add(OutlineRow group, int depth, List<Node> nodes, Set<String> unfolded, List<OutlineRow> rows) {
