@@ -2,15 +2,11 @@ package lightning.trace.mesh;
 
 import static jdk.incubator.vector.DoubleVector.broadcast;
 import static jdk.incubator.vector.DoubleVector.fromArray;
-import static jdk.incubator.vector.VectorOperators.F2D;
 import static jdk.incubator.vector.VectorOperators.GE;
 import static jdk.incubator.vector.VectorOperators.GT;
-import static jdk.incubator.vector.VectorOperators.LE;
 import static jdk.incubator.vector.VectorOperators.LT;
-import static jdk.incubator.vector.VectorOperators.NE;
 
 import jdk.incubator.vector.DoubleVector;
-import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
@@ -24,9 +20,6 @@ import lightning.trace.solid.Rays;
 final class MeshLanes {
     private static final VectorSpecies<Double> SPECIES = Lanes.SPECIES;
     static final VectorSpecies<Float> HALF = VectorSpecies.of(float.class, VectorShape.forBitSize(SPECIES.vectorBitSize() / 2));
-    /** For each axis along which a ray is longest, the two others, as places of their coordinates in a leaf. */
-    private static final int[] ACROSS = {MeshTree.WIDTH, 2 * MeshTree.WIDTH, 0};
-    private static final int[] ALONG = {2 * MeshTree.WIDTH, 0, MeshTree.WIDTH};
 
     /** Origins and directions, and what {@link MeshRay} makes of them. */
     final double[] ox;
@@ -46,16 +39,14 @@ final class MeshLanes {
     private final double[] perDepth;
     /** The first ray that was taken. */
     int first;
-    /** Whether all rays that were taken begin at one point. */
-    boolean common;
-    /** The vertices of a leaf as seen from where a ray begins. */
-    private final double[] moved = new double[MeshTree.LEAF];
+    private final double[][] origin;
 
     /** @param most rays, a multiple of a packet's */
     MeshLanes(int most) {
         ox = new double[most];
         oy = new double[most];
         oz = new double[most];
+        origin = new double[][] {ox, oy, oz};
         dx = new double[most];
         dy = new double[most];
         dz = new double[most];
@@ -78,15 +69,11 @@ final class MeshLanes {
      */
     void take(MeshTree tree, double[] m, int at, Rays p, int mask, int to) {
         if (to == 0) {
-            common = true;
             first = Integer.numberOfTrailingZeros(mask);
         }
         for (int h = 0; h < Rays.WIDTH; h += Lanes.COUNT) {
             map(m, at, p, h, to + h);
             prepare(tree, to + h);
-        }
-        for (int h = 0; h < Rays.WIDTH; h += Lanes.COUNT) {
-            common &= (apart(first, to + h) & mask >>> h) == 0;
         }
     }
 
@@ -121,7 +108,7 @@ final class MeshLanes {
                 .intoArray(to, h);
     }
 
-    /** Gets the rays of the packet from {@code i} on ready for {@link #face} and {@link #signs}. */
+    /** Gets the rays of the packet from {@code i} on ready for {@link #distance}. */
     void ready(int i) {
         for (int h = i; h < i + Rays.WIDTH; h += Lanes.COUNT) {
             shear(h);
@@ -148,66 +135,16 @@ final class MeshLanes {
         }
     }
 
-    /** Which rays from {@code h} on do not begin where ray {@code i} does. */
-    private int apart(int i, int h) {
-        return (int) fromArray(SPECIES, ox, h).compare(NE, ox[i]).or(fromArray(SPECIES, oy, h).compare(NE, oy[i]))
-                .or(fromArray(SPECIES, oz, h).compare(NE, oz[i])).toLong();
-    }
-
-    /** Sees the vertices of a leaf from where ray {@code i} begins: what {@link #signs} is asked of until it is called again. */
-    void face(float[] vertex, int leaf, int i) {
-        double x = ox[i];
-        double y = oy[i];
-        double z = oz[i];
-        int at = MeshTree.LEAF * leaf;
-        for (int v = 0; v < MeshTree.LEAF; v += MeshTree.VERTEX) {
-            for (int h = 0; h < MeshTree.WIDTH; h += Lanes.COUNT) {
-                int k = v + h;
-                ((DoubleVector) FloatVector.fromArray(HALF, vertex, at + k).convertShape(F2D, SPECIES, 0)).sub(x).intoArray(moved, k);
-                k += MeshTree.WIDTH;
-                ((DoubleVector) FloatVector.fromArray(HALF, vertex, at + k).convertShape(F2D, SPECIES, 0)).sub(y).intoArray(moved, k);
-                k += MeshTree.WIDTH;
-                ((DoubleVector) FloatVector.fromArray(HALF, vertex, at + k).convertShape(F2D, SPECIES, 0)).sub(z).intoArray(moved, k);
-            }
-        }
-    }
-
-    /** The slots of that leaf whose triangles ray {@code i} meets by the signs of {@link MeshRay#distance}; writes depths to {@code t}. */
-    int signs(int i, double[] t) {
-        double[] v = moved;
-        int mask = 0;
-        int z = MeshTree.WIDTH * axis[i];
-        int x = ACROSS[axis[i]];
-        int y = ALONG[axis[i]];
-        double sx = shearX[i];
-        double sy = shearY[i];
-        for (int h = 0; h < MeshTree.WIDTH; h += Lanes.COUNT) {
-            DoubleVector az = fromArray(SPECIES, v, z + h);
-            DoubleVector ax = fromArray(SPECIES, v, x + h).sub(az.mul(sx));
-            DoubleVector ay = fromArray(SPECIES, v, y + h).sub(az.mul(sy));
-            DoubleVector bz = fromArray(SPECIES, v, MeshTree.VERTEX + z + h);
-            DoubleVector bx = fromArray(SPECIES, v, MeshTree.VERTEX + x + h).sub(bz.mul(sx));
-            DoubleVector by = fromArray(SPECIES, v, MeshTree.VERTEX + y + h).sub(bz.mul(sy));
-            DoubleVector cz = fromArray(SPECIES, v, 2 * MeshTree.VERTEX + z + h);
-            DoubleVector cx = fromArray(SPECIES, v, 2 * MeshTree.VERTEX + x + h).sub(cz.mul(sx));
-            DoubleVector cy = fromArray(SPECIES, v, 2 * MeshTree.VERTEX + y + h).sub(cz.mul(sy));
-            DoubleVector atA = cx.mul(by).sub(cy.mul(bx));
-            DoubleVector atB = ax.mul(cy).sub(ay.mul(cx));
-            DoubleVector atC = bx.mul(ay).sub(by.mul(ax));
-            VectorMask<Double> one = atA.compare(GE, 0).and(atB.compare(GE, 0)).and(atC.compare(GE, 0));
-            VectorMask<Double> other = atA.compare(LE, 0).and(atB.compare(LE, 0)).and(atC.compare(LE, 0));
-            int met = (int) one.or(other).toLong();
-            if (met != 0) {
-                atA.mul(az).add(atB.mul(bz)).add(atC.mul(cz)).div(atA.add(atB).add(atC)).mul(perDepth[i]).intoArray(t, h);
-                mask |= met << h;
-            }
-        }
-        return mask;
-    }
-
-    /** The distance of ray {@code i} to a triangle of a leaf whose depth is {@code t}: the end of {@link MeshRay#distance}. */
-    double put(int i, double t, float[] v, int at) {
-        return t > 0 ? MeshRay.put(t, v, at, at + MeshTree.VERTEX, at + 2 * MeshTree.VERTEX, MeshTree.WIDTH, ox[i], oy[i], oz[i], pad[i],
-                inverseX[i], inverseY[i], inverseZ[i]) : MeshRay.MISS;
+    /** The distance of ray {@code i} to the triangle of a leaf whose first coordinate is {@code v[at]}: {@link MeshRay#distance}. */
+    double distance(int i, float[] v, int at) {
+        int z = axis[i];
+        int x = z == 2 ? 0 : z + 1;
+        int y = x == 2 ? 0 : x + 1;
+        int b = at + MeshTree.VERTEX;
+        int c = b + MeshTree.VERTEX;
+        double t = MeshRay.depth(v, at, b, c, MeshTree.WIDTH * x, MeshTree.WIDTH * y, MeshTree.WIDTH * z, origin[x][i], origin[y][i],
+                origin[z][i], shearX[i], shearY[i], perDepth[i]);
+        return t > 0 ? MeshRay.put(t, v, at, b, c, MeshTree.WIDTH, ox[i], oy[i], oz[i], pad[i], inverseX[i], inverseY[i], inverseZ[i])
+                : MeshRay.MISS;
     }
 }

@@ -42,6 +42,8 @@ final class MeshLines {
     private static final double BEFORE = 1 - 0x1p-48;
     /** Ways whose ends lie farther apart than this share of their size end at different points. */
     private static final double SAME = 0x1p-40;
+    /** A line so many times as long as it is loose runs along its ray: both ends are less than half as far off. */
+    private static final double STRAIGHT = 0x1p28;
 
     private final MeshLanes rays;
     private final double[][][] forwards;
@@ -54,6 +56,8 @@ final class MeshLines {
     boolean back;
     /** How far rays may be off their lines, beside rounding. */
     private double off;
+    /** Whether some ray may run across its line by more than 2⁻²⁶ of its length. */
+    boolean tilted;
     /** How wide a line must be made. */
     final double[] loose;
     /** Where each line enters the mesh's box, then where it begins anew; its largest component, in absolute value, and the inverse of that. */
@@ -95,6 +99,7 @@ final class MeshLines {
             off = 0;
         }
         double depth = Double.POSITIVE_INFINITY;
+        tilted = false;
         for (int k = 0; k < packets; k++) {
             int met = 0;
             int seen = 0;
@@ -106,6 +111,7 @@ final class MeshLines {
             open[k] &= met & seen;
             if (open[k] != 0) {
                 depth = Math.min(depth, depth(k * Rays.WIDTH, open[k]));
+                tilted |= back && tilted(k * Rays.WIDTH, open[k]);
             }
         }
         return depth * BEFORE;
@@ -119,6 +125,15 @@ final class MeshLines {
             least = least.blend(in, in.compare(LT, least).and(VectorMask.fromLong(SPECIES, open >>> h)));
         }
         return least.reduceLanes(MIN);
+    }
+
+    private boolean tilted(int packet, int open) {
+        int tilted = 0;
+        for (int h = 0; h < Rays.WIDTH; h += Lanes.COUNT) {
+            tilted |= (int) fromArray(SPECIES, unit, packet + h).compare(LT, fromArray(SPECIES, loose, packet + h).mul(STRAIGHT))
+                    .toLong() << h;
+        }
+        return (tilted & open) != 0;
     }
 
     /** Whether all rays end at one point, at distance 1 or before; writes {@link #off}. */

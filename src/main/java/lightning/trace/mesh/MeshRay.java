@@ -117,9 +117,17 @@ final class MeshRay {
      * and {@code v[c + k * step]}.
      */
     double distance(float[] v, int a, int b, int c, int step) {
-        int x = axisX * step;
-        int y = axisY * step;
-        int z = axisZ * step;
+        double t = depth(v, a, b, c, axisX * step, axisY * step, axisZ * step, originX, originY, originZ, shearX, shearY, perDepth);
+        return t > 0 ? within(t, v, a, b, c, step) : MISS;
+    }
+
+    /**
+     * The distance to a triangle's plane where a ray meets the triangle by the signs, NaN where it does not or sees it as a line. Coordinates
+     * {@code x}, {@code y} and {@code z} of its vertices, which are added to {@code a}, {@code b} and {@code c}, and of the origin are those across
+     * the ray's axis and along it.
+     */
+    static double depth(float[] v, int a, int b, int c, int x, int y, int z, double originX, double originY, double originZ, double shearX,
+            double shearY, double perDepth) {
         double az = v[a + z] - originZ;
         double ax = v[a + x] - originX - shearX * az;
         double ay = v[a + y] - originY - shearY * az;
@@ -134,12 +142,8 @@ final class MeshRay {
         double atC = bx * ay - by * ax;
         boolean one = atA >= 0 && atB >= 0 && atC >= 0;
         boolean other = atA <= 0 && atB <= 0 && atC <= 0;
-        if (!one && !other) {
-            return MISS;
-        }
-        double t = (atA * az + atB * bz + atC * cz) / (atA + atB + atC) * perDepth;
         // NaN where all weights are 0: the triangle is seen as a line, and its neighbours cover what it does.
-        return t > 0 ? within(t, v, a, b, c, step) : MISS;
+        return one || other ? (atA * az + atB * bz + atC * cz) / (atA + atB + atC) * perDepth : Double.NaN;
     }
 
     private double within(double t, float[] v, int a, int b, int c, int step) {
