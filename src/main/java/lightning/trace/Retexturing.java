@@ -17,6 +17,8 @@ public final class Retexturing {
     private final Beam beam = new Beam();
     private final Candidates candidates = new Candidates();
     private final RayColumns rays;
+    /** The directions of all rays of the eye through the tile's places. */
+    private final RayColumns eye;
     private long rowsTouched;
 
     /** @param geometry with the materials as they are wanted */
@@ -26,6 +28,7 @@ public final class Retexturing {
         materials = geometry.materials();
         camera = new CameraRays(scene.camera(), scene.picture());
         rays = new RayColumns(camera);
+        eye = new RayColumns(camera);
         texels = new TexelColumns(geometry);
     }
 
@@ -61,6 +64,11 @@ public final class Retexturing {
         if (!hasTextures(rows)) {
             return rows.texelRed == null ? rows : rows.withoutTexels();
         }
+        if (from == null && places.pixels() == null) {
+            tracer.eye(camera, places.x0(), places.y0(), SamplePlaces.SIDE, SamplePlaces.SIDE, eye);
+        } else if (from == null) {
+            tracer.samples(camera, places, eye);
+        }
         HitRows now = rows.withOwnTexels();
         for (int r = 0; r < rows.runs; r++) {
             int material = rows.runMaterial[r];
@@ -86,24 +94,38 @@ public final class Retexturing {
         rays.count = rows.runEnd[run] - start;
         rays.hits = rays.count;
         rowsTouched += rays.count;
-        beam.clear();
         for (int i = 0; i < rays.count; i++) {
-            int parent = rows.parent[start + i];
-            rays.slot[i] = (short) parent;
+            rays.slot[i] = rows.parent[start + i];
             rays.order[i] = (short) i;
-            if (from == null) {
-                camera.at(places.x(parent), places.y(parent), rays.dx, rays.dy, rays.dz, i);
-            } else {
-                MirrorRays.direction(from, parent, rays.dx, rays.dy, rays.dz, i);
-            }
-            beam.origin(rays.originX(i), rays.originY(i), rays.originZ(i));
         }
-        rays.sweep(beam, tracer);
+        if (from == null) {
+            towards(places);
+        } else {
+            mirror(from);
+        }
         candidates.collect(geometry.bvh(), beam);
         // What a row hit is the nearest of all shapes, and so of those of its material.
         candidates.keepMaterial(geometry.primitives(), rows.runMaterial[run]);
         tracer.nearest(rays, candidates);
         tracer.ownPoints(rays);
         texels.write(rows, start, rays);
+    }
+
+    private void towards(SamplePlaces places) {
+        for (int i = 0; i < rays.count; i++) {
+            rays.dx[i] = eye.dx[rays.slot[i]];
+            rays.dy[i] = eye.dy[rays.slot[i]];
+            rays.dz[i] = eye.dz[rays.slot[i]];
+        }
+        places.bound(beam, camera);
+    }
+
+    private void mirror(HitRows from) {
+        beam.clear();
+        for (int i = 0; i < rays.count; i++) {
+            MirrorRays.direction(from, rays.slot[i], rays.dx, rays.dy, rays.dz, i);
+            beam.origin(rays.originX(i), rays.originY(i), rays.originZ(i));
+        }
+        rays.sweep(beam, tracer);
     }
 }

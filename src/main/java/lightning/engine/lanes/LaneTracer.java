@@ -132,12 +132,19 @@ class LaneTracer implements Tracer {
     public void ownPoints(RayColumns rays) {
         for (int row = 0; row < rays.hits; row += W) {
             int live = Math.min(W, rays.hits - row);
-            surfaces(rays, row, live);
+            meet(rays, row, live);
+            packets.ownPoints(packet, live, surface);
             own(rays, row, live);
         }
     }
 
     private void surfaces(RayColumns rays, int row, int live) {
+        meet(rays, row, live);
+        packets.surfaces(packet, live, surface);
+    }
+
+    /** Puts hits from {@code row} on into a packet. */
+    private void meet(RayColumns rays, int row, int live) {
         for (int i = 0; i < live; i++) {
             int ray = rays.order[row + i];
             packet.ox[i] = rays.originX(ray);
@@ -150,7 +157,6 @@ class LaneTracer implements Tracer {
             packet.primitive[i] = rays.primitive[ray];
             packet.part[i] = rays.part[ray];
         }
-        packets.surfaces(packet, live, surface);
     }
 
     private void own(RayColumns rays, int row, int live) {

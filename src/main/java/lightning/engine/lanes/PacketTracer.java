@@ -240,4 +240,9 @@ public final class PacketTracer {
     public void surfaces(RayPacket p, int live, SurfacePacket out) {
         surface.at(p, live, out);
     }
+
+    /** Where they lie in the own space of the primitive, alone. */
+    public void ownPoints(RayPacket p, int live, SurfacePacket out) {
+        surface.own(p, live, out);
+    }
 }

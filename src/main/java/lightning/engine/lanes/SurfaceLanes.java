@@ -66,6 +66,26 @@ final class SurfaceLanes {
         }
     }
 
+    /** Where those lanes that hit a primitive lie in its own space, alone: {@link SurfacePacket#ownX} and its like. */
+    void own(RayPacket p, int live, SurfacePacket out) {
+        meet(p);
+        int left = 0;
+        for (int i = 0; i < live; i++) {
+            left |= (p.primitive[i] >>> 31 ^ 1) << i;
+        }
+        while (left != 0) {
+            int s = p.primitive[Integer.numberOfTrailingZeros(left)];
+            for (int h = 0; h < RayPacket.WIDTH; h += Lanes.COUNT) {
+                VectorMask<Integer> same = IntVector.fromArray(INTS, p.primitive, h).compare(EQ, s);
+                left &= ~((int) same.toLong() << h);
+                if (same.anyTrue()) {
+                    ownPoints(s, h);
+                    storeOwn(h, same.cast(SPECIES), out);
+                }
+            }
+        }
+    }
+
     /** The surfaces of a mesh or of what has a relief, one lane after the other. */
     private void each(RayPacket p, int s, int h, int lanes, SurfacePacket out) {
         for (int left = lanes; left != 0; left &= left - 1) {
@@ -138,14 +158,18 @@ final class SurfaceLanes {
                 .add(origin.mul(Surface.ERROR).add(primitives.error[s]));
         VectorMask<Double> mask = VectorMask.fromLong(SPECIES, lanes);
         VectorMask<Float> floats = VectorMask.fromLong(FLOATS, lanes);
-        fromArray(SPECIES, points.ownX, h).intoArray(out.ownX, h, mask);
-        fromArray(SPECIES, points.ownY, h).intoArray(out.ownY, h, mask);
-        fromArray(SPECIES, points.ownZ, h).intoArray(out.ownZ, h, mask);
+        storeOwn(h, mask, out);
         ((FloatVector) px.add(bx.mul(off)).convertShape(D2F, FLOATS, 0)).intoArray(out.px, h, floats);
         ((FloatVector) py.add(by.mul(off)).convertShape(D2F, FLOATS, 0)).intoArray(out.py, h, floats);
         ((FloatVector) pz.add(bz.mul(off)).convertShape(D2F, FLOATS, 0)).intoArray(out.pz, h, floats);
         ((FloatVector) bx.convertShape(D2F, FLOATS, 0)).intoArray(out.nx, h, floats);
         ((FloatVector) by.convertShape(D2F, FLOATS, 0)).intoArray(out.ny, h, floats);
         ((FloatVector) bz.convertShape(D2F, FLOATS, 0)).intoArray(out.nz, h, floats);
+    }
+
+    private void storeOwn(int h, VectorMask<Double> mask, SurfacePacket out) {
+        fromArray(SPECIES, points.ownX, h).intoArray(out.ownX, h, mask);
+        fromArray(SPECIES, points.ownY, h).intoArray(out.ownY, h, mask);
+        fromArray(SPECIES, points.ownZ, h).intoArray(out.ownZ, h, mask);
     }
 }
