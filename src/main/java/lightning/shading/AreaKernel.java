@@ -42,6 +42,8 @@ final class AreaKernel {
     private final float[] specular = new float[Terms.ROWS];
     private final float[] grazing = new float[Terms.ROWS];
     private final double[] factors = new double[Terms.ROWS];
+    /** As many samples of as many rows as a word and a column of seen samples hold. */
+    private final int[] square = new int[RowBits.WIDTH];
     private final double[] diffuseSum = new double[Terms.ROWS];
     private final double[] specularSum = new double[Terms.ROWS];
     private final double[] grazingSum = new double[Terms.ROWS];
@@ -236,13 +238,17 @@ final class AreaKernel {
 
     /** Reads which ways are known to be free. */
     private void known(HitRows rows, Lamp lamp, short[][] seen) {
-        for (int s = 0; s < lamp.area().samples(); s++) {
-            int[] set = clear[s];
-            Arrays.fill(set, 0);
-            short[] column = seen == null ? null : seen[s / LightRows.SAMPLES];
-            if (column != null) {
-                for (int i = 0; i < rows.count; i++) {
-                    set[i / RowBits.WIDTH] |= (column[i] >>> s % LightRows.SAMPLES & 1) << i % RowBits.WIDTH;
+        int samples = lamp.area().samples();
+        for (int first = 0; first < samples; first += LightRows.SAMPLES) {
+            short[] column = seen == null ? null : seen[first / LightRows.SAMPLES];
+            for (int b = 0; b < RowBits.words(rows.count); b++) {
+                int row = b * RowBits.WIDTH;
+                for (int i = row; i < row + RowBits.WIDTH; i++) {
+                    square[i - row] = column != null && i < rows.count ? column[i] & 0xFFFF : 0;
+                }
+                RowBits.transpose(square);
+                for (int s = first; s < Math.min(samples, first + LightRows.SAMPLES); s++) {
+                    clear[s][b] = square[s - first];
                 }
             }
         }
@@ -286,12 +292,15 @@ final class AreaKernel {
             seen[k] = columns.shorts(rows.count);
             int first = k * LightRows.SAMPLES;
             int count = Math.min(LightRows.SAMPLES, samples - first);
-            for (int i = 0; i < rows.count; i++) {
-                int bits = 0;
-                for (int s = 0; s < count; s++) {
-                    bits |= (clear[first + s][i / RowBits.WIDTH] >>> i % RowBits.WIDTH & 1) << s;
+            for (int b = 0; b < RowBits.words(rows.count); b++) {
+                for (int s = 0; s < LightRows.SAMPLES; s++) {
+                    square[s] = s < count ? clear[first + s][b] : 0;
                 }
-                seen[k][i] = (short) bits;
+                RowBits.transpose(square);
+                int row = b * RowBits.WIDTH;
+                for (int i = row; i < Math.min(row + RowBits.WIDTH, rows.count); i++) {
+                    seen[k][i] = (short) square[i - row];
+                }
             }
         }
         return seen;

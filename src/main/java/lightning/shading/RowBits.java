@@ -77,4 +77,20 @@ public final class RowBits {
             bits[b] = word;
         }
     }
+
+    /**
+     * Exchanges rows and columns of a square of bits: bit c of word r and bit r of word c, {@code int[WIDTH]}. Halves of the square
+     * change places, then halves of these (Warren, Hacker's Delight, §7-3).
+     */
+    static void transpose(int[] square) {
+        int low = ALL;
+        for (int half = WIDTH / 2; half > 0; half /= 2) {
+            low ^= low << half & ALL;
+            for (int r = 0; r < WIDTH; r = r + half + 1 & ~half) {
+                int other = (square[r] >>> half ^ square[r + half]) & low;
+                square[r + half] ^= other;
+                square[r] ^= other << half;
+            }
+        }
+    }
 }
