@@ -44,7 +44,7 @@ public enum Effect {
             scene -> Without.lights(scene, l -> l.withAngle(180)), Forced::widestCones),
     DROPOFF("dropoff", uses -> uses.lights(l -> l.type().hasCone() && l.dropoff() != 0),
             scene -> Without.lights(scene, l -> l.withDropoff(0))),
-    BARN_DOORS("barn doors", uses -> uses.lights(l -> l.type().hasCone() && !l.doors().isOpen()),
+    BARN_DOORS("barn doors", uses -> uses.lights(l -> LightAttribute.DOORS.acts(l.type()) && !l.doors().isOpen()),
             scene -> Without.lights(scene, l -> l.withDoors(BarnDoors.OPEN))),
     GOBOS("gobos", uses -> uses.lights(l -> l.type().hasCone() && l.gobo().isPresent()),
             scene -> Without.lights(scene, l -> l.withGobo(Optional.empty()))),

@@ -89,7 +89,7 @@ public record LightsBack(byte[] bytes, Map<String, Integer> notes) {
         notes.add("spots wider than 90 degrees", type.hasCone() && light.angle() > 90 ? 1 : 0);
         notes.add("edges of spots, which fade otherwise there", type.hasCone() && light.dropoff() > 0 || type.isSurface() ? 1 : 0);
         double dropoff = type.isSurface() ? 1 : light.dropoff();
-        notes.add("barn doors", type.hasCone() && !light.doors().isOpen() ? 1 : 0);
+        notes.add("barn doors", LightAttribute.DOORS.acts(type) && !light.doors().isOpen() ? 1 : 0);
         notes.add("gobos", type.hasCone() && light.gobo().isPresent() ? 1 : 0);
         notes.add("profiles", LightAttribute.PROFILE.acts(type) && light.profile().isPresent() ? 1 : 0);
         GltfLight.Type kind = switch (type) {

@@ -34,6 +34,9 @@ final class PovLight {
         if (LightAttribute.PROFILE.acts(light.type()) && light.profile().isPresent()) {
             losses.add("light " + light.name() + ": its profile is left out, POV-Ray reads no IES file");
         }
+        if (LightAttribute.DOORS.acts(light.type()) && !light.doors().isOpen()) {
+            losses.add("light " + light.name() + ": its barn doors are left out");
+        }
         if (light.isLinked()) {
             // A light group takes its shapes out of all others, so that it can say only links of one light.
             losses.add("light " + light.name() + ": its links are left out, it lights all shapes and all throw shadows");
@@ -77,9 +80,6 @@ final class PovLight {
         }
         if (light.angle() >= 90) {
             losses.add("light " + light.name() + ": a cone of 90 degrees and more ends at 90 in POV-Ray");
-        }
-        if (!light.doors().isOpen()) {
-            losses.add("light " + light.name() + ": its barn doors are left out");
         }
         if (light.gobo().isPresent()) {
             losses.add("light " + light.name() + ": its gobo is left out");

@@ -54,9 +54,10 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
     public static final LightAttribute<Double> DROPOFF = of("dropoff", Quantity.number(0, Limits.MAX_DROPOFF, 0.1), 0.0,
             "exponent", Light::dropoff, Light::withDropoff, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<BarnDoors> DOORS = of("doors", Quantity.doors(), BarnDoors.OPEN, "degrees from the axis, 90 is open",
-            Light::doors, Light::withDoors, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
+            Light::doors, Light::withDoors, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
     public static final LightAttribute<Double> FEATHER = of("feather", Quantity.number(0, Limits.MAX_FEATHER, 1), 0.0,
-            "degrees inside the edge of a door", Light::feather, Light::withFeather, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
+            "degrees inside the edge of a door", Light::feather, Light::withFeather, Section.CONE,
+            Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
     public static final LightAttribute<Optional<Gobo>> GOBO = of("gobo", new Kind.Projecting(), Optional.empty(), "a PNG or JPEG file",
             Light::gobo, Light::withGobo, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<Optional<Profile>> PROFILE = of("profile", new Kind.Shining(), Optional.empty(), "an IES file",

@@ -3,6 +3,7 @@ package lightning.shading;
 import lightning.math.Vec3;
 import lightning.scene.BarnDoors;
 import lightning.scene.Gobo;
+import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
 import lightning.scene.Photometry;
 import lightning.scene.Profile;
@@ -10,7 +11,7 @@ import lightning.scene.Texture;
 import lightning.trace.HitRows;
 
 /**
- * What a spot light's barn doors and gobo and a light's profile leave of its light in a direction, a factor of its falloff.
+ * What the barn doors of a spot or rectangle, a spot's gobo and a light's profile leave of its light in a direction, a factor of its falloff.
  *
  * <p>Seen from the light, which looks along its axis with y upwards, a point lies at an angle to the right and at one to the top, each taken
  * in the plane of the axis and that side. A door at angle θ leaves 1 up to θ less the feather, 0 beyond θ, and between them
@@ -18,7 +19,8 @@ import lightning.trace.HitRows;
  * doors are multiplied. A gobo is a square that just holds the cone where it is less than 89 degrees wide, and else what a cone of 89 degrees
  * would hold; seen from the light its left is left and its top is up. Between the centres of its pixels it is interpolated bilinearly,
  * beyond the outermost ones it goes on as they are; what passes is its luminance, 0.2126 R + 0.7152 G + 0.0722 B of linear light
- * (ITU-R BT.709). A light that looks straight up or down has z upwards.
+ * (ITU-R BT.709). A light that looks straight up or down has z upwards. A rectangle lies as its {@code up} tells, and its doors cut off each of its
+ * samples at the same angle, as the slats of a honeycomb do: what they leave fades over the rectangle's width.
  *
  * <p>A profile is a factor of two angles. Those of type C are from the axis and around it, counterclockwise from the right as the light looks out,
  * so that 90 is its top; where a point is on the axis the second is 0. Of type A the planes stand upright: their angle is from the axis to the right,
@@ -47,15 +49,20 @@ final class Shaping {
     private Shaping(Lamp lamp) {
         source = lamp.source();
         boolean spot = lamp.type() == LightType.SPOT;
-        axis = spot ? lamp.axis() : DOWN;
-        Vec3 side = axis.cross(Vec3.Y);
-        right = (side.length() < STRAIGHT ? axis.cross(new Vec3(0, 0, 1)) : side).normalized();
+        boolean hasDoors = LightAttribute.DOORS.acts(lamp.type());
+        axis = hasDoors ? lamp.axis() : DOWN;
+        right = lamp.type() == LightType.RECT ? lamp.light().area().right(axis) : right(axis);
         up = right.cross(axis);
-        doors = spot ? lamp.light().doors() : BarnDoors.OPEN;
+        doors = hasDoors ? lamp.light().doors() : BarnDoors.OPEN;
         feather = lamp.light().feather();
         gobo = spot ? lamp.light().gobo().map(Gobo::image).orElse(null) : null;
-        photometry = lamp.light().profile().map(Profile::photometry).orElse(null);
+        photometry = LightAttribute.PROFILE.acts(lamp.type()) ? lamp.light().profile().map(Profile::photometry).orElse(null) : null;
         reach = StrictMath.tan(Math.toRadians(Math.min(lamp.light().angle(), WIDEST)));
+    }
+
+    private static Vec3 right(Vec3 axis) {
+        Vec3 side = axis.cross(Vec3.Y);
+        return (side.length() < STRAIGHT ? axis.cross(new Vec3(0, 0, 1)) : side).normalized();
     }
 
     /** Whether anything stands before a lamp. */
@@ -63,7 +70,8 @@ final class Shaping {
         return switch (lamp.type()) {
             case SPOT -> !lamp.light().doors().isOpen() || lamp.light().gobo().isPresent() || lamp.light().profile().isPresent();
             case POINT -> lamp.light().profile().isPresent();
-            case DIRECTIONAL, RECT, DISC -> false;
+            case RECT -> !lamp.light().doors().isOpen();
+            case DIRECTIONAL, DISC -> false;
         };
     }
 

@@ -9,6 +9,7 @@ import lightning.math.Vec3;
 import lightning.sample.StudioScene;
 import lightning.scene.Area;
 import lightning.scene.Attenuation;
+import lightning.scene.BarnDoors;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
@@ -53,10 +54,11 @@ class AreaLightWorkTest {
 
     @ParameterizedTest
     @EnumSource(LightType.class)
-    void attenuationDropoffAndSmallerAngle_castNothing(LightType type) {
+    void attenuationDropoffDoorsAndSmallerAngle_castNothing(LightType type) {
         try (Studio studio = studio(type)) {
             for (UnaryOperator<Light> edit : List.<UnaryOperator<Light>>of(l -> l.withAttenuation(new Attenuation(0, 1, 1)),
-                    l -> l.withDropoff(7), l -> l.withAngle(l.angle() * 0.7))) {
+                    l -> l.withDropoff(7), l -> l.withDoors(new BarnDoors(5, 20, 90, 8)), l -> l.withFeather(4),
+                    l -> l.withAngle(l.angle() * 0.7))) {
                 assertThat(edit(studio, edit).rays().shadow()).isZero();
             }
         }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Optional;
 import lightning.math.Vec3;
 import lightning.sample.StudioScene;
+import lightning.scene.Area;
 import lightning.scene.BarnDoors;
 import lightning.scene.Gobo;
 import lightning.scene.Light;
@@ -40,6 +41,26 @@ class ShapingTest {
         assertThat(factor(new BarnDoors(90, 90, 10, 90), 0, 0, -far, -10)).isZero();
         assertThat(factor(new BarnDoors(90, 90, 10, 90), 0, 0, far, -10)).isEqualTo(1);
         assertThat(factor(new BarnDoors(90, 90, 90, 10), 0, 0, far, -10)).isZero();
+    }
+
+    /** That lies on its side: its top is to the right of the eye, its right below. */
+    @Test
+    void doorsOfARectangle_goByItsOwnUp() {
+        var scene = StudioScene.of(LightType.SPOT);
+        Light rect = Light.of("l", LightType.RECT).withPosition(scene.camera().origin()).withDirection(new Vec3(0, 0, -1))
+                .withArea(Area.DEFAULT.withUp(new Vec3(1, 0, 0))).withDoors(new BarnDoors(90, 90, 90, 10));
+        Shaping top = Shaping.of(Lamp.of(rect, scene));
+        float far = (float) (10 * TENTH * 1.01);
+        assertThat(top.at(far, 0, -10)).isZero();
+        assertThat(top.at(-far, 0, -10)).isEqualTo(1);
+        assertThat(top.at(0, far, -10)).isEqualTo(1);
+        Shaping right = Shaping.of(Lamp.of(rect.withDoors(new BarnDoors(90, 10, 90, 90)), scene));
+        assertThat(right.at(0, -far, -10)).isZero();
+        assertThat(right.at(0, far, -10)).isEqualTo(1);
+        Photometry half = new Photometry(Photometry.Type.C, new double[] {0, 10, 180}, new double[] {0}, new double[] {1, 2, 0});
+        Light measured = rect.withProfile(Optional.of(new Profile("p.ies", half)));
+        assertThat(Shaping.of(Lamp.of(measured, scene)).at(0, 0, -10)).as("nor has it a profile").isEqualTo(1);
+        assertThat(Shaping.of(Lamp.of(rect.withType(LightType.DISC), scene))).as("a disc has none").isNull();
     }
 
     @Test
