@@ -30,6 +30,11 @@ import lightning.work.Workers;
 final class Pair {
     private static final int WARM_UP = 40;
     private static final int TIMES = 25;
+    /** Fewer of both where they take longer than this, but no fewer than some. */
+    private static final long MOST_NANOSECONDS = 1_000_000_000L;
+    private static final int LEAST = 5;
+    /** What compiles most comes first. */
+    private static final long FIRST_NANOSECONDS = 8_000_000_000L;
     private static final int THREADS = 2;
 
     public static void main(String[] args) throws Exception {
@@ -39,27 +44,37 @@ final class Pair {
         try (var renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(THREADS));
                 var workers = new Workers(THREADS)) {
             var geometry = new Geometry(scene);
-            print("full-trace", times(() -> {}, () -> new TraditionalTracer(scene, geometry).trace(workers, Progress.NONE)), 0, 0);
-            double[] first = times(renderer::forget, () -> renderer.render(scene, Progress.NONE));
+            print("full-trace",
+                    times(FIRST_NANOSECONDS, () -> {}, () -> new TraditionalTracer(scene, geometry).trace(workers, Progress.NONE)),
+                    0, 0);
+            double[] first = times(FIRST_NANOSECONDS, renderer::forget, () -> renderer.render(scene, Progress.NONE));
             print("first-pass", first, renderer.cache().rowCount(), renderer.cache().bytes());
             for (Map.Entry<String, Scene> edit : edits(scene).entrySet()) {
                 var update = new Update[1];
-                double[] times = times(() -> renderer.render(scene, Progress.NONE),
+                double[] times = times(MOST_NANOSECONDS, () -> renderer.render(scene, Progress.NONE),
                         () -> update[0] = renderer.render(edit.getValue(), Progress.NONE));
                 print(edit.getKey(), times, update[0].rowsTouched(), update[0].rays().shadow());
             }
         }
     }
 
-    private static double[] times(Runnable before, Runnable timed) {
-        double[] times = new double[TIMES];
-        for (int i = -WARM_UP; i < TIMES; i++) {
+    /** @param warmUp how long warming up takes at most, if it needs no more times than {@link #LEAST} */
+    private static double[] times(long warmUp, Runnable before, Runnable timed) {
+        take(WARM_UP, warmUp, before, timed);
+        return take(TIMES, MOST_NANOSECONDS, before, timed);
+    }
+
+    private static double[] take(int most, long nanoseconds, Runnable before, Runnable timed) {
+        double[] times = new double[most];
+        int count = 0;
+        long begin = System.nanoTime();
+        while (count < most && (count < LEAST || System.nanoTime() - begin < nanoseconds)) {
             before.run();
             long start = System.nanoTime();
             timed.run();
-            times[Math.max(i, 0)] = (System.nanoTime() - start) / 1e6;
+            times[count++] = (System.nanoTime() - start) / 1e6;
         }
-        return times;
+        return Arrays.copyOf(times, count);
     }
 
     private static void print(String name, double[] times, long one, long other) {
