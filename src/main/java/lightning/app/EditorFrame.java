@@ -1,6 +1,7 @@
 package lightning.app;
 
 import java.nio.file.Path;
+import javafx.geometry.Insets;
 import javafx.geometry.Orientation;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
@@ -22,6 +23,8 @@ final class EditorFrame extends BorderPane {
     /** About what menu and tools take, and the line at the bottom, pixels: so that little moves when they come. */
     private static final double BARS = 72;
     private static final double LINE = 27;
+    /** Below the header, whose text begins there. */
+    private static final Insets NOTE = new Insets(6, 12, 6, 12);
 
     private final SplitPane canvases;
     private final SplitPane side;
@@ -61,6 +64,7 @@ final class EditorFrame extends BorderPane {
     private static VBox sideNote(String text) {
         var note = new Label(text);
         note.getStyleClass().add("pane-note");
+        VBox.setMargin(note, NOTE);
         var side = new VBox(new PaneHeader("Lights"), note);
         side.getStyleClass().add("lights");
         return side;

@@ -1,9 +1,12 @@
 package lightning.app.property;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 import javafx.geometry.Insets;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.CustomMenuItem;
@@ -22,10 +25,12 @@ import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.Links;
 import lightning.scene.Node;
+import lightning.scene.Shape;
+import lightning.scene.Stage;
 
 /** Some links of the selected light: which shapes and groups, by check marks in a menu, and whether only those or all but those. */
 final class LinksPart extends StackPane {
-    /** So many shapes and groups are offered; links that name others can be written in the file. */
+    /** About so many shapes and groups are offered; links that name others can be written in the file. */
     private static final int MOST = 200;
     private static final double INDENT = 16;
 
@@ -63,7 +68,7 @@ final class LinksPart extends StackPane {
             items.add(mode("All but the checked", false, links, modes));
             items.add(mode("Only the checked", true, links, modes));
             items.add(new SeparatorMenuItem());
-            offer(model.scene().nodes(), 0, links, items);
+            offer(links, items);
         }
         choice.getItems().setAll(items);
     }
@@ -76,21 +81,49 @@ final class LinksPart extends StackPane {
         return item;
     }
 
-    private void offer(List<Node> nodes, int depth, Links links, List<MenuItem> items) {
-        for (Node node : nodes) {
-            if (items.size() > MOST) {
-                return;
+    /** All of the scene itself comes first, then what is in groups, as far as whole groups find room. */
+    private void offer(Links links, List<MenuItem> items) {
+        Stage stage = model.scene().stage();
+        Set<String> open = new HashSet<>();
+        int room = MOST - stage.nodes().size();
+        List<Group> groups = new ArrayList<>(links.names().stream().flatMap(name -> stage.around(name).stream()).distinct().toList());
+        groups(stage.nodes()).forEach(groups::add);
+        for (int i = 0; i < groups.size() && room > 0; i++) {
+            Group group = groups.get(i);
+            if (group.children().size() <= room && open.add(group.name())) {
+                room -= group.children().size();
+                groups(group.children()).forEach(groups::add);
             }
+        }
+        int offered = offer(stage.nodes(), 0, links, open, items);
+        if (offered < stage.shapeCount()) {
+            var more = new MenuItem("More can be named in the file");
+            more.setDisable(true);
+            items.add(more);
+        }
+    }
+
+    private static Stream<Group> groups(List<Node> nodes) {
+        return nodes.stream().limit(MOST).filter(Group.class::isInstance).map(Group.class::cast);
+    }
+
+    /** @return how many of them are shapes */
+    private int offer(List<Node> nodes, int depth, Links links, Set<String> open, List<MenuItem> items) {
+        int shapes = 0;
+        for (Node node : nodes.subList(0, Math.min(nodes.size(), MOST))) {
             var box = new CheckBox(node.name());
             box.setMnemonicParsing(false);
             box.setSelected(links.names().contains(node.name()));
             box.setPadding(new Insets(0, 0, 0, INDENT * depth));
             box.setOnAction(_ -> set(l -> l.with(node.name(), box.isSelected())));
             items.add(new CustomMenuItem(box, false));
-            if (node instanceof Group g) {
-                offer(g.children(), depth + 1, links, items);
-            }
+            shapes += switch (node) {
+                case Group g when open.contains(g.name()) -> offer(g.children(), depth + 1, links, open, items);
+                case Group _ -> 0;
+                case Shape _ -> 1;
+            };
         }
+        return shapes;
     }
 
     private void set(UnaryOperator<Links> edit) {

@@ -2,13 +2,24 @@ package lightning.app.property;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
+import java.util.Objects;
+import java.util.stream.IntStream;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.CustomMenuItem;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import lightning.app.EditorDesk;
+import lightning.edit.Change;
 import lightning.edit.Command;
+import lightning.edit.LightEdits;
+import lightning.scene.Group;
 import lightning.scene.Links;
+import lightning.scene.Material;
+import lightning.scene.Node;
+import lightning.scene.Placement;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
 import org.junit.jupiter.api.Test;
 
 class LinksPartTest extends EditorDesk {
@@ -48,5 +59,28 @@ class LinksPartTest extends EditorDesk {
     void withoutALight_nothingCanBeLinked() {
         robot.interact(() -> model().selectLight(null));
         assertThat(menu("illuminates").isDisabled()).isTrue();
+    }
+
+    private List<String> offered(String id) {
+        robot.interact(() -> menu(id).getOnShowing().handle(null));
+        return menu(id).getItems().stream()
+                .map(i -> i instanceof CustomMenuItem c ? c.getContent() instanceof CheckBox b ? b.getText() : null : i.getText())
+                .filter(Objects::nonNull).toList();
+    }
+
+    private static Group group(String name, int shapes) {
+        return new Group(name, Placement.IDENTITY, IntStream.range(0, shapes).<Node>mapToObj(i -> new Shape(Solid.SPHERE, name + "_" + i,
+                Material.DEFAULT.name(), Placement.IDENTITY)).toList(), false);
+    }
+
+    @Test
+    void whatStandsBehindManyShapesInAGroup_isOffered_andWhatIsLinkedAlready() {
+        robot.interact(() -> model().edit(scene -> Change.of(
+                () -> scene.withNodes(List.of(group("many", 300), group("few", 3), group("others", 195))))));
+        assertThat(offered("illuminates")).contains("many", "few", "few_2", "others").doesNotContain("many_0", "others_0")
+                .last().isEqualTo("More can be named in the file");
+        String light = model().selectedLight().name();
+        robot.interact(() -> model().edit(scene -> LightEdits.with(scene, light, l -> l.withIlluminates(Links.except("others_7")))));
+        assertThat(offered("illuminates")).contains("others_7", "others_194").doesNotContain("few_2");
     }
 }
