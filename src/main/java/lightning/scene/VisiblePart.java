@@ -45,11 +45,12 @@ public final class VisiblePart {
     }
 
     private static Light light(Scene scene, Light light, String name) {
+        // A solo light darkens what stays of the environment, even if it is dark itself.
+        boolean solo = light.on() && light.solo() && scene.world().environment().isPresent();
         if (!scene.shines(light) || light.weight().isBlack()) {
-            return Light.of(name, LightType.POINT).withOn(false);
+            return Light.of(name, LightType.POINT).withIntensity(0).withOn(solo).withSolo(solo);
         }
-        // A solo light darkens what stays of the environment.
-        Light acting = Light.of(name, light.type()).withSolo(light.solo() && scene.world().environment().isPresent());
+        Light acting = Light.of(name, light.type()).withSolo(solo);
         for (LightAttribute<?> attribute : LightAttribute.ALL) {
             if (attribute.term(light).isPresent()) {
                 acting = attribute.copy(light, acting);

@@ -2,6 +2,7 @@ package lightning.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Optional;
 import lightning.edit.Change;
 import lightning.edit.Desk;
 import lightning.edit.Dial;
@@ -44,7 +45,7 @@ class VisiblePartTest {
         for (Dial dial : Dial.ALL) {
             assertThat(LightType.values()).as(dial.title()).anySatisfy(type -> {
                 Scene typed = Desk.done(LightEdits.type(scene, "key", type));
-                assertThat(VisiblePart.same(typed, Desk.done(dial.set(typed, "key", 7)))).isFalse();
+                assertThat(VisiblePart.same(typed, Desk.done(dial.set(typed, "key", Math.min(7, dial.steps().max()))))).isFalse();
             });
         }
         assertThat(unseen(LightEdits.position(scene, "key", Vec3.ZERO))).isFalse();
@@ -58,6 +59,15 @@ class VisiblePartTest {
     void editsOfADarkLight_areNotSeen() {
         Scene off = Desk.done(LightEdits.on(scene, "key", false));
         assertThat(VisiblePart.same(off, Desk.done(LightEdits.position(off, "key", Vec3.ZERO)))).isTrue();
+    }
+
+    @Test
+    void darkSoloLight_darkensTheEnvironmentStill() {
+        Sky sky = new Sky(1, 1, new float[] {1, 1, 1});
+        Scene solo = Desk.done(LightEdits.solo(Desk.done(Desk.dial("intensity").set(scene, "key", 0)), "key", true));
+        Scene around = solo.withWorld(solo.world().withEnvironment(Optional.of(new Panorama("x.hdr", sky))));
+        assertThat(VisiblePart.of(around).lights()).anyMatch(Light::solo);
+        assertThat(VisiblePart.of(solo).lights()).noneMatch(Light::solo);
     }
 
     /** Everything hidden is taken away, and every bit of the picture stays. */
