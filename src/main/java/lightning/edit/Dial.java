@@ -30,13 +30,15 @@ public final class Dial {
     public static final Dial ENVIRONMENT_ROTATION = ofWorld(World.ROTATION);
     /** Of the scene: how many lamps its environment's light is made of, whole. */
     public static final Dial ENVIRONMENT_LAMPS = ofWorld(World.LAMPS);
+    /** Of the scene: how far each of these is spread over the part of the environment that it stands for. */
+    public static final Dial ENVIRONMENT_SOFTNESS = ofWorld(World.SOFTNESS);
     /** Of the scene: mirror bounces, whole. */
     public static final Dial DEPTH = ofScene(Picture.DEPTH, Scene::picture, Scene::withPicture, _ -> Optional.empty());
 
     /** All, those of lights first. */
     public static final List<Dial> ALL =
             Stream.concat(LightAttribute.ALL.stream().flatMap(a -> of(a).stream()), Stream.of(AMBIENCE, ENVIRONMENT_INTENSITY,
-                    ENVIRONMENT_ROTATION, ENVIRONMENT_LAMPS, DEPTH)).toList();
+                    ENVIRONMENT_ROTATION, ENVIRONMENT_LAMPS, ENVIRONMENT_SOFTNESS, DEPTH)).toList();
 
     private final String title;
     private final String label;

@@ -94,20 +94,36 @@ final class MedianCut {
         double[] sum = new double[3];
         Vec3 towards = Vec3.ZERO;
         Vec3 middle = Vec3.ZERO;
+        double all = 0;
+        double spared = 0;
         for (int y = p.top; y < p.bottom; y++) {
             double polar = Math.PI * (y + 0.5) / down;
+            double angle = 2 * Math.PI / across * (StrictMath.cos(Math.PI * y / down) - StrictMath.cos(Math.PI * (y + 1) / down));
             for (int x = p.left; x < p.right; x++) {
                 double around = 2 * Math.PI * ((x + 0.5) / across - 0.5);
                 Vec3 cell = new Vec3(StrictMath.sin(polar) * StrictMath.sin(around), StrictMath.cos(polar),
                         -StrictMath.sin(polar) * StrictMath.cos(around));
                 middle = middle.plus(cell);
                 towards = towards.plus(cell.times(light[3][y * across + x]));
+                all += light[3][y * across + x];
+                spared += light[3][y * across + x] * angle / (4 * Math.PI);
                 for (int c = 0; c < 3; c++) {
                     sum[c] += light[c][y * across + x];
                 }
             }
         }
-        return new SkyLamp(direction(towards, middle), sum[0] / Math.PI, sum[1] / Math.PI, sum[2] / Math.PI);
+        return new SkyLamp(direction(towards, middle), all > 0 ? spread(towards.length() / all * (1 - spared / all)) : 0, sum[0] / Math.PI,
+                sum[1] / Math.PI, sum[2] / Math.PI);
+    }
+
+    /**
+     * The even cap of half angle a has a mean direction as long as (1 + cos a) / 2, its integral of cosines over its solid angle; so a cell, whose
+     * solid angle is 2π(1 − cos a), shortens it by a share of that over 4π.
+     *
+     * @param length of the mean direction, 0 … 1
+     */
+    private static double spread(double length) {
+        return Math.toDegrees(StrictMath.acos(Math.clamp(2 * length - 1, 0, 1)));
     }
 
     private static Vec3 direction(Vec3 towards, Vec3 middle) {

@@ -17,8 +17,10 @@ import lightning.math.Vec3;
  * @param rotation    how far the environment is turned about y, degrees
  * @param intensity   a factor of all that comes from the environment
  * @param lamps       how many directional lamps its light is made of
+ * @param softness    how far each lamp is spread over the part that it stands for, 0 … 1
  */
-public record World(double ambience, Rgb background, Optional<Panorama> environment, double rotation, double intensity, int lamps) {
+public record World(double ambience, Rgb background, Optional<Panorama> environment, double rotation, double intensity, int lamps,
+        double softness) {
     public static final Attribute<World, Double> AMBIENCE = new Attribute<>("ambience", "ambience",
             Quantity.number(0, Limits.MAX_AMBIENCE, 0.1), 1.0, "", World::ambience, World::withAmbience);
     public static final Attribute<World, Rgb> BACKGROUND = new Attribute<>("background", "background",
@@ -33,8 +35,15 @@ public record World(double ambience, Rgb background, Optional<Panorama> environm
             Quantity.whole(Limits.MIN_LIGHT_SAMPLES, Limits.MAX_LIGHT_SAMPLES), 16, "that the environment's light is made of", World::lamps,
             World::withLamps);
 
+    public static final Attribute<World, Double> SOFTNESS = new Attribute<>("softness", "environment softness",
+            Quantity.number(0, 1, 0.1), 0.0, "share of the parts that the lamps stand for", World::softness, World::withSoftness);
+
     /** All of them, in the order in which a file writes them. */
-    public static final List<Attribute<World, ?>> ATTRIBUTES = List.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, INTENSITY, LAMPS);
+    public static final List<Attribute<World, ?>> ATTRIBUTES =
+            List.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, INTENSITY, LAMPS, SOFTNESS);
+
+    /** Of a lamp that is spread: the least, as there are many lamps. */
+    private static final int SAMPLES = Limits.MIN_LIGHT_SAMPLES;
 
     public static final World DEFAULT = new World(AMBIENCE.initial(), BACKGROUND.initial());
 
@@ -44,40 +53,46 @@ public record World(double ambience, Rgb background, Optional<Panorama> environm
         ROTATION.check(rotation);
         INTENSITY.check(intensity);
         LAMPS.check(lamps);
+        SOFTNESS.check(softness);
     }
 
     /** A world without an environment. */
     public World(double ambience, Rgb background) {
-        this(ambience, background, ENVIRONMENT.initial(), ROTATION.initial(), INTENSITY.initial(), LAMPS.initial());
+        this(ambience, background, ENVIRONMENT.initial(), ROTATION.initial(), INTENSITY.initial(), LAMPS.initial(),
+                SOFTNESS.initial());
     }
 
     public World withAmbience(double v) {
-        return new World(v, background, environment, rotation, intensity, lamps);
+        return new World(v, background, environment, rotation, intensity, lamps, softness);
     }
 
     public World withBackground(Rgb v) {
-        return new World(ambience, v, environment, rotation, intensity, lamps);
+        return new World(ambience, v, environment, rotation, intensity, lamps, softness);
     }
 
     public World withEnvironment(Optional<Panorama> v) {
-        return new World(ambience, background, v, rotation, intensity, lamps);
+        return new World(ambience, background, v, rotation, intensity, lamps, softness);
     }
 
     public World withRotation(double v) {
-        return new World(ambience, background, environment, v, intensity, lamps);
+        return new World(ambience, background, environment, v, intensity, lamps, softness);
     }
 
     public World withIntensity(double v) {
-        return new World(ambience, background, environment, rotation, v, lamps);
+        return new World(ambience, background, environment, rotation, v, lamps, softness);
     }
 
     public World withLamps(int v) {
-        return new World(ambience, background, environment, rotation, intensity, v);
+        return new World(ambience, background, environment, rotation, intensity, v, softness);
+    }
+
+    public World withSoftness(double v) {
+        return new World(ambience, background, environment, rotation, intensity, lamps, v);
     }
 
     /** Why a value of an attribute does nothing in this world: a clause; empty where it acts. */
     public Optional<String> obstacle(Attribute<World, ?> attribute) {
-        boolean ofEnvironment = attribute == ROTATION || attribute == INTENSITY || attribute == LAMPS;
+        boolean ofEnvironment = attribute == ROTATION || attribute == INTENSITY || attribute == LAMPS || attribute == SOFTNESS;
         return ofEnvironment && environment.isEmpty() ? Optional.of("the scene has no environment") : Optional.empty();
     }
 
@@ -103,7 +118,8 @@ public record World(double ambience, Rgb background, Optional<Panorama> environm
             lights.add(Light.of(name + " " + (lights.size() + 1), LightType.DIRECTIONAL)
                     .withDirection(new Vec3(-(at.x() * cos + at.z() * sin), -at.y(), at.x() * sin - at.z() * cos))
                     .withColor(most > 0 ? new Rgb(lamp.red() / most, lamp.green() / most, lamp.blue() / most) : Rgb.BLACK)
-                    .withIntensity(Math.min(most * intensity, Limits.MAX_INTENSITY)));
+                    .withIntensity(Math.min(most * intensity, Limits.MAX_INTENSITY))
+                    .withArea(Area.DEFAULT.withSpread(lamp.spread() * softness).withSamples(SAMPLES)));
         }
         return lights;
     }

@@ -73,7 +73,7 @@ class SmallWindowTest extends EditorDesk {
         ScrollPane scroll = robot.lookup("#properties .scroll-pane").query();
         robot.interact(() -> scroll.setVvalue(1));
         QuickRobot.settle();
-        Node last = robot.lookup("#environment-lamps").query();
+        Node last = robot.lookup("#environment-softness").query();
         assertThat(onScreen(scroll)).as(onScreen(last) + " is in it").matches(b -> b.contains(onScreen(last)));
         assertThat(window()).as(onScreen(last) + " is in it").matches(b -> b.contains(onScreen(last)));
     }

@@ -84,7 +84,8 @@ class DialTest {
     void spot_hasEveryDialButThoseOfOtherAreas() {
         assertThat(Dial.ALL.stream().filter(dial -> dial.obstacle(scene, scene.light("key")).isPresent()).map(Dial::title).toList())
                 .containsExactlyInAnyOrder("spread", "width", "height", "environment intensity", "environment rotation",
-                        "environment lamps");
+                        "environment lamps",
+                        "environment softness");
     }
 
     @Test
@@ -114,7 +115,7 @@ class DialTest {
     @ParameterizedTest
     @FieldSource("lightning.edit.Dial#ALL")
     void setValue_isTheValueShownAndNothingElseChanges(Dial dial) {
-        double other = dial.value(scene, "key") == 5 ? 6 : 5;
+        double other = Math.min(dial.value(scene, "key") == 5 ? 6 : 5, dial.steps().max());
         Scene edited = Desk.done(dial.set(scene, "key", other));
         assertThat(dial.value(edited, "key")).isEqualTo(other);
         assertThat(Desk.done(dial.set(edited, "key", dial.value(scene, "key")))).isEqualTo(scene);

@@ -87,6 +87,15 @@ class EnvironmentWorkTest {
     }
 
     @Test
+    void softerEnvironment_castsTheShadowRaysOfItsLamps_andIsBrightenedWithout() {
+        Update softer = render(world().withSoftness(1));
+        assertThat(Studio.layers(softer)).first().isEqualTo(new LightUpdate.Keep());
+        assertThat(softer.rays().eye() + softer.rays().mirrored()).isZero();
+        assertThat(softer.rays().shadow()).isGreaterThan(facing()).isLessThan(8 * facing());
+        assertNoRay(render(world().withIntensity(3)));
+    }
+
+    @Test
     void environmentThatGoes_castsNoRay_andComesBackInFull() {
         World with = world();
         assertNoRay(render(with.withEnvironment(Optional.empty())));

@@ -187,6 +187,13 @@ public sealed interface Edit {
         }
     }
 
+    record SoftenWorld(double to) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            return history.getLast().withWorld(history.getLast().world().withSoftness(to));
+        }
+    }
+
     record BrightenWorld(double to) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {

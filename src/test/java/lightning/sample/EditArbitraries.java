@@ -112,6 +112,7 @@ public final class EditArbitraries {
                 SceneArbitraries.skies().map(s -> new Edit.Surround(java.util.Optional.of(s))),
                 Arbitraries.of(new Edit.Surround(java.util.Optional.empty())),
                 SceneArbitraries.rotations().map(Edit.TurnWorld::new),
+                SceneArbitraries.softnesses().map(Edit.SoftenWorld::new),
                 Numbers.betweenOr(0, 2, 0.0, 1.0).map(Edit.BrightenWorld::new),
                 SceneArbitraries.depths().map(Edit.Depth::new),
                 SceneArbitraries.depths().map(Edit.Depth::new)));

@@ -116,9 +116,14 @@ public final class SceneArbitraries {
     static Arbitrary<World> worlds() {
         Arbitrary<World> plain = Combinators.combine(Numbers.betweenOr(0, 1, 0.0, 1.0, 1e6), Numbers.colors()).as(World::new);
         return Arbitraries.frequencyOf(Tuple.of(4, plain), Tuple.of(1, Combinators.combine(plain, skies(), rotations(),
-                Numbers.betweenOr(0, 2, 0.0, 1.0), Arbitraries.of(4, 5, 7)).as(
-                        (world, sky, turn, intensity, lamps) -> world
-                                .withEnvironment(Optional.of(sky)).withRotation(turn).withIntensity(intensity).withLamps(lamps))));
+                Numbers.betweenOr(0, 2, 0.0, 1.0), Arbitraries.of(4, 5, 7), softnesses()).as(
+                        (world, sky, turn, intensity, lamps, softness) -> world
+                                .withEnvironment(Optional.of(sky)).withRotation(turn).withIntensity(intensity).withLamps(lamps)
+                                .withSoftness(softness))));
+    }
+
+    static Arbitrary<Double> softnesses() {
+        return Arbitraries.of(0.0, 0.0, 0.0, 0.3, 1.0);
     }
 
     static Arbitrary<Double> rotations() {

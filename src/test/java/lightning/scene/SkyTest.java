@@ -101,6 +101,41 @@ class SkyTest {
         assertThat(sun.towards().minus(there).length()).isLessThan(0.01);
     }
 
+    /** Of all parts of one solid angle a cap has the longest mean direction, so that what is no cap is spread farther. */
+    @Property
+    void lampsOfAnEvenSky_areSpreadAtLeastOverTheirPart(@ForAll @IntRange(min = 32, max = 256) int width,
+            @ForAll @IntRange(min = 4, max = 64) int most) {
+        float[] rgb = new float[3 * width * (width / 2)];
+        java.util.Arrays.fill(rgb, 1);
+        for (SkyLamp lamp : new Sky(width, width / 2, rgb).lamps(most)) {
+            double cap = Math.toDegrees(Math.acos(1 - lamp.red() * Math.PI / (2 * Math.PI)));
+            // The caps that cells are taken for shorten a direction by less than the cells do.
+            assertThat(lamp.spread()).isBetween(0.99 * cap, Math.min(90, 2 * cap));
+        }
+    }
+
+    @Test
+    void lampOfOnePixel_isSpreadOverIt() {
+        float[] rgb = new float[3 * 64 * 32];
+        rgb[3 * (8 * 64 + 40)] = 5;
+        Sky sky = new Sky(64, 32, rgb);
+        List<SkyLamp> lit = sky.lamps(16).stream().filter(lamp -> lamp.red() > 0).toList();
+        assertThat(lit).hasSize(1);
+        assertThat(lit.getFirst().spread()).isEqualTo(Math.toDegrees(Math.acos(1 - sky.solidAngle(8) / (2 * Math.PI))), within(1e-6));
+        assertThat(new Sky(1, 1, new float[] {1, 1, 1}).lamps(4).getFirst().spread()).isEqualTo(90);
+    }
+
+    @Test
+    void softness_spreadsLampsByAShare() {
+        World world = World.DEFAULT.withEnvironment(Optional.of(new Panorama("x.hdr", FOUR))).withLamps(4);
+        assertThat(world.lights(_ -> false)).noneMatch(Light::isArea);
+        List<SkyLamp> lamps = FOUR.lamps(4);
+        List<Light> half = world.withSoftness(0.5).lights(_ -> false);
+        for (int i = 0; i < 4; i++) {
+            assertThat(half.get(i).area().spread()).isEqualTo(lamps.get(i).spread() / 2).isPositive();
+        }
+    }
+
     @Test
     void darkSky_isALampThatIsBlack() {
         assertThat(new Sky(3, 2, new float[18]).lamps(16)).hasSize(1).allSatisfy(lamp -> assertThat(lamp.red()).isZero());

@@ -65,7 +65,7 @@ public final class PropertyPane extends VBox {
                                 Command.CHOOSE_ENVIRONMENT, PropertyEdit::environments,
                                 "A picture of all that is far around, which lights the scene"),
                                 dial(Dial.ENVIRONMENT_INTENSITY, ""), dial(Dial.ENVIRONMENT_ROTATION, " °"),
-                                dial(Dial.ENVIRONMENT_LAMPS, ""))))
+                                dial(Dial.ENVIRONMENT_LAMPS, ""), dial(Dial.ENVIRONMENT_SOFTNESS, ""))))
                 .flatMap(s -> s)
                 .toArray(Node[]::new));
         setVgrow(scroll, Priority.ALWAYS);

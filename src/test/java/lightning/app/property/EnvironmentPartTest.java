@@ -80,7 +80,7 @@ class EnvironmentPartTest extends EditorDesk {
 
     @Test
     void numbers_areOfTheEnvironment_andWaitForOne() throws IOException {
-        Stream.of("intensity", "rotation", "lamps").map(n -> robot.lookup("#environment-" + n).<Node>query())
+        Stream.of("intensity", "rotation", "lamps", "softness").map(n -> robot.lookup("#environment-" + n).<Node>query())
                 .forEach(dial -> assertThat(robot.from(dial).lookup((Node n) -> n instanceof TextField).<Node>query().isDisabled())
                         .isTrue());
         sky("dusk.hdr");
@@ -89,10 +89,12 @@ class EnvironmentPartTest extends EditorDesk {
         robot.interact(() -> model().selectLight(null));
         type("environment-intensity", "2.5");
         type("environment-rotation", "-30");
+        type("environment-softness", "0.5");
         type("environment-lamps", "7");
         assertThat(world().intensity()).isEqualTo(2.5);
         assertThat(world().rotation()).isEqualTo(-30);
         assertThat(world().lamps()).isEqualTo(7);
+        assertThat(world().softness()).isEqualTo(0.5);
         assertThat(model().situationProperty().get().undo()).contains("environment lamps 16 → 7");
         choose("None");
         waitFor("it is gone", () -> shown().isEmpty());

@@ -42,7 +42,8 @@ import org.testfx.framework.junit5.Stop;
 class PropertyPaneTest {
     private static final List<String> NUMBERS = List.of("intensity", "angle", "dropoff", "constant", "linear", "quadratic",
             "position", "direction", "ambience");
-    private static final List<String> SCENES = List.of("ambience", "environment-intensity", "environment-rotation", "environment-lamps");
+    private static final List<String> SCENES = List.of("ambience", "environment-intensity", "environment-rotation", "environment-lamps",
+            "environment-softness");
 
     @TempDir
     private Path folder;
