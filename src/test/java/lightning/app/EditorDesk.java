@@ -28,6 +28,7 @@ import lightning.edit.Viewport;
 import lightning.jen.JenException;
 import lightning.math.Vec3;
 import lightning.scene.Light;
+import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -166,6 +167,16 @@ public abstract class EditorDesk {
         PictureView picture = robot.lookup("#traced-picture").query();
         int[] shown = WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(picture::pixels));
         assertThat(shown).as("the pixels of the canvas").isEqualTo(model().viewProperty().get().toPixels(expected));
+    }
+
+    /** That Go, with mirrors made current, shows every pixel of the scene as the reference has it. */
+    public void assertGoShowsTheScene() {
+        click("go");
+        waitForPicture();
+        robot.interact(() -> model().run(Command.UPDATE_REFLECTIONS));
+        waitFor("the mirrors are current", () -> !model().enabled(Command.UPDATE_REFLECTIONS)
+                && model().situationProperty().get().inWork().isEmpty());
+        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
     }
 
     public void assertFilmIs(lightning.image.Film expected) {

@@ -22,7 +22,6 @@ import lightning.edit.PreviewCamera;
 import lightning.math.Vec3;
 import lightning.scene.Light;
 import lightning.scene.Node;
-import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.Test;
 
 class PreviewTest extends EditorDesk {
@@ -297,12 +296,7 @@ class PreviewTest extends EditorDesk {
         assertThat(at.x()).isZero();
         assertThat(at.z()).isZero();
         assertThat(at.y()).isBetween(1.4, 1.6);
-        click("go");
-        waitForPicture();
-        robot.interact(() -> model().run(Command.UPDATE_REFLECTIONS));
-        waitFor("the mirrors are current", () -> !model().enabled(Command.UPDATE_REFLECTIONS)
-                && model().situationProperty().get().inWork().isEmpty());
-        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        assertGoShowsTheScene();
         click("undo");
         assertThat(model().selectedNode()).as("all of the drag was one step").contains(ball);
     }

@@ -18,7 +18,6 @@ import lightning.edit.Command;
 import lightning.scene.Panorama;
 import lightning.scene.Scene;
 import lightning.scene.World;
-import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.Test;
 
 class EnvironmentPartTest extends EditorDesk {
@@ -67,12 +66,7 @@ class EnvironmentPartTest extends EditorDesk {
         assertThat(robot.from(choice()).lookup((Node n) -> n instanceof Text t && t.getText().equals("red_dusk.hdr")).tryQuery())
                 .as("underscore and all").isPresent();
         assertThat(model().situationProperty().get().undo()).contains("environment none → red_dusk.hdr");
-        click("go");
-        waitForPicture();
-        robot.interact(() -> model().run(Command.UPDATE_REFLECTIONS));
-        waitFor("the mirrors are current", () -> !model().enabled(Command.UPDATE_REFLECTIONS)
-                && model().situationProperty().get().inWork().isEmpty());
-        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        assertGoShowsTheScene();
         click("undo");
         assertThat(model().scene()).isEqualTo(before);
         assertThat(choice().getText()).isEqualTo("none");

@@ -12,7 +12,6 @@ import lightning.app.EditorDesk;
 import lightning.edit.Command;
 import lightning.scene.Gobo;
 import lightning.scene.Scene;
-import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.Test;
 
 class GoboPartTest extends EditorDesk {
@@ -46,12 +45,7 @@ class GoboPartTest extends EditorDesk {
         choose("dots.png");
         waitFor("it is read", () -> light("stage").gobo().map(Gobo::file).orElse("").equals("dots.png"));
         assertThat(choice().getText()).isEqualTo("dots.png");
-        click("go");
-        waitForPicture();
-        robot.interact(() -> model().run(Command.UPDATE_REFLECTIONS));
-        waitFor("the mirrors are current", () -> !model().enabled(Command.UPDATE_REFLECTIONS)
-                && model().situationProperty().get().inWork().isEmpty());
-        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        assertGoShowsTheScene();
         click("undo");
         assertThat(model().scene()).isEqualTo(before);
         assertThat(choice().getText()).isEqualTo("none");

@@ -20,7 +20,6 @@ import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Material;
 import lightning.scene.Scene;
-import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.Test;
 
 class MaterialPaneTest extends EditorDesk {
@@ -99,12 +98,7 @@ class MaterialPaneTest extends EditorDesk {
         typeRed("diffuse", "0.25");
         assertThat(material("matt").diffuse()).isEqualTo(new Rgb(0.25, 0.7, 0.6));
         waitFor("the preview shows it", () -> model().previewFramesProperty().get() > frames);
-        click("go");
-        waitForPicture();
-        robot.interact(() -> model().run(Command.UPDATE_REFLECTIONS));
-        waitFor("the mirrors are current", () -> !model().enabled(Command.UPDATE_REFLECTIONS)
-                && model().situationProperty().get().inWork().isEmpty());
-        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        assertGoShowsTheScene();
         click("undo");
         assertThat(model().scene()).isEqualTo(before);
         assertThat(isEnabled(Command.GO)).isTrue();

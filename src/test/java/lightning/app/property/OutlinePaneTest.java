@@ -11,7 +11,6 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import lightning.app.EditorDesk;
 import lightning.app.widget.Typing;
-import lightning.edit.Command;
 import lightning.math.Vec3;
 import lightning.scene.Group;
 import lightning.scene.Node;
@@ -19,7 +18,6 @@ import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
-import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.Test;
 
 class OutlinePaneTest extends EditorDesk {
@@ -53,15 +51,6 @@ class OutlinePaneTest extends EditorDesk {
     private void press(KeyCode... keys) {
         robot.interact(() -> list().requestFocus());
         robot.push(keys);
-    }
-
-    private void assertPictureIsCurrent() {
-        click("go");
-        waitForPicture();
-        robot.interact(() -> model().run(Command.UPDATE_REFLECTIONS));
-        waitFor("the mirrors are current", () -> !model().enabled(Command.UPDATE_REFLECTIONS)
-                && model().situationProperty().get().inWork().isEmpty());
-        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
     }
 
     private void group() {
@@ -101,7 +90,7 @@ class OutlinePaneTest extends EditorDesk {
                 .filter(b -> "ball visible".equals(b.getAccessibleText())).findFirst().orElseThrow();
         robot.interact(eye::fire);
         assertThat(node("ball").visible()).isFalse();
-        assertPictureIsCurrent();
+        assertGoShowsTheScene();
         assertThat(model().situationProperty().get().undo()).contains("ball: visible yes → no");
         click("undo");
         assertThat(model().scene()).isEqualTo(before);
@@ -125,7 +114,7 @@ class OutlinePaneTest extends EditorDesk {
         assertThat(listed()).containsExactly("floor");
         assertThat(model().lights()).hasSize(3);
         assertThat(model().situationProperty().get().undo()).contains("delete ball");
-        assertPictureIsCurrent();
+        assertGoShowsTheScene();
     }
 
     @Test
@@ -137,7 +126,7 @@ class OutlinePaneTest extends EditorDesk {
         assertThat(node("ball2").placement().at()).isEqualTo(new Vec3(0.9, 1, 0));
         assertThat(model().lights()).as("no light was duplicated").hasSize(3);
         assertThat(model().situationProperty().get().undo()).contains("add ball2");
-        assertPictureIsCurrent();
+        assertGoShowsTheScene();
     }
 
     @Test
@@ -185,7 +174,7 @@ class OutlinePaneTest extends EditorDesk {
         select("toys");
         press(KeyCode.H);
         assertThat(model().scene().stage().shapes()).extracting(Shape::name).containsExactly("floor");
-        assertPictureIsCurrent();
+        assertGoShowsTheScene();
     }
 
     @Test
@@ -195,7 +184,7 @@ class OutlinePaneTest extends EditorDesk {
         Typing.over(robot, robot.lookup("#shape-at .number-field").queryAs(TextField.class), "1.5").push(KeyCode.ENTER);
         assertThat(node("ball").placement().at()).isEqualTo(new Vec3(1.5, 1, 0));
         assertThat(model().situationProperty().get().undo()).contains("ball: at 0 1 0 → 1.5 1 0");
-        assertPictureIsCurrent();
+        assertGoShowsTheScene();
         click("undo");
         assertThat(model().scene()).isEqualTo(before);
     }
@@ -206,7 +195,7 @@ class OutlinePaneTest extends EditorDesk {
         Typing.over(robot, robot.lookup("#rotate-y .number-field").queryAs(TextField.class), "30").push(KeyCode.ENTER);
         Typing.over(robot, robot.lookup("#shape-scale .number-field").queryAs(TextField.class), "2").push(KeyCode.ENTER);
         assertThat(node("ball").placement()).isEqualTo(new Placement(BALL, new Vec3(0, 30, 0), new Vec3(2, 1, 1)));
-        assertPictureIsCurrent();
+        assertGoShowsTheScene();
     }
 
     @Test
