@@ -2,12 +2,10 @@ package lightning.trace.mesh;
 
 import static jdk.incubator.vector.DoubleVector.broadcast;
 import static jdk.incubator.vector.DoubleVector.fromArray;
-import static jdk.incubator.vector.VectorOperators.GE;
 import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LT;
 
 import jdk.incubator.vector.DoubleVector;
-import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.trace.solid.Lanes;
@@ -32,14 +30,10 @@ final class MeshLanes {
     final double[] inverseX;
     final double[] inverseY;
     final double[] inverseZ;
-    /** {@link MeshRay}'s axis: 0, 1 or 2. */
-    private final int[] axis;
-    private final double[] shearX;
-    private final double[] shearY;
-    private final double[] perDepth;
     /** The first ray that was taken. */
     int first;
     private final double[][] origin;
+    private final double[][] direction;
 
     /** @param most rays, a multiple of a packet's */
     MeshLanes(int most) {
@@ -50,14 +44,11 @@ final class MeshLanes {
         dx = new double[most];
         dy = new double[most];
         dz = new double[most];
+        direction = new double[][] {dx, dy, dz};
         pad = new double[most];
         inverseX = new double[most];
         inverseY = new double[most];
         inverseZ = new double[most];
-        axis = new int[most];
-        shearX = new double[most];
-        shearY = new double[most];
-        perDepth = new double[most];
     }
 
     /**
@@ -108,42 +99,19 @@ final class MeshLanes {
                 .intoArray(to, h);
     }
 
-    /** Gets the rays of the packet from {@code i} on ready for {@link #distance}. */
-    void ready(int i) {
-        for (int h = i; h < i + Rays.WIDTH; h += Lanes.COUNT) {
-            shear(h);
-        }
-    }
-
-    private void shear(int h) {
-        DoubleVector x = fromArray(SPECIES, dx, h);
-        DoubleVector y = fromArray(SPECIES, dy, h);
-        DoubleVector z = fromArray(SPECIES, dz, h);
-        DoubleVector farX = x.abs();
-        DoubleVector farY = y.abs();
-        DoubleVector farZ = z.abs();
-        VectorMask<Double> isX = farX.compare(GE, farY).and(farX.compare(GE, farZ));
-        VectorMask<Double> isY = farY.compare(GE, farZ).andNot(isX);
-        DoubleVector per = broadcast(SPECIES, 1).div(z.blend(y, isY).blend(x, isX));
-        per.intoArray(perDepth, h);
-        x.blend(z, isY).blend(y, isX).mul(per).intoArray(shearX, h);
-        y.blend(x, isY).blend(z, isX).mul(per).intoArray(shearY, h);
-        int longX = (int) isX.toLong();
-        int longY = (int) isY.toLong();
-        for (int i = 0; i < Lanes.COUNT; i++) {
-            axis[h + i] = 2 - 2 * (longX >>> i & 1) - (longY >>> i & 1);
-        }
-    }
-
     /** The distance of ray {@code i} to the triangle of a leaf whose first coordinate is {@code v[at]}: {@link MeshRay#distance}. */
     double distance(int i, float[] v, int at) {
-        int z = axis[i];
+        double absX = Math.abs(dx[i]);
+        double absY = Math.abs(dy[i]);
+        double absZ = Math.abs(dz[i]);
+        int z = absX >= absY && absX >= absZ ? 0 : absY >= absZ ? 1 : 2;
         int x = z == 2 ? 0 : z + 1;
         int y = x == 2 ? 0 : x + 1;
         int b = at + MeshTree.VERTEX;
         int c = b + MeshTree.VERTEX;
+        double perDepth = 1 / direction[z][i];
         double t = MeshRay.depth(v, at, b, c, MeshTree.WIDTH * x, MeshTree.WIDTH * y, MeshTree.WIDTH * z, origin[x][i], origin[y][i],
-                origin[z][i], shearX[i], shearY[i], perDepth[i]);
+                origin[z][i], direction[x][i] * perDepth, direction[y][i] * perDepth, perDepth);
         return t > 0 ? MeshRay.put(t, v, at, b, c, MeshTree.WIDTH, ox[i], oy[i], oz[i], pad[i], inverseX[i], inverseY[i], inverseZ[i])
                 : MeshRay.MISS;
     }

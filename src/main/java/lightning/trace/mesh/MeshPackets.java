@@ -108,11 +108,6 @@ public final class MeshPackets {
         int end = count * Rays.WIDTH;
         Arrays.fill(met, 0, count, 0);
         sight.enter(tree, open, brief, count, best, any);
-        for (int k = 0; k < count; k++) {
-            if ((open[k] | brief[k]) != 0) {
-                rays.ready(k * Rays.WIDTH);
-            }
-        }
         if (!together(0, end)) {
             for (int i = 0; i < end; i += Rays.WIDTH) {
                 if (open[i / Rays.WIDTH] != 0 && (count == 1 || !together(i, i + Rays.WIDTH))) {
