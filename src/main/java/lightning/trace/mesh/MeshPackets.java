@@ -38,6 +38,9 @@ public final class MeshPackets {
     private final int[] open = new int[PACKETS];
     /** Those too short to be led through the tree. */
     private final int[] brief = new int[PACKETS];
+    /** Rays that may meet triangles of a leaf, and which. */
+    private final int[] near = new int[MOST];
+    private final int[] nearSlots = new int[MOST];
     private int[] stack = new int[64];
     private int[] since = new int[64];
     private MeshTree tree;
@@ -184,16 +187,21 @@ public final class MeshPackets {
         int at = MeshTree.LEAF * leaf;
         // Asks memory for the lines of the leaf before boxes are tested: a fifth less time for ways to a light.
         asked = v[at] + v[at + 16] + v[at + 32] + v[at + 48] + v[at + 64];
-        boolean nearer = false;
         float extent = extent(box);
+        // First all tests, then what comes of them: a processor guesses wrong only once where it would for every other ray.
+        int n = 0;
         for (int i = from; i < end; i += Rays.WIDTH) {
             for (int left = sight.enters(tree.box, box, i); left != 0; left &= left - 1) {
                 int ray = i + Integer.numberOfTrailingZeros(left);
                 int slots = sight.meets(v, leaf, extent, ray);
-                if (slots != 0) {
-                    nearer |= take(ray, leaf, slots);
-                }
+                near[n] = ray;
+                nearSlots[n] = slots;
+                n += -slots >>> 31;
             }
+        }
+        boolean nearer = false;
+        for (int k = 0; k < n; k++) {
+            nearer |= take(near[k], leaf, nearSlots[k]);
         }
         return nearer;
     }
