@@ -41,13 +41,19 @@ final class SurfaceLanes {
         this.primitives = primitives;
     }
 
+    /** A bit for each of the first {@code live} lanes that hit a shape. */
+    private static int hits(RayPacket p, int live) {
+        int hits = 0;
+        for (int i = 0; i < live; i++) {
+            hits |= (p.primitive[i] >>> 31 ^ 1) << i;
+        }
+        return hits;
+    }
+
     /** Computes the surfaces of those of the first {@code live} lanes that hit a shape. */
     void at(RayPacket p, int live, SurfacePacket out) {
         meet(p);
-        int left = 0;
-        for (int i = 0; i < live; i++) {
-            left |= (p.primitive[i] >>> 31 ^ 1) << i;
-        }
+        int left = hits(p, live);
         while (left != 0) {
             int s = p.primitive[Integer.numberOfTrailingZeros(left)];
             for (int h = 0; h < RayPacket.WIDTH; h += Lanes.COUNT) {
@@ -69,10 +75,7 @@ final class SurfaceLanes {
     /** Where those lanes that hit a primitive lie in its own space, alone: {@link SurfacePacket#ownX} and its like. */
     void own(RayPacket p, int live, SurfacePacket out) {
         meet(p);
-        int left = 0;
-        for (int i = 0; i < live; i++) {
-            left |= (p.primitive[i] >>> 31 ^ 1) << i;
-        }
+        int left = hits(p, live);
         while (left != 0) {
             int s = p.primitive[Integer.numberOfTrailingZeros(left)];
             for (int h = 0; h < RayPacket.WIDTH; h += Lanes.COUNT) {
