@@ -148,14 +148,14 @@ class GltfSurfacesTest {
     @Test
     void specularAndIor_areF0_andWhatItCannotSayIsTold() throws Exception {
         String plastic = "{'pbrMetallicRoughness': {'metallicFactor': 0}, 'extensions': {'KHR_materials_ior': {'ior': 3},"
-                + " 'KHR_materials_specular': {'specularFactor': 0.5, 'specularColorFactor': [%s]}}}";
-        assertThat(material(plastic.formatted("1, 1, 1")).f0()).isEqualTo(0.125);
-        assertThat(material(plastic.formatted("8, 8, 8")).f0()).as("a surface mirrors all, half of which is left").isEqualTo(0.5);
-        Import tinted = read(plastic.formatted("1, 0, 0"));
+                + " 'KHR_materials_specular': {'specularFactor': 0.5, 'specularColorFactor': [COLOR]}}}";
+        assertThat(material(plastic.replace("COLOR", "1, 1, 1")).f0()).isEqualTo(0.125);
+        assertThat(material(plastic.replace("COLOR", "8, 8, 8")).f0()).as("a surface mirrors all, half of which is left").isEqualTo(0.5);
+        Import tinted = read(plastic.replace("COLOR", "1, 0, 0"));
         assertThat(tinted.scene().materials().getFirst().f0()).isEqualTo(0.2126 * 0.125);
         assertThat(tinted.notes()).containsEntry("colored highlights of materials that are no metals, grey here", 1)
                 .containsEntry("highlights of materials weakened where they are grazed, not weakened here", 1);
-        assertThat(read(plastic.formatted("1, 0, 0").replace("'metallicFactor': 0", "'metallicFactor': 1")).notes().keySet())
+        assertThat(read(plastic.replace("COLOR", "1, 0, 0").replace("'metallicFactor': 0", "'metallicFactor': 1")).notes().keySet())
                 .as("of a metal").noneMatch(note -> note.contains("highlights"));
     }
 
