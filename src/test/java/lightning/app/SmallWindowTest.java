@@ -31,6 +31,8 @@ class SmallWindowTest extends EditorDesk {
             stage.setWidth(width);
             stage.setHeight(height);
         });
+        // The window hears of its size a little later.
+        waitFor("the window is so wide", () -> stage.getScene().getWidth() == width && stage.getScene().getHeight() == height);
         QuickRobot.settle();
     }
 
