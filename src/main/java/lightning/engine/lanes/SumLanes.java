@@ -15,12 +15,10 @@ import lightning.trace.HitRows;
 final class SumLanes implements Sums {
     private static final VectorSpecies<Float> F = FloatVector.SPECIES_PREFERRED;
 
-    private final Touch touch = new Touch();
     private final float[] glow = new float[Terms.ROWS];
 
     @Override
     public void sum(int rows, Addends a, float[][] to) {
-        touch.addends(rows, a);
         for (int i = 0; i < rows; i += F.length()) {
             FloatVector r = FloatVector.zero(F);
             FloatVector g = r;
@@ -64,8 +62,6 @@ final class SumLanes implements Sums {
         for (int c = 0; c < 3; c++) {
             float[] texel = shade.textured() ? rows.texel(c) : null;
             float[] image = shade.mirrors() ? mirrored[c] : null;
-            touch.column(texel, start, end);
-            touch.column(image, start, end);
             float[] shown = specular == null ? null : specular[c];
             if (grazing != null) {
                 glow(start, end, shade, c, shown, grazing[c], texel);
