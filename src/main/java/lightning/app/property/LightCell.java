@@ -1,11 +1,10 @@
 package lightning.app.property;
 
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.BiFunction;
 import javafx.collections.ObservableSet;
 import javafx.css.PseudoClass;
-import javafx.scene.control.Label;
-import javafx.scene.control.ListCell;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
@@ -24,15 +23,12 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
  * A line of the list: a light's type, colour, name, solo and on, which a double click renames in place; or a bank. A light is dragged into a
  * bank, or out of one.
  */
-final class LightCell extends ListCell<RigRow> {
+final class LightCell extends NamedCell<RigRow> {
     private static final PseudoClass DARK = PseudoClass.getPseudoClass("dark");
     private static final PseudoClass MEMBER = PseudoClass.getPseudoClass("member");
 
-    private final EditorModel model;
     private final FontIcon type = new FontIcon();
     private final Region chip = new Region();
-    private final Label name = new Label();
-    private final NameField field;
     private final ToggleButton solo = toggle("solo");
     private final ToggleButton on = toggle("on");
     private final FontIcon bulb = new FontIcon();
@@ -42,13 +38,11 @@ final class LightCell extends ListCell<RigRow> {
 
     /** @param folded the names of the banks whose lights are not listed */
     LightCell(EditorModel model, ObservableSet<String> folded) {
-        this.model = model;
+        super(model, Command.RENAME_LIGHT, (old, typed) -> model.edit(scene -> LightEdits.rename(scene, old, typed)));
         bank = new BankRow(model, folded, () -> getListView().requestFocus());
         LightDrag.between(this, model);
         type.getStyleClass().add("light-type");
         chip.getStyleClass().add("light-chip");
-        field = new NameField(model, name, (old, typed) -> model.edit(scene -> LightEdits.rename(scene, old, typed)), this::cancelEdit,
-                this::leave);
         solo.setGraphic(new FontIcon(MaterialDesignA.ALPHA_S_CIRCLE));
         solo.setOnAction(_ -> edit((scene, light) -> LightEdits.solo(scene, light, solo.isSelected())));
         on.setGraphic(bulb);
@@ -141,27 +135,7 @@ final class LightCell extends ListCell<RigRow> {
     }
 
     @Override
-    public void startEdit() {
-        if (light() == null || !model.enabled(Command.RENAME_LIGHT)) {
-            return;
-        }
-        super.startEdit();
-        if (isEditing()) {
-            field.open(shown.name());
-        }
-    }
-
-    @Override
-    public void cancelEdit() {
-        super.cancelEdit();
-        field.close();
-        getListView().setEditable(false);
-        getListView().requestFocus();
-    }
-
-    private void leave() {
-        if (isEditing()) {
-            cancelEdit();
-        }
+    Optional<String> renamed() {
+        return light() == null ? Optional.empty() : Optional.of(shown.name());
     }
 }

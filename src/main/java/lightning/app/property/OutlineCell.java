@@ -4,8 +4,6 @@ import java.util.Optional;
 import javafx.css.PseudoClass;
 import javafx.geometry.Insets;
 import javafx.scene.control.Button;
-import javafx.scene.control.Label;
-import javafx.scene.control.ListCell;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 import lightning.app.model.EditorModel;
@@ -24,32 +22,27 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignV;
 
 /** A line of the list of shapes: kind, name, which a double click renames in place, and an eye; of a group the arrow that folds it. */
-final class OutlineCell extends ListCell<OutlineRow> {
+final class OutlineCell extends NamedCell<OutlineRow> {
     private static final PseudoClass DARK = PseudoClass.getPseudoClass("dark");
     private static final double INDENT = 14;
 
-    private final EditorModel model;
     private final OutlinePane pane;
     private final Button fold = new Button();
     private final FontIcon arrow = new FontIcon();
     private final FontIcon kind = new FontIcon();
-    private final Label name = new Label();
-    private final NameField field;
     private final ToggleButton eye = LightCell.toggle("eye");
     private final FontIcon lid = new FontIcon();
     private final HBox row = new HBox(fold, kind, name, eye);
     private Node shown;
 
     OutlineCell(EditorModel model, OutlinePane pane) {
-        this.model = model;
+        super(model, Command.RENAME_SHAPE, (old, typed) -> typed.equals(old) ? Optional.empty() : pane.rename(old, typed));
         this.pane = pane;
         fold.setGraphic(arrow);
         fold.getStyleClass().addAll("flat", "fold");
         fold.setFocusTraversable(false);
         fold.setOnAction(_ -> pane.fold(shown.name()));
         kind.getStyleClass().add("light-type");
-        field = new NameField(model, name, (old, typed) -> typed.equals(old) ? Optional.empty() : pane.rename(old, typed), this::cancelEdit,
-                this::leave);
         eye.setGraphic(lid);
         eye.setOnAction(_ -> {
             model.edit(scene -> NodeEdits.visible(scene, shown.name(), !shown.visible())).ifPresent(model::say);
@@ -122,27 +115,7 @@ final class OutlineCell extends ListCell<OutlineRow> {
     }
 
     @Override
-    public void startEdit() {
-        if (shown == null || !model.enabled(Command.RENAME_SHAPE)) {
-            return;
-        }
-        super.startEdit();
-        if (isEditing()) {
-            field.open(shown.name());
-        }
-    }
-
-    @Override
-    public void cancelEdit() {
-        super.cancelEdit();
-        field.close();
-        getListView().setEditable(false);
-        getListView().requestFocus();
-    }
-
-    private void leave() {
-        if (isEditing()) {
-            cancelEdit();
-        }
+    Optional<String> renamed() {
+        return Optional.ofNullable(shown).map(Node::name);
     }
 }
