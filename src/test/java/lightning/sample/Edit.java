@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.scene.Attribute;
 import lightning.scene.Bank;
 import lightning.scene.Camera;
 import lightning.scene.Group;
@@ -19,6 +20,7 @@ import lightning.scene.Rig;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.World;
 
 /** One edit of a scene; in a scene where it makes no sense it changes nothing. Lights are told by their place in the list. */
 public sealed interface Edit {
@@ -159,17 +161,11 @@ public sealed interface Edit {
         }
     }
 
-    record Ambience(double to) implements Edit {
+    /** Another value of one of the world's attributes. */
+    record OfWorld<V>(Attribute<World, V> attribute, V to) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
-            return history.getLast().withWorld(history.getLast().world().withAmbience(to));
-        }
-    }
-
-    record Background(Rgb to) implements Edit {
-        @Override
-        public Scene apply(List<Scene> history) {
-            return history.getLast().withWorld(history.getLast().world().withBackground(to));
+            return history.getLast().withWorld(attribute.with(history.getLast().world(), to));
         }
     }
 
@@ -177,27 +173,6 @@ public sealed interface Edit {
         @Override
         public Scene apply(List<Scene> history) {
             return history.getLast().withWorld(history.getLast().world().withEnvironment(to).withLamps(5));
-        }
-    }
-
-    record TurnWorld(double to) implements Edit {
-        @Override
-        public Scene apply(List<Scene> history) {
-            return history.getLast().withWorld(history.getLast().world().withRotation(to));
-        }
-    }
-
-    record SoftenWorld(double to) implements Edit {
-        @Override
-        public Scene apply(List<Scene> history) {
-            return history.getLast().withWorld(history.getLast().world().withSoftness(to));
-        }
-    }
-
-    record BrightenWorld(double to) implements Edit {
-        @Override
-        public Scene apply(List<Scene> history) {
-            return history.getLast().withWorld(history.getLast().world().withIntensity(to));
         }
     }
 

@@ -1,7 +1,9 @@
 package lightning.sample;
 
 import java.util.List;
+import java.util.Optional;
 import lightning.scene.LightAttribute;
+import lightning.scene.World;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -107,13 +109,13 @@ public final class EditArbitraries {
 
     private static Arbitrary<Edit> ofTheWorld() {
         return Arbitraries.oneOf(List.of(
-                Numbers.betweenOr(0, 1, 0.0, 1e6).map(Edit.Ambience::new),
-                Numbers.colors().map(Edit.Background::new),
-                SceneArbitraries.skies().map(s -> new Edit.Surround(java.util.Optional.of(s))),
-                Arbitraries.of(new Edit.Surround(java.util.Optional.empty())),
-                SceneArbitraries.rotations().map(Edit.TurnWorld::new),
-                SceneArbitraries.softnesses().map(Edit.SoftenWorld::new),
-                Numbers.betweenOr(0, 2, 0.0, 1.0).map(Edit.BrightenWorld::new),
+                Numbers.betweenOr(0, 1, 0.0, 1e6).map(v -> new Edit.OfWorld<>(World.AMBIENCE, v)),
+                Numbers.colors().map(v -> new Edit.OfWorld<>(World.BACKGROUND, v)),
+                SceneArbitraries.skies().map(s -> new Edit.Surround(Optional.of(s))),
+                Arbitraries.of(new Edit.Surround(Optional.empty())),
+                SceneArbitraries.rotations().map(v -> new Edit.OfWorld<>(World.ROTATION, v)),
+                SceneArbitraries.softnesses().map(v -> new Edit.OfWorld<>(World.SOFTNESS, v)),
+                Numbers.betweenOr(0, 2, 0.0, 1.0).map(v -> new Edit.OfWorld<>(World.INTENSITY, v)),
                 SceneArbitraries.depths().map(Edit.Depth::new),
                 SceneArbitraries.depths().map(Edit.Depth::new)));
     }
