@@ -88,7 +88,7 @@ public class RowKernels {
     private void findTile(TileVisibility visibility) {
         for (int y = 0; y + 32 <= read.picture().height(); y += 32) {
             for (int x = 0; x + 32 <= read.picture().width(); x += 32) {
-                rows = visibility.eye(x, y, 32, HitRows::new);
+                rows = visibility.eye(x, y, 32, (count, textured, clear) -> new HitRows(count, textured, clear, false, false));
                 if (rows.count == ROWS) {
                     contributions = ratio.full(rows, spot);
                     if (contributions.lit() > ROWS / 4 && contributions.lit() < ROWS) {
@@ -136,7 +136,7 @@ public class RowKernels {
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public Object compose() {
-        composer.compose(rows, lights, layers, null, read.world(), mirrored, colors);
+        composer.compose(rows, lights, layers, null, read.world(), new Images(mirrored, null), colors);
         return colors;
     }
 

@@ -32,7 +32,8 @@ class DocsTest {
     private static final Set<List<String>> PROMISED = Set.of(
             List.of("mvn", "-q", "compile", "exec:exec"),
             List.of("mvn", "verify"),
-            List.of("mvn", "-q", "package", "-DskipTests"));
+            List.of("mvn", "-q", "package", "-DskipTests"),
+            List.of("mvn", "-q", "-Prelease", "-DskipTests", "package"));
 
     @TempDir
     private Path folder;

@@ -40,6 +40,20 @@ class ProgramFolderIT {
     }
 
     @Test
+    void everyLicenceNamed_hasItsTextBesideIt() throws IOException {
+        List<String> names = Files.readAllLines(PROGRAM.resolve("licences.txt")).stream().filter(line -> line.startsWith("     ("))
+                .map(line -> line.substring(line.indexOf('(') + 1, line.indexOf(')'))).distinct().toList();
+        assertThat(names).isNotEmpty()
+                .allSatisfy(name -> assertThat(PROGRAM.resolve("licences").resolve(name + ".txt")).isNotEmptyFile());
+        assertThat(PROGRAM.resolve("LICENSE")).content().contains("Apache License");
+    }
+
+    @Test
+    void whatALibrarySaysOfItself_isKept() {
+        assertThat(PROGRAM.resolve("licences/commons-io/META-INF/NOTICE.txt")).isNotEmptyFile();
+    }
+
+    @Test
     void commonsLang_isNewerThanTheOneThatRecursedWithoutEnd() throws IOException {
         // CVE-2025-48924: all before 3.18.0.
         assertThat(libraries()).filteredOn(library -> library.startsWith("commons-lang3:")).singleElement().asString()

@@ -42,10 +42,10 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
             Timing first = plain.first();
             Timing update = plain.update();
             List<EffectCost> costs = new ArrayList<>();
-            for (Effect effect : Effect.values()) {
+            for (Effect effect : Effect.ALL) {
                 costs.add(canMeasure(effect, effects) ? beside(plain, effect, effects, before, after, options, repetitions, progress)
                         : unmeasured(effect, effects));
-                progress.tiles(costs.size(), Effect.values().length);
+                progress.tiles(costs.size(), Effect.ALL.size());
             }
             return new EffectCosts(first, update, plain.plan(), plain.bytes(), costs);
         }

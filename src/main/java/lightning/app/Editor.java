@@ -107,7 +107,8 @@ public final class Editor implements AutoCloseable {
     private void keepChoices() {
         PreviewLook look = model.previewLook();
         for (Observable choice : List.of(model.precisionProperty(), model.viewProperty().map(ViewTransform::curve), look.glowingProperty(),
-                look.sizeProperty(), model.switched(Command.LIGHT_THEME).orElseThrow())) {
+                look.sizeProperty(), model.keys().changesProperty(), model.arrangement().canvasesProperty(),
+                model.switched(Command.LIGHT_THEME).orElseThrow())) {
             choice.addListener(_ -> remember());
         }
     }
@@ -118,6 +119,8 @@ public final class Editor implements AutoCloseable {
         preferences.set("theme", Looks.worn().name());
         preferences.set("curve", model.viewProperty().get().curve().name());
         model.previewLook().remember(preferences);
+        model.keys().remember(preferences);
+        model.arrangement().remember(preferences);
         preferences.set("precision", model.precisionProperty().get().name());
         preferences.save();
     }

@@ -1,15 +1,19 @@
 package lightning.app;
 
 import java.nio.file.Path;
+import java.util.List;
 import javafx.geometry.Insets;
 import javafx.geometry.Orientation;
 import javafx.scene.Node;
+import javafx.scene.control.Control;
 import javafx.scene.control.Label;
 import javafx.scene.control.SplitPane;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
+import lightning.app.model.Arrangement;
+import lightning.app.model.Arrangement.Canvases;
 import lightning.app.widget.PaneHeader;
 
 /**
@@ -28,6 +32,11 @@ final class EditorFrame extends BorderPane {
 
     private final SplitPane canvases;
     private final SplitPane side;
+    private final SplitPane all;
+    private Node traced;
+    private Node preview;
+    /** Where the border of the panels was before they were hidden. */
+    private double border = CANVASES;
 
     /** @param file what is being read */
     EditorFrame(Path file) {
@@ -37,7 +46,7 @@ final class EditorFrame extends BorderPane {
         canvases = new SplitPane(note("Ray traced", reading), note("Preview", reading));
         side = new SplitPane(sideNote(reading));
         side.setOrientation(Orientation.VERTICAL);
-        var all = new SplitPane(canvases, side);
+        all = new SplitPane(canvases, side);
         all.setDividerPositions(CANVASES);
         SplitPane.setResizableWithParent(side, false);
         setTop(space(BARS));
@@ -71,16 +80,53 @@ final class EditorFrame extends BorderPane {
     }
 
     void showTraced(Node pane) {
+        traced = pane;
         canvases.getItems().set(0, pane);
     }
 
     /** Puts in all but the traced picture. */
-    void fill(Node bars, Node preview, Node lights, Node properties, Node status) {
+    void fill(Node bars, Node previewed, Node lights, Node properties, Node status) {
         setId("editor");
+        preview = previewed;
         canvases.getItems().set(1, preview);
         side.getItems().setAll(lights, properties);
         side.setDividerPositions(LIST);
         setTop(bars);
         setBottom(status);
+    }
+
+    /** Gives the pictures their room, now and whenever it is wanted otherwise. */
+    void follow(Arrangement arrangement) {
+        arrangement.canvasesProperty().subscribe(this::arrange);
+        arrangement.panelsHiddenProperty().subscribe(this::hidePanels);
+    }
+
+    private void arrange(Canvases wanted) {
+        List<Node> seen = wanted.share() == 1 ? List.of(traced) : wanted.share() == 0 ? List.of(preview) : List.of(traced, preview);
+        canvases.getItems().retainAll(seen);
+        for (int i = 0; i < seen.size(); i++) {
+            if (!canvases.getItems().contains(seen.get(i))) {
+                canvases.getItems().add(i, seen.get(i));
+            }
+        }
+        if (seen.size() == 2) {
+            canvases.setDividerPositions(wanted.share());
+        }
+    }
+
+    private void hidePanels(boolean hidden) {
+        if (hidden && all.getItems().size() == 2) {
+            border = all.getDividerPositions()[0];
+            // What stays is never taken out: it would lose the keyboard and the mouse.
+            all.getItems().remove(side);
+        } else if (!hidden && all.getItems().size() == 1) {
+            all.getItems().add(side);
+            all.setDividerPositions(border);
+        }
+    }
+
+    /** Whether the mouse is over one of the pictures, and what has the keyboard needs neither Tab nor the space bar. */
+    boolean isOverPictures() {
+        return canvases.isHover() && (getScene() == null || !(getScene().getFocusOwner() instanceof Control));
     }
 }

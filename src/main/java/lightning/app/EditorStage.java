@@ -2,6 +2,7 @@ package lightning.app;
 
 import javafx.scene.Parent;
 import javafx.scene.Scene;
+import javafx.scene.image.Image;
 import javafx.stage.Stage;
 import lightning.app.model.Preferences;
 import lightning.app.widget.Looks;
@@ -31,6 +32,7 @@ final class EditorStage {
                     Math.min(mostHeight, preferences.number("height", LEAST_SIDE, MOST_SIDE, HEIGHT)));
             Looks.dress(scene);
             stage.setScene(scene);
+            stage.getIcons().add(new Image(String.valueOf(EditorStage.class.getResource("icon.png")), true));
             stage.setMinWidth(Math.min(mostWidth, LEAST_WIDTH));
             stage.setMinHeight(Math.min(mostHeight, LEAST_HEIGHT));
             OnScreen.open(stage);

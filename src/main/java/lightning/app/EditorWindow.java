@@ -3,12 +3,19 @@ package lightning.app;
 import java.io.File;
 import java.util.List;
 import java.util.Optional;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
 import javafx.scene.Node;
 import javafx.scene.input.DragEvent;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyCombination;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.input.TransferMode;
 import javafx.scene.layout.VBox;
+import javafx.stage.Stage;
 import javafx.stage.Window;
 import lightning.app.animation.AnimationWindow;
+import lightning.app.command.CommandPalette;
 import lightning.app.command.FileActions;
 import lightning.app.command.Notices;
 import lightning.app.command.UndoKeys;
@@ -25,6 +32,7 @@ public final class EditorWindow implements AutoCloseable {
     private final FileActions files;
     private final Panels panels;
     private final VBox bars;
+    private final BooleanProperty fullScreen = new SimpleBooleanProperty();
 
     /** Fills a frame, in which the traced picture stands already. */
     EditorWindow(EditorFrame frame, EditorModel model, FileActions files, Notices notices) {
@@ -35,11 +43,35 @@ public final class EditorWindow implements AutoCloseable {
         panels.addTo(model);
         model.setAction(Command.ABOUT, () -> About.show(notices));
         model.setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, window()).show());
-        bars = new VBox(new EditorMenu(model, files), new EditorToolBar(model));
+        model.setSwitch(Command.FULL_SCREEN, fullScreen, this::switchFullScreen);
+        var menu = new EditorMenu(model, files);
+        model.setAction(Command.PALETTE, () -> CommandPalette.open(window(), menu, model));
+        var tools = new EditorToolBar(model);
+        tools.visibleProperty().bind(model.arrangement().panelsHiddenProperty().not());
+        tools.managedProperty().bind(tools.visibleProperty());
+        bars = new VBox(menu, tools);
         frame.fill(bars, preview, new ListTabs(model), new SidePane(model), new StatusLine(model));
+        frame.follow(model.arrangement());
+        frame.addEventFilter(KeyEvent.KEY_PRESSED, e -> {
+            if (e.getCode() == KeyCode.TAB && !e.isShiftDown() && !e.isControlDown() && !e.isAltDown() && frame.isOverPictures()) {
+                model.run(Command.HIDE_PANELS);
+                e.consume();
+            }
+        });
         UndoKeys.take(frame, model);
         frame.setOnDragOver(this::dragOver);
         frame.setOnDragDropped(this::dropped);
+    }
+
+    private void switchFullScreen() {
+        var stage = (Stage) window();
+        if (!fullScreen.isBound()) {
+            // Escape cancels and ends what is asked.
+            stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
+            stage.setFullScreenExitHint("F11 leaves the full screen");
+            fullScreen.bind(stage.fullScreenProperty());
+        }
+        stage.setFullScreen(!stage.isFullScreen());
     }
 
     /** Puts a line below the tool bar. */

@@ -28,6 +28,8 @@ final class FirstSight implements AutoCloseable {
         model.precisionProperty().set(preferences.choice("precision", Precision.EXACT));
         model.viewProperty().set(model.viewProperty().get().withCurve(preferences.choice("curve", DisplayCurve.SRGB)));
         model.previewLook().restore(preferences);
+        model.keys().restore(preferences);
+        model.arrangement().restore(preferences);
         traced = new TracedPane(model);
         this.frame = frame;
         frame.showTraced(traced);

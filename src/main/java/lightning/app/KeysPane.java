@@ -2,15 +2,17 @@ package lightning.app;
 
 import java.util.List;
 import java.util.stream.Stream;
+import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.layout.ColumnConstraints;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
-import lightning.app.command.CommandButton;
+import lightning.app.command.KeyButton;
+import lightning.app.model.EditorModel;
 import lightning.edit.Command;
 
-/** What mouse and keyboard do, as a table. */
+/** What mouse and keyboard do, as a table; the keys of commands can be changed in it. */
 final class KeysPane extends GridPane {
     /** @param mouse empty where the mouse has nothing of its own; likewise {@code keys} */
     private record Row(String what, String mouse, String keys) {}
@@ -18,6 +20,7 @@ final class KeysPane extends GridPane {
     private static final List<Row> LIGHTS = List.of(
             new Row("Select a light", "click", "[  and  ]"),
             new Row("Rotate it", "left drag", "arrows"),
+            new Row("Carry it about what it aims at", "Ctrl + left drag", ""),
             new Row("Move it in the viewing plane", "right drag", "Ctrl + arrows"),
             new Row("Move it along the view; up is away", "middle drag, or Alt + drag", "Page Up, Page Down"));
     private static final List<Row> CAMERA = List.of(
@@ -33,7 +36,8 @@ final class KeysPane extends GridPane {
             new Row("Select the light that matters most there", "click", ""),
             new Row("A menu with the shape's material, here or in the preview", "right click", ""),
             new Row("Zoom", "wheel", ""),
-            new Row("Move the picture", "middle drag", ""));
+            new Row("Move the picture", "middle drag, or Space and drag", ""),
+            new Row("Turn, carry, move the selected light or shape", "as in the preview", ""));
     private static final List<Row> LIST = List.of(
             new Row("Rename the selected light", "double click", "F2"),
             new Row("Switch it on or off", "the bulb", "Space"),
@@ -52,8 +56,14 @@ final class KeysPane extends GridPane {
             new Row("A tenth of a step", "the same with Shift", "Shift + up, down"),
             new Row("Bring the old value back", "", "Escape"));
 
-    KeysPane() {
+    /** What is told of a key that is pressed, pixels wide. */
+    private static final double TOLD = 300;
+
+    KeysPane(EditorModel model) {
         setId("keys");
+        // It has the keyboard first: else the window would open scrolled to the first key that can be changed.
+        setFocusTraversable(true);
+        setAccessibleText("Mouse and keyboard");
         getStyleClass().add("keys");
         var text = new ColumnConstraints();
         text.setHgrow(Priority.ALWAYS);
@@ -64,8 +74,23 @@ final class KeysPane extends GridPane {
         section("The list of lights", LIST);
         section("Shapes, in their list and in the preview", SHAPES);
         section("Numbers", NUMBERS);
-        section("Commands", Stream.of(Command.values()).filter(c -> !c.shortcut().isEmpty())
-                .map(c -> new Row(c.plainTitle(), "", CommandButton.keys(c))).toList());
+        addRow(getRowCount(), label("Commands", "keys-title"), label("Click a key to change it", "caption"), resetAll(model));
+        Stream.of(Command.values()).filter(model::isDone).forEach(c -> {
+            var what = label(c.plainTitle(), "keys-what");
+            var told = label("", "keys-how");
+            told.setWrapText(true);
+            told.setMaxWidth(TOLD);
+            addRow(getRowCount(), what, told, new KeyButton(model.keys(), c, told));
+        });
+    }
+
+    private static Button resetAll(EditorModel model) {
+        var reset = new Button("Reset All Keys");
+        reset.setId("reset-keys");
+        reset.getStyleClass().add("small");
+        reset.setOnAction(_ -> model.keys().reset());
+        model.keys().changesProperty().subscribe(_ -> reset.setDisable(Stream.of(Command.values()).noneMatch(model.keys()::isChanged)));
+        return reset;
     }
 
     private void section(String title, List<Row> rows) {

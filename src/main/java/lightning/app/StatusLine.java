@@ -1,5 +1,6 @@
 package lightning.app;
 
+import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
@@ -8,12 +9,14 @@ import javafx.scene.layout.Region;
 import lightning.app.model.EditorModel;
 import lightning.app.model.Sentence;
 import lightning.app.model.StatusText;
+import lightning.edit.Command;
 import lightning.edit.loop.RenderState;
 
-/** What the last update did and cost, and what the artist should read next. */
+/** What the picture is and how long it took, in a few words that open all that is known of it; and what the artist should read next. */
 final class StatusLine extends HBox {
     private final EditorModel model;
-    private final Label status = new Label();
+    private final Button status = new Button();
+    private final Tooltip whole = new Tooltip();
     private final Label message = new Label();
 
     StatusLine(EditorModel model) {
@@ -23,14 +26,16 @@ final class StatusLine extends HBox {
         message.setId("message");
         message.getStyleClass().add("status-message");
         message.setMinWidth(Region.USE_PREF_SIZE);
-        var whole = new Tooltip();
         whole.setWrapText(true);
         whole.setMaxWidth(600);
-        whole.textProperty().bind(status.textProperty());
         status.setTooltip(whole);
-        HBox.setHgrow(status, Priority.ALWAYS);
-        status.setMaxWidth(Double.MAX_VALUE);
-        getChildren().addAll(status, message);
+        status.setMnemonicParsing(false);
+        status.getStyleClass().add("status-button");
+        status.setAccessibleText("What the last update did");
+        status.setOnAction(_ -> model.run(Command.UPDATES_PANEL));
+        var gap = new Region();
+        HBox.setHgrow(gap, Priority.ALWAYS);
+        getChildren().addAll(status, gap, message);
         model.messageProperty().subscribe(text -> {
             message.setText(text);
             message.setManaged(!text.isEmpty());
@@ -40,7 +45,11 @@ final class StatusLine extends HBox {
     }
 
     private void update() {
-        status.setText(text(model.renderingProperty().get()));
+        RenderState state = model.renderingProperty().get();
+        status.setText(text(state));
+        status.setAccessibleText(status.getText().isEmpty() ? "What the last update did" : status.getText());
+        String click = "\nA click shows what the last updates did.";
+        whole.setText((state.frame() == null ? status.getText() : StatusText.of(state.frame(), state.saving())) + click);
     }
 
     private String text(RenderState state) {
@@ -56,6 +65,6 @@ final class StatusLine extends HBox {
         if (state.verification() != null) {
             return StatusText.of(state.verification(), state.frame());
         }
-        return state.frame() == null ? "" : StatusText.of(state.frame(), state.saving());
+        return state.frame() == null ? "" : StatusText.brief(state.frame());
     }
 }

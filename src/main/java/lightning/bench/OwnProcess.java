@@ -35,8 +35,12 @@ final class OwnProcess {
         }
     }
 
-    /** The launcher, or where this was started without it, Java on the same classes. */
+    /** The launcher of the installed image or of the program's folder, or where this was started without one, Java on the same classes. */
     private static List<String> command() {
+        String installed = System.getProperty("jpackage.app-path");
+        if (installed != null) {
+            return List.of(installed);
+        }
         String home = System.getProperty("lightning.home");
         if (home != null) {
             return List.of(Path.of(home, "bin", "lightning").toString());

@@ -71,7 +71,7 @@ record Pace(double msPerPixel) {
 
     /** Each effect in turns with the picture as it is, in the first pass and an update. */
     double effectsMs(PictureSize size, int repetitions) {
-        return (fullMs(size) * 2.5 * (WARM_UPS + repetitions) + EFFECT_LEAST_MS) * Effect.values().length;
+        return (fullMs(size) * 2.5 * (WARM_UPS + repetitions) + EFFECT_LEAST_MS) * Effect.ALL.size();
     }
 
     /** So many edits and a full trace in turns. */

@@ -1,8 +1,8 @@
 package lightning.cache;
 
-import java.util.Arrays;
 import lightning.image.Film;
 import lightning.shading.EdgeCodes;
+import lightning.shading.Images;
 import lightning.trace.HitRows;
 
 /**
@@ -10,15 +10,18 @@ import lightning.trace.HitRows;
  * never written after construction.
  */
 public final class CachedTile {
-    /** Level 0 is what the eye sees; level k what is seen over k mirrors. Later levels may be missing. */
+    /**
+     * The first is what the eye sees; what is mirrored in a level's rows follows it, with all that is seen from there, and then
+     * what is seen through them. Where nothing is clear, level k is what is seen over k mirrors. All but the first may be missing.
+     */
     public final TileLevel[] levels;
     /**
-     * Where mirror levels are kept as hit shapes only: for each of them the shape that every ray hit,
+     * Where levels but the first are kept as hit shapes only: for each of them, in the same order, the shape that every ray hit,
      * −1 for none; else empty.
      */
     public final int[][] hitShapes;
-    /** Cr of level 0's reflective rows: red, green, blue columns; null where it has none. */
-    public final float[][] mirrored;
+    /** What the rays bring that go on from level 0's rows; null where none does. */
+    public final Images images;
     /**
      * The colours of the pixels' centres or of the samples: red, green, blue, {@code float[1024]} each. Null for samples at accuracy
      * exact: of those the pixels that they make are kept.
@@ -27,17 +30,12 @@ public final class CachedTile {
     /** What anti-aliasing sees of the pixels' centres; null where it does not look for edges. */
     public final EdgeCodes codes;
 
-    public CachedTile(TileLevel[] levels, int[][] hitShapes, float[][] mirrored, float[][] film, EdgeCodes codes) {
+    public CachedTile(TileLevel[] levels, int[][] hitShapes, Images images, float[][] film, EdgeCodes codes) {
         this.levels = levels;
         this.hitShapes = hitShapes;
-        this.mirrored = mirrored;
+        this.images = images;
         this.film = film;
         this.codes = codes;
-    }
-
-    /** What is kept of Cr of a first level's rows: copies of its red, green and blue columns, just long enough. */
-    public static float[][] mirrored(HitRows rows, float[][] cr) {
-        return Arrays.stream(cr).map(column -> Arrays.copyOf(column, HitRows.padded(rows.reflective))).toArray(float[][]::new);
     }
 
     /** The largest value of the colours that are kept, linear. */
@@ -65,7 +63,7 @@ public final class CachedTile {
         for (int[] shapes : hitShapes) {
             bytes += 4L * shapes.length;
         }
-        return bytes + (mirrored == null ? 0 : 12L * mirrored[0].length) + (codes == null ? 0 : codes.bytes());
+        return bytes + (images == null ? 0 : images.bytes()) + (codes == null ? 0 : codes.bytes());
     }
 
     /** The bytes of the colours that are kept. */
@@ -75,7 +73,7 @@ public final class CachedTile {
 
     /** The same without its colours. */
     CachedTile withoutColors() {
-        return new CachedTile(levels, hitShapes, mirrored, null, codes);
+        return new CachedTile(levels, hitShapes, images, null, codes);
     }
 
     /** The hit rows of all levels. */

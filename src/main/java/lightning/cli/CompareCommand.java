@@ -1,13 +1,17 @@
 package lightning.cli;
 
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.concurrent.Callable;
+import lightning.hdr.HdrReader;
 import lightning.image.Difference;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
 import lightning.image.Flip;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
+import lightning.mesh.MeshException;
+import lightning.scene.Sky;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -15,9 +19,9 @@ import picocli.CommandLine.Parameters;
 /** Tells how much two pictures differ. */
 @Command(name = "compare", abbreviateSynopsis = true, header = "Tell how much two pictures differ.",
         description = {
-            "Compares two pictures of the same size, of the formats .png, .xpm and .pfm in any combination. The exit code is",
+            "Compares two pictures of the same size, of the formats .png, .xpm, .pfm, .exr and .hdr in any combination. The exit code is",
             "that of diff: 0 for equal pictures, 1 for different ones, 2 for trouble.",
-            "Only .pfm holds all bits of a picture: a .png can tell equal displays, not equal pictures.",
+            "Only .pfm and an .exr of 32 bits hold all bits of a picture: a .png can tell equal displays, not equal pictures.",
             "FLIP is how much of a difference a person sees who flips between the two: 0 none, 1 the worst; 67 pixels per degree."},
         footer = {
             "Examples:",
@@ -44,8 +48,8 @@ final class CompareCommand implements Callable<Integer> {
             PictureFile.requireKnownExtension(output);
             PictureOutput.checkFile(output);
         }
-        Film a = PictureFile.read(first);
-        Film b = PictureFile.read(second);
+        Film a = read(first);
+        Film b = read(second);
         if (a.width() != b.width() || a.height() != b.height()) {
             throw new BadInput(Console.text("pictures to compare must have the same size, %s has %d x %d pixels, %s has %d x %d",
                     first, a.width(), a.height(), second, b.width(), b.height()));
@@ -56,6 +60,22 @@ final class CompareCommand implements Callable<Integer> {
         }
         print(difference, 3L * a.width() * a.height(), Flip.mean(a, b));
         return difference.isNone() ? ExitCode.DONE : ExitCode.CHECK_FAILED;
+    }
+
+    private static Film read(Path file) throws Exception {
+        if (!file.toString().toLowerCase(Locale.ROOT).endsWith(".hdr")) {
+            return PictureFile.read(file);
+        }
+        try {
+            Sky picture = HdrReader.read(file);
+            float[] rgb = new float[3 * picture.width() * picture.height()];
+            for (int i = 0; i < rgb.length; i++) {
+                rgb[i] = picture.channel(i / 3 % picture.width(), i / 3 / picture.width(), i % 3);
+            }
+            return Film.ofScanlines(picture.width(), picture.height(), rgb);
+        } catch (MeshException e) {
+            throw new BadInput(e.getMessage());
+        }
     }
 
     private void print(Difference d, long values, double flip) {

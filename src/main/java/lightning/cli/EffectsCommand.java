@@ -13,7 +13,6 @@ import lightning.relight.MemoryNeed;
 import lightning.relight.Renderer;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
-import lightning.shading.LightRows;
 import lightning.trace.HitRows;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -110,7 +109,7 @@ final class EffectsCommand implements Callable<Integer> {
                 cache.scene().picture().depth());
         bytes.hits().forEach((part, n) -> column(title(part), n, bytes));
         column("mirror images", bytes.mirrored(), bytes);
-        bytes.layers().forEach((column, n) -> column(title(column), n, bytes));
+        bytes.layers().forEach((column, n) -> column(column.title(), n, bytes));
         column("in all", bytes.all(), bytes);
     }
 
@@ -120,17 +119,7 @@ final class EffectsCommand implements Callable<Integer> {
             case TEXEL -> "texture colours";
             case CODE -> "what edges are told by";
             case OWNER -> "whose rows they are";
-        };
-    }
-
-    private static String title(LightRows.Column column) {
-        return switch (column) {
-            case STATE -> "states of the lights";
-            case COSINE -> "cosines";
-            case SPECULAR -> "specular terms";
-            case GRAZING -> "grazing terms";
-            case FALLOFF -> "falloffs";
-            case SEEN_0, SEEN_1, SEEN_2, SEEN_3 -> "samples seen of soft lights";
+            case CLEAR -> "what is behind clear surfaces";
         };
     }
 

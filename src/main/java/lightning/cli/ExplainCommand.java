@@ -19,13 +19,17 @@ import picocli.CommandLine.Parameters;
         description = {
             "Traces one pixel: what the eye sees there, where and how it lies, and for each light whether it reaches the point",
             "(facing away, outside the cone, shadowed by a shape, lit), its cosine, specular term and falloff, and what it adds",
-            "to the point's colour, with its share in percent. Mirrored rays follow, indented. Colours are linear red, green,",
-            "blue; the last line is the pixel as the film and as the display have it, equal to render's in every bit."},
+            "to the point's colour, with its share in percent. Mirrored and refracted rays follow, indented; of those that clear",
+            "surfaces send on, those that bring more than 0.2 % of the pixel. Colours are linear red, green, blue; the last line",
+            "is the pixel as the film and as the display have it, equal to render's in every bit."},
         footer = {
             "Examples:",
             "  lightning explain scenes/bird.jen 150,230",
             "  lightning explain scenes/bird.jen 960,540 --size 1920x1080"})
 final class ExplainCommand implements Callable<Integer> {
+    /** Of a pixel's colour; what brings less through clear surfaces is not told. */
+    private static final double LEAST_SHARE = 0.002;
+
     private final Console console;
 
     @Mixin
@@ -52,7 +56,7 @@ final class ExplainCommand implements Callable<Integer> {
         var explainer = new PixelExplainer(scene);
         PointReport report = explainer.pixel(pixel.x(), pixel.y());
         console.line("pixel %d,%d of %d x %d", pixel.x(), pixel.y(), width, height);
-        print(explainer, report, "");
+        print(explainer, report, "", 1);
         float[] c = report.color();
         ViewTransform view = ViewTransform.DEFAULT;
         console.line("pixel: linear %s %s %s, displayed %d %d %d", c[0], c[1], c[2], view.encode(c[0]), view.encode(c[1]),
@@ -60,7 +64,8 @@ final class ExplainCommand implements Callable<Integer> {
         return ExitCode.DONE;
     }
 
-    private void print(PixelExplainer explainer, PointReport report, String indent) {
+    /** @param share which part of the pixel's colour the point brings, about */
+    private void print(PixelExplainer explainer, PointReport report, String indent, double share) {
         if (report.isBackground()) {
             console.line("%snothing: the background, %s", indent, rgb(report.color()));
             return;
@@ -73,20 +78,37 @@ final class ExplainCommand implements Callable<Integer> {
         console.line("%s%s of material %s", indent, shape.name(), material.name());
         console.line("%s  at %.6g %.6g %.6g, normal %.6g %.6g %.6g", indent, point.x(), point.y(), point.z(), at.nx(), at.ny(), at.nz());
         double all = total(report.color());
-        var parts = new PointParts(material, at);
+        PointParts parts = PointParts.of(material, at);
         console.line("%s  %-12s adds %s %s", indent, "ambient", rgb(report.ambient()), share(report.ambient(), all));
         for (LightReport light : report.lights()) {
             float[] added = parts.of(light);
             console.line("%s  %-12s adds %s %s  %s", indent, light.light().name(), rgb(added), share(added, all), state(explainer, light));
         }
-        if (report.reflected() != null) {
-            float[] mirrored = parts.mirrored(report.reflected().color());
-            console.line("%s  %-12s adds %s %s", indent, "mirror", rgb(mirrored), share(mirrored, all));
-            console.line("%s  sum          is   %s", indent, rgb(report.color()));
+        if (at.behind() != null) {
+            console.line("%s  the ray comes from %s; the surface mirrors %.1f %% of its light at this angle", indent,
+                    at.behind().isInside() ? Console.text("inside, where its way was %.6g", at.behind().inside()) : "outside",
+                    100 * parts.shared().fresnel());
+        }
+        float[] mirrored = report.reflected() == null ? null : parts.mirrored(report.reflected().color());
+        float[] behind = report.refracted() == null ? null : parts.refracted(report.refracted().color());
+        part("mirror", mirrored, all, indent);
+        part("behind", behind, all, indent);
+        console.line("%s  sum          is   %s", indent, rgb(report.color()));
+        // From clear surfaces rays go on in two ways, again and again: hundreds for a pixel.
+        double least = at.behind() == null ? 0 : LEAST_SHARE;
+        if (mirrored != null && share * total(mirrored) >= least * all) {
             console.line("%s  the mirrored ray meets", indent);
-            print(explainer, report.reflected(), indent + "    ");
-        } else {
-            console.line("%s  sum          is   %s", indent, rgb(report.color()));
+            print(explainer, report.reflected(), indent + "    ", share * total(mirrored) / Math.max(all, Float.MIN_NORMAL));
+        }
+        if (behind != null && share * total(behind) >= least * all) {
+            console.line("%s  the refracted ray meets", indent);
+            print(explainer, report.refracted(), indent + "    ", share * total(behind) / Math.max(all, Float.MIN_NORMAL));
+        }
+    }
+
+    private void part(String name, float[] added, double all, String indent) {
+        if (added != null) {
+            console.line("%s  %-12s adds %s %s", indent, name, rgb(added), share(added, all));
         }
     }
 

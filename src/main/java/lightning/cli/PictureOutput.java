@@ -2,6 +2,7 @@ package lightning.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import lightning.file.SafeFile;
 import lightning.image.Clipping;
 import lightning.image.DisplayCurve;
@@ -24,8 +25,13 @@ final class PictureOutput {
     private CommandSpec command;
 
     @Option(names = {"-o", "--output"}, paramLabel = "FILE", required = true,
-            description = "The picture: .png and .xpm as it is displayed, .pfm every linear value in full (32-bit floats).")
+            description = {"The picture: .png and .xpm as it is displayed, .pfm every linear value in full (32-bit floats),",
+                ".exr (OpenEXR) likewise or as halves, .hdr (Radiance) with 8 bits and an exponent."})
     private Path file;
+
+    @Option(names = "--bits", paramLabel = "N",
+            description = "Of a number in the file: .png 8 or 16, .exr 16 (half) or 32 (float); the first without it.")
+    private Integer bits;
 
     private ViewTransform view = ViewTransform.DEFAULT;
 
@@ -44,7 +50,8 @@ final class PictureOutput {
     }
 
     @Option(names = "--view", paramLabel = "CURVE", converter = Curve.class,
-            description = "How .png and .xpm show light: srgb (the default), or 1998 for the linear values as they are.")
+            description = {"How .png and .xpm show light: srgb (the default), 1998 for the linear values as they are, filmic or aces for",
+                "highlights that roll off, false for a colour for each stop."})
     private void setCurve(DisplayCurve curve) {
         view = view.withCurve(curve);
     }
@@ -53,11 +60,8 @@ final class PictureOutput {
     private static final class Curve implements ITypeConverter<DisplayCurve> {
         @Override
         public DisplayCurve convert(String text) {
-            return switch (text) {
-                case "srgb" -> DisplayCurve.SRGB;
-                case "1998" -> DisplayCurve.LINEAR;
-                default -> throw new TypeConversionException("expected srgb or 1998, found " + Quote.of(text));
-            };
+            return Arrays.stream(DisplayCurve.values()).filter(curve -> curve.word().equals(text)).findFirst()
+                    .orElseThrow(() -> new TypeConversionException("expected srgb, 1998, filmic, aces or false, found " + Quote.of(text)));
         }
     }
 
@@ -69,7 +73,13 @@ final class PictureOutput {
     /** Finds out before a long computation whether its result could not be written. */
     void check() throws IOException {
         PictureFile.requireKnownExtension(file);
+        PictureFile.requireBits(file, bits());
         checkFile(file);
+    }
+
+    /** Of a number in the file. */
+    int bits() throws IOException {
+        return bits == null ? PictureFile.bits(file).getFirst() : bits;
     }
 
     static void checkFile(Path file) throws IOException {
@@ -83,7 +93,7 @@ final class PictureOutput {
 
     /** Writes the picture, and says how much of it the file cannot show. */
     void write(Film film, Console console) throws IOException {
-        PictureFile.write(file, film, view);
+        PictureFile.write(file, film, view, bits());
         Clipping clipping = Clipping.of(film, view);
         if (clipping.pixels() > 0 && PictureFile.isDisplayed(file)) {
             console.line("%s: %d of %d pixels (%.1f %%) are cut off at white, the brightest is %.3g times as bright", file,

@@ -3,25 +3,36 @@ package lightning.cli;
 import lightning.math.Rgb;
 import lightning.scene.Material;
 import lightning.shading.LightReport;
+import lightning.shading.SurfaceShare;
 import lightning.trace.SurfacePoint;
 
 /** What each part of the equation adds to the colour of a point, for people: sums of them are rounded once more. */
-record PointParts(Material material, SurfacePoint at) {
+record PointParts(SurfacePoint at, float[] kr, SurfaceShare shared) {
 
-    /** kd·Idiff·(1 − kr) + (ks·Ispec + Igraz) of one light, linear, {@code float[3]}. */
+    static PointParts of(Material material, SurfacePoint at) {
+        return new PointParts(at, floats(material.reflective()), new SurfaceShare(at));
+    }
+
+    /** kd·Idiff·(1 − kr) + (ks·Ispec + Igraz) of one light, linear, {@code float[3]}; of a clear surface what it has of that. */
     float[] of(LightReport light) {
-        float[] kr = floats(material.reflective());
         float[] added = new float[3];
         for (int c = 0; c < 3; c++) {
-            added[c] = at.diffuse()[c] * light.diffuse()[c] * (1 - kr[c]) + (at.specular()[c] * light.highlight()[c] + light.sheen()[c]);
+            added[c] = at.diffuse()[c] * light.diffuse()[c] * shared.body(kr[c], c)
+                    + (at.specular()[c] * light.highlight()[c] + light.sheen()[c]) * shared.left(c);
         }
         return added;
     }
 
-    /** kr·Cr, linear, {@code float[3]}. */
+    /** What the mirrored ray adds, kr·Cr of an opaque surface, linear, {@code float[3]}. */
     float[] mirrored(float[] color) {
-        float[] kr = floats(material.reflective());
-        return new float[] {kr[0] * color[0], kr[1] * color[1], kr[2] * color[2]};
+        return new float[] {shared.mirrored(kr[0], 0) * color[0], shared.mirrored(kr[1], 1) * color[1],
+            shared.mirrored(kr[2], 2) * color[2]};
+    }
+
+    /** What the refracted ray adds, linear, {@code float[3]}. */
+    float[] refracted(float[] color) {
+        return new float[] {shared.refracted(kr[0], 0) * color[0], shared.refracted(kr[1], 1) * color[1],
+            shared.refracted(kr[2], 2) * color[2]};
     }
 
     private static float[] floats(Rgb c) {

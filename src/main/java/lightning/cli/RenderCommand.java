@@ -2,8 +2,11 @@ package lightning.cli;
 
 import java.util.concurrent.Callable;
 import lightning.engine.choice.Engines;
+import lightning.exr.ExrType;
 import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
+import lightning.image.PictureFile;
+import lightning.layer.LayerFile;
 import lightning.relight.MemoryNeed;
 import lightning.relight.Renderer;
 import lightning.relight.tile.Options;
@@ -23,6 +26,7 @@ import picocli.CommandLine.Option;
             "Examples:",
             "  lightning render scenes/bird.jen -o bird.png",
             "  lightning render scenes/bird.jen -o big.png --size 1920x1080 --exposure 0.5",
+            "  lightning render scenes/bird.jen -o layers.exr --layers --bits 32",
             "  lightning render scenes/bird.jen -o exact.pfm --depth 0 --traditional"})
 final class RenderCommand implements Callable<Integer> {
     private final Console console;
@@ -40,6 +44,12 @@ final class RenderCommand implements Callable<Integer> {
                 "still compiles, and no yardstick: bench and relight warm up first."})
     private boolean traditional;
 
+    @Option(names = "--layers",
+            description = {
+                "Writes an .exr with layers beside the picture: background, ambient, each light's diffuse and specular, reflections,",
+                "which add up to it, and normals, positions, depth, shapes and materials."})
+    private boolean layers;
+
     RenderCommand(Console console) {
         this.console = console;
     }
@@ -47,6 +57,12 @@ final class RenderCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         output.check();
+        if (layers && !PictureFile.canHaveLayers(output.file())) {
+            throw new BadInput(Console.text("%s: layers are written to .exr", output.file()));
+        }
+        if (layers && traditional) {
+            throw new BadInput("a trace that keeps nothing has no layers; leave out --layers or --traditional");
+        }
         Scene scene = picture.apply(input.read().scene());
         if (traditional) {
             traceTraditionally(scene);
@@ -71,12 +87,29 @@ final class RenderCommand implements Callable<Integer> {
                 Renderer renderer = new Renderer(Options.DEFAULT.withThreads(threads.count()).withMemory(output.memory(scene)));
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
             var update = renderer.render(scene, bar);
+            if (layers) {
+                long start = System.nanoTime();
+                LayerFile file = new LayerFile(renderer.cache(), renderer.options().engines(),
+                        output.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT);
+                try (Workers workers = new Workers(threads.count()); ProgressBar writing = new ProgressBar(console, "writing")) {
+                    file.write(output.file(), renderer.options().memory() - renderer.bytes(), workers, writing);
+                }
+                console.line("%s: %d layers of %d x %d pixels, written in %.1f ms", output.file(), file.layerCount(),
+                        scene.picture().width(),
+                        scene.picture().height(), (System.nanoTime() - start) / 1e6);
+                tell(scene, renderer.film(), "first pass", update.milliseconds(), update.rays());
+                return;
+            }
             write(scene, renderer.film(), "first pass", update.milliseconds(), update.rays());
         }
     }
 
     private void write(Scene scene, Film film, String what, double milliseconds, TraceCounts rays) throws Exception {
         output.write(film, console);
+        tell(scene, film, what, milliseconds, rays);
+    }
+
+    private void tell(Scene scene, Film film, String what, double milliseconds, TraceCounts rays) {
         console.line("%s: %s of %d x %d pixels, depth %d, in %.1f ms%s: %d eye rays, %d mirrored, %d shadow rays", output.file(), what,
                 film.width(), film.height(), scene.picture().depth(), milliseconds, Engines.areFastest() ? "" : " from cold", rays.eye(),
                 rays.mirrored(), rays.shadow());

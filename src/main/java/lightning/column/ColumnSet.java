@@ -9,6 +9,14 @@ import java.util.Set;
  * @param <C> the kinds that these rows may have
  */
 public final class ColumnSet<C extends Enum<C> & ColumnKind> {
+    /** Of each type all its constants, by ordinal: millions of sets share them. */
+    private static final ClassValue<Enum<?>[]> ALL = new ClassValue<>() {
+        @Override
+        protected Enum<?>[] computeValue(Class<?> type) {
+            return (Enum<?>[]) type.getEnumConstants();
+        }
+    };
+
     /** All that there are, by ordinal. */
     private final C[] kinds;
     /** By the kind's ordinal; null where the rows have no such column. */
@@ -19,13 +27,19 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
         this.columns = columns;
     }
 
+    /** The constants of a type are of that type. */
+    @SuppressWarnings("unchecked")
+    private static <C extends Enum<C>> C[] all(Class<C> kinds) {
+        return (C[]) ALL.get(kinds);
+    }
+
     /**
      * Columns of all kinds.
      *
      * @param columns an array for each kind, in the order of the kinds; null where there is none
      */
     public static <C extends Enum<C> & ColumnKind> ColumnSet<C> of(Class<C> kinds, Object... columns) {
-        C[] all = kinds.getEnumConstants();
+        C[] all = all(kinds);
         if (columns.length != all.length) {
             throw new IllegalArgumentException("there are " + all.length + " kinds of columns, and not " + columns.length);
         }
@@ -34,7 +48,7 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
 
     /** New columns of some kinds for {@code rows} rows, all 0. */
     public static <C extends Enum<C> & ColumnKind> ColumnSet<C> room(Class<C> kinds, Set<C> which, int rows) {
-        C[] all = kinds.getEnumConstants();
+        C[] all = all(kinds);
         ColumnSet<C> set = new ColumnSet<>(all, new Object[all.length]);
         for (C kind : which) {
             set.columns[kind.ordinal()] = kind.element().column(rows);

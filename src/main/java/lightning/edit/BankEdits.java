@@ -14,7 +14,12 @@ public final class BankEdits {
         return Change.of(() -> scene.withRig(scene.rig().with(edit.apply(bank(scene, name)))));
     }
 
-    private static Bank bank(Scene scene, String name) {
+    /**
+     * The bank of that name.
+     *
+     * @throws IllegalArgumentException if there is none
+     */
+    static Bank bank(Scene scene, String name) {
         return scene.rig().bank(name).orElseThrow(() -> new IllegalArgumentException("there is no bank " + Quote.of(name)));
     }
 

@@ -9,6 +9,8 @@ import java.util.function.Function;
  * menus, and the buttons that do the same, are made of these; what one does says whoever can do it.
  */
 public enum Command {
+    NEW_SCENE("New Scene…", "Begin a scene: a ball on a floor, three lights, 1280 × 720 with smooth edges", "mdi2f-file-plus-outline",
+            "Shortcut+N", Obstacles.alone()),
     LOAD_FILE("Load File…", "Open a scene, or make one of a glTF, OBJ, PLY or NFF file", "mdi2f-folder-open-outline", "Shortcut+O",
             Obstacles.alone()),
     LOAD_RECENT("Load Recent", "Open a scene that was open before", "mdi2h-history", "", Obstacles.alone()),
@@ -17,6 +19,7 @@ public enum Command {
     SAVE_SCENE_AS("Save Scene As…", "Write the scene to another file", "mdi2c-content-save-edit-outline", "Shortcut+Shift+S",
             Obstacles.alone()),
     SAVE_IMAGE("Save Image…", "Write the traced picture to a file", "mdi2i-image-outline", "Shortcut+E", Obstacles::noPicture),
+    EXPORT("Export", "Write the picture for other programs: layers, floats, 16 bits", "mdi2e-export-variant", "", Obstacles::noPicture),
     QUIT("Quit", "Close the window; it asks about edits that are not saved", "mdi2e-exit-to-app", "Shortcut+Q", Obstacles.NONE),
 
     UNDO("Undo", "Take the last edit back", "mdi2u-undo", "Shortcut+Z", Obstacles.alone(Obstacles::nothingToUndo), Situation::undo),
@@ -25,9 +28,17 @@ public enum Command {
             Obstacles.alone(Obstacles::nothingToUndoOfLight), Situation::undoLight),
     REDO_LIGHT("Redo Light", "Do again what was undone of the selected light alone", "mdi2r-redo-variant", "Shortcut+Alt+Shift+Z",
             Obstacles.alone(Obstacles::nothingToRedoOfLight), Situation::redoLight),
+    HISTORY_PANEL("Undo History…", "All edits as a list; a click goes there, for the document or for the selected light alone",
+            "mdi2h-history", "Shortcut+Alt+H", Obstacles.NONE),
     COPY_SETTINGS("Copy Settings", "Remember the selected light's settings", "mdi2c-content-copy", "Shortcut+Shift+C", Obstacles::noLight),
     PASTE_SETTINGS("Paste Settings", "Give the selected light the settings that were copied", "mdi2c-content-paste", "Shortcut+Shift+V",
             Obstacles.alone(Obstacles::nothingCopied)),
+    COPY_PROPERTY("Copy Property", "Remember one property of the selected light, as the scene file writes it", "mdi2c-content-copy", "",
+            Obstacles::noLight),
+    PASTE_PROPERTY("Paste Property", "Give the selected light the property that was copied, from whatever light or text",
+            "mdi2c-content-paste", "", Obstacles.alone(Obstacles::noLight)),
+    RESET_PROPERTY("Reset Property", "Give a property of the selected light the value that a new light has", "mdi2r-restore", "",
+            Obstacles.alone(Obstacles::noLight)),
     PICK_MATERIAL("Edit Material…",
             "Pick a shape in the traced picture and edit its material; a right click on a shape offers it too",
             "mdi2e-eyedropper", "Shortcut+Shift+M", Obstacles::noPicture),
@@ -77,6 +88,19 @@ public enum Command {
     MAKE_ANIMATION("Make Animation…", "Record and play the way of the selected light", "mdi2m-movie-open-outline", "Shortcut+M",
             Obstacles.alone(Obstacles::nothingToAnimate)),
 
+    MIXER("Light Mixer…", "A strip for each light and bank: what it gives to the picture, fader, colour, solo, mute",
+            "mdi2t-tune-vertical", "F4", Obstacles.NONE),
+
+    CONTRIBUTIONS("Which Lights Matter…", "Each light's share of the picture, of a part and of a pixel; switch off what nobody sees",
+            "mdi2c-chart-bar", "Shortcut+F9", Obstacles.NONE),
+    CUES("Cues…", "Keep how the scene is lit with its picture; restore, compare and blend", "mdi2v-view-gallery-outline", "Shift+F4",
+            Obstacles.NONE),
+    LOAD_RIG("Load Light Rig…", "Let the lights and banks of a file take the place of the scene's", "mdi2f-file-import-outline", "",
+            Obstacles.alone()),
+    ADD_RIG("Add Light Rig…", "Add the lights and banks of a file to the scene's", "mdi2f-file-plus-outline", "", Obstacles.alone()),
+    SAVE_RIG("Save Light Rig…", "Write the scene's lights, banks and world to a file of their own", "mdi2f-file-export-outline", "",
+            Obstacles.alone()),
+
     GO("Go", "Render the edits into the traced picture", "mdi2p-play", "F5", Obstacles::nothingToRender),
     LIVE("Live", "Render edits while they are made, without Go", "mdi2f-flash", "F8", Obstacles.NONE),
     UPDATE_REFLECTIONS("Update Reflections", "Make the mirrors show the lights that the picture shows", "mdi2m-mirror", "F6",
@@ -84,6 +108,8 @@ public enum Command {
     VERIFY("Verify", "Trace the picture in full in the background and compare", "mdi2c-check-decagram-outline", "F7", Obstacles::noPicture),
     CANCEL("Cancel", "Stop what is being rendered, verified or read", "mdi2s-stop", "Esc", Obstacles::nothingRuns),
     ACCURACY_PANEL("What Accuracy Costs…", "Each grade's time and error for the edit made last", "mdi2c-chart-scatter-plot", "F9",
+            Obstacles.NONE),
+    UPDATES_PANEL("What This Update Did…", "The last updates of the picture: plan, rows, rays, time", "mdi2t-timer-outline", "Shift+F7",
             Obstacles.NONE),
     EFFECTS_PANEL("Effects…", "What the scene calls for, and who calls for it; hide an effect from the view", "mdi2l-layers-outline",
             "Shift+F9", Obstacles.NONE),
@@ -95,6 +121,7 @@ public enum Command {
 
     ONLY_SELECTED("Only the Selected Light", "Show what it gives to the picture, in mirrors too: no ambience, no background",
             "mdi2f-filter-outline", "Shortcut+I", Obstacles.NONE),
+    SCOPES("Scopes…", "Histogram and waveform of the traced picture as it is shown", "mdi2c-chart-histogram", "", Obstacles.NONE),
     CURVE("Display Curve", "How light becomes brightness on the screen", "mdi2c-chart-bell-curve", "", Obstacles.NONE),
     SHADOWS("Shadows", "Show shadows in the traced picture", "mdi2b-box-shadow", "", Obstacles.NONE),
     REFLECTIONS("Reflections", "Show mirrors in the traced picture", "mdi2m-mirror", "", Obstacles.NONE),
@@ -117,9 +144,17 @@ public enum Command {
     GIZMO_SIZE("Size of the Gizmos", "How large the lights' wireframes are drawn", "mdi2c-cone", "", Obstacles.NONE),
     GLOWING_TEXTURES("Glowing Textures in the Preview, as in 1998", "Let textures glow in the preview, without light on them",
             "mdi2t-texture", "", Obstacles.NONE),
+    ARRANGEMENT("Arrange the Pictures", "Traced picture and preview side by side, one of them large, or one alone",
+            "mdi2v-view-split-vertical",
+            "", Obstacles.NONE),
+    HIDE_PANELS("Hide the Panels", "Pictures and menu alone; Tab over a picture does it too", "mdi2f-fit-to-screen-outline", "Shift+F11",
+            Obstacles.NONE),
+    FULL_SCREEN("Full Screen", "The window on the whole screen", "mdi2f-fullscreen", "F11", Obstacles.NONE),
     LIGHT_THEME("Light Theme", "Windows for bright rooms", "mdi2w-white-balance-sunny", "", Obstacles.NONE),
 
-    KEYS("Mouse and Keyboard", "What mouse and keyboard do", "mdi2k-keyboard-outline", "F1", Obstacles.NONE),
+    PALETTE("Find Command…", "All commands by a few letters of their names, with their keys", "mdi2c-console-line", "Shortcut+Shift+P",
+            Obstacles.NONE),
+    KEYS("Mouse and Keyboard", "What mouse and keyboard do; give commands other keys", "mdi2k-keyboard-outline", "F1", Obstacles.NONE),
     ABOUT("About Lightning", "What the program is", "mdi2i-information-outline", "", Obstacles.NONE);
 
     private final String title;

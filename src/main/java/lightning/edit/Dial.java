@@ -2,7 +2,6 @@ package lightning.edit;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.stream.IntStream;
@@ -14,8 +13,7 @@ import lightning.scene.Picture;
 import lightning.scene.Quantity;
 import lightning.scene.Scene;
 import lightning.scene.World;
-import lightning.text.Decimal;
-import lightning.text.Quote;
+import lightning.text.Measure;
 
 /**
  * One number that an arrow widget or a slider of the property editor turns (paper §3.2, Figure 5): of the selected
@@ -43,6 +41,7 @@ public final class Dial {
     private final String title;
     private final String label;
     private final Quantity<?> quantity;
+    private final Measure measure;
     private final boolean ofScene;
     private final BiFunction<Scene, Optional<Light>, Optional<String>> obstacle;
     private final Get get;
@@ -64,11 +63,12 @@ public final class Dial {
         Scene on(Scene scene, T part);
     }
 
-    private Dial(String title, String label, Quantity<?> quantity, boolean ofScene,
+    private Dial(String title, String label, Quantity<?> quantity, String unit, boolean ofScene,
             BiFunction<Scene, Optional<Light>, Optional<String>> obstacle, Get get, Set set) {
         this.title = title;
         this.label = label;
         this.quantity = quantity;
+        measure = unit.startsWith("degrees") ? Measure.DEGREES : Measure.FACTOR;
         this.ofScene = ofScene;
         this.obstacle = obstacle;
         this.get = get;
@@ -86,7 +86,7 @@ public final class Dial {
         // What a channel or an axis is of, people see by the colour or the place that it stands beside.
         String title = label.isEmpty() ? attribute.title()
                 : quantity.form() == Quantity.Form.COLOR ? label : attribute.title() + " " + label;
-        return new Dial(title, label.isEmpty() ? title : label, quantity, false,
+        return new Dial(title, label.isEmpty() ? title : label, quantity, attribute.unit(), false,
                 (_, selected) -> selected.isEmpty() ? Optional.of("no light is selected") : attribute.obstacle(selected.get().type()),
                 (scene, light) -> quantity.number(attribute.of(LightEdits.light(scene, light)), index),
                 (scene, light, value) -> {
@@ -105,7 +105,8 @@ public final class Dial {
             throw new IllegalArgumentException(attribute.title() + " is no number");
         }
         String title = attribute.title();
-        return new Dial(title, title.substring(title.lastIndexOf(' ') + 1), quantity, true, (scene, _) -> obstacle.apply(scene),
+        return new Dial(title, title.substring(title.lastIndexOf(' ') + 1), quantity, attribute.unit(), true,
+                (scene, _) -> obstacle.apply(scene),
                 (scene, _) -> quantity.number(attribute.of(part.of(scene)), 0),
                 (scene, _, value) -> with.on(scene,
                         attribute.with(part.of(scene), quantity.with(attribute.of(part.of(scene)), 0, value))));
@@ -124,6 +125,11 @@ public final class Dial {
     /** What one click adds, and the limits. */
     public Steps steps() {
         return new Steps(quantity.step(), quantity.min(), quantity.max());
+    }
+
+    /** What the number is measured in. */
+    public Measure measure() {
+        return measure;
     }
 
     /** Whether it belongs to the scene and needs no light. */
@@ -147,13 +153,6 @@ public final class Dial {
             quantity.check(title, value);
             return set.on(scene, light, value);
         });
-    }
-
-    /** Sets the value that a person typed; refused if it is no number, and as {@link #set}. */
-    public Change typed(Scene scene, String light, String text) {
-        OptionalDouble number = Decimal.read(text.strip());
-        return number.isPresent() ? set(scene, light, number.getAsDouble())
-                : new Change.Refused(title + " must be a number, was " + Quote.of(text.strip()));
     }
 
     /**

@@ -1,6 +1,7 @@
 package lightning.edit;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
@@ -91,6 +92,79 @@ public final class History {
             done.push(step);
             state = step.after();
         }
+    }
+
+    /** All steps of the document, the first first; those after {@link #position} are undone. */
+    public List<String> steps() {
+        List<String> all = new ArrayList<>();
+        done.descendingIterator().forEachRemaining(s -> all.add(s.label()));
+        undone.forEach(s -> all.add(s.label()));
+        return all;
+    }
+
+    /** How many steps of the document are done. */
+    public int position() {
+        return done.size();
+    }
+
+    /** Undoes or does again until so many steps are done, or as near to that as there are steps. */
+    public void goTo(int position) {
+        while (done.size() > position && !done.isEmpty()) {
+            undo();
+        }
+        while (done.size() < position && !undone.isEmpty()) {
+            redo();
+        }
+    }
+
+    /** All steps of one light alone, the first first; those after {@link #lightPosition} are undone. Empty if there is no such light. */
+    public List<String> lightSteps(long id) {
+        Optional<Light> now = light(id);
+        if (now.isEmpty()) {
+            return List.of();
+        }
+        Deque<String> all = new ArrayDeque<>();
+        Light after = now.get();
+        for (LightTrack.Link l = state.track(id).past(); l != null; l = l.rest()) {
+            all.addFirst(SceneChange.summary(l.light(), after));
+            after = l.light();
+        }
+        Light before = now.get();
+        for (LightTrack.Link l = state.track(id).future(); l != null; l = l.rest()) {
+            all.addLast(SceneChange.summary(before, l.light()));
+            before = l.light();
+        }
+        return List.copyOf(all);
+    }
+
+    /** How many steps of one light alone are done. */
+    public int lightPosition(long id) {
+        int count = 0;
+        for (LightTrack.Link l = state.track(id).past(); l != null; l = l.rest()) {
+            count++;
+        }
+        return count;
+    }
+
+    /**
+     * Undoes or does again edits of one light alone until so many of its steps are done, in one step of the document; refused where there
+     * are not so many, where it stands there already, and as {@link #undoLight}.
+     */
+    public Change goToOfLight(long id, int position) {
+        int from = lightPosition(id);
+        if (position < 0 || position > lightSteps(id).size() || position == from) {
+            return new Change.Refused("there is nothing to " + (position > from ? "redo" : "undo") + " of this light");
+        }
+        return Change.of(() -> {
+            DocumentState moved = state;
+            for (int at = from; at != position; at += Integer.signum(position - from)) {
+                moved = moved.moved(id, position < from);
+            }
+            String name = light(id).orElseThrow().name();
+            undone.clear();
+            push(moved, null, name + ": " + Math.abs(position - from) + (position < from ? " undone" : " redone") + " of it alone");
+            return moved.scene();
+        });
     }
 
     /** What {@link #undoLight} would take back; empty if there is nothing or no such light. */

@@ -53,6 +53,41 @@ public final class LightManipulation {
         return moved(light, view.right().times(right * scale).plus(view.up().times(up * scale)));
     }
 
+    /**
+     * Carries the light about what it aims at, at the same distance, so that it aims there still: a point light about what the view looks at,
+     * any other about the point of its axis that is nearest to that.
+     *
+     * @param right pixels; likewise {@code up}
+     */
+    public static Light orbit(Light light, PreviewCamera view, Viewport canvas, double right, double up) {
+        Vec3 target = aim(light, view);
+        Vec3 offset = light.position().minus(target);
+        double per = TURN_PER_CANVAS / Math.min(canvas.width(), canvas.height());
+        // The light goes with the mouse on this side of what it aims at, and on the other.
+        double side = offset.dot(view.forward()) <= 0 ? 1 : -1;
+        Light carried = light.withPosition(target.plus(turned(offset, view, side * right * per, -side * up * per)));
+        if (carried.position().maxAbs() > Limits.MAX_COORDINATE) {
+            return light;
+        }
+        return light.type().hasDirection()
+                ? carried.withDirection(turned(light.direction(), view, side * right * per, -side * up * per)) : carried;
+    }
+
+    private static Vec3 turned(Vec3 v, PreviewCamera view, double aboutUp, double aboutRight) {
+        return Rotation.about(view.right(), aboutRight, Rotation.about(view.up(), aboutUp, v));
+    }
+
+    /** What a light aims at: see {@link #orbit}. */
+    static Vec3 aim(Light light, PreviewCamera view) {
+        Vec3 seen = view.camera().to();
+        if (!light.type().hasDirection()) {
+            return seen;
+        }
+        Vec3 axis = light.direction().normalized();
+        double reach = seen.minus(light.position()).dot(axis);
+        return light.position().plus(axis.times(reach > 0 ? reach : view.distance()));
+    }
+
     private static double scale(Light light, PreviewCamera view, Viewport canvas) {
         double depth = Math.max(view.depth(light.position()), LEAST_DEPTH * view.distance());
         return view.pixelScale(depth, canvas.height());

@@ -1,14 +1,11 @@
 package lightning.edit;
 
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import lightning.jen.PropertyEdit;
-import lightning.scene.Group;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
-import lightning.scene.Node;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.TextureMap;
@@ -23,20 +20,7 @@ public final class MaterialEdits {
 
     /** The material of a shape, also one in a group; empty if there is no such shape. */
     public static Optional<Material> ofShape(Scene scene, String shape) {
-        return find(scene.nodes(), shape).map(s -> scene.materialsByName().get(s.material()));
-    }
-
-    private static Optional<Shape> find(List<Node> nodes, String name) {
-        for (Node node : nodes) {
-            Optional<Shape> found = switch (node) {
-                case Group g -> find(g.children(), name);
-                case Shape s -> Optional.of(s).filter(shape -> shape.name().equals(name));
-            };
-            if (found.isPresent()) {
-                return found;
-            }
-        }
-        return Optional.empty();
+        return scene.stage().node(shape).filter(Shape.class::isInstance).map(s -> scene.materialsByName().get(((Shape) s).material()));
     }
 
     /** Any edit of one material that keeps its name. */

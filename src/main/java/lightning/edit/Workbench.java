@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.LongFunction;
+import lightning.cache.PixelCache;
 import lightning.edit.loop.Frame;
 import lightning.edit.loop.Look;
 import lightning.edit.loop.RenderFeed;
@@ -79,6 +80,11 @@ public final class Workbench implements AutoCloseable {
     /** The picture rendered last; its film may be written over by now. */
     public Optional<Frame> frame() {
         return Optional.ofNullable(rendering.frame());
+    }
+
+    /** What is kept of the picture: see {@link RenderLoop#known}. On any thread. */
+    public Optional<PixelCache> known() {
+        return loop.known();
     }
 
     private void hear() {
@@ -157,6 +163,17 @@ public final class Workbench implements AutoCloseable {
     public void redo() {
         document.history().redo();
         edited();
+    }
+
+    /** Undoes or does again until so many of the document's steps are done: see {@link History#goTo}. */
+    public void goTo(int position) {
+        document.history().goTo(position);
+        edited();
+    }
+
+    /** The same of the selected light alone; returns the reason if it could not: see {@link History#goToOfLight}. */
+    public Optional<String> goToOfLight(int position) {
+        return ofSelected(id -> document.history().goToOfLight(id, position));
     }
 
     /** Takes back the last edit of the selected light alone; returns the reason if it could not. */

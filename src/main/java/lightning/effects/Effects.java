@@ -1,8 +1,8 @@
 package lightning.effects;
 
 import java.util.Collections;
-import java.util.EnumMap;
-import java.util.EnumSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -19,7 +19,7 @@ public record Effects(Map<Effect, List<String>> callers, int depth) {
     private static final int NAMES_SHOWN = 6;
 
     public Effects {
-        var copy = new EnumMap<Effect, List<String>>(Effect.class);
+        var copy = new LinkedHashMap<Effect, List<String>>();
         callers.forEach((effect, names) -> copy.put(effect, List.copyOf(names)));
         callers = Collections.unmodifiableMap(copy);
     }
@@ -27,8 +27,8 @@ public record Effects(Map<Effect, List<String>> callers, int depth) {
     /** The effects of a scene. */
     public static Effects of(Scene scene) {
         Uses uses = Uses.of(scene);
-        var callers = new EnumMap<Effect, List<String>>(Effect.class);
-        for (Effect effect : Effect.values()) {
+        var callers = new LinkedHashMap<Effect, List<String>>();
+        for (Effect effect : Effect.ALL) {
             List<String> names = effect.callers(uses).distinct().toList();
             if (!names.isEmpty()) {
                 callers.put(effect, names);
@@ -57,7 +57,7 @@ public record Effects(Map<Effect, List<String>> callers, int depth) {
 
     /** What the scene does without. */
     public Set<Effect> absent() {
-        var absent = EnumSet.allOf(Effect.class);
+        var absent = new LinkedHashSet<>(Effect.ALL);
         absent.removeAll(callers.keySet());
         return absent;
     }

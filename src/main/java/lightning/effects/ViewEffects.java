@@ -1,7 +1,7 @@
 package lightning.effects;
 
 import java.util.Collection;
-import java.util.EnumSet;
+import java.util.HashSet;
 import java.util.Set;
 import lightning.scene.Scene;
 
@@ -20,7 +20,7 @@ public record ViewEffects(Set<Effect> hidden, Set<Effect> forced, boolean litTex
     public static final ViewEffects ALL = new ViewEffects(Set.of(), Set.of(), true);
     /** The fast shading of the preview (paper §3.3). */
     public static final ViewEffects PREVIEW =
-            new ViewEffects(EnumSet.of(Effect.SHADOWS, Effect.SOFT_SHADOWS, Effect.REFLECTION, Effect.ANTIALIASING), Set.of(), true);
+            new ViewEffects(Set.of(Effect.SHADOWS, Effect.SOFT_SHADOWS, Effect.REFLECTION, Effect.ANTIALIASING), Set.of(), true);
     /** The same with textures that emit their colours, as the paper has it (§3.1): no light's pool can be seen on them. */
     public static final ViewEffects PREVIEW_1998 = PREVIEW.withLitTextures(false);
 
@@ -41,8 +41,7 @@ public record ViewEffects(Set<Effect> hidden, Set<Effect> forced, boolean litTex
 
     /** This view with one effect shown or hidden. */
     public ViewEffects with(Effect effect, boolean shown) {
-        Set<Effect> all = EnumSet.noneOf(Effect.class);
-        all.addAll(hidden);
+        Set<Effect> all = new HashSet<>(hidden);
         if (shown) {
             all.remove(effect);
         } else {
@@ -76,7 +75,7 @@ public record ViewEffects(Set<Effect> hidden, Set<Effect> forced, boolean litTex
     /** The scene that this view traces: the same, or one without the hidden effects. */
     public Scene of(Scene scene) {
         Scene shown = scene;
-        for (Effect effect : Effect.values()) {
+        for (Effect effect : Effect.ALL) {
             shown = shows(effect) ? shown : effect.without(shown);
             shown = forces(effect) ? effect.forced(shown) : shown;
         }

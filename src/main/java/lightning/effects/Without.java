@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
+import lightning.math.Rgb;
 import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.Material;
@@ -18,6 +19,12 @@ final class Without {
 
     static Scene materials(Scene s, UnaryOperator<Material> change) {
         return s.withMaterials(s.materials().stream().map(change).toList());
+    }
+
+    /** Nothing mirrors by its colour, and no ray is followed unless something is clear, which mirrors by its angle. */
+    static Scene reflections(Scene s) {
+        Scene matt = materials(s, m -> m.withReflective(Rgb.BLACK));
+        return s.materials().stream().anyMatch(m -> m.clarity().isClear()) ? matt : matt.withPicture(s.picture().withDepth(0));
     }
 
     static Scene lights(Scene s, UnaryOperator<Light> change) {

@@ -43,6 +43,13 @@ public final class SafeFile {
         void writeTo(OutputStream out) throws IOException;
     }
 
+    /** What goes into a file whose beginning is known last. */
+    @FunctionalInterface
+    public interface Anywhere {
+        /** Writes everything; the channel can be positioned, and closing it is not needed. */
+        void writeTo(FileChannel file) throws IOException;
+    }
+
     /** A file to write, new or in place of an old one that may be written. */
     public static SafeFile at(Path target) {
         return new SafeFile(target, false, false, null);
@@ -95,10 +102,23 @@ public final class SafeFile {
 
     /** The same for content that is whole already; returns what the file holds then. */
     public FileState write(byte[] content) throws IOException {
-        return put(out -> out.write(content)).withContent(content);
+        return put((Content) out -> out.write(content)).withContent(content);
+    }
+
+    /** The same as {@link #write(Content)} for content that is not written from its beginning to its end. */
+    public void writeAnywhere(Anywhere content) throws IOException {
+        put(content);
     }
 
     private FileState put(Content content) throws IOException {
+        return put((Anywhere) channel -> {
+            var out = new BufferedOutputStream(new Unclosed(Channels.newOutputStream(channel)), 1 << 16);
+            content.writeTo(out);
+            out.flush();
+        });
+    }
+
+    private FileState put(Anywhere content) throws IOException {
         Path file = destination();
         TemporaryFile.removeLeftIn(file.getParent());
         Path temporary = TemporaryFile.in(file.getParent());
@@ -128,12 +148,10 @@ public final class SafeFile {
         return file;
     }
 
-    private static void fill(Path temporary, Content content) throws IOException {
+    private static void fill(Path temporary, Anywhere content) throws IOException {
         Permissions.OWNER_ONLY.create(temporary);
         try (FileChannel channel = FileChannel.open(temporary, StandardOpenOption.WRITE)) {
-            var out = new BufferedOutputStream(new Unclosed(Channels.newOutputStream(channel)), 1 << 16);
-            content.writeTo(out);
-            out.flush();
+            content.writeTo(channel);
             // A move may reach the disk before the data does; after a power cut the name must not hold an empty file.
             channel.force(true);
         }

@@ -9,6 +9,7 @@ import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.shading.EdgeCoder;
 import lightning.shading.EdgeCodes;
+import lightning.shading.Images;
 import lightning.shading.LightKernel;
 import lightning.shading.LightLayer;
 import lightning.shading.LightRows;
@@ -18,6 +19,7 @@ import lightning.shading.ScratchColumns;
 import lightning.shading.SeenScenes;
 import lightning.shading.TileComposer;
 import lightning.shading.TraceCounts;
+import lightning.trace.Bounce;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
@@ -92,7 +94,7 @@ final class TileTracer {
     private void centers(Film film, int tile, boolean coded, Progress progress) {
         int x0 = tile % film.tilesX() * Film.TILE;
         int y0 = tile / film.tilesX() * Film.TILE;
-        eye.visibility.eye(x0, y0, Film.TILE, (count, textured) -> level(0));
+        eye.visibility.eye(x0, y0, Film.TILE, (count, textured, clear) -> level(0));
         eyeRays += (long) Math.min(Film.TILE, film.width() - x0) * Math.min(Film.TILE, film.height() - y0);
         shade(SamplePlaces.centers(x0, y0), coded, new float[][] {film.red(tile), film.green(tile), film.blue(tile)}, progress);
     }
@@ -106,7 +108,7 @@ final class TileTracer {
         for (int from = 0; from < pixels.length && !progress.isCancelled(); from += together) {
             int to = Math.min(pixels.length, from + together);
             var places = new SamplePlaces(x0, y0, pixels, from, to, sampling.grid());
-            eye.visibility.fine(places, (count, textured) -> level(0));
+            eye.visibility.fine(places, (count, textured, clear) -> level(0));
             eyeRays += (long) (to - from) * sampling.perPixel();
             shade(places, false, samples, progress);
             SampleMean.write(pixels, from, to, sampling.perPixel(), samples, pixel);
@@ -115,52 +117,54 @@ final class TileTracer {
 
     /** From the first level's rows to colours. */
     private void shade(SamplePlaces places, boolean coded, float[][] colors, Progress progress) {
-        int deepest = mirrors(coded);
-        float[][] cr = mirrors.composer.unfollowed(levels[deepest]);
-        for (int k = deepest; k > 0 && !progress.isCancelled(); k--) {
-            float[][] above = mirrors.composer.followed(levels[k - 1], mirrors.world);
-            compose(mirrors, k, coded, cr, above, progress);
-            cr = above;
+        if (coded) {
+            coder.shapes(0, 0, levels[0], eye.materials);
         }
+        Images images = images(0, 0, coded, progress);
         eye.composer.background(levels[0], eye.scene, places, colors);
-        compose(eye, 0, coded, cr, colors, progress);
+        compose(eye, 0, 0, coded, images, colors, progress);
     }
 
-    /** Follows the mirrors; returns the deepest level that was reached. */
-    private int mirrors(boolean coded) {
-        int deepest = 0;
-        if (coded) {
-            coder.shapes(0, levels[0], eye.materials);
+    /** Follows the rays that go on from the rows of a level; what they bring. */
+    private Images images(int level, int place, boolean coded, Progress progress) {
+        HitRows rows = levels[level];
+        if (level == depth || rows.reflective == 0) {
+            return mirrors.composer.unfollowed(rows, level);
         }
-        while (deepest < depth && levels[deepest].reflective > 0) {
-            HitRows above = levels[deepest++];
-            int next = deepest;
-            reflected += above.reflective;
-            mirrors.visibility.mirrored(above, null, (count, textured) -> level(next));
-            if (coded) {
-                coder.shapes(deepest, levels[deepest], mirrors.materials);
+        Images images = mirrors.composer.followed(rows, mirrors.world, level);
+        for (Bounce bounce : Bounce.values()) {
+            if (bounce.rows(rows) > 0 && !progress.isCancelled()) {
+                int seen = EdgeCoder.place(place, bounce);
+                mirrors.visibility.seenFrom(rows, bounce, null, (count, textured, clear) -> level(level + 1));
+                reflected += mirrors.visibility.rays();
+                if (coded) {
+                    coder.shapes(level + 1, seen, levels[level + 1], mirrors.materials);
+                }
+                Images below = images(level + 1, seen, coded, progress);
+                compose(mirrors, level + 1, seen, coded, below, images.of(bounce), progress);
             }
         }
-        return deepest;
+        return images;
     }
 
-    private void compose(Side side, int level, boolean coded, float[][] cr, float[][] to, Progress progress) {
+    private void compose(Side side, int level, int place, boolean coded, Images images, float[][] to, Progress progress) {
         columns.reset();
         for (int l = 0; l < side.lights.length && !progress.isCancelled(); l++) {
             LightRows layer = side.lights[l].isDark() ? null : side.kernel.full(levels[level], side.lights[l].lamp(), columns);
             layers[l] = layer;
             if (coded && layer != null) {
-                coder.light(level, l, levels[level], layer, side.materials);
+                coder.light(level, place, l, levels[level], layer, side.materials);
             }
         }
         if (!progress.isCancelled()) {
-            side.composer.level(levels[level], side.lights, layers, null, side.world, cr, to);
+            side.composer.level(levels[level], side.lights, layers, null, side.world, images, to);
         }
     }
 
     private HitRows level(int k) {
         if (levels[k] == null) {
-            levels[k] = new HitRows(Film.TILE_PIXELS, true, sampling.antialias() == Antialias.EDGES,
+            levels[k] = new HitRows(Film.TILE_PIXELS, true, eye.materials.clearCount() > 0 || mirrors.materials.clearCount() > 0,
+                    sampling.antialias() == Antialias.EDGES,
                     Luminaire.anyLinked(eye.lights) || Luminaire.anyLinked(mirrors.lights));
         }
         return levels[k];

@@ -12,15 +12,16 @@ public record Clipping(long pixels, long all, double brightest) {
     /** Counts what a view transform clamps at white. */
     public static Clipping of(Film film, ViewTransform view) {
         float gain = view.gain();
+        double white = view.curve().white();
         long clipped = 0;
         float brightest = 0;
         for (int y = 0; y < film.height(); y++) {
             for (int x = 0; x < film.width(); x++) {
                 float most = Math.max(Math.max(film.red(x, y), film.green(x, y)), film.blue(x, y));
-                clipped += most * gain > 1 ? 1 : 0;
+                clipped += most * gain > white ? 1 : 0;
                 brightest = Math.max(brightest, most);
             }
         }
-        return new Clipping(clipped, (long) film.width() * film.height(), (double) brightest * gain);
+        return new Clipping(clipped, (long) film.width() * film.height(), (double) brightest * gain / white);
     }
 }

@@ -1,14 +1,23 @@
 package lightning.image;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.Raster;
+import lightning.math.SrgbCurve;
 
 /** Display pixels read from a file. */
 public final class Pixels {
 
     private Pixels() {}
 
-    /** The film whose values are the linear ones of the picture's 8-bit sRGB codes. */
+    private static final double DEEPEST = 0xFFFF;
+
+    /** The film whose values are the linear ones of the picture's sRGB codes, of 8 bits, or of 16 where it has them. */
     static Film toFilm(BufferedImage image) {
+        if (image.getSampleModel().getDataType() == DataBuffer.TYPE_USHORT && image.getColorModel() instanceof ComponentColorModel) {
+            return deepToFilm(image.getRaster());
+        }
         int width = image.getWidth();
         int height = image.getHeight();
         Film film = Film.black(width, height);
@@ -17,6 +26,25 @@ public final class Pixels {
             image.getRGB(0, y, width, 1, row, 0, width);
             for (int x = 0; x < width; x++) {
                 set(film, x, y, row[x]);
+            }
+        }
+        return film;
+    }
+
+    private static Film deepToFilm(Raster raster) {
+        Film film = Film.black(raster.getWidth(), raster.getHeight());
+        // Grey is all three colours; what follows the colours is transparency.
+        int step = raster.getNumBands() < 3 ? 0 : 1;
+        int[] row = new int[raster.getWidth() * raster.getNumBands()];
+        for (int y = 0; y < film.height(); y++) {
+            raster.getPixels(0, y, film.width(), 1, row);
+            for (int x = 0; x < film.width(); x++) {
+                int at = x * raster.getNumBands();
+                int tile = film.tileOf(x, y);
+                int pixel = Film.pixelInTile(x, y);
+                film.red(tile)[pixel] = (float) SrgbCurve.linear(row[at] / DEEPEST);
+                film.green(tile)[pixel] = (float) SrgbCurve.linear(row[at + step] / DEEPEST);
+                film.blue(tile)[pixel] = (float) SrgbCurve.linear(row[at + 2 * step] / DEEPEST);
             }
         }
         return film;

@@ -1,7 +1,12 @@
 package lightning.image;
 
+import java.awt.Transparency;
+import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
 import java.awt.image.DataBufferInt;
+import java.awt.image.DataBufferUShort;
 import java.awt.image.DirectColorModel;
 import java.awt.image.Raster;
 import java.io.IOException;
@@ -13,16 +18,39 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
-/** PNG: display pixels, 8 bits a channel, without loss. */
+/** PNG: what is displayed, 8 or 16 bits a channel, without loss. */
 final class Png {
 
     private Png() {}
 
-    static void write(OutputStream out, int width, int height, int[] pixels) throws IOException {
+    static void write(OutputStream out, Film film, ViewTransform view, int bits) throws IOException {
+        write(out, bits == Byte.SIZE ? image(film.width(), film.height(), view.toPixels(film)) : deep(film, view));
+    }
+
+    private static BufferedImage image(int width, int height, int[] pixels) {
         // Over the pixels themselves: a copy of a large picture takes a GB.
         var model = new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
         var raster = Raster.createPackedRaster(new DataBufferInt(pixels, pixels.length), width, height, width, model.getMasks(), null);
-        var image = new BufferedImage(model, raster, false, null);
+        return new BufferedImage(model, raster, false, null);
+    }
+
+    /** 16 bits a channel. */
+    private static BufferedImage deep(Film film, ViewTransform view) {
+        var model = new ComponentColorModel(ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false, Transparency.OPAQUE,
+                DataBuffer.TYPE_USHORT);
+        var raster = model.createCompatibleWritableRaster(film.width(), film.height());
+        short[] codes = ((DataBufferUShort) raster.getDataBuffer()).getData();
+        for (int y = 0, at = 0; y < film.height(); y++) {
+            for (int x = 0; x < film.width(); x++) {
+                codes[at++] = (short) view.encodeDeep(film.red(x, y));
+                codes[at++] = (short) view.encodeDeep(film.green(x, y));
+                codes[at++] = (short) view.encodeDeep(film.blue(x, y));
+            }
+        }
+        return new BufferedImage(model, raster, false, null);
+    }
+
+    private static void write(OutputStream out, BufferedImage image) throws IOException {
         // A stream of our own, because ImageIO would put its cache into a file.
         try (var stream = new MemoryCacheImageOutputStream(out)) {
             if (!ImageIO.write(image, "png", stream)) {

@@ -1,9 +1,11 @@
 package lightning.image;
 
+import java.math.BigDecimal;
+
 /**
  * How a linear film becomes display pixels: clamped, which a film never is.
  *
- * <p>Each channel becomes {@code curve(clamp(linear · 2^exposure, 0, 1))} in 8 bits, correctly rounded. The gain
+ * <p>Each channel becomes {@code curve(linear · 2^exposure)} cut to 0…1, in 8 bits, correctly rounded. The gain
  * {@code 2^exposure} is rounded to float and so is the product; NaN counts as 0.
  *
  * @param exposure stops, −64 to 64; one more doubles the brightness
@@ -47,7 +49,12 @@ public record ViewTransform(double exposure, DisplayCurve curve) {
 
     /** The display code, 0 to 255, of one linear value. */
     public int encode(float linear) {
-        return curve.encode(linear * gain());
+        return curve.table().encode(linear * gain());
+    }
+
+    /** The code of 16 bits, 0 to 65535, of one linear value: rounded as that of 8 bits is. */
+    public int encodeDeep(float linear) {
+        return curve.encodeDeep(linear * gain());
     }
 
     /** The linear value, 0…1, that {@link #DEFAULT} shows as {@code code}, 0 to 255: the inverse of sRGB. */
@@ -85,7 +92,12 @@ public record ViewTransform(double exposure, DisplayCurve curve) {
      * @param pixels {@code int[width * height]}, as {@link #toPixels} gives it
      */
     public void packTile(float[] red, float[] green, float[] blue, int left, int top, int width, int[] pixels) {
+        if (curve == DisplayCurve.FALSE) {
+            packStops(red, green, blue, left, top, width, pixels);
+            return;
+        }
         float gain = gain();
+        CodeTable table = curve.table();
         int columns = Math.min(Film.TILE, width - left);
         int rows = Math.min(Film.TILE, pixels.length / width - top);
         for (int y = 0; y < rows; y++) {
@@ -93,10 +105,42 @@ public record ViewTransform(double exposure, DisplayCurve curve) {
             int to = (top + y) * width + left;
             for (int x = 0; x < columns; x++) {
                 pixels[to + x] = 0xFF000000
-                        | curve.encode(red[from + x] * gain) << 16
-                        | curve.encode(green[from + x] * gain) << 8
-                        | curve.encode(blue[from + x] * gain);
+                        | table.encode(red[from + x] * gain) << 16
+                        | table.encode(green[from + x] * gain) << 8
+                        | table.encode(blue[from + x] * gain);
             }
         }
+    }
+
+    private void packStops(float[] red, float[] green, float[] blue, int left, int top, int width, int[] pixels) {
+        int columns = Math.min(Film.TILE, width - left);
+        int rows = Math.min(Film.TILE, pixels.length / width - top);
+        for (int y = 0; y < rows; y++) {
+            for (int x = 0; x < columns; x++) {
+                int i = y * Film.TILE + x;
+                pixels[(top + y) * width + left + x] = pack(red[i], green[i], blue[i]);
+            }
+        }
+    }
+
+    /** One pixel of linear values as it is displayed, opaque 0xFFRRGGBB. */
+    public int pack(float red, float green, float blue) {
+        float gain = gain();
+        if (curve == DisplayCurve.FALSE) {
+            return 0xFF000000 | FalseColor.of(red * gain, green * gain, blue * gain);
+        }
+        CodeTable table = curve.table();
+        return 0xFF000000 | table.encode(red * gain) << 16 | table.encode(green * gain) << 8 | table.encode(blue * gain);
+    }
+
+    /** What a saved picture is shown by where nobody asked for another: stops are for looking alone. */
+    public ViewTransform ofPicture() {
+        return curve == DisplayCurve.FALSE ? withCurve(DisplayCurve.SRGB) : this;
+    }
+
+    /** As in {@code Filmic (Hable), +0.5 stops}. */
+    public String text() {
+        return curve.title() + (exposure == 0 ? ""
+                : ", " + (exposure > 0 ? "+" : "") + BigDecimal.valueOf(exposure).stripTrailingZeros().toPlainString() + " stops");
     }
 }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.file.OrdinaryFile;
 import lightning.scene.Scene;
+import lightning.scene.Stage;
 
 /** Reads {@code .jen} files. */
 public final class JenReader {
@@ -21,6 +22,24 @@ public final class JenReader {
      * @throws JenException if anything is wrong with its content; holds all problems
      */
     public static JenDocument read(Path file) throws IOException, JenException {
+        return read(file, file.toAbsolutePath().getParent(), Stage.EMPTY);
+    }
+
+    /**
+     * Reads a file of lights for a scene: the lights may be linked to that scene's shapes, and files that they name are looked for
+     * where that scene is.
+     *
+     * @param folder where the scene is
+     * @param stage  what its lights may be linked to
+     * @return what the file says, and defaults where it says nothing; a stage of its own where it has one
+     * @throws IOException  as {@link #read(Path)}
+     * @throws JenException likewise
+     */
+    public static Scene lights(Path file, Path folder, Stage stage) throws IOException, JenException {
+        return read(file, folder, stage).scene();
+    }
+
+    private static JenDocument read(Path file, Path folder, Stage stage) throws IOException, JenException {
         var problems = new Problems();
         OrdinaryFile.check(file, "a .jen file");
         if (Files.size(file) > JenLimits.FILE_BYTES) {
@@ -34,7 +53,7 @@ public final class JenReader {
         if (bytes.length > JenLimits.FILE_BYTES) {
             throw tooLarge(file, problems);
         }
-        return read(Source.decode(file.toString(), bytes, problems), file.toAbsolutePath().getParent(), problems);
+        return read(Source.decode(file.toString(), bytes, problems), folder, stage, problems);
     }
 
     private static JenException tooLarge(Path file, Problems problems) {
@@ -53,13 +72,13 @@ public final class JenReader {
         var problems = new Problems();
         var source = new Source(name, text);
         source.checkSurrogates(problems);
-        return read(source, folder, problems);
+        return read(source, folder, Stage.EMPTY, problems);
     }
 
-    private static JenDocument read(Source source, Path folder, Problems problems) throws JenException {
+    private static JenDocument read(Source source, Path folder, Stage stage, Problems problems) throws JenException {
         Tokens tokens = Lexer.tokens(source.text(), problems);
         List<Block> blocks = Parser.file(tokens, problems);
-        Optional<Scene> scene = new SceneBuilder(tokens, problems, folder).build(blocks);
+        Optional<Scene> scene = new SceneBuilder(tokens, problems, folder, List.of(), stage).build(blocks);
         if (scene.isEmpty()) {
             throw new JenException(problems.in(source));
         }

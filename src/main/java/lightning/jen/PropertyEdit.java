@@ -161,6 +161,12 @@ public final class PropertyEdit {
         return new TextureFolder(folder).names();
     }
 
+    /** The value of a light's attribute as the file writes it, and as {@link #set(Scene, String, String, String)} reads it. */
+    public static String text(Light light, LightAttribute<?> attribute) {
+        Value value = Blocks.LIGHT.values(light).get(attribute.name());
+        return value == null || value instanceof Value.Absent ? NONE : value.text();
+    }
+
     private static Scene set(Scene scene, String target, String property, String value, SceneFiles files) {
         return switch (target) {
             case "picture" -> scene.withPicture(edited(files, Blocks.PICTURE, "", scene.picture(), property, value));

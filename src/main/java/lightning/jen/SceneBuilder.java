@@ -13,6 +13,7 @@ import lightning.mesh.Mesh;
 import lightning.scene.Bank;
 import lightning.scene.Camera;
 import lightning.scene.Choice;
+import lightning.scene.Glare;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.Limits;
@@ -49,12 +50,8 @@ final class SceneBuilder {
     private final Stage stage;
     private int shapes;
 
-    /** @param folder where files that the scene names are looked for, as if its own were in it */
-    SceneBuilder(Tokens tokens, Problems problems, Path folder) {
-        this(tokens, problems, folder, List.of(), Stage.EMPTY);
-    }
-
     /**
+     * @param folder where files that the scene names are looked for, as if its own were in it
      * @param known banks that lights may belong to though no block says them
      * @param stage shapes that they may be linked to likewise
      */
@@ -78,10 +75,14 @@ final class SceneBuilder {
         List<Node> nodes = nodes(blocks.stream().filter(b -> Blocks.NODES.contains(b.type.keyword())).toList(), 1, 1);
         List<Bank> banks = banks(of(blocks, Blocks.BANK));
         List<Light> lights = lights(of(blocks, Blocks.LIGHT));
-        return problems.isEmpty()
-                ? Optional.of(new Scene(picture.orElse(Picture.DEFAULT), camera.orElse(Camera.DEFAULT),
-                        world.orElse(World.DEFAULT), new Stage(materials, nodes), Rig.of(lights, banks)))
-                : Optional.empty();
+        if (!problems.isEmpty()) {
+            return Optional.empty();
+        }
+        var stage = new Stage(materials, nodes);
+        Rig rig = Rig.of(lights, banks);
+        Glare.of(stage, rig).ifPresent(glare -> problem(named.get(glare.light().name()), glare.message()));
+        return problems.isEmpty() ? Optional.of(new Scene(picture.orElse(Picture.DEFAULT), camera.orElse(Camera.DEFAULT),
+                world.orElse(World.DEFAULT), stage, rig)) : Optional.empty();
     }
 
     private static List<Block> of(List<Block> blocks, BlockType<?> type) {

@@ -7,6 +7,7 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Iterator;
 import java.util.Locale;
 import java.util.Set;
@@ -26,6 +27,7 @@ import lightning.text.Quote;
  */
 public final class TextureDecoder {
     private static final Set<String> FORMATS = Set.of("png", "jpeg");
+    private static final int CODE_BITS = 8;
 
     private TextureDecoder() {}
 
@@ -110,33 +112,55 @@ public final class TextureDecoder {
     private static Texture texture(BufferedImage image, boolean color) {
         int width = image.getWidth();
         int height = image.getHeight();
-        float[] rgb = new float[3 * width * height];
         if (image.getColorModel() instanceof IndexColorModel) {
-            float[] linear = linear(8, color);
-            for (int i = 0; i < width * height; i++) {
-                int pixel = image.getRGB(i % width, i / width);
-                rgb[3 * i] = linear[pixel >> 16 & 0xFF];
-                rgb[3 * i + 1] = linear[pixel >> 8 & 0xFF];
-                rgb[3 * i + 2] = linear[pixel & 0xFF];
-            }
-        } else {
-            // Not getRGB: it would take grey samples as linear light and apply colour profiles.
-            decodeSamples(image.getRaster(), color, rgb);
+            return new Texture(width, height, paletteCodes(image), linear(CODE_BITS, color));
         }
+        // Not getRGB: it would take grey samples as linear light and apply colour profiles.
+        Raster raster = image.getRaster();
+        int bits = Arrays.stream(raster.getSampleModel().getSampleSize()).max().orElseThrow();
+        boolean oneSize = Arrays.stream(raster.getSampleModel().getSampleSize()).allMatch(size -> size == bits);
+        if (oneSize && bits <= CODE_BITS) {
+            byte[] codes = new byte[3 * width * height];
+            forSamples(raster, (i, _, sample) -> codes[i] = (byte) sample);
+            return new Texture(width, height, codes, Arrays.copyOf(linear(bits, color), 1 << CODE_BITS));
+        }
+        float[][] linear = new float[raster.getNumBands()][];
+        Arrays.setAll(linear, band -> linear(raster.getSampleModel().getSampleSize(band), color));
+        float[] rgb = new float[3 * width * height];
+        forSamples(raster, (i, band, sample) -> rgb[i] = linear[band][sample]);
         return new Texture(width, height, rgb);
     }
 
-    private static void decodeSamples(Raster raster, boolean color, float[] rgb) {
+    private static byte[] paletteCodes(BufferedImage image) {
+        int width = image.getWidth();
+        byte[] codes = new byte[3 * width * image.getHeight()];
+        for (int i = 0; i < codes.length / 3; i++) {
+            int pixel = image.getRGB(i % width, i / width);
+            codes[3 * i] = (byte) (pixel >> 16);
+            codes[3 * i + 1] = (byte) (pixel >> 8);
+            codes[3 * i + 2] = (byte) pixel;
+        }
+        return codes;
+    }
+
+    /** Gets each channel of each pixel. */
+    @FunctionalInterface
+    private interface SampleTaker {
+        /** @param i the place among {@code 3 * width * height} values */
+        void take(int i, int band, int sample);
+    }
+
+    /** Goes through all samples, channel by channel; a grey picture has one band for all three. */
+    private static void forSamples(Raster raster, SampleTaker taker) {
         int width = raster.getWidth();
         int bands = raster.getNumBands() < 3 ? 1 : 3;
         int[] row = new int[width];
         for (int channel = 0; channel < 3; channel++) {
             int band = Math.min(channel, bands - 1);
-            float[] linear = linear(raster.getSampleModel().getSampleSize(band), color);
             for (int y = 0; y < raster.getHeight(); y++) {
                 raster.getSamples(0, y, width, 1, band, row);
                 for (int x = 0; x < width; x++) {
-                    rgb[3 * (y * width + x) + channel] = linear[row[x]];
+                    taker.take(3 * (y * width + x) + channel, band, row[x]);
                 }
             }
         }

@@ -3,6 +3,7 @@ package lightning.pov;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.math.Rgb;
+import lightning.scene.Clarity;
 import lightning.scene.Material;
 import lightning.scene.Solid;
 import lightning.scene.SurfaceModel;
@@ -28,7 +29,53 @@ final class PovMaterial {
             lose("material " + material.name() + ": bump and normal maps are left out");
         }
         Material m = material.isMetallic() ? phong(material) : material;
-        return m.texture().isPresent() ? textured(m, m.texture().get(), solid, image) : plain(m);
+        if (m.clarity().isClear()) {
+            return clear(m) + shadows(m);
+        }
+        return (m.texture().isPresent() ? textured(m, m.texture().get(), solid, image) : plain(m)) + shadows(m);
+    }
+
+    private static String shadows(Material m) {
+        return m.clarity().throwsShadows() ? "" : "\n  no_shadow";
+    }
+
+    /**
+     * POV-Ray's colour of what is seen through a surface is pigment·filter, and of its body pigment·(1 − filter). Inside, from a fade_power of 1000
+     * on, a way d leaves exp(−(1 − fade_color)·d/fade_distance).
+     */
+    private String clear(Material m) {
+        Clarity clarity = m.clarity();
+        double filter = clarity.clear().max();
+        Rgb pigment = new Rgb(clarity.clear().r() / filter, clarity.clear().g() / filter, clarity.clear().b() / filter);
+        if (m.texture().isPresent()) {
+            lose("material " + m.name() + ": the texture of a clear material is left out");
+        }
+        if (clarity.throwsShadows()) {
+            lose("material " + m.name() + ": light passes its shapes");
+        }
+        if (clarity.thin()) {
+            lose("material " + m.name() + ": a thin pane mirrors nothing by its angle");
+        }
+        if (filter < 1 && m.clarity().clear().min() < filter) {
+            lose("material " + m.name() + ": its body has the colour of what is seen through it");
+        }
+        if (filter < 1) {
+            lose("material " + m.name() + ": its body loses nothing where its angle mirrors more");
+        }
+        String reflection = clarity.thin() ? m.reflective().isBlack() ? "" : " reflection { " + PovText.rgb(m.reflective()) + " }"
+                : " reflection { " + PovText.rgb(m.reflective()) + ", rgb 1 fresnel on } conserve_energy";
+        String phong = m.specular().isBlack() ? ""
+                : " phong " + grey(m.name(), "specular", m.specular()) + " phong_size " + m.shininess();
+        String fade = clarity.isTinted() ? " fade_color " + PovText.rgb(new Rgb(fade(clarity.tint().r()), fade(clarity.tint().g()),
+                fade(clarity.tint().b()))) + " fade_distance " + clarity.tintDistance() + " fade_power 1001" : "";
+        return "texture {\n    pigment { rgbf <" + pigment.r() + ", " + pigment.g() + ", " + pigment.b() + ", " + filter + "> }\n"
+                + "    finish { ambient " + PovText.rgb(m.ambient()) + " diffuse " + grey(m.name(), "diffuse", m.diffuse()) + phong
+                + reflection + " }\n  }\n  interior { ior " + (clarity.thin() ? 1 : clarity.ior()) + fade + " }";
+    }
+
+    /** The fade_color that leaves a tint after the fade_distance. */
+    private static double fade(double tint) {
+        return 1 + Math.log(Math.max(tint, LEAST_PIGMENT));
     }
 
     /**

@@ -22,6 +22,7 @@ import lightning.relight.tile.Options;
 import lightning.relight.tile.Tally;
 import lightning.relight.tile.TilePainter;
 import lightning.scene.Scene;
+import lightning.shading.Images;
 import lightning.shading.LightKernel;
 import lightning.shading.LightLayer;
 import lightning.shading.Luminaire;
@@ -150,9 +151,9 @@ record Conversion(PixelCache cache, Options to) {
                 levels[k] = k == 0 ? eye.convert(old.levels[k], top) : mirror.convert(old.levels[k], mirrors);
                 rowsComposed += levels[k].rows().count;
             }
-            float[][] scratch = painter.mirrored(levels, mirrors.shining(), mirrors.scene().world());
-            float[][] cr = scratch == null ? null : CachedTile.mirrored(levels[0].rows(), scratch);
-            return new CachedTile(levels, old.hitShapes, cr, painter.film(levels[0], top.shining(), top.scene(), places, cr),
+            Images scratch = painter.images(levels, mirrors.shining(), mirrors.scene().world());
+            Images images = scratch == null ? null : scratch.compact(levels[0].rows());
+            return new CachedTile(levels, old.hitShapes, images, painter.film(levels[0], top.shining(), top.scene(), places, images),
                     old.codes);
         }
 

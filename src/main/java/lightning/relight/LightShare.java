@@ -68,7 +68,7 @@ public final class LightShare {
             throw new IllegalStateException("mirror levels are kept as hit shapes");
         }
         // The share has no environment, whose colours alone would ask where the rays go.
-        return painter.film(tile.levels[0], top, scene, SamplePlaces.centers(0, 0), painter.mirrored(tile.levels, mirrors, scene.world()));
+        return painter.film(tile.levels[0], top, scene, SamplePlaces.centers(0, 0), painter.images(tile.levels, mirrors, scene.world()));
     }
 
     private static Film film(Scene scene, float[][][] tiles) {

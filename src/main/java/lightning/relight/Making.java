@@ -60,7 +60,8 @@ record Making(Options options, Workers workers, Progress progress) {
         PreparedScene shown = PreparedScene.of(geometry, wanted);
         List<KnownLight> lights = KnownLight.all(wanted, light -> Luminaire.of(light, wanted).isDark() ? null : LayerStamp.fresh(light));
         TileRun run =
-                new TileRun(new Job(shown, shown, options, null, null, ShapeChange.NONE, seeksEdges(wanted), progress), workers, null);
+                new TileRun(new Job(shown, shown, options, null, null, ShapeChange.NONE, wanted.picture().depth(), seeksEdges(wanted),
+                        progress), workers, null);
         Tiles tiles = Tiles.of(run, centersAlone);
         return new Made(new PixelCache(shown.geometry(), tiles.centers, tiles.fine, SeenScenes.of(wanted), lights, lights), run.work());
     }
@@ -96,10 +97,11 @@ record Making(Options options, Workers workers, Progress progress) {
         LevelJob top = LevelJob.of(plan.top(), plan.shapes(), old.scene(), shown.lights(), repeats.top);
         boolean coding = seeksEdges(wanted.scene());
         return plan.mirrors() == null
-                ? new Job(shown, PreparedScene.of(geometry, wanted.mirrored()), options, top, null, plan.shapes(), coding, progress)
+                ? new Job(shown, PreparedScene.of(geometry, wanted.mirrored()), options, top, null, plan.shapes(), plan.depthFrom(), coding,
+                        progress)
                 : new Job(shown, shown, options, top,
                         LevelJob.of(plan.mirrors(), plan.shapes(), old.mirroredScene(), shown.lights(), repeats.mirrors), plan.shapes(),
-                        coding, progress);
+                        plan.depthFrom(), coding, progress);
     }
 
     /** Samples that follow from nothing, of centres that may have mirrors of an older scene. */
@@ -107,7 +109,7 @@ record Making(Options options, Workers workers, Progress progress) {
         PreparedScene shown = PreparedScene.of(centers.geometry(), centers.scene());
         PreparedScene mirrored = centers.mirroredScene().equals(centers.scene()) ? shown
                 : PreparedScene.of(centers.geometry(), centers.mirroredScene());
-        return new Job(shown, mirrored, options, null, null, ShapeChange.NONE, true, progress);
+        return new Job(shown, mirrored, options, null, null, ShapeChange.NONE, centers.scene().picture().depth(), true, progress);
     }
 
     private record Tiles(CachedTile[] centers, FineTile[] fine) {

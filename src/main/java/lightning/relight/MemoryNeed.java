@@ -39,7 +39,8 @@ public final class MemoryNeed {
     public static long most(Scene scene, Options options) {
         Picture picture = scene.picture();
         Sampling sampling = picture.sampling();
-        boolean mirrors = picture.depth() > 0 && scene.materials().stream().anyMatch(m -> !m.reflective().isBlack());
+        boolean mirrors = picture.depth() > 0 && scene.materials().stream().anyMatch(Material::bouncesRays);
+        boolean clear = mirrors && scene.materials().stream().anyMatch(m -> m.clarity().isClear());
         boolean edges = sampling.antialias() == Antialias.EDGES;
         boolean metallic = scene.materials().stream().anyMatch(Material::isMetallic);
         long lights = scene.rig().actingLights().stream().mapToLong(light -> ColumnKind.bytesPerRow(switch (options.accuracy()) {
@@ -47,9 +48,12 @@ public final class MemoryNeed {
             case RATIO -> RatioRows.columns(light, metallic);
         })).sum();
         long row = Part.HIT.bytesPerRow() + Part.TEXEL.bytesPerRow() + (edges ? Part.CODE.bytesPerRow() : 0)
-                + (scene.lights().stream().allMatch(l -> l.illuminates().isAll()) ? 0 : Part.OWNER.bytesPerRow()) + lights;
-        long levels = mirrors ? picture.depth() : 0;
-        long mirrored = mirrors ? COLOR + levels * (options.storage() == MirrorStorage.FULL_ROWS ? row : Integer.BYTES) : 0;
+                + (scene.lights().stream().allMatch(l -> l.illuminates().isAll()) ? 0 : Part.OWNER.bytesPerRow())
+                + (clear ? Part.CLEAR.bytesPerRow() : 0) + lights;
+        // Of a clear surface two rays go on, and of each of these two again.
+        long levels = clear ? (2L << picture.depth()) - 2 : mirrors ? picture.depth() : 0;
+        long mirrored =
+                mirrors ? (clear ? 2 : 1) * COLOR + levels * (options.storage() == MirrorStorage.FULL_ROWS ? row : Integer.BYTES) : 0;
         long samples = switch (sampling.antialias()) {
             case OFF -> 1;
             case EDGES -> 1L + sampling.perPixel();

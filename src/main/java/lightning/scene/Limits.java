@@ -11,9 +11,10 @@ import lightning.text.Visible;
  * The ranges of everything that a scene may hold, stated once.
  *
  * <p>They are wide enough for any picture and narrow enough that no product in the lighting
- * equation overflows a float: a light's weight is at most 1e3·1e22 = 1e25, whatever its bank, a specular term at most 6.1e7
- * (shading.LightingEquation), a thousand lights sum to 6.1e35, material factors are at most 1, and ten mirrors add at most eleven
- * such sums.
+ * equation overflows a float: a light's weight is at most 1e3·1e30 = 1e33, whatever its bank, terms are at most 1, a thousand
+ * lights sum to 1e36 ({@link #MAX_LIGHT}), material factors are at most 1, and ten mirrors add at most eleven such sums, each of a
+ * diffuse, a specular and a grazing one: 3.3e37. Terms of metallic materials can be larger, up to 6.1e7; where a scene has such a
+ * material, {@link Glare} holds the sum over its lights to the same bound.
  */
 public final class Limits {
     public static final int MAX_SIZE = 16384;
@@ -37,7 +38,11 @@ public final class Limits {
     public static final double MAX_EMISSION = 1e6;
     public static final double MAX_AMBIENCE = 1e6;
     public static final double MAX_LIGHT_COLOR = 1e3;
-    public static final double MAX_INTENSITY = 1e22;
+    public static final double MAX_INTENSITY = 1e30;
+    /** Of a lamp of an environment: so little beside {@link #MAX_LIGHT} that no environment is too bright for any material. */
+    public static final double MAX_LAMP_INTENSITY = 1e22;
+    /** What the weights of all lights times the greatest term of any material add up to. */
+    public static final double MAX_LIGHT = 1e36;
     public static final double MAX_BANK_INTENSITY = 1e3;
     public static final double MAX_ATTENUATION = 1e30;
     public static final double MAX_ANGLE = 180;
@@ -55,6 +60,9 @@ public final class Limits {
     public static final double MAX_HEIGHT = 1e9;
     public static final double MAX_STRENGTH = 1e6;
     public static final double MAX_ROTATION = 1e6;
+    public static final double MAX_IOR = 4;
+    public static final double MIN_TINT_DISTANCE = 1e-9;
+    public static final double MAX_TINT_DISTANCE = 1e9;
 
     public static final int MAX_NAME = 100;
 

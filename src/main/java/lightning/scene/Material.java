@@ -20,10 +20,11 @@ import lightning.math.Rgb;
  * @param reflective k<sub>reflect</sub> per channel
  * @param texture    the picture on the surface
  * @param relief     what its normals are bent by
+ * @param clarity    what passes through it
  */
 public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse, Rgb specular, double shininess, Rgb base,
         double metalness, double roughness, double f0, Rgb reflective, Optional<TextureMap> texture,
-        Relief relief) {
+        Relief relief, Clarity clarity) {
 
     /**
      * Less rough is no surface here: what smaller ones show of a light that is a point is less than a pixel mostly, and digits fail
@@ -53,7 +54,7 @@ public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse
                 MaterialAttribute.DIFFUSE.initial(), MaterialAttribute.SPECULAR.initial(), MaterialAttribute.SHININESS.initial(),
                 MaterialAttribute.BASE.initial(), MaterialAttribute.METALNESS.initial(), MaterialAttribute.ROUGHNESS.initial(),
                 MaterialAttribute.F0.initial(), MaterialAttribute.REFLECTIVE.initial(), MaterialAttribute.TEXTURE.initial(),
-                Relief.NONE);
+                Relief.NONE, Clarity.NONE);
     }
 
     /** Whether it is of the model {@link SurfaceModel#METALLIC}. */
@@ -65,6 +66,15 @@ public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse
     public double alpha() {
         double least = Math.max(roughness, LEAST_ROUGHNESS);
         return least * least;
+    }
+
+    /**
+     * What no term of a light of weight 1 is above on it: 1, or for metallic ones 1/(2α³) and a rounding
+     * (shading.LightingEquation tells why).
+     */
+    public double mostTerm() {
+        double alpha = alpha();
+        return isMetallic() ? Math.max(1, (1 + 0x1p-20) / (2 * alpha * alpha * alpha)) : 1;
     }
 
     /** The colour that it has at first sight: what its texture multiplies. */
@@ -84,56 +94,84 @@ public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse
     }
 
     public Material withName(String v) {
-        return new Material(v, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief);
+        return new Material(v, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief,
+                clarity);
     }
 
     public Material withAmbient(Rgb v) {
-        return new Material(name, v, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief);
+        return new Material(name, v, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief,
+                clarity);
     }
 
     /** The same by another model: its colour is kept, all else of the model is as if nothing was said. */
     public Material withModel(SurfaceModel v) {
         return v == model ? this
-                : new Material(name, ambient, v, base, specular, shininess, diffuse, metalness, roughness, f0, reflective, texture, relief);
+                : new Material(name, ambient, v, base, specular, shininess, diffuse, metalness, roughness, f0, reflective, texture, relief,
+                        clarity);
     }
 
     public Material withDiffuse(Rgb v) {
-        return new Material(name, ambient, model, v, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief);
+        return new Material(name, ambient, model, v, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief,
+                clarity);
     }
 
     public Material withSpecular(Rgb v) {
-        return new Material(name, ambient, model, diffuse, v, shininess, base, metalness, roughness, f0, reflective, texture, relief);
+        return new Material(name, ambient, model, diffuse, v, shininess, base, metalness, roughness, f0, reflective, texture, relief,
+                clarity);
     }
 
     public Material withShininess(double v) {
-        return new Material(name, ambient, model, diffuse, specular, v, base, metalness, roughness, f0, reflective, texture, relief);
+        return new Material(name, ambient, model, diffuse, specular, v, base, metalness, roughness, f0, reflective, texture, relief,
+                clarity);
     }
 
     public Material withBase(Rgb v) {
-        return new Material(name, ambient, model, diffuse, specular, shininess, v, metalness, roughness, f0, reflective, texture, relief);
+        return new Material(name, ambient, model, diffuse, specular, shininess, v, metalness, roughness, f0, reflective, texture, relief,
+                clarity);
     }
 
     public Material withMetalness(double v) {
-        return new Material(name, ambient, model, diffuse, specular, shininess, base, v, roughness, f0, reflective, texture, relief);
+        return new Material(name, ambient, model, diffuse, specular, shininess, base, v, roughness, f0, reflective, texture, relief,
+                clarity);
     }
 
     public Material withRoughness(double v) {
-        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, v, f0, reflective, texture, relief);
+        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, v, f0, reflective, texture, relief,
+                clarity);
     }
 
     public Material withF0(double v) {
-        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, v, reflective, texture, relief);
+        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, v, reflective, texture, relief,
+                clarity);
     }
 
     public Material withReflective(Rgb v) {
-        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, v, texture, relief);
+        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, v, texture, relief,
+                clarity);
     }
 
     public Material withTexture(Optional<TextureMap> v) {
-        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, v, relief);
+        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, v, relief,
+                clarity);
     }
 
     public Material withRelief(Relief v) {
-        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, v);
+        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, v,
+                clarity);
+    }
+
+    public Material withClarity(Clarity v) {
+        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief,
+                v);
+    }
+
+    /** Whether surfaces of it bend normals, lead rays on and throw shadows as those of another material do. */
+    public boolean hasWaysOf(Material o) {
+        return relief.hasNormalsOf(o.relief) && clarity.leadsRaysAs(o.clarity) && clarity.shadows() == o.clarity.shadows();
+    }
+
+    /** Whether rays that meet it are followed further: it mirrors, or something is seen through it. */
+    public boolean bouncesRays() {
+        return (float) reflective.max() > 0 || clarity.isClear();
     }
 }

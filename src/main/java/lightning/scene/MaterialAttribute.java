@@ -19,6 +19,7 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
         SPECULAR,
         SURFACE,
         REFLECTIVE,
+        CLEAR,
         AMBIENT
     }
 
@@ -65,9 +66,28 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
     public static final MaterialAttribute<Rgb> REFLECTIVE = color("reflective", 1, Rgb.BLACK, Material::reflective,
             Material::withReflective, null, Section.REFLECTIVE, "How much the surface mirrors; black for no mirror");
 
+    public static final MaterialAttribute<Rgb> CLEAR = color("clear", 1, Rgb.BLACK, m -> m.clarity().clear(),
+            (m, v) -> m.withClarity(m.clarity().withClear(v)), null, Section.CLEAR,
+            "The colour of what is seen through the surface; black where nothing is");
+    public static final MaterialAttribute<Double> IOR = clarity("ior", "ior", Quantity.number(1, Limits.MAX_IOR, 0.01), 1.5,
+            "index of refraction", Clarity::ior, Clarity::withIor, MaterialTerm.REFRACTION,
+            "How far rays bend where they pass: 1.33 for water, 1.5 for glass, 2.42 for diamond");
+    public static final MaterialAttribute<Boolean> THIN = clarity("thin", "thin", Choice.YES_OR_NO, false, "", Clarity::thin,
+            Clarity::withThin, MaterialTerm.REFRACTION,
+            "Whether the surface is a pane, which bends no ray and has no inside");
+    public static final MaterialAttribute<Rgb> TINT = color("tint", 1, Rgb.WHITE, m -> m.clarity().tint(),
+            (m, v) -> m.withClarity(m.clarity().withTint(v)), null, Section.CLEAR,
+            "What is left of white after the tint distance inside");
+    public static final MaterialAttribute<Double> TINT_DISTANCE = clarity("tint_distance", "tint distance",
+            Quantity.number(Limits.MIN_TINT_DISTANCE, Limits.MAX_TINT_DISTANCE, 0.1), 1.0, "scene units", Clarity::tintDistance,
+            Clarity::withTintDistance, MaterialTerm.COLOR, "The way inside after which white has become the tint");
+    public static final MaterialAttribute<ShadowsThrown> SHADOWS = clarity("shadows", "shadows", Choice.of(ShadowsThrown.class),
+            ShadowsThrown.FULL, "", Clarity::shadows, Clarity::withShadows, MaterialTerm.SHADOW,
+            "Whether shapes of the material throw shadows");
+
     /** All of them; that which decides about others before these. */
     public static final List<MaterialAttribute<?>> ALL = List.of(AMBIENT, MODEL, DIFFUSE, BASE, TEXTURE, BUMP, HEIGHT, NORMALS, STRENGTH,
-            SPECULAR, SHININESS, METALNESS, ROUGHNESS, F0, REFLECTIVE);
+            SPECULAR, SHININESS, METALNESS, ROUGHNESS, F0, REFLECTIVE, CLEAR, IOR, THIN, TINT, TINT_DISTANCE, SHADOWS);
 
     private final MaterialTerm term;
     /** The only one by which it acts; null where it acts by all. */
@@ -125,6 +145,12 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
             Function<Relief, V> get, BiFunction<Relief, V, Relief> with, String help) {
         return new MaterialAttribute<>(name, title, kind, initial, unit, m -> get.apply(m.relief()),
                 (m, v) -> m.withRelief(with.apply(m.relief(), v)), MaterialTerm.NORMAL, null, Section.RELIEF, help);
+    }
+
+    private static <V> MaterialAttribute<V> clarity(String name, String title, Kind<V> kind, V initial, String unit,
+            Function<Clarity, V> get, BiFunction<Clarity, V, Clarity> with, MaterialTerm term, String help) {
+        return new MaterialAttribute<>(name, title, kind, initial, unit, m -> get.apply(m.clarity()),
+                (m, v) -> m.withClarity(with.apply(m.clarity(), v)), term, null, Section.CLEAR, help);
     }
 
     /** Colours are alike where they are as floats, which rows are coloured with. */

@@ -11,5 +11,9 @@ public enum MaterialTerm {
     /** The texel of each row, and the colour with it. */
     TEXEL,
     /** The normal of each row, and all that follows from it. */
-    NORMAL
+    NORMAL,
+    /** Which way rays go on behind the surface. */
+    REFRACTION,
+    /** Which ways to lights are blocked. */
+    SHADOW
 }

@@ -10,13 +10,15 @@ import lightning.text.Quote;
  * Everything a picture depends on. Two equal scenes give the same picture in every bit.
  *
  * @param stage shapes and materials
- * @param rig   the lights; no light and no bank has the name of a shape or a group
+ * @param rig   the lights; no light and no bank has the name of a shape or a group, and together they are not too bright for the
+ *              materials ({@link Glare})
  */
 public record Scene(Picture picture, Camera camera, World world, Stage stage, Rig rig) {
 
     public Scene {
         rig.names().checkApart(stage);
         rig = rig.in(world);
+        Glare.check(stage, rig);
     }
 
     /**

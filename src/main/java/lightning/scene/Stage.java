@@ -28,6 +28,8 @@ public final class Stage {
     private final Tree tree;
     private final List<Material> materials;
     private final Map<String, Material> byName;
+    /** Of those with the sharpest highlights the first; {@code null} where no light's term can be above 1. */
+    private final Material glossiest;
 
     /**
      * @param materials names unique among themselves
@@ -45,13 +47,16 @@ public final class Stage {
         this.tree = tree;
         Limits.range("the number of materials", this.materials.size(), 0, Limits.MAX_MATERIALS);
         Map<String, Material> found = HashMap.newHashMap(this.materials.size() + 1);
+        Material sharpest = null;
         for (Material material : this.materials) {
+            sharpest = material.mostTerm() > (sharpest == null ? 1 : sharpest.mostTerm()) ? material : sharpest;
             if (found.put(material.name(), material) != null) {
                 throw new IllegalArgumentException("material " + Quote.of(material.name()) + ": the name is already taken");
             }
         }
         found.putIfAbsent(Material.DEFAULT.name(), Material.DEFAULT);
         byName = Map.copyOf(found);
+        glossiest = sharpest;
         tree.checkMaterials(byName.keySet());
     }
 
@@ -76,6 +81,11 @@ public final class Stage {
     /** Every material that a shape may name, {@code default} included. */
     public Map<String, Material> materialsByName() {
         return byName;
+    }
+
+    /** The material whose highlights multiply a light the most, of several the first; empty where none makes it brighter than it is. */
+    Optional<Material> glossiest() {
+        return Optional.ofNullable(glossiest);
     }
 
     /** The names of the materials that shapes have, in the order of the first shapes that have them; nothing is walked. */
@@ -176,12 +186,20 @@ public final class Stage {
                     outerLeast * group.placement().leastScale(), outerMost * group.placement().mostScale()))));
         }
 
+        @SuppressWarnings("unchecked")
         private static List<Node> spliced(List<Node> nodes, int at, List<? extends Node> by) {
-            List<Node> all = new ArrayList<>(nodes.size() - 1 + by.size());
-            all.addAll(nodes.subList(0, at));
-            all.addAll(by);
-            all.addAll(nodes.subList(at + 1, nodes.size()));
-            return List.copyOf(all);
+            // As objects: each of a hundred thousand nodes would be asked for its type.
+            Object[] all = nodes.toArray();
+            if (by.size() == 1) {
+                all[at] = by.getFirst();
+            } else {
+                Object[] before = all;
+                all = new Object[before.length - 1 + by.size()];
+                System.arraycopy(before, 0, all, 0, at);
+                System.arraycopy(by.toArray(), 0, all, at, by.size());
+                System.arraycopy(before, at + 1, all, at + by.size(), before.length - 1 - at);
+            }
+            return (List<Node>) (List<?>) List.of(all);
         }
     }
 
@@ -255,6 +273,8 @@ public final class Stage {
     private static final class Survey {
         final List<String> names = new ArrayList<>();
         final List<Shape> shapes = new ArrayList<>();
+        /** How many shapes and groups are not visible by themselves. */
+        int hidden;
         /** A sum over the nodes, each by itself. */
         long hash;
 
@@ -266,6 +286,7 @@ public final class Stage {
             Limits.range("the nesting of groups", nesting, 0, Limits.MAX_NESTING);
             for (Node node : nodes) {
                 names.add(node.name());
+                hidden += node.visible() ? 0 : 1;
                 double least = leastScale * node.placement().leastScale();
                 double most = mostScale * node.placement().mostScale();
                 Limits.combinedScale(() -> "shape " + Quote.of(node.name()), least, most);
@@ -313,6 +334,8 @@ public final class Stage {
         final String[] names;
         /** How many shapes there are. */
         final int count;
+        /** How many shapes and groups are not visible by themselves. */
+        private final int hidden;
         /** For each material in use the first shape that has it. */
         final Map<String, String> users;
         /** Stands for the names and their places in the tree, told by identity. */
@@ -340,6 +363,7 @@ public final class Stage {
                 }
             }
             users = all.users();
+            hidden = all.hidden;
             outline = new Object();
             hash = all.hash;
             places = new NodePlaces();
@@ -354,6 +378,7 @@ public final class Stage {
             names = gone.names.equals(came.names) ? before.names : merged(before.names, gone.sorted(), came.sorted());
             Map<String, String> known = users(before.users, gone.users(), came.users());
             users = known != null ? known : new Survey(nodes, 0, 1, 1).users();
+            hidden = before.hidden - gone.hidden + came.hidden;
             outline = sameOutline(List.of(splice.old), splice.by) ? before.outline : new Object();
             hash = before.hash - gone.hash + came.hash;
             places = new NodePlaces(splice.places);
@@ -451,7 +476,7 @@ public final class Stage {
         List<Shape> shapes() {
             List<Shape> found = shapes;
             if (found == null) {
-                found = count == names.length && nodes.stream().allMatch(Node::visible) ? allShapes(nodes)
+                found = count == names.length && hidden == 0 ? allShapes(nodes)
                         : List.copyOf(collect(nodes, new ArrayList<>(count)));
                 shapes = found;
             }

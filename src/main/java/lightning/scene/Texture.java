@@ -9,21 +9,42 @@ import java.util.Arrays;
 public final class Texture {
     private final int width;
     private final int height;
+    /** Linear values, or nothing where there are codes. */
     private final float[] rgb;
+    private final byte[] codes;
+    private final float[] values;
 
     /**
+     * Of linear values.
+     *
      * @param width  pixels, ≥ 1
      * @param height pixels, ≥ 1
      * @param rgb    linear values, {@code float[3 * width * height]}, row by row from the top; taken
      *               over, not copied
      */
     public Texture(int width, int height, float[] rgb) {
-        if (width < 1 || height < 1 || rgb.length != 3 * width * height) {
-            throw new IllegalArgumentException("a texture of " + width + "×" + height + " with " + rgb.length + " values");
+        this(width, height, rgb.length, rgb, null, null);
+    }
+
+    /**
+     * Of codes of 8 bits, as most files have: a quarter of the bytes.
+     *
+     * @param codes  {@code byte[3 * width * height]}, each from 0 to 255 without a sign, row by row from the top; taken over, not copied
+     * @param values the linear value of each code, {@code float[256]}; taken over, not copied
+     */
+    public Texture(int width, int height, byte[] codes, float[] values) {
+        this(width, height, values.length == 256 ? codes.length : -1, null, codes, values);
+    }
+
+    private Texture(int width, int height, int length, float[] rgb, byte[] codes, float[] values) {
+        if (width < 1 || height < 1 || length != 3 * width * height) {
+            throw new IllegalArgumentException("a texture of " + width + "×" + height + " with " + length + " values");
         }
         this.width = width;
         this.height = height;
         this.rgb = rgb;
+        this.codes = codes;
+        this.values = values;
     }
 
     public int width() {
@@ -36,7 +57,11 @@ public final class Texture {
 
     /** One channel (0 red, 1 green, 2 blue) of the pixel in column {@code x}, row {@code y}. */
     public float channel(int x, int y, int channel) {
-        return rgb[3 * (y * width + x) + channel];
+        return value(3 * (y * width + x) + channel);
+    }
+
+    private float value(int i) {
+        return codes != null ? values[codes[i] & 0xFF] : rgb[i];
     }
 
     /**
@@ -47,7 +72,6 @@ public final class Texture {
      * @param to     gets the linear RGB, {@code float[3]}
      */
     public void mix(int x0, int y0, int x1, int y1, double across, double along, float[] to) {
-        float[] p = rgb;
         int upperLeft = 3 * (y0 * width + x0);
         int upperRight = 3 * (y0 * width + x1);
         int lowerLeft = 3 * (y1 * width + x0);
@@ -55,8 +79,8 @@ public final class Texture {
         double left = 1 - across;
         double upper = 1 - along;
         for (int c = 0; c < 3; c++) {
-            double above = p[upperLeft + c] * left + p[upperRight + c] * across;
-            double below = p[lowerLeft + c] * left + p[lowerRight + c] * across;
+            double above = value(upperLeft + c) * left + value(upperRight + c) * across;
+            double below = value(lowerLeft + c) * left + value(lowerRight + c) * across;
             to[c] = (float) (above * upper + below * along);
         }
     }
@@ -74,12 +98,14 @@ public final class Texture {
 
     private double luminance(int x, int y) {
         int i = 3 * (y * width + x);
-        return 0.2126 * rgb[i] + 0.7152 * rgb[i + 1] + 0.0722 * rgb[i + 2];
+        return 0.2126 * value(i) + 0.7152 * value(i + 1) + 0.0722 * value(i + 2);
     }
 
+    /** Whether both have the same size and were made of the same values, or of the same codes with the same values. */
     @Override
     public boolean equals(Object o) {
-        return this == o || o instanceof Texture t && width == t.width && Arrays.equals(rgb, t.rgb);
+        return this == o || o instanceof Texture t && width == t.width && Arrays.equals(rgb, t.rgb) && Arrays.equals(codes, t.codes)
+                && Arrays.equals(values, t.values);
     }
 
     @Override

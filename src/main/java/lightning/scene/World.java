@@ -118,7 +118,7 @@ public record World(double ambience, Rgb background, Optional<Panorama> environm
             lights.add(Light.of(name + " " + (lights.size() + 1), LightType.DIRECTIONAL)
                     .withDirection(new Vec3(-(at.x() * cos + at.z() * sin), -at.y(), at.x() * sin - at.z() * cos))
                     .withColor(most > 0 ? new Rgb(lamp.red() / most, lamp.green() / most, lamp.blue() / most) : Rgb.BLACK)
-                    .withIntensity(Math.min(most * intensity, Limits.MAX_INTENSITY))
+                    .withIntensity(Math.min(most * intensity, Limits.MAX_LAMP_INTENSITY))
                     .withArea(Area.DEFAULT.withSpread(lamp.spread() * softness).withSamples(SAMPLES)));
         }
         return lights;

@@ -5,10 +5,11 @@ import lightning.math.Vec3;
 import lightning.scene.Limits;
 import lightning.scene.Scene;
 import lightning.scene.World;
+import lightning.trace.Bounce;
 import lightning.trace.CameraRays;
 import lightning.trace.HitRows;
+import lightning.trace.MaterialTable;
 import lightning.trace.SamplePlaces;
-import lightning.trace.SurfacePoint;
 
 /**
  * What rays see that hit nothing: the background, or the environment in their direction. No row exists for them, so their directions are computed
@@ -64,15 +65,16 @@ final class Backdrop {
         }
     }
 
-    /** Fills what the mirrored rays of a level see behind all. */
-    void mirrored(HitRows above, World world, float[][] to) {
+    /** Fills what the rays that go on from a level's rows see behind all; where none does, nobody looks. */
+    void behind(HitRows above, Bounce bounce, MaterialTable materials, World world, float[][] to) {
         if (world.environment().isEmpty()) {
-            constant(world, to, above.reflective);
+            constant(world, to, bounce.rows(above));
             return;
         }
-        for (int i = 0; i < above.reflective; i++) {
-            SurfacePoint.mirror(above.nx[i], above.ny[i], above.nz[i], above.vx[i], above.vy[i], above.vz[i], direction);
-            write(world, direction[0], direction[1], direction[2], to, i);
+        for (int i = 0; i < bounce.rows(above); i++) {
+            if (bounce.direct(above, i, materials, direction)) {
+                write(world, direction[0], direction[1], direction[2], to, i);
+            }
         }
     }
 

@@ -17,7 +17,12 @@ final class Composer {
     private final Sums sums;
     private final LightSum lightSum;
     private final Shade[] shades;
+    /** Made when it is needed first. */
+    private ClearSums clear;
     private final float[][] colors = new float[3][ROWS];
+    /** Stands for a sum that is left out. */
+    private final float[][] none = new float[3][ROWS];
+    private LightPart part = LightPart.ALL;
 
     Composer(MaterialTable materials, Sums sums, ViewEffects view) {
         this.sums = sums;
@@ -31,36 +36,49 @@ final class Composer {
         return lightSum;
     }
 
+    /** Which contributions are composed from now on. */
+    void setPart(LightPart v) {
+        part = v;
+    }
+
     /**
      * Writes the colour of each row to its parent.
      *
      * @param lights   the lights in scene order
      * @param layers   the layer of each light; unread where the light is dark
      * @param branches sums that are known already, or null
-     * @param mirrored Cr of the reflective rows: red, green and blue columns; null where there are none
+     * @param images   what the rays bring that go on from the rows; null where none does
      * @param to       gets the colours, linear: red, green, blue, {@code float[1024]} each
      */
-    void compose(HitRows rows, Luminaire[] lights, LightLayer[] layers, BranchSums branches, World world, float[][] mirrored,
+    void compose(HitRows rows, Luminaire[] lights, LightLayer[] layers, BranchSums branches, World world, Images images,
             float[][] to) {
         SumRows sum = branches == null ? lightSum.of(rows.count, lights, layers) : lightSum.of(rows.count, lights, layers, branches);
         float ambience = (float) world.ambience();
         // Rows of one material keep the order of their parents: where every place has its row, row i goes to place i.
         boolean inOrder = rows.runs == 1 && rows.count == ROWS;
         for (int r = 0; r < rows.runs; r++) {
-            close(rows, r, sum, ambience, mirrored, inOrder ? to : colors);
+            close(rows, r, sum, ambience, images, inOrder ? to : colors);
             if (!inOrder) {
                 scatter(rows.parent, rows.runStart(r), rows.runEnd[r], to);
             }
         }
     }
 
-    private void close(HitRows rows, int run, SumRows sum, float ambience, float[][] mirrored, float[][] to) {
+    private void close(HitRows rows, int run, SumRows sum, float ambience, Images images, float[][] to) {
         Shade shade = shades[rows.runMaterial[run]];
         if (shade.pictured() && !litTextures) {
             emit(rows, run, shade, ambience, to);
+            return;
+        }
+        boolean shines = part != LightPart.DIFFUSE;
+        float[][] diffuse = part == LightPart.SPECULAR ? none : sum.diffuse;
+        float[][] specular = shines && sum.hasSpecular && shade.shines() ? sum.specular : null;
+        float[][] grazing = shines && sum.hasGrazing && shade.metal() != null ? sum.grazing : null;
+        if (shade.clarity() != null) {
+            clear = clear == null ? new ClearSums() : clear;
+            clear.close(rows, run, shade, ambience, diffuse, specular, grazing, images, to);
         } else {
-            sums.close(rows, run, shade, ambience, sum.diffuse, sum.hasSpecular && shade.shines() ? sum.specular : null,
-                    sum.hasGrazing && shade.metal() != null ? sum.grazing : null, mirrored, to);
+            sums.close(rows, run, shade, ambience, diffuse, specular, grazing, images == null ? null : images.mirrored(), to);
         }
     }
 

@@ -1,6 +1,7 @@
 package lightning.shading;
 
 import java.util.Arrays;
+import lightning.trace.Bounce;
 import lightning.trace.HitCode;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
@@ -8,8 +9,8 @@ import lightning.trace.MaterialTable;
 /**
  * Finds what anti-aliasing sees of the pixels of a tile ({@link EdgeCodes}). Holds scratch memory: one for each thread.
  *
- * <p>A pixel's code is the sum over all that its ray meets, mirror after mirror: a number for what is hit and in how
- * many mirrors, and one for each light that shines, of the row's state and, where it is lit and its material is
+ * <p>A pixel's code is the sum over all that its ray meets, in mirrors and through what is clear: a number for what is hit and where
+ * in the tree of rays, and one for each light that shines, of the row's state and, where it is lit and its material is
  * specular, its specular term in coarse steps. A light that is larger than a point has no such steps, for its highlights are soft,
  * and none in its penumbra: a row that sees any of its samples is lit.
  */
@@ -41,8 +42,13 @@ public final class EdgeCoder {
         mirrors = false;
     }
 
-    /** Adds what the rays of level {@code level} hit; the levels above were added before. */
-    public void shapes(int level, HitRows rows, MaterialTable materials) {
+    /**
+     * Adds what the rays of a level hit; of the level that it is seen from, no other of the same depth was added since.
+     *
+     * @param level the depth of the level
+     * @param place its place among those that a pixel can have, 0 for the first
+     */
+    public void shapes(int level, int place, HitRows rows, MaterialTable materials) {
         int[] sums = level == 0 ? shapes : mirroredShapes;
         mirrors |= level > 0;
         short[] pixel = pixels(level, rows);
@@ -51,20 +57,25 @@ public final class EdgeCoder {
             for (int i = rows.runStart(r); i < rows.runEnd[r]; i++) {
                 int code = textured ? HitCode.textured(rows.code[i], rows.texelRed[i], rows.texelGreen[i], rows.texelBlue[i])
                         : rows.code[i];
-                sums[pixel[i]] += HitCode.seen(code, level);
+                sums[pixel[i]] += HitCode.seen(code, place);
             }
         }
     }
 
-    /** Adds how light {@code light}, which shines, lights level {@code level}, whose shapes were added just before. */
-    public void light(int level, int light, HitRows rows, LightRows layer, MaterialTable materials) {
+    /** The place of the level that is seen from another by rays that go on in some way. */
+    public static int place(int above, Bounce bounce) {
+        return 2 * above + 1 + bounce.ordinal();
+    }
+
+    /** Adds how light {@code light}, which shines, lights a level whose shapes were added just before. */
+    public void light(int level, int place, int light, HitRows rows, LightRows layer, MaterialTable materials) {
         int[] sums = level == 0 ? lights : mirroredLights;
         short[] pixel = pixels[level];
         for (int r = 0; r < rows.runs; r++) {
             boolean specular = layer.specular != null && layer.seen == null && materials.isSpecular(rows.runMaterial[r]);
             for (int i = rows.runStart(r); i < rows.runEnd[r]; i++) {
                 int code = code(light, layer.state(i), specular, specular ? layer.specular[i] : 0);
-                sums[pixel[i]] += level == 0 ? code : HitCode.seen(code, level);
+                sums[pixel[i]] += level == 0 ? code : HitCode.seen(code, place);
             }
         }
     }

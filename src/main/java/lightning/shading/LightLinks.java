@@ -23,7 +23,8 @@ final class LightLinks {
         this.geometry = geometry;
         this.tracer = tracer;
         this.view = view;
-        all = new ShadowCaster(geometry, tracer, view);
+        Geometry casting = geometry.casting(Links.ALL);
+        all = new ShadowCaster(casting, casting == geometry ? tracer : tracer.among(casting), view);
     }
 
     /** Who asks whether ways to a light are free. */

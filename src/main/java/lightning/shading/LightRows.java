@@ -33,24 +33,31 @@ public final class LightRows implements LightLayer {
 
     /** All columns that there are: what makes, counts and splices layers knows no others. */
     public enum Column implements ColumnKind {
-        STATE(Element.BYTE),
-        COSINE(Element.FLOAT),
-        SPECULAR(Element.FLOAT),
+        STATE(Element.BYTE, "states of the lights"),
+        COSINE(Element.FLOAT, "cosines"),
+        SPECULAR(Element.FLOAT, "specular terms"),
         /** Of a light over metallic materials. */
-        GRAZING(Element.FLOAT),
-        FALLOFF(Element.FLOAT),
+        GRAZING(Element.FLOAT, "grazing terms"),
+        FALLOFF(Element.FLOAT, "falloffs"),
         /** Of a light that is larger than a point: to which of its samples 0…15, 16…31 and so on a row's ways are free. */
-        SEEN_0(Element.SHORT),
-        SEEN_1(Element.SHORT),
-        SEEN_2(Element.SHORT),
-        SEEN_3(Element.SHORT);
+        SEEN_0(Element.SHORT, "samples seen of soft lights"),
+        SEEN_1(Element.SHORT, "samples seen of soft lights"),
+        SEEN_2(Element.SHORT, "samples seen of soft lights"),
+        SEEN_3(Element.SHORT, "samples seen of soft lights");
 
         static final List<Column> SEEN = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
 
         private final Element element;
+        private final String title;
 
-        Column(Element element) {
+        Column(Element element, String title) {
             this.element = element;
+            this.title = title;
+        }
+
+        /** What it holds, for people. */
+        public String title() {
+            return title;
         }
 
         @Override

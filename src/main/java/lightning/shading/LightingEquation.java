@@ -13,6 +13,13 @@ import lightning.scene.Attenuation;
  * Igraz = weight·(grazing·falloff)     of metallic materials alone
  * </pre>
  *
+ * <p>Of a clear surface, which mirrors m = kr + (1 − kr)·F by Fresnel's share F ({@link lightning.trace.Refraction}), with what is left on the
+ * way inside, T = tint<sup>way/distance</sup> (Beer's law), and b = 1 − the largest channel of kt:
+ *
+ * <pre>
+ * I     = {[ka·ambience + kd·Σ Idiff]·(1 − m)·b + (ks·Σ Ispec + Σ Igraz) + m·Cr + (1 − m)·kt·Ct}·T
+ * </pre>
+ *
  * <p>Metallic materials are those of glTF 2.0 (appendix B.3): D is GGX, V Smith's visibility, F Schlick's F0 + (1 − F0)·s with
  * s = (1 − V·H)⁵, so that F·D·V = F0·D·V·(1 − s) + D·V·s. A light of weight 1 lets a white surface send 1, as by Phong's model:
  * its irradiance is π·cosine, which takes the π out of D and of Lambert's law. What is scattered below the surface passes it twice
@@ -199,7 +206,22 @@ public final class LightingEquation {
         return sum(terms, from, middle) + sum(terms, middle, to);
     }
 
-    /** One channel of the whole equation; {@code diffuse}, {@code specular} and {@code grazing} are the lights' sums. */
+    /**
+     * One channel of the whole equation of a clear surface, at most the sum of its parts: {@code left·body}, {@code mirror} and
+     * {@code left·kt} are at most 1 in all.
+     *
+     * @param share F
+     * @param tint  T
+     */
+    static float clearColor(float ka, float ambience, float kd, float diffuse, float ks, float specular, float grazing, float kr,
+            float mirrored, float body, float share, float kt, float refracted, float tint) {
+        float mirror = kr + (1 - kr) * share;
+        float left = 1 - mirror;
+        return ((ka * ambience + kd * diffuse) * (left * body) + (ks * specular + grazing) + mirror * mirrored
+                + left * kt * refracted) * tint;
+    }
+
+    /** One channel of the whole equation of another; {@code diffuse}, {@code specular} and {@code grazing} are the lights' sums. */
     static float color(float ka, float ambience, float kd, float diffuse, float ks, float specular, float grazing, float kr,
             float mirrored) {
         return (ka * ambience + kd * diffuse) * (1 - kr) + (ks * specular + grazing) + kr * mirrored;

@@ -62,10 +62,12 @@ public final class PixelExplainer {
     private PointReport ray(Ray ray, int depth) {
         int shape = geometry.nearest(ray);
         if (shape < 0) {
-            return new PointReport(null, Backdrop.color(scene.world(), ray.direction()), NONE, List.of(), null);
+            return new PointReport(null, Backdrop.color(scene.world(), ray.direction()), NONE, List.of(), null, null);
         }
         SurfacePoint at = geometry.surface(shape, ray);
         PointReport reflected = materials.isReflective(at.material()) && depth > 0 ? ray(at.mirrored(), depth - 1) : null;
+        Ray through = materials.isClear(at.material()) && depth > 0 ? at.refracted() : null;
+        PointReport refracted = through == null ? null : ray(through, depth - 1);
         List<LightReport> reports = new ArrayList<>();
         for (Luminaire light : lights) {
             reports.add(report(light, at));
@@ -73,15 +75,20 @@ public final class PixelExplainer {
         float[] color = new float[3];
         float[] ambient = new float[3];
         float ambience = (float) scene.world().ambience();
+        var share = new SurfaceShare(at);
         for (int c = 0; c < 3; c++) {
             float ka = materials.ambient(at.material(), c);
             float kr = materials.reflective(at.material(), c);
-            ambient[c] = ka * ambience * (1 - kr);
-            color[c] = LightingEquation.color(ka, ambience, at.diffuse()[c], sum(reports, c, LightReport::diffuse),
-                    at.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
-                    reflected == null ? 0 : reflected.color()[c]);
+            ambient[c] = ka * ambience * share.body(kr, c);
+            color[c] = materials.isClear(at.material())
+                    ? share.color(c, ka, ambience, at.diffuse()[c], sum(reports, c, LightReport::diffuse),
+                            at.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
+                            reflected == null ? 0 : reflected.color()[c], refracted == null ? 0 : refracted.color()[c])
+                    : LightingEquation.color(ka, ambience, at.diffuse()[c], sum(reports, c, LightReport::diffuse),
+                            at.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
+                            reflected == null ? 0 : reflected.color()[c]);
         }
-        return new PointReport(at, color, ambient, reports, reflected);
+        return new PointReport(at, color, ambient, reports, reflected, refracted);
     }
 
     private static float sum(List<LightReport> lights, int channel, Function<LightReport, float[]> part) {

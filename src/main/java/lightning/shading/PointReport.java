@@ -10,9 +10,12 @@ import lightning.trace.SurfacePoint;
  * @param color     the colour that the ray brings, linear, {@code float[3]}
  * @param ambient   ka·ambience·(1 − kr), linear, {@code float[3]}
  * @param lights    one for each light of the scene, in its order
+ * @param refracted what the refracted ray brings; null if nothing is seen through the material, the surface mirrors all, or the depth
+ *                  ends here
  * @param reflected what the mirrored ray brings; null if the material does not mirror or the depth ends here
  */
-public record PointReport(SurfacePoint at, float[] color, float[] ambient, List<LightReport> lights, PointReport reflected) {
+public record PointReport(SurfacePoint at, float[] color, float[] ambient, List<LightReport> lights, PointReport reflected,
+        PointReport refracted) {
     /** Whether the ray met nothing. */
     public boolean isBackground() {
         return at == null;

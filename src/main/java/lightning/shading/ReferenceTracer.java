@@ -8,6 +8,7 @@ import lightning.math.Ray;
 import lightning.math.Vec3;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
+import lightning.trace.Bounce;
 import lightning.trace.Eye;
 import lightning.trace.Geometry;
 import lightning.trace.HitCode;
@@ -87,7 +88,8 @@ public final class ReferenceTracer {
     }
 
     private static float mean(float[] samples) {
-        return LightingEquation.sum(samples, 0, samples.length) / samples.length;
+        float sum = LightingEquation.sum(samples, 0, samples.length);
+        return Float.isFinite(sum) ? sum / samples.length : SampleMean.ofBright(samples, 0, samples.length);
     }
 
     /** The colour that a ray brings; {@code depth} more mirrors may be followed. */
@@ -102,6 +104,8 @@ public final class ReferenceTracer {
         if (materials.isReflective(material) && depth > 0) {
             mirrored = mirrors.color(at.mirrored(), depth - 1);
         }
+        Ray through = materials.isClear(material) && depth > 0 ? at.refracted() : null;
+        float[] refracted = through == null ? new float[3] : mirrors.color(through, depth - 1);
         float[] color = new float[3];
         float[] diffuse = new float[lights.length];
         float[] specular = new float[lights.length];
@@ -114,13 +118,21 @@ public final class ReferenceTracer {
                 specular[l] = LightingEquation.contribution(weight, terms[l][1], terms[l][2]);
                 grazing[l] = LightingEquation.contribution(weight, terms[l][3], terms[l][2]);
             }
-            color[c] = LightingEquation.color(
+            color[c] = materials.isClear(material) ? clear(at, c, diffuse, specular, grazing, mirrored, refracted) : LightingEquation.color(
                     materials.ambient(material, c), (float) scene.world().ambience(),
                     at.diffuse()[c], LightingEquation.sum(diffuse, 0, lights.length),
                     at.specular()[c], LightingEquation.sum(specular, 0, lights.length), LightingEquation.sum(grazing, 0, lights.length),
                     materials.reflective(material, c), mirrored[c]);
         }
         return color;
+    }
+
+    /** One channel of the colour of a clear surface. */
+    private float clear(SurfacePoint at, int c, float[] diffuse, float[] specular, float[] grazing, float[] mirrored, float[] refracted) {
+        return new SurfaceShare(at).color(c, materials.ambient(at.material(), c), (float) scene.world().ambience(),
+                at.diffuse()[c], LightingEquation.sum(diffuse, 0, lights.length),
+                at.specular()[c], LightingEquation.sum(specular, 0, lights.length), LightingEquation.sum(grazing, 0, lights.length),
+                materials.reflective(at.material(), c), mirrored[c], refracted[c]);
     }
 
     /** For each light its diffuse and specular term, falloff and grazing term at a point; all 0 where it does not reach. */
@@ -209,10 +221,10 @@ public final class ReferenceTracer {
     /**
      * Adds what anti-aliasing sees along a ray ({@link EdgeCodes}).
      *
-     * @param level in how many mirrors it was seen
+     * @param place where it is seen ({@link EdgeCoder#place})
      * @param sums  the code of shapes and that of lights, {@code int[2]}
      */
-    private void look(Ray ray, int depth, int level, int[] sums) {
+    private void look(Ray ray, int depth, int place, int[] sums) {
         int primitive = geometry.nearestOfAll(ray);
         if (primitive < 0) {
             return;
@@ -220,15 +232,19 @@ public final class ReferenceTracer {
         SurfacePoint at = geometry.surfaceOfAll(primitive, ray);
         int hit = HitCode.of(geometry.number(primitive), at.nx(), at.ny(), at.nz());
         sums[0] += HitCode.seen(materials.isTextured(at.material())
-                ? HitCode.textured(hit, at.texel()[0], at.texel()[1], at.texel()[2]) : hit, level);
+                ? HitCode.textured(hit, at.texel()[0], at.texel()[1], at.texel()[2]) : hit, place);
         for (int l = 0; l < lights.length; l++) {
             if (!lights[l].isDark()) {
                 int code = look(l, at);
-                sums[1] += level == 0 ? code : HitCode.seen(code, level);
+                sums[1] += place == 0 ? code : HitCode.seen(code, place);
             }
         }
         if (materials.isReflective(at.material()) && depth > 0) {
-            mirrors.look(at.mirrored(), depth - 1, level + 1, sums);
+            mirrors.look(at.mirrored(), depth - 1, EdgeCoder.place(place, Bounce.MIRRORED), sums);
+        }
+        Ray through = materials.isClear(at.material()) && depth > 0 ? at.refracted() : null;
+        if (through != null) {
+            mirrors.look(through, depth - 1, EdgeCoder.place(place, Bounce.REFRACTED), sums);
         }
     }
 

@@ -6,7 +6,17 @@ public final class SampleMean {
 
     /** The mean of {@code perPixel} values from {@code from} on. */
     static float of(float[] samples, int from, int perPixel) {
-        return sum(samples, from, perPixel) / perPixel;
+        float sum = sum(samples, from, perPixel);
+        return sum <= Float.MAX_VALUE ? sum / perPixel : ofBright(samples, from, perPixel);
+    }
+
+    /** The same of values so large that their sum overflows a float. */
+    static float ofBright(float[] samples, int from, int perPixel) {
+        double sum = 0;
+        for (int s = from; s < from + perPixel; s++) {
+            sum += samples[s];
+        }
+        return (float) (sum / perPixel);
     }
 
     /** The tree of {@link LightingEquation#sum}, of which four leaves are added at once: that takes a third of the time. */

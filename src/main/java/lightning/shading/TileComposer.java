@@ -4,6 +4,7 @@ import java.util.Arrays;
 import lightning.effects.ViewEffects;
 import lightning.scene.Scene;
 import lightning.scene.World;
+import lightning.trace.Bounce;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
 import lightning.trace.SamplePlaces;
@@ -15,41 +16,59 @@ import lightning.trace.SamplePlaces;
 public final class TileComposer {
     private final Composer composer;
     private final Backdrop backdrop = new Backdrop();
-    /** Cr of one level, and of the level above it. */
-    private final float[][][] mirrored = new float[2][3][Terms.ROWS];
+    private final MaterialTable materials;
+    /** By the depth of a level. */
+    private Images[] scratch = new Images[2];
 
     public TileComposer(MaterialTable materials, Sums sums, ViewEffects view) {
+        this.materials = materials;
         composer = new Composer(materials, sums, view);
     }
 
     /**
-     * Cr of the reflective rows of a level whose rays were not followed: the recursion ended there.
+     * What the rays bring that go on from a level's rows, where they are not followed: the recursion ended there.
      *
-     * @return red, green and blue columns, valid until the next level but one was composed
+     * @param depth over how many others the level is seen
+     * @return valid until this is asked again for the same depth; null where no ray goes on
      */
-    public float[][] unfollowed(HitRows rows) {
-        for (float[] channel : next()) {
-            Arrays.fill(channel, 0, rows.reflective, 0);
+    public Images unfollowed(HitRows rows, int depth) {
+        Images images = images(rows, depth);
+        for (Bounce bounce : Bounce.values()) {
+            for (int c = 0; c < 3 && bounce.rows(rows) > 0; c++) {
+                Arrays.fill(images.of(bounce)[c], 0, bounce.rows(rows), 0);
+            }
         }
-        return mirrored[0];
+        return images;
     }
 
     /**
-     * Where the colours that the reflective rows of a level mirror go, to be composed from the level below: the background
+     * Where the colours go that the rays bring which go on from a level's rows, to be composed from the levels below: the background
      * where a ray hit nothing.
      *
-     * @return red, green and blue columns, valid until the next level but one was composed
+     * @param depth over how many others the level is seen
+     * @return valid until this is asked again for the same depth; null where no ray goes on
      */
-    public float[][] followed(HitRows rows, World world) {
-        backdrop.mirrored(rows, world, next());
-        return mirrored[0];
+    public Images followed(HitRows rows, World world, int depth) {
+        Images images = images(rows, depth);
+        for (Bounce bounce : Bounce.values()) {
+            if (bounce.rows(rows) > 0) {
+                backdrop.behind(rows, bounce, materials, world, images.of(bounce));
+            }
+        }
+        return images;
     }
 
-    private float[][] next() {
-        float[][] other = mirrored[1];
-        mirrored[1] = mirrored[0];
-        mirrored[0] = other;
-        return other;
+    private Images images(HitRows rows, int depth) {
+        if (rows.reflective == 0) {
+            return null;
+        }
+        if (depth >= scratch.length) {
+            scratch = Arrays.copyOf(scratch, depth + 1);
+        }
+        if (scratch[depth] == null || rows.clear > 0 && scratch[depth].refracted() == null) {
+            scratch[depth] = new Images(new float[3][Terms.ROWS], rows.clear > 0 ? new float[3][Terms.ROWS] : null);
+        }
+        return scratch[depth];
     }
 
     /** Makes a tile of the film ready for the colours of a first level: what is behind all where no row is. */
@@ -63,12 +82,17 @@ public final class TileComposer {
      * @param lights   the lights in scene order
      * @param layers   the layer of each light; unread where the light is dark
      * @param branches sums that are known already, or null
-     * @param cr       Cr of the reflective rows: red, green and blue columns; null where there are none
+     * @param images   what the rays bring that go on from the rows; null where none does
      * @param to       gets each row's colour at its parent, linear: red, green, blue, {@code float[1024]} each
      */
-    public void level(HitRows rows, Luminaire[] lights, LightLayer[] layers, BranchSums branches, World world, float[][] cr,
+    public void level(HitRows rows, Luminaire[] lights, LightLayer[] layers, BranchSums branches, World world, Images images,
             float[][] to) {
-        composer.compose(rows, lights, layers, branches, world, cr, to);
+        composer.compose(rows, lights, layers, branches, world, images, to);
+    }
+
+    /** Which of the lights' contributions levels are composed of from now on: all of them until it is called. */
+    public void setPart(LightPart part) {
+        composer.setPart(part);
     }
 
     /** The sums beside one light, to be given to {@link #level} while that light alone is edited. */

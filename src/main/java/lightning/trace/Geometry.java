@@ -10,6 +10,7 @@ import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import lightning.math.Ray;
 import lightning.math.Vec3;
+import lightning.scene.Clarity;
 import lightning.scene.Links;
 import lightning.scene.Material;
 import lightning.scene.Scene;
@@ -41,6 +42,8 @@ public final class Geometry {
     /** Which primitives throw shadows; null where all do. */
     private final boolean[] casters;
     private final boolean throwsShadows;
+    /** Whether any material throws no shadows. */
+    private final boolean hasShadowless;
     /** The same shapes where some of them throw no shadow, by those that do. */
     private final Map<Links, Geometry> casting = new ConcurrentHashMap<>();
     /** What {@link #changeTo} found last, as long as someone else uses it. Any thread may set it: each that does is right. */
@@ -67,6 +70,7 @@ public final class Geometry {
         primitives = bvh.primitives;
         casters = null;
         throwsShadows = true;
+        hasShadowless = materials.hasShadowless();
     }
 
     private Geometry(Geometry shared, Scene scene) {
@@ -80,6 +84,7 @@ public final class Geometry {
         bvh = shared.bvh;
         casters = shared.casters;
         throwsShadows = shared.throwsShadows;
+        hasShadowless = materials.hasShadowless();
     }
 
     /** The same of which only some primitives throw shadows: the tree has no others. */
@@ -93,6 +98,7 @@ public final class Geometry {
         primitives = shared.primitives;
         this.casters = casters;
         throwsShadows = IntStream.range(0, casters.length).anyMatch(s -> casters[s]);
+        hasShadowless = shared.hasShadowless;
         bvh = throwsShadows ? shared.bvh.only(casters) : shared.bvh;
     }
 
@@ -108,6 +114,7 @@ public final class Geometry {
         primitives = bvh.primitives;
         casters = null;
         throwsShadows = true;
+        hasShadowless = materials.hasShadowless();
     }
 
     /** Other shapes, seen from the same place; materials keep their indices. */
@@ -122,6 +129,7 @@ public final class Geometry {
         primitives = bvh.primitives;
         casters = null;
         throwsShadows = true;
+        hasShadowless = materials.hasShadowless();
     }
 
     /** Of each primitive whether it is of a linked shape; not to be written to. */
@@ -132,7 +140,20 @@ public final class Geometry {
 
     /** What ways to a light meet that some shapes do not shadow: primitives keep their indices and their boxes. */
     public Geometry casting(Links links) {
-        return links.isAll() ? this : casting.computeIfAbsent(links, asked -> new Geometry(this, linked(asked)));
+        return links.isAll() && !hasShadowless ? this : casting.computeIfAbsent(links, asked -> new Geometry(this, casters(asked)));
+    }
+
+    /** Of each primitive whether it throws shadows in a light that linked shapes shadow; not to be written to. */
+    boolean[] casters(Links links) {
+        boolean[] linked = linked(links);
+        if (!hasShadowless) {
+            return linked;
+        }
+        boolean[] casters = linked.clone();
+        for (int s = 0; s < casters.length; s++) {
+            casters[s] &= material(s).clarity().throwsShadows();
+        }
+        return casters;
     }
 
     /** Whether any primitive throws a shadow; where none does, rays must not be asked. */
@@ -156,17 +177,20 @@ public final class Geometry {
     }
 
     private boolean hasShapesOf(Scene other) {
-        return scene.nodes().equals(other.nodes()) && hasReliefsOf(other);
+        return scene.nodes().equals(other.nodes()) && hasWaysOf(other);
     }
 
-    /** Whether the materials that shapes have bend normals as those of another scene do: what is met is told with its normal. */
-    private boolean hasReliefsOf(Scene other) {
+    /**
+     * Whether the materials that shapes have bend normals as those of another scene do, lead rays on behind them and throw shadows:
+     * what is met is told with its normal and with where rays go on.
+     */
+    private boolean hasWaysOf(Scene other) {
         if (scene.materials() == other.materials()) {
             return true;
         }
         Map<String, Material> here = scene.materialsByName();
         Map<String, Material> there = other.materialsByName();
-        return scene.stage().namedMaterials().stream().allMatch(m -> here.get(m).relief().hasNormalsOf(there.get(m).relief()));
+        return scene.stage().namedMaterials().stream().allMatch(m -> here.get(m).hasWaysOf(there.get(m)));
     }
 
     /** Whether these are the shapes of a scene, and an eye may stand at a point of it without their being moved. */
@@ -243,7 +267,7 @@ public final class Geometry {
 
     /** A number for the shape that a primitive is of, which it keeps whatever other shapes there are: of its name. */
     public int number(int primitive) {
-        return shape(primitive).name().hashCode();
+        return HitCode.ofName(shape(primitive).name());
     }
 
     /** The shape that a primitive is of. */
@@ -410,7 +434,18 @@ public final class Geometry {
         for (int c = 0; c < 3; c++) {
             specular[c] = materials.metal(material, c) * texel[c] + materials.specular(material, c);
         }
+        SurfacePoint.Behind behind = null;
+        if (materials.isClear(material)) {
+            surface.behind();
+            behind = new SurfacePoint.Behind(materials.clarity(material), surface.behindX, surface.behindY, surface.behindZ,
+                    way(materials.clarity(material), surface, t));
+        }
         return new SurfacePoint(primitive, material, surface.px, surface.py, surface.pz, surface.nx, surface.ny, surface.nz,
-                (float) d.x(), (float) d.y(), (float) d.z(), diffuse, specular, texel);
+                (float) d.x(), (float) d.y(), (float) d.z(), diffuse, specular, texel, behind);
+    }
+
+    /** The way that a ray came inside to a surface that was computed last; below 0 where it came from outside. */
+    static float way(Clarity clarity, Surface surface, double t) {
+        return surface.isInside() && !clarity.thin() ? (float) t : -1;
     }
 }

@@ -14,6 +14,18 @@ public final class HitCode {
 
     private HitCode() {}
 
+    /**
+     * The number of a shape of that name. Java's own hash would not do: names that people give, as {@code 1P} and {@code 21}, have the
+     * same one, and the edge between such shapes would never be found.
+     */
+    static int ofName(String name) {
+        int h = name.length();
+        for (int i = 0; i < name.length(); i++) {
+            h = scramble(h + name.charAt(i) * FACTOR);
+        }
+        return h;
+    }
+
     /** The number of a hit: the shape's own number and the unit normal. */
     public static int of(int shape, float nx, float ny, float nz) {
         return scramble((((shape * 3 + side(nx)) * 3 + side(ny)) * 3 + side(nz)) * FACTOR);
@@ -29,9 +41,9 @@ public final class HitCode {
         return n > SIDE / 2 ? 2 : n < -SIDE / 2 ? 0 : 1;
     }
 
-    /** A number that stands for {@code code} seen over {@code mirrors} mirrors: such numbers of one pixel are added. */
-    public static int seen(int code, int mirrors) {
-        return scramble(code + (mirrors + 1) * FACTOR);
+    /** A number that stands for {@code code} seen at a place, 0 where the eye sees it: such numbers of one pixel are added. */
+    public static int seen(int code, int place) {
+        return scramble(code + (place + 1) * FACTOR);
     }
 
     /** Spreads the bits of a number over all of it. */

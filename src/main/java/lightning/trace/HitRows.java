@@ -26,7 +26,9 @@ public final class HitRows {
         /** Where anti-aliasing looks for edges. */
         CODE,
         /** Where a light of the scene shines on some shapes only. */
-        OWNER;
+        OWNER,
+        /** Where any row's material is clear. */
+        CLEAR;
 
         /** The columns that come and go together. */
         Set<Column> columns() {
@@ -57,7 +59,11 @@ public final class HitRows {
         TEXEL_BLUE(Part.TEXEL, Element.FLOAT),
         PARENT(Part.HIT, Element.SHORT),
         CODE(Part.CODE, Element.INT),
-        OWNER(Part.OWNER, Element.INT);
+        OWNER(Part.OWNER, Element.INT),
+        BEHIND_X(Part.CLEAR, Element.FLOAT),
+        BEHIND_Y(Part.CLEAR, Element.FLOAT),
+        BEHIND_Z(Part.CLEAR, Element.FLOAT),
+        INSIDE(Part.CLEAR, Element.FLOAT);
 
         private final Part part;
         private final Element element;
@@ -97,6 +103,12 @@ public final class HitRows {
     public final int[] code;
     /** The primitive that was hit; null where nobody asks. */
     public final int[] owner;
+    /** Of rows of clear materials the points behind the surface, off it, render space; null where the tile has none. */
+    public final float[] behindX;
+    public final float[] behindY;
+    public final float[] behindZ;
+    /** Of rows of clear materials the way that the ray came inside, scene units; below 0 where it came from outside. */
+    public final float[] inside;
     /** How many runs there are. */
     public int runs;
     /** The material of each run. */
@@ -105,6 +117,8 @@ public final class HitRows {
     public int[] runEnd = new int[4];
     /** How many rows, the first ones, are of reflective materials. */
     public int reflective;
+    /** How many rows, the first ones, are of clear materials; all of them are reflective. */
+    public int clear;
     /** Of the points, once someone asked; whoever writes other points forgets it. */
     PointBox box;
 
@@ -112,12 +126,12 @@ public final class HitRows {
 
     /** Makes room for {@code rows} rows without codes and owners. */
     public HitRows(int rows, boolean textured) {
-        this(rows, textured, false, false);
+        this(rows, textured, false, false, false);
     }
 
     /** Makes room for {@code rows} rows. */
-    public HitRows(int rows, boolean textured, boolean coded, boolean owned) {
-        this(ColumnSet.room(Column.class, columns(textured, coded, owned), rows));
+    public HitRows(int rows, boolean textured, boolean clear, boolean coded, boolean owned) {
+        this(ColumnSet.room(Column.class, columns(textured, clear, coded, owned), rows));
     }
 
     /** Rows in columns that are filled already; there are no runs yet. */
@@ -138,12 +152,19 @@ public final class HitRows {
         parent = (short[]) columns.get(Column.PARENT);
         code = (int[]) columns.get(Column.CODE);
         owner = (int[]) columns.get(Column.OWNER);
+        behindX = (float[]) columns.get(Column.BEHIND_X);
+        behindY = (float[]) columns.get(Column.BEHIND_Y);
+        behindZ = (float[]) columns.get(Column.BEHIND_Z);
+        inside = (float[]) columns.get(Column.INSIDE);
     }
 
-    private static Set<Column> columns(boolean textured, boolean coded, boolean owned) {
+    private static Set<Column> columns(boolean textured, boolean clear, boolean coded, boolean owned) {
         Set<Column> columns = Part.HIT.columns();
         if (textured) {
             columns.addAll(Part.TEXEL.columns());
+        }
+        if (clear) {
+            columns.addAll(Part.CLEAR.columns());
         }
         if (coded) {
             columns.addAll(Part.CODE.columns());
@@ -162,6 +183,7 @@ public final class HitRows {
         rows.runMaterial = runMaterial;
         rows.runEnd = runEnd;
         rows.reflective = mirrors;
+        rows.clear = clear;
         rows.box = box;
         return rows;
     }
@@ -232,6 +254,20 @@ public final class HitRows {
     /** The first row of run {@code r}. */
     public int runStart(int r) {
         return r == 0 ? 0 : runEnd[r - 1];
+    }
+
+    /** The material of a row. */
+    public int material(int row) {
+        int r = 0;
+        while (row >= runEnd[r]) {
+            r++;
+        }
+        return runMaterial[r];
+    }
+
+    /** Whether the ray came to a row of a clear material from inside. */
+    public boolean isInside(int row) {
+        return inside[row] >= 0;
     }
 
     /** Where the points lie; there must be a row. */

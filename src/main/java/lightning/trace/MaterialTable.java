@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.math.Rgb;
+import lightning.scene.Clarity;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
@@ -20,18 +21,19 @@ import lightning.scene.TextureMap;
  * the lighting equation. Colours are {@code float[3 * count]}: r g b of material 0, then of 1, ….
  *
  * <p>A material keeps its index however it is edited: indices follow the shapes that name the materials. The rows of a
- * tile are sorted by {@link #rank} instead, reflective materials first, so that the rows that cast reflected rays are
- * a prefix.
+ * tile are sorted by {@link #rank} instead, clear materials first, then others that are reflective, so that the rows that cast refracted rays are
+ * a prefix, and those that cast mirrored ones.
  */
 public final class MaterialTable {
-    /** The materials that mirror anything. */
-    public static final Predicate<Material> MIRRORS = material -> (float) material.reflective().max() > 0;
+    /** The materials that mirror anything: clear ones do. */
+    public static final Predicate<Material> MIRRORS = Material::bouncesRays;
 
     private final List<Material> materials;
     /** Which of them shapes with colours of their own have. */
     private final boolean[] tinted;
     private final Predicate<Material> mirrors;
     private final int reflectiveCount;
+    private final int clearCount;
     private final int[] rank;
     private final int[] ranked;
     private final float[] ambient;
@@ -65,6 +67,7 @@ public final class MaterialTable {
         rank = new int[count];
         ranked = new int[count];
         int casting = 0;
+        int clear = 0;
         for (int m = 0; m < count; m++) {
             Material material = materials.get(m);
             this.tinted[m] = tinted.contains(material.name());
@@ -83,12 +86,15 @@ public final class MaterialTable {
             }
             store(material.reflective(), reflective, 3 * m);
             casting += mirrors.test(material) ? 1 : 0;
+            clear += material.clarity().isClear() ? 1 : 0;
         }
         reflectiveCount = casting;
-        int first = 0;
+        clearCount = clear;
+        int foremost = 0;
+        int first = clear;
         int last = casting;
         for (int m = 0; m < count; m++) {
-            rank[m] = mirrors.test(materials.get(m)) ? first++ : last++;
+            rank[m] = materials.get(m).clarity().isClear() ? foremost++ : mirrors.test(materials.get(m)) ? first++ : last++;
             ranked[rank[m]] = m;
         }
     }
@@ -133,6 +139,21 @@ public final class MaterialTable {
         return reflectiveCount;
     }
 
+    /** How many materials are clear: those with the lowest ranks. */
+    public int clearCount() {
+        return clearCount;
+    }
+
+    /** Whether material {@code m} is clear. */
+    public boolean isClear(int m) {
+        return rank[m] < clearCount;
+    }
+
+    /** What passes through material {@code m}. */
+    public Clarity clarity(int m) {
+        return materials.get(m).clarity();
+    }
+
     /** The place of material {@code m} in the order of a tile's rows: 0 … {@code count() − 1}. */
     public int rank(int m) {
         return rank[m];
@@ -172,19 +193,19 @@ public final class MaterialTable {
         return materials.get(m).alpha();
     }
 
+    /** Whether any throws no shadows. */
+    public boolean hasShadowless() {
+        return materials.stream().anyMatch(m -> !m.clarity().throwsShadows());
+    }
+
     /** Whether any is metallic. */
     public boolean hasMetallic() {
         return metal != null;
     }
 
-    /** What no term of a light is above over rows of these materials: 1, or 1/(2α³) and a rounding of metallic ones. */
+    /** What no term of a light is above over rows of these materials. */
     public double mostTerm() {
-        double most = 1;
-        for (int m = 0; m < count(); m++) {
-            double alpha = alpha(m);
-            most = isMetallic(m) ? Math.max(most, (1 + 0x1p-20) / (2 * alpha * alpha * alpha)) : most;
-        }
-        return most;
+        return materials.stream().mapToDouble(Material::mostTerm).reduce(1, Math::max);
     }
 
     /** k<sub>ambient</sub> before the scene's ambience; {@code channel} 0, 1, 2 for red, green, blue. */

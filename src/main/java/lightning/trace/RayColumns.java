@@ -17,7 +17,11 @@ public final class RayColumns {
     /** Where rays of the eye leave from, render space. */
     private final Vec3 eye;
     /** The rows that the rays leave from; null for rays of the eye. */
-    public HitRows from;
+    HitRows from;
+    /** Where rays leave from each row; null for rays of the eye. */
+    public float[] fromX;
+    public float[] fromY;
+    public float[] fromZ;
     /** Where a ray comes from: a row of {@link #from}, or a pixel or sample of the tile. */
     public final short[] slot = new short[MOST];
     /** Directions, of any length. */
@@ -46,6 +50,22 @@ public final class RayColumns {
         eye = camera.eye;
     }
 
+    /** Lets the rays leave from the eye. */
+    void fromEye() {
+        from = null;
+        fromX = null;
+        fromY = null;
+        fromZ = null;
+    }
+
+    /** Lets the rays leave from rows. */
+    void from(HitRows rows, Bounce bounce) {
+        from = rows;
+        fromX = bounce.x(rows);
+        fromY = bounce.y(rows);
+        fromZ = bounce.z(rows);
+    }
+
     /** Adds the directions of all rays, at least one, to a beam. */
     void sweep(Beam beam, Tracer tracer) {
         sweep(beam, 0, dx, tracer);
@@ -60,14 +80,14 @@ public final class RayColumns {
 
     /** The origin of a ray. */
     public double originX(int ray) {
-        return from == null ? eye.x() : from.px[slot[ray]];
+        return fromX == null ? eye.x() : fromX[slot[ray]];
     }
 
     public double originY(int ray) {
-        return from == null ? eye.y() : from.py[slot[ray]];
+        return fromY == null ? eye.y() : fromY[slot[ray]];
     }
 
     public double originZ(int ray) {
-        return from == null ? eye.z() : from.pz[slot[ray]];
+        return fromZ == null ? eye.z() : fromZ[slot[ray]];
     }
 }

@@ -19,6 +19,7 @@ public final class Retexturing {
     private final RayColumns rays;
     /** The directions of all rays of the eye through the tile's places. */
     private final RayColumns eye;
+    private final double[] direction = new double[3];
     private long rowsTouched;
 
     /** @param geometry with the materials as they are wanted */
@@ -45,19 +46,19 @@ public final class Retexturing {
      * @return the same object where nothing changes; all other columns are shared
      */
     public HitRows eye(HitRows rows, SamplePlaces places, MaterialSet changed) {
-        return textured(rows, null, places, changed);
+        return textured(rows, null, null, places, changed);
     }
 
     /**
-     * The same for rows that are seen in mirrors.
+     * The same for rows that are seen from others.
      *
      * @param from the level that they are seen from
      */
-    public HitRows mirrored(HitRows rows, HitRows from, MaterialSet changed) {
-        return textured(rows, from, null, changed);
+    public HitRows seenFrom(HitRows rows, HitRows from, Bounce bounce, MaterialSet changed) {
+        return textured(rows, from, bounce, null, changed);
     }
 
-    private HitRows textured(HitRows rows, HitRows from, SamplePlaces places, MaterialSet changed) {
+    private HitRows textured(HitRows rows, HitRows from, Bounce bounce, SamplePlaces places, MaterialSet changed) {
         if (!changed.isIn(rows)) {
             return rows;
         }
@@ -73,7 +74,7 @@ public final class Retexturing {
         for (int r = 0; r < rows.runs; r++) {
             int material = rows.runMaterial[r];
             if (changed.contains(material) && materials.isTextured(material)) {
-                run(now, r, from, places);
+                run(now, r, from, bounce, places);
             }
         }
         return now;
@@ -88,9 +89,8 @@ public final class Retexturing {
         return false;
     }
 
-    private void run(HitRows rows, int run, HitRows from, SamplePlaces places) {
+    private void run(HitRows rows, int run, HitRows from, Bounce bounce, SamplePlaces places) {
         int start = rows.runStart(run);
-        rays.from = from;
         rays.count = rows.runEnd[run] - start;
         rays.hits = rays.count;
         rowsTouched += rays.count;
@@ -99,9 +99,11 @@ public final class Retexturing {
             rays.order[i] = (short) i;
         }
         if (from == null) {
+            rays.fromEye();
             towards(places);
         } else {
-            mirror(from);
+            rays.from(from, bounce);
+            bounce(from, bounce);
         }
         candidates.collect(geometry.bvh(), beam);
         // What a row hit is the nearest of all shapes, and so of those of its material.
@@ -120,10 +122,13 @@ public final class Retexturing {
         places.bound(beam, camera);
     }
 
-    private void mirror(HitRows from) {
+    private void bounce(HitRows from, Bounce bounce) {
         beam.clear();
         for (int i = 0; i < rays.count; i++) {
-            MirrorRays.direction(from, rays.slot[i], rays.dx, rays.dy, rays.dz, i);
+            bounce.direct(from, rays.slot[i], materials, direction);
+            rays.dx[i] = direction[0];
+            rays.dy[i] = direction[1];
+            rays.dz[i] = direction[2];
             beam.origin(rays.originX(i), rays.originY(i), rays.originZ(i));
         }
         rays.sweep(beam, tracer);

@@ -21,6 +21,7 @@ public final class RowSplice {
     /** Of each old row its row in the result, or −1. */
     private final int[] now;
     private final int reflective;
+    private final int clear;
 
     /** @param sequence rows in the order that rows of one material keep, as {@link #source} */
     private RowSplice(HitRows old, HitRows added, int[] sequence, MaterialTable materials) {
@@ -37,6 +38,7 @@ public final class RowSplice {
         }
         int[] ends = starts.clone();
         reflective = starts[materials.reflectiveCount()];
+        clear = starts[materials.clearCount()];
         source = new int[sequence.length];
         now = new int[old.count];
         Arrays.fill(now, -1);
@@ -65,9 +67,10 @@ public final class RowSplice {
             textured |= ends[r + 1] > ends[r] && materials.isTextured(materials.ranked(r));
         }
         boolean texels = old.texelRed != null || added != null && added.texelRed != null;
-        HitRows room = new HitRows(source.length, textured && texels, old.code != null, old.owner != null);
+        HitRows room = new HitRows(source.length, textured && texels, clear > 0, old.code != null, old.owner != null);
         room.count = source.length;
         room.reflective = reflective;
+        room.clear = clear;
         for (int r = 0; r < materials.count(); r++) {
             if (ends[r + 1] > ends[r]) {
                 room.addRun(materials.ranked(r), ends[r + 1]);
@@ -105,10 +108,10 @@ public final class RowSplice {
     }
 
     /**
-     * The rows that are seen from the reflective rows of the level above.
+     * The rows that are seen from rows of the level above by rays that go on in one way.
      *
      * @param above what became of that level's rows; null if all of them are what they were
-     * @param rays  how many reflective rows that level has now
+     * @param rays  from how many rows of that level they go on now
      * @param added rows traced from some of them; null for none
      */
     public static RowSplice seenFrom(RowSplice above, int rays, HitRows old, HitRows added, MaterialTable materials) {
@@ -153,6 +156,7 @@ public final class RowSplice {
         old = first.old;
         added = second.added;
         reflective = second.reflective;
+        clear = second.clear;
         rows = second.rows;
         source = new int[second.source.length];
         Arrays.setAll(source, i -> second.source[i] < 0 ? second.source[i] : first.source[second.source[i]]);
@@ -161,12 +165,12 @@ public final class RowSplice {
         Arrays.setAll(now, i -> first.now[i] < 0 ? -1 : second.now[first.now[i]]);
     }
 
-    /** The reflective rows whose mirrored ray is not known, because they are new or did not mirror before. */
-    public int[] unfollowed() {
-        int[] found = new int[rows.reflective];
+    /** The rows whose ray that goes on in some way is not known, because they are new or cast none before. */
+    public int[] unfollowed(Bounce bounce) {
+        int[] found = new int[bounce.rows(rows)];
         int count = 0;
-        for (int i = 0; i < rows.reflective; i++) {
-            if (source[i] < 0 || source[i] >= old.reflective) {
+        for (int i = 0; i < found.length; i++) {
+            if (source[i] < 0 || source[i] >= bounce.rows(old)) {
                 found[count++] = i;
             }
         }

@@ -76,7 +76,8 @@ public final class ShapeChange {
             }
             if (form && (before.materialOf(s) != after.materialOf(t)
                     || before.primitives().isTinted(s) != after.primitives().isTinted(t)
-                    || !before.primitives().isBentAs(s, after.primitives(), t))) {
+                    || !before.primitives().isBentAs(s, after.primitives(), t)
+                    || !before.primitives().leadsRaysAs(s, after.primitives(), t))) {
                 painted[paintedCount++] = t;
             }
         }
@@ -115,12 +116,13 @@ public final class ShapeChange {
      * @param to    those that throw them now
      */
     public ShapeChange shadows(Geometry known, Links from, Links to) {
-        if (from.isAll() && to.isAll() || before == null && from.equals(to)) {
+        Geometry later = after(known);
+        boolean all = from.isAll() && to.isAll() && known.casting(from) == known && later.casting(to) == later;
+        if (all || before == null && from.equals(to)) {
             return this;
         }
-        Geometry later = after(known);
-        boolean[] cast = known.linked(from);
-        boolean[] casts = later.linked(to);
+        boolean[] cast = known.casters(from);
+        boolean[] casts = later.casters(to);
         int[] gone = new int[cast.length];
         int goneCount = 0;
         boolean[] stays = new boolean[casts.length];

@@ -3,6 +3,7 @@ package lightning.trace;
 import java.util.Arrays;
 import lightning.scene.Scene;
 import lightning.trace.primitive.PrimitiveTable;
+import lightning.trace.primitive.Surface;
 import lightning.trace.tree.Beam;
 import lightning.trace.tree.BoxSet;
 import lightning.trace.tree.Candidates;
@@ -15,7 +16,7 @@ public final class TileVisibility {
     /** Gives the columns that rows are written to: new ones to keep, or the same again and again. */
     @FunctionalInterface
     public interface Allocator {
-        HitRows rows(int count, boolean textured);
+        HitRows rows(int count, boolean textured, boolean clear);
     }
 
     private final PrimitiveTable primitives;
@@ -29,6 +30,9 @@ public final class TileVisibility {
     private final Candidates candidates = new Candidates();
     private final RayColumns rays;
     private final int[] starts;
+    private final double[] direction = new double[3];
+    /** Made when it is needed first. */
+    private Surface surface;
     private final TexelColumns texels;
 
     public TileVisibility(Geometry geometry, Scene scene, Tracer tracer) {
@@ -53,7 +57,7 @@ public final class TileVisibility {
     public HitRows eye(int x0, int y0, int size, Allocator allocator) {
         int columns = Math.min(size, width - x0);
         int lines = Math.min(size, height - y0);
-        rays.from = null;
+        rays.fromEye();
         rays.count = columns * lines;
         rays.columns = columns;
         for (int y = 0, ray = 0; y < lines; y++) {
@@ -79,13 +83,16 @@ public final class TileVisibility {
         return boxes.touches(beam);
     }
 
-    /** Whether any mirrored ray of a level's reflective rows can meet any of the boxes. */
-    public boolean mirrorsTouch(HitRows from, BoxSet boxes) {
-        if (from.reflective == 0 || boxes.isEmpty()) {
+    /** Whether any ray that goes on from a level's rows in some way can meet any of the boxes. */
+    public boolean touches(HitRows from, Bounce bounce, BoxSet boxes) {
+        if (bounce.rows(from) == 0 || boxes.isEmpty()) {
             return false;
         }
-        direct(from);
-        bound();
+        direct(from, bounce);
+        if (rays.count == 0) {
+            return false;
+        }
+        bound(bounce);
         return boxes.touches(beam);
     }
 
@@ -96,7 +103,7 @@ public final class TileVisibility {
      * @return the rows of the samples that hit something; {@code parent} is the sample's number
      */
     public HitRows fine(SamplePlaces places, Allocator allocator) {
-        rays.from = null;
+        rays.fromEye();
         rays.count = places.count();
         rays.columns = 0;
         for (int ray = 0; ray < rays.count; ray++) {
@@ -110,15 +117,15 @@ public final class TileVisibility {
     }
 
     /**
-     * Traces the mirrored rays of the reflective rows of a level.
+     * Traces the rays that go on from a level's rows in some way.
      *
      * @param known the shape that each ray hits, −1 for none, where that is known; else null
      * @return the rows that were hit; {@code parent} is the row they are seen from
      */
-    public HitRows mirrored(HitRows from, int[] known, Allocator allocator) {
-        direct(from);
+    public HitRows seenFrom(HitRows from, Bounce bounce, int[] known, Allocator allocator) {
+        direct(from, bounce);
         if (known == null) {
-            nearest();
+            nearest(bounce);
         } else {
             System.arraycopy(known, 0, rays.primitive, 0, rays.count);
             tracer.distances(rays);
@@ -127,53 +134,66 @@ public final class TileVisibility {
     }
 
     /**
-     * Traces the mirrored rays of some reflective rows of a level.
+     * Traces the rays that go on from some of those rows.
      *
      * @param which those rows, ascending
-     * @return as {@link #mirrored(HitRows, int[], Allocator)}
+     * @param count how many
+     * @return as {@link #seenFrom(HitRows, Bounce, int[], Allocator)}
      */
-    public HitRows mirroredFrom(HitRows from, int[] which, Allocator allocator) {
-        for (int i = 0; i < which.length; i++) {
+    public HitRows seenFrom(HitRows from, Bounce bounce, int[] which, int count, Allocator allocator) {
+        for (int i = 0; i < count; i++) {
             rays.slot[i] = (short) which[i];
         }
-        direct(from, which.length);
-        nearest();
+        direct(from, bounce, count);
+        nearest(bounce);
         return rows(allocator);
     }
 
-    /** Directs the mirrored rays of all reflective rows. */
-    private void direct(HitRows from) {
-        for (int i = 0; i < from.reflective; i++) {
+    /** How many rays were traced last. */
+    public int rays() {
+        return rays.count;
+    }
+
+    /** Directs the rays of all rows. */
+    private void direct(HitRows from, Bounce bounce) {
+        int count = bounce.rows(from);
+        for (int i = 0; i < count; i++) {
             rays.slot[i] = (short) i;
         }
-        direct(from, from.reflective);
+        direct(from, bounce, count);
     }
 
-    /** Directs the mirrored rays of the rows in the first {@code count} slots. */
-    private void direct(HitRows from, int count) {
-        rays.from = from;
-        rays.count = count;
+    /** Directs the rays of the rows in the first {@code count} slots; rows from which none goes on lose their slots. */
+    private void direct(HitRows from, Bounce bounce, int count) {
+        rays.from(from, bounce);
         rays.columns = 0;
+        int casting = 0;
         for (int i = 0; i < count; i++) {
-            MirrorRays.direction(from, rays.slot[i], rays.dx, rays.dy, rays.dz, i);
+            if (bounce.direct(from, rays.slot[i], materials, direction)) {
+                rays.slot[casting] = rays.slot[i];
+                rays.dx[casting] = direction[0];
+                rays.dy[casting] = direction[1];
+                rays.dz[casting++] = direction[2];
+            }
         }
+        rays.count = casting;
     }
 
-    /** Finds what mirrored rays hit. */
-    private void nearest() {
+    /** Finds what rays from rows hit. */
+    private void nearest(Bounce bounce) {
         if (rays.count == 0) {
             return;
         }
-        bound();
+        bound(bounce);
         candidates.collect(geometry.bvh(), beam);
         tracer.nearest(rays, candidates);
     }
 
-    /** Makes the beam of the mirrored rays; there must be any. */
-    private void bound() {
+    /** Makes the beam of the rays from rows; there must be any. */
+    private void bound(Bounce bounce) {
         beam.clear();
-        if (rays.count == rays.from.reflective) {
-            beam.origins(tracer.box(rays.from.px, rays.from.py, rays.from.pz, 0, rays.count));
+        if (rays.count == bounce.rows(rays.from)) {
+            beam.origins(tracer.box(rays.fromX, rays.fromY, rays.fromZ, 0, rays.count));
         } else {
             for (int i = 0; i < rays.count; i++) {
                 beam.origin(rays.originX(i), rays.originY(i), rays.originZ(i));
@@ -183,8 +203,8 @@ public final class TileVisibility {
     }
 
     /** The shapes that the rays traced last hit, −1 for none, one for each ray. */
-    public int[] hitShapes(int count) {
-        return Arrays.copyOf(rays.primitive, count);
+    public int[] hitShapes() {
+        return Arrays.copyOf(rays.primitive, rays.count);
     }
 
     /** Sorts the hits by material and computes their surfaces. */
@@ -201,10 +221,12 @@ public final class TileVisibility {
             starts[r + 1] += starts[r];
         }
         rays.hits = starts[materials.count()];
-        HitRows rows = allocator.rows(rays.hits, textured);
+        int clear = starts[materials.clearCount()];
+        HitRows rows = allocator.rows(rays.hits, textured, clear > 0);
         rows.count = rays.hits;
         rows.runs = 0;
         rows.box = null;
+        rows.clear = clear;
         rows.reflective = starts[materials.reflectiveCount()];
         for (int r = 0; r < materials.count(); r++) {
             if (starts[r + 1] > starts[r]) {
@@ -220,6 +242,20 @@ public final class TileVisibility {
         return rows;
     }
 
+    /** Rows beside each other mostly show the same primitive, whose number is found once. */
+    private void codes(HitRows rows) {
+        int last = -1;
+        int number = 0;
+        for (int row = 0; row < rows.count; row++) {
+            int primitive = rays.primitive[rays.order[row]];
+            if (primitive != last) {
+                last = primitive;
+                number = geometry.number(primitive);
+            }
+            rows.code[row] = HitCode.of(number, rows.nx[row], rows.ny[row], rows.nz[row]);
+        }
+    }
+
     private void fill(HitRows rows, boolean textured) {
         tracer.surfaces(rays, rows, textured);
         for (int row = 0; row < rows.count; row++) {
@@ -229,15 +265,32 @@ public final class TileVisibility {
             rows.vz[row] = (float) rays.dz[ray];
             rows.parent[row] = rays.slot[ray];
         }
+        for (int row = 0; row < rows.clear; row++) {
+            behind(rows, row);
+        }
         if (textured) {
             texels.write(rows, 0, rays);
         }
-        for (int row = 0; rows.code != null && row < rows.count; row++) {
-            rows.code[row] = HitCode.of(geometry.number(rays.primitive[rays.order[row]]), rows.nx[row], rows.ny[row], rows.nz[row]);
+        if (rows.code != null) {
+            codes(rows);
         }
         for (int row = 0; rows.owner != null && row < rows.count; row++) {
             rows.owner[row] = rays.primitive[rays.order[row]];
         }
+    }
+
+    /** Writes where the ray of a row of a clear material goes on behind the surface. */
+    private void behind(HitRows rows, int row) {
+        surface = surface == null ? new Surface() : surface;
+        int ray = rays.order[row];
+        int primitive = rays.primitive[ray];
+        surface.at(primitives, primitive, rays.part[ray], rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray],
+                rays.dy[ray], rays.dz[ray], rays.t[ray]);
+        surface.behind();
+        rows.behindX[row] = surface.behindX;
+        rows.behindY[row] = surface.behindY;
+        rows.behindZ[row] = surface.behindZ;
+        rows.inside[row] = Geometry.way(materials.clarity(primitives.material[primitive]), surface, rays.t[ray]);
     }
 
     /** The place in the order of rows of the material that a ray hit. */

@@ -148,6 +148,11 @@ public abstract class EditorDesk {
         return robot.lookup("#" + id).<Labeled>query().getText();
     }
 
+    /** All that is known of the last update, in one line. */
+    public String telemetry() {
+        return robot.lookup("#status").<javafx.scene.control.Button>query().getTooltip().getText();
+    }
+
     public boolean isShown(String id) {
         return robot.lookup("#" + id).tryQuery().map(Node::isVisible).orElse(false);
     }

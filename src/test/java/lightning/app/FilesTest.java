@@ -12,14 +12,20 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javafx.application.Platform;
 import javafx.scene.control.ListView;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuBar;
 import javafx.stage.WindowEvent;
 import lightning.app.model.Precision;
 import lightning.app.model.Preferences;
 import lightning.edit.Command;
 import lightning.edit.Desk;
 import lightning.edit.OpenDocument;
+import lightning.exr.ExrChannel;
+import lightning.exr.ExrReader;
 import lightning.gltf.Gltf;
+import lightning.image.DisplayCurve;
 import lightning.image.PictureFile;
+import lightning.image.ViewTransform;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
 import lightning.jen.Problem;
@@ -65,6 +71,51 @@ class FilesTest extends EditorDesk {
         click("save-image");
         waitFor("it is written", () -> text("message").equals("Saved picture.pfm"));
         assertThat(PictureFile.read(answer).sameBits(model().frame().film())).isTrue();
+    }
+
+    private void export(String title) {
+        Menu menu = robot.lookup(".menu-bar").<MenuBar>query().getMenus().getFirst().getItems().stream()
+                .filter(item -> "menu-export".equals(item.getId())).map(Menu.class::cast).findFirst().orElseThrow();
+        Platform.runLater(() -> menu.getItems().stream().filter(item -> item.getText().equals(title)).findFirst().orElseThrow().fire());
+    }
+
+    @Test
+    void exportedLayers_areOfTheVeryPicture() throws IOException {
+        answer = folder.resolve("desk.exr");
+        export("Layers as OpenEXR, 32 Bits…");
+        waitFor("it is written", () -> text("message").equals("Exported desk.exr"));
+        assertThat(PictureFile.read(answer).sameBits(model().frame().film())).isTrue();
+        try (ExrReader reader = new ExrReader(answer)) {
+            assertThat(reader.header().channels()).extracting(ExrChannel::name).contains("lamp.diffuse.R", "rounding.B", "shape.id");
+        }
+        assertThat(model().reading()).isNull();
+    }
+
+    @Test
+    void exportWithoutTheEnding_getsIt() throws IOException {
+        answer = folder.resolve("deep");
+        export("Picture as PNG, 16 Bits…");
+        waitFor("it is written", () -> text("message").equals("Exported deep.png"));
+        assertThat(Files.readAllBytes(folder.resolve("deep.png"))[24]).isEqualTo((byte) 16);
+    }
+
+    @Test
+    void exportThatCannotBeWritten_isToldInASentence() {
+        answer = folder.resolve("nowhere").resolve("desk.hdr");
+        export("Picture as Radiance HDR…");
+        waitFor("it tells", () -> says("The picture could not be exported"));
+        robot.clickOn("Close");
+        assertThat(model().reading()).isNull();
+    }
+
+    @Test
+    void pictureSavedWhileStopsAreShown_isThePicture() throws IOException {
+        robot.interact(() -> model().viewProperty().set(model().viewProperty().get().withCurve(DisplayCurve.FALSE)));
+        answer = folder.resolve("picture.png");
+        click("save-image");
+        waitFor("it is written", () -> text("message").equals("Saved picture.png"));
+        assertThat(ViewTransform.DEFAULT.toPixels(PictureFile.read(answer)))
+                .isEqualTo(ViewTransform.DEFAULT.toPixels(model().frame().film()));
     }
 
     @Test
@@ -126,7 +177,7 @@ class FilesTest extends EditorDesk {
         begin(Command.LOAD_FILE);
         waitFor("it is open", () -> model().document().name().equals("wide.jen"));
         waitForPicture();
-        assertThat(text("status")).startsWith("first pass: no picture yet");
+        assertThat(telemetry()).startsWith("first pass: no picture yet");
     }
 
     /** The picture is that of the scene in the title, or none. */

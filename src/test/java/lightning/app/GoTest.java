@@ -61,7 +61,8 @@ class GoTest extends EditorDesk {
         assertThat(isEnabled(Command.GO)).isFalse();
         assertThat(model().reason(Command.GO)).contains("nothing was edited since the last Go");
         assertFilmIs(new ReferenceTracer(model().scene()).trace());
-        assertThat(text("status")).contains("first pass").contains("exact");
+        assertThat(text("status")).matches("Traced in [0-9.]+ m?s, exact");
+        assertThat(telemetry()).contains("first pass").contains("exact");
     }
 
     @Test
@@ -79,10 +80,11 @@ class GoTest extends EditorDesk {
         waitForPicture();
         assertThat(isEnabled(Command.GO)).isFalse();
         assertThat(isShown("pending")).isFalse();
-        assertThat(text("status")).contains("lamp: weight").contains("0 shadow rays");
+        assertThat(text("status")).matches("[0-9.]+ m?s, exact");
+        assertThat(telemetry()).contains("lamp: weight").contains("0 shadow rays");
         waitFor("its saving is measured", () -> model().renderingProperty().get().saving().isPresent());
         // Which of the two it is depends on the machine: the picture is tiny.
-        assertThat(text("status")).contains("for a full trace").containsPattern("% (saved|slower)");
+        assertThat(telemetry()).contains("for a full trace").containsPattern("% (saved|slower)");
     }
 
     @Test

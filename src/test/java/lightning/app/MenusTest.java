@@ -75,6 +75,9 @@ class MenusTest extends EditorDesk {
         robot.clickOn(inPreview(new Vec3(0, 1, 0)), MouseButton.SECONDARY);
         waitFor("the shape's menu is open", () -> items().stream().anyMatch(i -> "Edit Material matt of ball".equals(i.getText())));
         List<MenuItem> all = new ArrayList<>();
+        robot.interact(() -> all.addAll(items()));
+        robot.interact(() -> model().materials().inFrontProperty().set(false));
+        robot.clickOn("#intensity .label", MouseButton.SECONDARY);
         robot.interact(() -> {
             all.addAll(items());
             Stream.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.MAKE_ANIMATION).forEach(model()::run);

@@ -19,6 +19,9 @@ final class Bodies {
         all.put("knot", new Skin(32, 480, true, Bodies::knot));
         all.put("column", new Skin(192, 64, true, column().fluted(24, 0.03, 0)));
         all.put("fir", new Skin(44, 72, true, Bodies::fir));
+        all.put("goblet", new Skin(96, 120, true, goblet().turned()));
+        all.put("decanter", new Skin(96, 120, true, decanter().turned()));
+        all.put("cognac", new Skin(96, 60, true, cognac().turned()));
         all.put("land", new Skin(150, 150, false, Land::at));
         return all;
     }
@@ -36,6 +39,21 @@ final class Bodies {
 
     private static Profile bowl() {
         return new Profile(0, 0, 0.38, 0, 0.4, 0.05, 0.36, 0.1, 0.7, 0.3, 0.98, 0.62, 1, 0.64, 0.97, 0.63, 0.66, 0.34, 0.3, 0.17, 0, 0.15);
+    }
+
+    private static Profile goblet() {
+        return new Profile(0, 0, 0.44, 0, 0.47, 0.015, 0.4, 0.04, 0.12, 0.075, 0.055, 0.14, 0.04, 0.45, 0.05, 0.8, 0.14, 0.9, 0.36, 1.08,
+                0.47, 1.36, 0.45, 1.68, 0.39, 2, 0.38, 2.01, 0.37, 2, 0.425, 1.68, 0.445, 1.36, 0.335, 1.12, 0.12, 0.96, 0, 0.94);
+    }
+
+    private static Profile decanter() {
+        return new Profile(0, 0, 0.5, 0, 0.6, 0.05, 0.66, 0.3, 0.62, 0.75, 0.45, 1.1, 0.22, 1.35, 0.16, 1.55, 0.15, 1.85, 0.22, 2.02, 0.23,
+                2.05, 0.2, 2.05, 0.11, 1.85, 0.11, 1.55, 0.17, 1.35, 0.4, 1.06, 0.56, 0.73, 0.6, 0.3, 0.52, 0.15, 0.3, 0.12, 0, 0.12);
+    }
+
+    /** What fills the decanter, a hair away from its inside. */
+    private static Profile cognac() {
+        return new Profile(0, 0.125, 0.3, 0.125, 0.515, 0.155, 0.595, 0.3, 0.555, 0.73, 0.535, 0.78, 0, 0.78);
     }
 
     private static Profile candlestick() {

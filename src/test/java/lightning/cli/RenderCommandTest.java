@@ -9,6 +9,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
+import lightning.exr.ExrChannel;
+import lightning.exr.ExrReader;
 import lightning.image.DisplayCurve;
 import lightning.image.Film;
 import lightning.image.PictureFile;
@@ -63,6 +65,32 @@ class RenderCommandTest {
     @Test
     void wholeNumber_mayBeWrittenAsInAScene() throws Exception {
         Cli.run("render", scene, "-o", folder.resolve("a.png"), "--threads", "+2.0", "--depth", "010").isDone();
+    }
+
+    @Test
+    void layers_areWrittenBesideTheVeryPicture() throws Exception {
+        Path layers = folder.resolve("a.exr");
+        Path picture = folder.resolve("a.pfm");
+        Cli.run("render", scene, "-o", layers, "--layers", "--bits", "32").isDone();
+        Cli.run("render", scene, "-o", picture).isDone();
+        Cli.run("compare", layers, picture).isDone();
+        try (ExrReader reader = new ExrReader(layers)) {
+            assertThat(reader.header().channels()).extracting(ExrChannel::name).contains("ambient.R", "reflections.G", "Z");
+        }
+    }
+
+    @Test
+    void layersInAFormatWithoutThem_areRefused() {
+        Cli.run("render", scene, "-o", folder.resolve("a.png"), "--layers").isRefusedSaying("layers are written to .exr");
+        Cli.run("render", scene, "-o", folder.resolve("a.exr"), "--layers", "--traditional").isRefusedSaying("keeps nothing has no layers");
+        Cli.run("render", scene, "-o", folder.resolve("a.png"), "--bits", "12").isRefusedSaying("8 or 16 bits, not 12");
+    }
+
+    @Test
+    void radiancePicture_isWrittenAndCompared() throws Exception {
+        Path picture = folder.resolve("a.hdr");
+        Cli.run("render", scene, "-o", picture).isDone();
+        Cli.run("compare", picture, picture).isDone();
     }
 
     @Test
@@ -147,7 +175,7 @@ class RenderCommandTest {
         "--depth | -1 | --depth must be from 0 to 10, was -1",
         "--depth | x | --depth",
         "--threads | 0 | --threads must be from 1 to 1024, was 0",
-        "--view | rec709 | expected srgb or 1998, found 'rec709'",
+        "--view | rec709 | expected srgb, 1998, filmic, aces or false, found 'rec709'",
         "--exposure | 65 | --exposure must be from -64 to 64 stops, was 65"})
     void badOption_isRefused(String option, String value, String sentence) {
         Cli.run("render", scene, "-o", folder.resolve("a.png"), option, value).isRefusedSaying(sentence);
@@ -161,7 +189,7 @@ class RenderCommandTest {
 
     @Test
     void outputThatCannotBeWritten_isRefusedBeforeTheTrace() {
-        Cli.run("render", scene, "-o", folder.resolve("a.gif")).isRefusedSaying("must end in .png, .xpm or .pfm");
+        Cli.run("render", scene, "-o", folder.resolve("a.gif")).isRefusedSaying("must end in .png, .xpm, .pfm, .exr or .hdr");
         Cli.run("render", scene, "-o", folder.resolve("no/a.png")).isRefusedSaying("there is no folder " + folder.resolve("no"));
     }
 

@@ -295,7 +295,8 @@ class CommandTest {
                 Command.SAVE_SCENE_AS, Command.UNDO, Command.REDO, Command.UNDO_LIGHT, Command.REDO_LIGHT, Command.PASTE_SETTINGS,
                 Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, Command.RENAME_LIGHT, Command.SHOW_SHAPE,
                 Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, Command.NEW_BANK,
-                Command.DELETE_BANK, Command.CHANGE_TYPE,
+                Command.DELETE_BANK, Command.NEW_SCENE, Command.PASTE_PROPERTY, Command.RESET_PROPERTY, Command.LOAD_RIG, Command.ADD_RIG,
+                Command.SAVE_RIG, Command.CHANGE_TYPE,
                 Command.SWITCH_ON, Command.SOLO, Command.AIM, Command.PLACE_HIGHLIGHT, Command.PLACE_SHADOW, Command.MAKE_ANIMATION);
     }
 }

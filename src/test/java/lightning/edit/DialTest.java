@@ -38,28 +38,18 @@ class DialTest {
     }
 
     @Test
-    void typedValue_isTaken() {
-        assertThat(Desk.light(Desk.done(Desk.dial("intensity").typed(scene, "key", " 0.4 ")), "key").intensity()).isEqualTo(0.4);
+    void value_isTaken() {
+        assertThat(Desk.light(Desk.done(Desk.dial("intensity").set(scene, "key", 0.4)), "key").intensity()).isEqualTo(0.4);
     }
 
     @Test
-    void typedValueBelowZero_isRefusedWithTheReason() {
-        assertThat(Desk.dial("intensity").typed(scene, "key", "-3").refusal()).contains("intensity must be ≥ 0, was -3");
+    void valueBelowZero_isRefusedWithTheReason() {
+        assertThat(Desk.dial("intensity").set(scene, "key", -3).refusal()).contains("intensity must be ≥ 0, was -3");
     }
 
     @Test
-    void typedWord_isRefusedWithTheReason() {
-        assertThat(Desk.dial("angle").typed(scene, "key", "wide").refusal()).contains("angle must be a number, was 'wide'");
-    }
-
-    @Test
-    void typedNaN_isRefused() {
-        assertThat(Desk.dial("red").typed(scene, "key", "NaN").refusal()).isPresent();
-    }
-
-    @Test
-    void typedFractionOfABounce_isRefused() {
-        assertThat(Dial.DEPTH.typed(scene, "", "2.5").refusal()).contains("depth must be a whole number, was 2.5");
+    void fractionOfABounce_isRefused() {
+        assertThat(Dial.DEPTH.set(scene, "", 2.5).refusal()).contains("depth must be a whole number, was 2.5");
     }
 
     @Test

@@ -45,6 +45,40 @@ class HistoryTest {
     }
 
     @Test
+    void goTo_isUndoOrRedoSoOften() {
+        dial(Desk.dial("intensity"), "key", 1.2);
+        Scene one = history.scene();
+        dial(Dial.AMBIENCE, "", 0.5);
+        Scene two = history.scene();
+        assertThat(history.steps()).containsExactly("key: intensity 1 → 1.2", "ambience 1 → 0.5");
+        history.goTo(0);
+        assertThat(history.scene()).isEqualTo(scene);
+        history.goTo(1);
+        assertThat(history.scene()).isEqualTo(one);
+        assertThat(history.position()).isEqualTo(1);
+        history.goTo(9);
+        assertThat(history.scene()).isEqualTo(two);
+        assertThat(history.steps()).containsExactly("key: intensity 1 → 1.2", "ambience 1 → 0.5");
+    }
+
+    @Test
+    void goToOfALight_isOneStepThatLeavesTheOthers() {
+        dial(Desk.dial("intensity"), "key", 1.2);
+        dial(Desk.dial("intensity"), "key", 1.4);
+        dial(Dial.AMBIENCE, "", 0.5);
+        long key = history.id("key");
+        Scene before = history.scene();
+        assertThat(history.goToOfLight(key, 0).refusal()).isEmpty();
+        assertThat(Desk.light(history.scene(), "key")).isEqualTo(Desk.light(scene, "key"));
+        assertThat(history.scene().world().ambience()).isEqualTo(0.5);
+        assertThat(history.lightSteps(key)).containsExactly("key: intensity 1 → 1.2", "key: intensity 1.2 → 1.4");
+        assertThat(history.lightPosition(key)).isZero();
+        history.undo();
+        assertThat(history.scene()).isEqualTo(before);
+        assertThat(history.goToOfLight(key, 3).refusal()).isPresent();
+    }
+
+    @Test
     void labels_nameEveryKindOfEdit() {
         assertThat(label(LightEdits.delete(scene, "sun"))).isEqualTo("delete sun");
         assertThat(label(LightEdits.duplicate(scene, "key"))).isEqualTo("add key2");

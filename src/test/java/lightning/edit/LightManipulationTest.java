@@ -57,6 +57,27 @@ class LightManipulationTest {
     }
 
     @Test
+    void orbit_goesWithTheMouseOnThisSideOfWhatItAimsAt() {
+        Vec3 at = view.camera().to().minus(view.forward().times(2));
+        Light carried = LightManipulation.orbit(Desk.spot(at, view.forward()), view, CANVAS, 20, 10);
+        assertThat(carried.position().minus(at).dot(view.right())).isGreaterThan(0.1);
+        assertThat(carried.position().minus(at).dot(view.up())).isGreaterThan(0.05);
+    }
+
+    @Property
+    void orbit_keepsTheDistanceAndTheAim(@ForAll("cameras") PreviewCamera camera, @ForAll("points") Vec3 point,
+            @ForAll("directions") Vec3 direction, @ForAll("ways") double right, @ForAll("ways") double up) {
+        Light light = Desk.spot(point, direction);
+        Vec3 target = LightManipulation.aim(light, camera);
+        double distance = target.minus(point).length();
+        Light carried = LightManipulation.orbit(light, camera, CANVAS, right, up);
+        Vec3 way = target.minus(carried.position());
+        double slack = 1e-9 * (1 + target.length() + point.length());
+        assertThat(way.length()).isCloseTo(distance, within(slack));
+        assertThat(way.minus(carried.direction().normalized().times(distance)).length()).isLessThan(slack);
+    }
+
+    @Test
     void rotateOverTheShorterSide_isHalfATurn() {
         Light turned = LightManipulation.rotate(Desk.spot(Vec3.ZERO, view.forward()), view, CANVAS, 400, 0);
         PreviewCameraTest.assertClose(turned.direction(), view.forward().negated(), 1e-12);

@@ -3,7 +3,6 @@ package lightning.effects;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import lightning.jen.JenReader;
@@ -26,13 +25,13 @@ class EffectsTest {
 
     @Test
     void emptyScene_callsForNothing() throws Exception {
-        assertThat(of("light a point {}").absent()).isEqualTo(EnumSet.allOf(Effect.class));
+        assertThat(of("light a point {}").absent()).isEqualTo(Set.copyOf(Effect.ALL));
     }
 
     @Test
     void plainLight_callsForShadowsAndItsType() throws Exception {
         Effects effects = of(PLAIN, "light a point {}");
-        assertThat(effects.callers().keySet()).containsExactly(Effect.SHADOWS, Effect.POINT_LIGHTS, Effect.SPHERES);
+        assertThat(effects.callers().keySet()).containsExactly(Effect.SHADOWS, Effect.of("point-lights"), Effect.of("spheres"));
         assertThat(effects.callers(Effect.SHADOWS)).containsExactly("a");
         assertThat(effects.depth()).isZero();
     }
@@ -51,13 +50,13 @@ class EffectsTest {
         assertThat(effects.callers(Effect.ATTENUATION)).containsExactly("a");
         assertThat(effects.callers(Effect.SPOT_CONE)).containsExactly("a");
         assertThat(effects.callers(Effect.DROPOFF)).containsExactly("a");
-        assertThat(effects.callers(Effect.SPOT_LIGHTS)).containsExactly("a", "b");
+        assertThat(effects.callers(Effect.of("spot-lights"))).containsExactly("a", "b");
     }
 
     @Test
     void darkLights_callForNothing() throws Exception {
         Effects effects = of(PLAIN, "light a point { on no }", "light b point { intensity 0 }", "light c spot { color 0 0 0 }");
-        assertThat(effects.callers().keySet()).containsExactly(Effect.SPHERES);
+        assertThat(effects.callers().keySet()).containsExactly(Effect.of("spheres"));
     }
 
     @Test
@@ -70,7 +69,7 @@ class EffectsTest {
     @Test
     void darkBank_silencesTheCallsOfItsLights() throws Exception {
         assertThat(of(PLAIN, "bank left { on no }", "light a point { bank left }").callers().keySet())
-                .containsExactly(Effect.BANKS, Effect.SPHERES);
+                .containsExactly(Effect.BANKS, Effect.of("spheres"));
     }
 
     @Test
@@ -88,7 +87,7 @@ class EffectsTest {
         assertThat(effects.callers(Effect.SPECULAR)).containsExactly("used");
         assertThat(effects.callers(Effect.REFLECTION)).containsExactly("used");
         assertThat(effects.depth()).isEqualTo(4);
-        assertThat(effects.callers(Effect.CONES)).containsExactly("c");
+        assertThat(effects.callers(Effect.of("cones"))).containsExactly("c");
     }
 
     @Test
@@ -99,7 +98,8 @@ class EffectsTest {
 
     @Test
     void highlightsWithoutLight_areNotCalledFor() throws Exception {
-        assertThat(of("material m { specular 1 1 1 }", "cylinder c { material m }").callers().keySet()).containsExactly(Effect.CYLINDERS);
+        assertThat(of("material m { specular 1 1 1 }", "cylinder c { material m }").callers().keySet())
+                .containsExactly(Effect.of("cylinders"));
     }
 
     @Test
@@ -125,9 +125,10 @@ class EffectsTest {
     @Test
     void bird_callsForNoneOfTheLightsAndSurfacesThatItLacks() throws Exception {
         assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.METALLIC,
-                Effect.BUMPS, Effect.VERTEX_COLORS, Effect.BARN_DOORS, Effect.GOBOS, Effect.PROFILES, Effect.LIGHT_LINKS,
+                Effect.BUMPS, Effect.VERTEX_COLORS, Effect.CLEAR, Effect.BARN_DOORS, Effect.GOBOS, Effect.PROFILES, Effect.LIGHT_LINKS,
                 Effect.SHADOW_LINKS,
-                Effect.BANKS, Effect.SOFT_SHADOWS, Effect.ANTIALIASING, Effect.ENVIRONMENT, Effect.RECT_LIGHTS, Effect.DISC_LIGHTS,
-                Effect.FRUSTUMS, Effect.MESHES);
+                Effect.BANKS, Effect.SOFT_SHADOWS, Effect.ANTIALIASING, Effect.ENVIRONMENT, Effect.of("rect-lights"),
+                Effect.of("disc-lights"),
+                Effect.of("frustums"), Effect.of("meshes"));
     }
 }

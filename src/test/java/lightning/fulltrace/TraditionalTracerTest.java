@@ -2,6 +2,7 @@ package lightning.fulltrace;
 
 import lightning.image.FilmAssert;
 import lightning.jen.JenWriter;
+import lightning.sample.CornerScenes;
 import lightning.sample.EngineMix;
 import lightning.sample.SceneArbitraries;
 import lightning.scene.Scene;
@@ -41,7 +42,7 @@ class TraditionalTracerTest {
     @Property(edgeCases = EdgeCasesMode.NONE)
     void mirrorsOfAnotherScene_equalTheReferenceTrace(@ForAll("scenes") Scene mirrored, @ForAll("scenes") Scene other,
             @ForAll long engines) {
-        Scene scene = mirrored.withLights(other.rig().actingLights()).withWorld(other.world());
+        Scene scene = CornerScenes.bright(mirrored, mirrored.rig().withLights(other.rig().actingLights())).withWorld(other.world());
         try (Workers workers = new Workers(2)) {
             FilmAssert.assertSameBits(
                     new TraditionalTracer(scene, mirrored, new Geometry(scene)).by(new EngineMix(engines)).trace(workers, Progress.NONE)

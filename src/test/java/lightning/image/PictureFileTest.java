@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Random;
 import javax.imageio.ImageIO;
+import lightning.math.SrgbCurve;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -36,6 +37,45 @@ class PictureFileTest {
     @Property(tries = 50)
     void xpm_keepsEveryDisplayedPixel(@ForAll("films") Film film) throws IOException {
         assertThat(shown(writtenAndRead("a.xpm", film))).containsExactly(shown(film));
+    }
+
+    @Property(tries = 50)
+    void exrOfFloats_keepsEveryBit(@ForAll("films") Film film) throws IOException {
+        Path file = Files.createTempFile("a", ".exr");
+        PictureFile.write(file, film, ViewTransform.DEFAULT, 32);
+        assertThat(PictureFile.read(file).sameBits(film)).isTrue();
+    }
+
+    @Test
+    void exr_hasHalvesUnlessFloatsAreAskedFor() throws IOException {
+        Film film = Film.ofScanlines(1, 1, new float[] {0.1f, 1, 70_000});
+        assertThat(writtenAndRead("a.exr", film).toScanlines()).containsExactly(0.099975586f, 1, 65504);
+    }
+
+    /** Of 16 bits each code is that of the formula, and is read as the value that it stands for. */
+    @Test
+    void pngOf16Bits_isWithinHalfACodeOfTheCurve() throws IOException {
+        float[] values = new float[3 * 5000];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = i / 14_000f;
+        }
+        Film film = Film.ofScanlines(100, 50, values);
+        Path file = folder.resolve("deep.png");
+        PictureFile.write(file, film, ViewTransform.DEFAULT, 16);
+        int[] codes = ImageIO.read(file.toFile()).getRaster().getPixels(0, 0, 100, 50, (int[]) null);
+        float[] read = PictureFile.read(file).toScanlines();
+        for (int i = 0; i < values.length; i++) {
+            double value = Math.min(values[i], 1);
+            assertThat(value).isBetween(SrgbCurve.linear((codes[i] - 0.5) / 65535) - 1e-12,
+                    SrgbCurve.linear((codes[i] + 0.5) / 65535) + 1e-12);
+            assertThat(read[i]).isEqualTo((float) SrgbCurve.linear(codes[i] / 65535.0));
+        }
+    }
+
+    @Test
+    void bitsThatAFormatDoesNotHave_areRefused() {
+        assertThatIOException().isThrownBy(() -> PictureFile.requireBits(Path.of("a.xpm"), 16))
+                .withMessage("a.xpm: such a picture has 8 bits, not 16");
     }
 
     @Test
@@ -112,7 +152,7 @@ class PictureFileTest {
         Path file = folder.resolve("picture.jpg");
 
         assertThatIOException().isThrownBy(() -> PictureFile.write(file, Film.black(1, 1), ViewTransform.DEFAULT))
-                .withMessage(file + ": a picture's name must end in .png, .xpm or .pfm");
+                .withMessage(file + ": a picture's name must end in .png, .xpm, .pfm, .exr or .hdr");
         assertThatIOException().isThrownBy(() -> PictureFile.requireKnownExtension(Path.of("/")));
         assertThat(folder).isEmptyDirectory();
     }

@@ -9,6 +9,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
+import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -46,7 +47,55 @@ class ViewTransformTest {
         ViewTransform view = ViewTransform.DEFAULT.withCurve(curve);
         assertThat(List.of(view.encode(-1), view.encode(-0f), view.encode(Float.NaN), view.encode(Float.NEGATIVE_INFINITY)))
                 .containsOnly(0);
-        assertThat(List.of(view.encode(1.5f), view.encode(Float.MAX_VALUE), view.encode(Float.POSITIVE_INFINITY))).containsOnly(255);
+        assertThat(List.of(view.encode(7.5f), view.encode(Float.MAX_VALUE), view.encode(Float.POSITIVE_INFINITY))).containsOnly(255);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void tableOfEveryCurve_agreesWithItsFormula(DisplayCurve curve) {
+        for (int bits = 0x38000000; bits < 0x42000000; bits += 0x777) {
+            float v = Float.intBitsToFloat(bits);
+            if (curve.table().encode(v) != curve.formula(v)) {
+                assertThat(curve.table().encode(v)).as("code of %s", v).isEqualTo(curve.formula(v));
+            }
+        }
+    }
+
+    /** By hand from the sources' formulas. */
+    @Test
+    void toneCurves_areThoseOfTheirSources() {
+        // Hable at 2 · 0.5: (0.20 + 0.004) / (0.65 + 0.06) − 1/15 = 0.220657; at 11.2: 19.38 / 24.476 − 1/15 = 0.725125 (of his page).
+        assertThat(ToneCurves.filmic(0.5)).isCloseTo(0.220657 / 0.725125, Offset.offset(1e-5));
+        // Narkowicz at 1: 2.54 / 3.16.
+        assertThat(ToneCurves.aces(1)).isCloseTo(2.54 / 3.16, Offset.offset(1e-12));
+        assertThat(List.of(ToneCurves.aces(0), ToneCurves.filmic(0))).containsOnly(0.0);
+        assertThat(ToneCurves.aces(Math.nextDown(ToneCurves.ACES_WHITE))).isCloseTo(1, Offset.offset(1e-12));
+        assertThat(ToneCurves.filmic(Math.nextDown(ToneCurves.FILMIC_WHITE))).isCloseTo(1, Offset.offset(1e-12));
+    }
+
+    @Test
+    void falseColor_isGreyHalfAStopAroundMiddleGrey() {
+        ViewTransform stops = ViewTransform.DEFAULT.withCurve(DisplayCurve.FALSE);
+        int grey = stops.pack(0.18f, 0.18f, 0.18f);
+        assertThat(grey).isEqualTo(0xFF808080);
+        assertThat(List.of(stops.pack(0.13f, 0.13f, 0.13f), stops.pack(0.25f, 0.25f, 0.25f))).containsOnly(grey);
+        assertThat(stops.pack(0.126f, 0.126f, 0.126f)).isNotEqualTo(grey);
+        assertThat(stops.pack(0.256f, 0.256f, 0.256f)).isNotEqualTo(grey);
+        List<FalseColor.Band> bands = FalseColor.bands();
+        for (FalseColor.Band band : bands) {
+            float v = (float) (FalseColor.MIDDLE * Math.scalb(1.0, band.stop()));
+            assertThat(stops.pack(v, v, v)).isEqualTo(0xFF000000 | band.rgb());
+        }
+        assertThat(List.of(stops.pack(0, 0, 0), stops.pack(Float.NaN, 0, 0))).containsOnly(0xFF000000 | bands.getFirst().rgb());
+        assertThat(stops.pack(Float.POSITIVE_INFINITY, 0, 0)).isEqualTo(0xFF000000 | bands.getLast().rgb());
+        assertThat(bands).extracting(FalseColor.Band::rgb).doesNotHaveDuplicates();
+    }
+
+    @Test
+    void stops_areForLookingAlone() {
+        ViewTransform stops = new ViewTransform(0.5, DisplayCurve.FALSE);
+        assertThat(stops.ofPicture()).isEqualTo(new ViewTransform(0.5));
+        assertThat(new ViewTransform(-0.5, DisplayCurve.ACES).text()).isEqualTo("ACES (Narkowicz's Fit), -0.5 stops");
     }
 
     @Test

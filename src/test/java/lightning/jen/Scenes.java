@@ -11,6 +11,7 @@ import lightning.math.Vec3;
 import lightning.scene.Attenuation;
 import lightning.scene.Bank;
 import lightning.scene.Camera;
+import lightning.scene.Clarity;
 import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -22,6 +23,7 @@ import lightning.scene.Placement;
 import lightning.scene.Relief;
 import lightning.scene.Rig;
 import lightning.scene.Scene;
+import lightning.scene.ShadowsThrown;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.Texture;
@@ -146,7 +148,7 @@ final class Scenes {
             case 0 -> m;
             case 1 -> Material.of(m.name()).withAmbient(m.ambient()).withDiffuse(m.diffuse()).withSpecular(m.specular())
                     .withShininess(m.shininess()).withReflective(m.reflective()).withTexture(texture())
-                    .withRelief(chance() ? m.relief() : relief());
+                    .withRelief(chance() ? m.relief() : relief()).withClarity(chance() ? m.clarity() : clarity());
             default -> Material.of(m.name()).withAmbient(color(1e6)).withDiffuse(m.diffuse()).withSpecular(m.specular())
                     .withShininess(m.shininess()).withReflective(color(1)).withTexture(m.texture());
         });
@@ -163,7 +165,7 @@ final class Scenes {
             case 0 -> l.withName(name());
             case 1 -> l.withType(LightType.values()[random.nextInt(3)]);
             case 2 -> l.withColor(color(1000));
-            case 3 -> l.withIntensity(positive(1e22));
+            case 3 -> l.withIntensity(positive(1e30));
             case 4 -> l.withPosition(vector(1e12));
             case 5 -> l.withDirection(direction());
             case 6 -> l.withAttenuation(attenuation());
@@ -178,7 +180,7 @@ final class Scenes {
     private Light light() {
         Light l = Light.of(name(), LightType.values()[random.nextInt(3)]);
         return chance() ? l
-                : Light.of(l.name(), l.type()).withColor(color(1000)).withIntensity(positive(1e22)).withPosition(vector(1e12))
+                : Light.of(l.name(), l.type()).withColor(color(1000)).withIntensity(positive(1e30)).withPosition(vector(1e12))
                         .withDirection(direction()).withAttenuation(attenuation()).withAngle(positive(180)).withDropoff(positive(1e6))
                         .withOn(chance()).withSolo(chance());
     }
@@ -201,8 +203,14 @@ final class Scenes {
     private Material material(String name) {
         return chance()
                 ? Material.of(name).withAmbient(color(1e6)).withDiffuse(color(1)).withSpecular(color(1)).withShininess(positive(1e6))
-                        .withReflective(color(1)).withTexture(texture()).withRelief(relief())
+                        .withReflective(color(1)).withTexture(texture()).withRelief(relief()).withClarity(clarity())
                 : Material.of(name).withTexture(texture());
+    }
+
+    private Clarity clarity() {
+        return new Clarity(color(1), chance() ? 1.5 : 1 + 3 * random.nextDouble(), chance(), color(1),
+                chance() ? 1 : Math.abs(scale(1e-9, 1e9)),
+                chance() ? ShadowsThrown.FULL : ShadowsThrown.NONE);
     }
 
     private Relief relief() {

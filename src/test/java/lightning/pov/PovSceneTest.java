@@ -111,6 +111,23 @@ class PovSceneTest {
     }
 
     @Test
+    void clearMaterials_haveTheirIndexTheirShareAndTheirTint() throws Exception {
+        PovScene pov = PovScene.of(JenReader.read("""
+                jen 1
+                material glass { diffuse 0 0 0  clear 0.5 1 1  ior 1.4  tint 0.5 1 1  tint_distance 2  shadows none }
+                material pane { clear 0.5 0.5 0.5  thin yes }
+                sphere ball { material glass }
+                plane sheet { material pane }
+                """, "p.jen", Path.of("")).scene(), "x");
+        assertThat(pov.text()).contains("rgbf <0.5, 1.0, 1.0, 1.0>", "fresnel on } conserve_energy", "no_shadow",
+                "interior { ior 1.4 fade_color rgb <" + (1 + Math.log(0.5)) + ",", "fade_distance 2.0 fade_power 1001 }",
+                "rgbf <1.0, 1.0, 1.0, 0.5>");
+        assertThat(pov.losses()).containsExactly("material pane: light passes its shapes",
+                "material pane: a thin pane mirrors nothing by its angle",
+                "material pane: its body loses nothing where its angle mirrors more");
+    }
+
+    @Test
     void frustumsAndMissingCaps_areConesAndCylindersThatAreOpen() throws Exception {
         String text = PovScene.of(JenReader.read("jen 1 frustum f { top 0.25 } frustum g { caps no } cylinder c { caps no }", "f.jen",
                 Path.of(".")).scene(), "f").text();

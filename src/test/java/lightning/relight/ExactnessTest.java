@@ -21,6 +21,7 @@ import lightning.shading.ReferenceTracer;
 import lightning.shading.SceneCoverage;
 import lightning.shading.TraceCounts;
 import lightning.work.Progress;
+import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
@@ -40,10 +41,15 @@ class ExactnessTest {
         return Session.sessions();
     }
 
+    @Provide
+    Arbitrary<Set<Effect>> effects() {
+        return Arbitraries.of(Effect.ALL).set();
+    }
+
     @Property(edgeCases = EdgeCasesMode.NONE)
     @StatisticsReport(onFailureOnly = true)
     void currentReflections_equalTheReferenceAfterEveryEdit(@ForAll("sessions") Session session,
-            @ForAll MirrorStorage storage, @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll Set<Effect> forced,
+            @ForAll MirrorStorage storage, @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll("effects") Set<Effect> forced,
             @ForAll long engines) {
         SceneCoverage.collect(session.scenes().getFirst());
         Options options = new Options(Accuracy.EXACT, Reflections.CURRENT, storage, threads, ViewEffects.ALL.forcing(forced))
@@ -61,7 +67,7 @@ class ExactnessTest {
     @Property(edgeCases = EdgeCasesMode.NONE)
     void staleReflections_showTheSceneOfTheirLastUpdate(@ForAll("sessions") Session session,
             @ForAll @IntRange(min = 1, max = 7) int refreshEach, @ForAll MirrorStorage storage,
-            @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll Set<Effect> forced,
+            @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll("effects") Set<Effect> forced,
             @ForAll long engines) {
         Options options = new Options(Accuracy.EXACT, Reflections.STALE, storage, threads, ViewEffects.ALL.forcing(forced))
                 .withEngines(new EngineMix(engines));
@@ -87,16 +93,16 @@ class ExactnessTest {
         }
     }
 
-    /** Edits of depth and size, of where rays can hit something, and of the normals there, bring the mirror images up to date. */
+    /** Edits of depth and size, of where rays can hit something, and of the normals and ways there, bring the mirror images up to date. */
     private static boolean refreshesReflections(Scene before, Scene scene) {
         return !before.picture().equals(scene.picture()) || !before.camera().equals(scene.camera())
-                || !before.nodes().equals(scene.nodes()) || !haveSameReliefs(before, scene);
+                || !before.nodes().equals(scene.nodes()) || !haveSameWays(before, scene);
     }
 
     /** Of scenes with the same shapes. */
-    private static boolean haveSameReliefs(Scene before, Scene scene) {
-        return scene.stage().namedMaterials().stream().allMatch(name -> before.materialsByName().get(name).relief()
-                .hasNormalsOf(scene.materialsByName().get(name).relief()));
+    private static boolean haveSameWays(Scene before, Scene scene) {
+        return scene.stage().namedMaterials().stream().allMatch(name -> before.materialsByName().get(name)
+                .hasWaysOf(scene.materialsByName().get(name)));
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)

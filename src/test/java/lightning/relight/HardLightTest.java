@@ -82,7 +82,7 @@ class HardLightTest {
             edit(edits, "dropoff " + dropoff, l -> l.withDropoff(dropoff));
             edit(edits, "dropoff " + dropoff + ", rows behind it", l -> l.withDropoff(dropoff).withAngle(180));
         }
-        for (double intensity : new double[] {0, 1e-300, 1e-45, 1e-38, 1e22}) {
+        for (double intensity : new double[] {0, 1e-300, 1e-45, 1e-38, 1e22, 1e30}) {
             edit(edits, "intensity " + intensity, l -> l.withIntensity(intensity));
         }
         for (Rgb color : new Rgb[] {new Rgb(0, 1, 1), new Rgb(1, 0, 1e-38), Rgb.BLACK, new Rgb(1000, 1e-40, 0)}) {

@@ -15,6 +15,7 @@ import lightning.sample.Session;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.shading.LightRows;
+import lightning.trace.Bounce;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialTable;
 import lightning.work.Progress;
@@ -47,14 +48,31 @@ class RowOrderTest {
                 TileLevel[] levels = expected.all().get(t).levels;
                 TileLevel[] known = actual.all().get(t).levels;
                 assertThat(known).hasSameSizeAs(levels);
-                int[] places = null;
-                for (int k = 0; k < levels.length; k++) {
-                    places = assertSame(known[k].rows(), actual.geometry().materials(), levels[k].rows(), expected.geometry().materials(),
-                            places);
-                    assertSameColumns(known[k], levels[k]);
-                }
+                int end = assertSame(known, actual.geometry().materials(), levels, expected.geometry().materials(), 0, null,
+                        expected.scene().picture().depth());
+                assertThat(end).isEqualTo(levels.length);
             }
         }
+    }
+
+    /**
+     * Holds a level and all that is seen from it to what is expected.
+     *
+     * @param above of each expected row of the level above its place among the actual ones; null for the first level
+     * @param depth how many more rays are followed
+     * @return the level behind
+     */
+    private static int assertSame(TileLevel[] actual, MaterialTable actualMaterials, TileLevel[] expected, MaterialTable materials, int k,
+            int[] above, int depth) {
+        int[] places = assertSame(actual[k].rows(), actualMaterials, expected[k].rows(), materials, above);
+        assertSameColumns(actual[k], expected[k]);
+        int next = k + 1;
+        for (Bounce bounce : Bounce.values()) {
+            if (depth > 0 && bounce.rows(expected[k].rows()) > 0) {
+                next = assertSame(actual, actualMaterials, expected, materials, next, places, depth - 1);
+            }
+        }
+        return next;
     }
 
     /**
@@ -67,6 +85,8 @@ class RowOrderTest {
     private static int[] assertSame(HitRows actual, MaterialTable actualMaterials, HitRows expected, MaterialTable materials, int[] above) {
         assertThat(actual.count).isEqualTo(expected.count);
         assertThat(actual.reflective).isEqualTo(expected.reflective);
+        assertThat(actual.clear).isEqualTo(expected.clear);
+        assertThat(actual.behindX == null).isEqualTo(expected.behindX == null);
         assertThat(actual.runs).isEqualTo(expected.runs);
         assertThat(actual.texelRed == null).isEqualTo(expected.texelRed == null);
         Map<Integer, Integer> byParent = new HashMap<>();
@@ -87,6 +107,10 @@ class RowOrderTest {
                 assertThat(new float[] {actual.px[a], actual.py[a], actual.pz[a], actual.nx[a], actual.ny[a], actual.nz[a],
                     actual.vx[a], actual.vy[a], actual.vz[a]}).containsExactly(expected.px[i], expected.py[i], expected.pz[i],
                             expected.nx[i], expected.ny[i], expected.nz[i], expected.vx[i], expected.vy[i], expected.vz[i]);
+                if (materials.isClear(expected.runMaterial[r])) {
+                    assertThat(new float[] {actual.behindX[a], actual.behindY[a], actual.behindZ[a], actual.inside[a]})
+                            .containsExactly(expected.behindX[i], expected.behindY[i], expected.behindZ[i], expected.inside[i]);
+                }
                 if (materials.isTextured(expected.runMaterial[r])) {
                     assertThat(new float[] {actual.texelRed[a], actual.texelGreen[a], actual.texelBlue[a]})
                             .containsExactly(expected.texelRed[i], expected.texelGreen[i], expected.texelBlue[i]);

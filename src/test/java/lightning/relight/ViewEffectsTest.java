@@ -2,7 +2,7 @@ package lightning.relight;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.EnumSet;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -28,12 +28,12 @@ import lightning.scene.TextureMap;
 import lightning.scene.World;
 import lightning.shading.ReferenceTracer;
 import lightning.work.Progress;
+import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
-import net.jqwik.api.constraints.Size;
 import org.junit.jupiter.api.Test;
 
 class ViewEffectsTest {
@@ -57,12 +57,17 @@ class ViewEffectsTest {
         }
     }
 
+    @Provide
+    Arbitrary<List<Set<Effect>>> hidden() {
+        return Arbitraries.of(Effect.ALL).set().list().ofSize(13);
+    }
+
     @Property(edgeCases = EdgeCasesMode.NONE, tries = 100)
     void hiddenEffects_areAReRenderOfTheSceneWithoutThem(@ForAll("sessions") Session session,
-            @ForAll @Size(13) List<Set<Effect>> hidden) {
+            @ForAll("hidden") List<Set<Effect>> hidden) {
         try (Renderer renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.CURRENT).withThreads(1))) {
             for (int step = 0; step < session.scenes().size(); step++) {
-                Set<Effect> hides = EnumSet.noneOf(Effect.class);
+                Set<Effect> hides = new HashSet<>();
                 hides.addAll(hidden.get(step));
                 hides.remove(Effect.SHADOWS);
                 ViewEffects view = ViewEffects.ALL.hiding(hides);

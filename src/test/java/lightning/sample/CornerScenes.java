@@ -2,10 +2,12 @@ package lightning.sample;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
+import lightning.scene.Glare;
 import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -14,6 +16,7 @@ import lightning.scene.Material;
 import lightning.scene.Node;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
+import lightning.scene.Rig;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
@@ -52,7 +55,7 @@ public final class CornerScenes {
             lit.add(light.withName("l" + lit.size()));
         }
         Picture picture = new Picture(9, 7, depth);
-        Scene scene = new Scene(picture, Camera.DEFAULT, world, List.of(material), named, lit);
+        Scene scene = bright(new Scene(picture, Camera.DEFAULT, world, List.of(material), named, List.of()), Rig.of(lit));
         Vec3 at = scene.placedShapes().getFirst().toWorld().point(Vec3.ZERO);
         Vec3 to = clamped(at);
         Vec3 from = clamped(to.plus(view.direction.times(view.distance)));
@@ -61,6 +64,17 @@ public final class CornerScenes {
         } catch (IllegalArgumentException tooNear) {
             return scene.withCamera(new Camera(new Vec3(0, 0, Limits.MAX_COORDINATE), Vec3.ZERO, Vec3.Y, view.fov));
         }
+    }
+
+    /** A scene with these lights and banks, or with lights as bright as its materials allow. */
+    public static Scene bright(Scene scene, Rig rig) {
+        Scene dark = scene.withLights(List.of());
+        Rig lit = rig;
+        for (Optional<Glare> glare = Glare.of(dark.stage(), lit); glare.isPresent(); glare = Glare.of(dark.stage(), lit)) {
+            double factor = glare.get().most() / glare.get().sum() * 0.999999;
+            lit = lit.withLights(lit.lights().stream().map(light -> light.withIntensity(light.intensity() * factor)).toList());
+        }
+        return dark.withRig(lit);
     }
 
     private static Vec3 clamped(Vec3 p) {

@@ -32,6 +32,18 @@ public sealed interface Edit {
      */
     Scene apply(List<Scene> history);
 
+    /** The same; the last scene where the edit would make it too bright, as the editor refuses it. */
+    default Scene accepted(List<Scene> history) {
+        try {
+            return apply(history);
+        } catch (IllegalArgumentException e) {
+            if (e.getMessage().contains("must add up to")) {
+                return history.getLast();
+            }
+            throw e;
+        }
+    }
+
     private static Light light(Scene scene, int index) {
         return scene.lights().get(index % scene.lights().size());
     }

@@ -46,7 +46,7 @@ final class LightArbitraries {
 
     static Arbitrary<Double> intensities() {
         return Arbitraries.frequencyOf(Tuple.of(6, Numbers.between(0, 3)), Tuple.of(2, Arbitraries.of(1.0)),
-                Tuple.of(1, Arbitraries.of(0.0, 1e-45, 1e-300, 1e6, 1e22)));
+                Tuple.of(1, Arbitraries.of(0.0, 1e-45, 1e-300, 1e6, 1e22, 1e30)));
     }
 
     static Arbitrary<Attenuation> attenuations() {

@@ -3,8 +3,10 @@ package lightning.sample;
 import java.util.List;
 import java.util.Optional;
 import lightning.math.Rgb;
+import lightning.scene.Clarity;
 import lightning.scene.Material;
 import lightning.scene.Relief;
+import lightning.scene.ShadowsThrown;
 import lightning.scene.SurfaceModel;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
@@ -18,7 +20,8 @@ final class MaterialArbitraries {
     private MaterialArbitraries() {}
 
     static Arbitrary<Material> materials(String name) {
-        return Arbitraries.frequencyOf(Tuple.of(2, phong(name)), Tuple.of(1, metallic(name)));
+        Arbitrary<Material> opaque = Arbitraries.frequencyOf(Tuple.of(2, phong(name)), Tuple.of(1, metallic(name)));
+        return Combinators.combine(opaque, clarities()).as(Material::withClarity);
     }
 
     private static Arbitrary<Material> metallic(String name) {
@@ -71,6 +74,12 @@ final class MaterialArbitraries {
                 reliefs().map(MaterialChange.Relieved::new),
                 reliefs().map(MaterialChange.Relieved::new),
                 Arbitraries.of(new MaterialChange.Relieved(Relief.NONE)),
+                clarities().map(MaterialChange.Cleared::new),
+                sometimesBlack().map(MaterialChange.Clear::new),
+                iors().map(MaterialChange.Ior::new),
+                Arbitraries.of(true, false).map(MaterialChange.Thin::new),
+                Combinators.combine(tints(), distances()).as(MaterialChange.Tint::new),
+                Arbitraries.of(ShadowsThrown.class).map(MaterialChange.Shadows::new),
                 materials("any").map(MaterialChange.Everything::new)));
     }
 
@@ -105,6 +114,28 @@ final class MaterialArbitraries {
                 Combinators.combine(maps(), heights()).as((map, s) -> new Relief(Optional.empty(), 1, Optional.of(map), s));
         return Arbitraries.frequencyOf(Tuple.of(4, Arbitraries.of(Relief.NONE)), Tuple.of(1, any), Tuple.of(1, bumps),
                 Tuple.of(1, normals));
+    }
+
+    /** Opaque as often as not. */
+    static Arbitrary<Clarity> clarities() {
+        Arbitrary<Clarity> clear = Combinators.combine(Numbers.colors(), iors(), Arbitraries.of(true, false, false), tints(), distances(),
+                Arbitraries.of(ShadowsThrown.class)).as(Clarity::new);
+        return Arbitraries.frequencyOf(Tuple.of(5, Arbitraries.of(Clarity.NONE)),
+                Tuple.of(1, Arbitraries.of(Clarity.NONE.withShadows(ShadowsThrown.NONE))), Tuple.of(4, clear));
+    }
+
+    /** From that of air to the largest, those of water, glass and diamond. */
+    private static Arbitrary<Double> iors() {
+        return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(1.0, 1.33, 1.5, 2.42, 4.0, 1 + 0x1p-50)),
+                Tuple.of(1, Numbers.between(1, 4)));
+    }
+
+    private static Arbitrary<Rgb> tints() {
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Rgb.WHITE, Rgb.BLACK)), Tuple.of(2, Numbers.colors()));
+    }
+
+    private static Arbitrary<Double> distances() {
+        return Arbitraries.of(1.0, 0.1, 5.0, 1e-9, 1e9);
     }
 
     private static Arbitrary<Double> heights() {

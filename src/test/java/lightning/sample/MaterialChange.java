@@ -2,8 +2,10 @@ package lightning.sample;
 
 import java.util.Optional;
 import lightning.math.Rgb;
+import lightning.scene.Clarity;
 import lightning.scene.Material;
 import lightning.scene.Relief;
+import lightning.scene.ShadowsThrown;
 import lightning.scene.SurfaceModel;
 import lightning.scene.TextureMap;
 
@@ -94,6 +96,48 @@ sealed interface MaterialChange {
         @Override
         public Material on(Material material) {
             return material.withRelief(to);
+        }
+    }
+
+    record Cleared(Clarity to) implements MaterialChange {
+        @Override
+        public Material on(Material material) {
+            return material.withClarity(to);
+        }
+    }
+
+    record Clear(Rgb to) implements MaterialChange {
+        @Override
+        public Material on(Material material) {
+            return material.withClarity(material.clarity().withClear(to));
+        }
+    }
+
+    record Ior(double to) implements MaterialChange {
+        @Override
+        public Material on(Material material) {
+            return material.withClarity(material.clarity().withIor(to));
+        }
+    }
+
+    record Thin(boolean to) implements MaterialChange {
+        @Override
+        public Material on(Material material) {
+            return material.withClarity(material.clarity().withThin(to));
+        }
+    }
+
+    record Tint(Rgb to, double distance) implements MaterialChange {
+        @Override
+        public Material on(Material material) {
+            return material.withClarity(material.clarity().withTint(to).withTintDistance(distance));
+        }
+    }
+
+    record Shadows(ShadowsThrown to) implements MaterialChange {
+        @Override
+        public Material on(Material material) {
+            return material.withClarity(material.clarity().withShadows(to));
         }
     }
 

@@ -52,7 +52,7 @@ public final class SceneArbitraries {
             int bank = members >> 2 * lights.size() & 3;
             lights.add(bank < 2 ? light.withBank(banks.get(bank).name()) : light);
         }
-        return scene.withRig(Rig.of(lights, banks));
+        return CornerScenes.bright(scene, Rig.of(lights, banks));
     }
 
     /** The scene's size and where in the world it lies. */
@@ -79,7 +79,7 @@ public final class SceneArbitraries {
         for (LightSeed seed : seeds) {
             lights.add(seed.in(dark, "l" + lights.size()));
         }
-        return dark.withLights(lights);
+        return CornerScenes.bright(dark, Rig.of(lights));
     }
 
     private static Arbitrary<Frame> frames() {

@@ -16,7 +16,7 @@ public final class Session {
         this.edits = edits;
         scenes.add(first);
         for (Edit edit : edits) {
-            scenes.add(edit.apply(scenes));
+            scenes.add(edit.accepted(scenes));
         }
     }
 

@@ -36,7 +36,7 @@ class BankTest {
 
     @Test
     void intensityBeyondWhatALightMayHave_isTheMost() {
-        Rig rig = rig(LEFT.withIntensity(1000)).with(KEY.withIntensity(1e22));
+        Rig rig = rig(LEFT.withIntensity(1000)).with(KEY.withIntensity(1e30));
         assertThat(acting(rig, "key").intensity()).isEqualTo(Limits.MAX_INTENSITY);
     }
 

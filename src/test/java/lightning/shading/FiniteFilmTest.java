@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
@@ -18,6 +18,7 @@ import lightning.math.Vec3;
 import lightning.sample.CornerScenes;
 import lightning.sample.FailedScene;
 import lightning.sample.SceneArbitraries;
+import lightning.scene.Antialias;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -26,9 +27,11 @@ import lightning.scene.Material;
 import lightning.scene.Node;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
+import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
+import lightning.scene.SurfaceModel;
 import lightning.scene.World;
 import lightning.work.Progress;
 import lightning.work.Workers;
@@ -83,28 +86,66 @@ class FiniteFilmTest {
 
     /**
      * As much light as a scene may hold: a thousand of the brightest lamps at one place between two mirrors, seen
-     * eleven times, each time with a highlight of 1: 11·10³·10²⁵. Floats have room for more than highlights of
-     * metallic materials, which are up to 6.1·10⁷.
+     * eleven times, each time with a highlight of 1: 11·10³·10³³, in each of 64 samples.
      */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.5, 1})
     void brightestSceneThatIsAccepted_addsUpWithoutOverflow(double reflective) {
         Material mirror = Material.of("m").withAmbient(Rgb.grey(Limits.MAX_EMISSION)).withDiffuse(Rgb.WHITE).withSpecular(Rgb.WHITE)
                 .withShininess(0).withReflective(Rgb.grey(reflective));
-        List<Node> walls = List.of(wall("front", -1), wall("back", 1));
-        List<Light> lights = new ArrayList<>();
-        for (int l = 0; l < Limits.MAX_LIGHTS; l++) {
-            lights.add(Light.of("l" + l, LightType.POINT).withColor(Rgb.grey(Limits.MAX_LIGHT_COLOR)).withIntensity(Limits.MAX_INTENSITY));
-        }
-        Camera camera = new Camera(Vec3.ZERO, new Vec3(0.01, 0.02, -1), Vec3.Y, 1);
-        Scene scene = new Scene(new Picture(2, 2, Limits.MAX_DEPTH), camera, new World(Limits.MAX_AMBIENCE, Rgb.grey(Limits.MAX_EMISSION)),
-                List.of(mirror), walls, lights);
+        Scene scene = betweenMirrors(mirror, Limits.MAX_INTENSITY, new Vec3(0.01, 0.02, -1));
         assertFinite(scene);
         float value = new ReferenceTracer(scene).pixel(0, 0)[0];
-        assertThat((double) value).isLessThan(Float.MAX_VALUE / 6.1e7 / 20);
+        assertThat((double) value).isLessThan(Float.MAX_VALUE / 10);
         if (reflective == 1) {
-            assertThat((double) value).isCloseTo(11e28, withinPercentage(0.001));
+            assertThat((double) value).isCloseTo(11e36, withinPercentage(0.001));
         }
+        assertFinite(scene.withPicture(scene.picture().withSampling(new Sampling(Antialias.EVERY, Limits.MAX_SAMPLES))));
+    }
+
+    /** Metallic mirrors multiply each light, so that less is accepted. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.1, 0.3, 1})
+    void brightestSceneBetweenMetals_addsUpWithoutOverflow(double roughness) {
+        Material metal = metal(roughness);
+        Scene scene = betweenMirrors(metal, mostBefore(metal), new Vec3(0, 0, -1));
+        assertFinite(scene);
+        assertFinite(scene.withPicture(scene.picture().withSampling(new Sampling(Antialias.EVERY, 4))));
+    }
+
+    /** No more is refused than must be: where it grazes the metal as the eye does, a light is a third as bright as is reckoned with. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.1, 0.3})
+    void brightestLightThatGrazesMetal_isNearlyAsBrightAsSumsMayBe(double roughness) {
+        Material metal = metal(roughness);
+        double height = metal.alpha();
+        List<Light> lights = lamps(mostBefore(metal), new Vec3(0, height, -1));
+        Scene scene = new Scene(new Picture(1, 1, 0), new Camera(new Vec3(0, height, 1), Vec3.ZERO, Vec3.Y, Limits.MIN_FOV),
+                World.DEFAULT, List.of(metal), List.of(new Shape(Solid.PLANE, "floor", "m", Placement.IDENTITY)), lights);
+        assertFinite(scene);
+        assertThat((double) new ReferenceTracer(scene).pixel(0, 0)[0]).isBetween(Limits.MAX_LIGHT / 10, Limits.MAX_LIGHT);
+    }
+
+    private static Material metal(double roughness) {
+        return Material.of("m").withModel(SurfaceModel.METALLIC).withBase(Rgb.WHITE).withMetalness(1).withRoughness(roughness)
+                .withReflective(Rgb.WHITE);
+    }
+
+    /** The intensity of a thousand lamps of the brightest colour that are accepted before a metal. */
+    private static double mostBefore(Material metal) {
+        return Limits.MAX_LIGHT / metal.mostTerm() / (Limits.MAX_LIGHTS * Limits.MAX_LIGHT_COLOR) * (1 - 1e-12);
+    }
+
+    private static List<Light> lamps(double intensity, Vec3 at) {
+        return IntStream.range(0, Limits.MAX_LIGHTS).mapToObj(l -> Light.of("l" + l, LightType.POINT)
+                .withColor(Rgb.grey(Limits.MAX_LIGHT_COLOR)).withIntensity(intensity).withPosition(at)).toList();
+    }
+
+    /** A thousand of the brightest lamps where the eye is, between two walls that reflect one another. */
+    private static Scene betweenMirrors(Material material, double intensity, Vec3 to) {
+        Camera camera = new Camera(Vec3.ZERO, to, Vec3.Y, Limits.MIN_FOV);
+        return new Scene(new Picture(2, 2, Limits.MAX_DEPTH), camera, new World(Limits.MAX_AMBIENCE, Rgb.grey(Limits.MAX_EMISSION)),
+                List.of(material), List.of(wall("front", -1), wall("back", 1)), lamps(intensity, Vec3.ZERO));
     }
 
     private static Node wall(String name, double z) {

@@ -22,6 +22,7 @@ public final class SceneCoverage {
         collect("shadowed", anyLight(scene, rows, SeenRows::shadowed));
         collect("outside the cone", anyLight(scene, rows, SeenRows::outside));
         collect("mirrored", scene.picture().depth() >= 1 && !rows.level(1).isEmpty());
+        collect("refracted", scene.picture().depth() >= 1 && rows.anyRefracted());
         collect("mirrored twice", scene.picture().depth() >= 2 && !rows.level(2).isEmpty());
     }
 

@@ -47,6 +47,12 @@ public final class SeenRows {
         return hits;
     }
 
+    /** Whether anything is seen through a clear surface that the eye sees. */
+    public boolean anyRefracted() {
+        return level(0).stream().filter(row -> row.behind() != null).map(SurfacePoint::refracted)
+                .anyMatch(ray -> ray != null && geometry.nearestOfAll(ray) >= 0);
+    }
+
     /** Whether a row casts a mirrored ray. */
     public boolean mirrors(SurfacePoint row) {
         return geometry.materials().isReflective(row.material());

@@ -2,8 +2,21 @@ package lightning.trace;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import lightning.math.Vec3;
+import lightning.scene.Camera;
+import lightning.scene.Material;
+import lightning.scene.Node;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.scene.World;
 import net.jqwik.api.Assume;
+import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
@@ -29,6 +42,16 @@ class HitCodeTest {
     @Property
     void neighbouringShapes_differ(@ForAll @IntRange(min = 0, max = 999_998) int shape) {
         assertThat(of(shape, Vec3.Y)).isNotEqualTo(of(shape + 1, Vec3.Y));
+    }
+
+    /** Java's hashes of these names are the same. */
+    @Example
+    void shapesOfNamesThatAreAlike_differ() {
+        List<Node> shapes = Stream.of("leg 1P", "leg 21", "Aa", "BB").<Node>map(name -> new Shape(Solid.SPHERE, name, "m",
+                Placement.IDENTITY)).toList();
+        var geometry =
+                new Geometry(new Scene(Picture.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(Material.of("m")), shapes, List.of()));
+        assertThat(IntStream.range(0, 4).map(geometry::number).boxed().distinct()).hasSize(4);
     }
 
     @Property

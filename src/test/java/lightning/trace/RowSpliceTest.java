@@ -13,6 +13,7 @@ import java.util.Set;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Camera;
+import lightning.scene.Clarity;
 import lightning.scene.Material;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
@@ -48,20 +49,27 @@ class RowSpliceTest {
         HitRows now = RowSplice.seenFrom(null, PARENTS, old, added, after).rows();
 
         assertThat(now.count).isEqualTo(known + more);
+        assertThat(now.clear).isEqualTo(old.clear + (added == null ? 0 : added.clear));
         for (int i = 0; i < now.count; i++) {
             HitRows origin = rowOf(old, now.parent[i]) >= 0 ? old : added;
             int row = rowOf(origin, now.parent[i]);
             assertThat(material(now, i)).isEqualTo(material(origin, row));
-            for (HitRows.Column column : HitRows.Column.values()) {
+            for (HitRows.Column column : columns(now)) {
                 assertThat(Array.get(now.columns().get(column), i)).as(column + " of row " + i)
                         .isEqualTo(Array.get(origin.columns().get(column), row));
             }
         }
     }
 
+    /** All columns; those of what is behind clear surfaces where there are any. */
+    private static List<HitRows.Column> columns(HitRows rows) {
+        return Arrays.stream(HitRows.Column.values())
+                .filter(column -> rows.clear > 0 || !HitRows.Part.CLEAR.columns().contains(column)).toList();
+    }
+
     @Test
     void everyArrayOfRows_isAColumn() {
-        HitRows rows = new HitRows(1, true, true, true);
+        HitRows rows = new HitRows(1, true, true, true, true);
         long arrays = Arrays.stream(HitRows.class.getFields()).filter(f -> f.getType().isArray())
                 .filter(f -> !f.getName().startsWith("run")).count();
         assertThat(arrays).isEqualTo(HitRows.Column.values().length);
@@ -70,7 +78,7 @@ class RowSpliceTest {
 
     /** Rows of drawn materials, all columns of them filled with anything. */
     private static HitRows rows(Random random, List<Short> parents, MaterialTable materials) {
-        HitRows rows = new HitRows(parents.size(), true, true, true);
+        HitRows rows = new HitRows(parents.size(), true, true, true, true);
         rows.count = parents.size();
         for (HitRows.Column column : HitRows.Column.values()) {
             Object array = rows.columns().get(column);
@@ -95,6 +103,7 @@ class RowSpliceTest {
             }
         }
         rows.reflective = (int) ranks.stream().filter(rank -> rank < materials.reflectiveCount()).count();
+        rows.clear = (int) ranks.stream().filter(rank -> rank < materials.clearCount()).count();
         return rows;
     }
 
@@ -115,7 +124,7 @@ class RowSpliceTest {
         return rows.runMaterial[run];
     }
 
-    /** All textured, so that texels are kept; some mirror. */
+    /** All textured, so that texels are kept; some mirror, and one is clear. */
     private static MaterialTable materials(Random random) {
         Texture texture = new Texture(1, 1, new float[] {1, 1, 1});
         List<String> names = new ArrayList<>();
@@ -123,6 +132,7 @@ class RowSpliceTest {
         for (int m = 0; m < MATERIALS; m++) {
             names.add("m" + m);
             materials.add(Material.of("m" + m).withDiffuse(Rgb.WHITE).withShininess(1).withReflective(Rgb.grey(random.nextInt(2)))
+                    .withClarity(m == 1 ? Clarity.NONE.withClear(Rgb.WHITE) : Clarity.NONE)
                     .withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture))));
         }
         var plane = new Shape(Solid.PLANE, "p", "m0", Placement.IDENTITY);

@@ -166,7 +166,7 @@ final class Motion {
 
     /** The pictures of the path. */
     MotionExport export(int pictures) {
-        return new MotionExport(model.scene(), light, path.get(), pictures, model.viewProperty().get());
+        return new MotionExport(model.scene(), light, path.get(), pictures, model.viewProperty().get().ofPicture());
     }
 
     /** Restores the scene as it was. */

@@ -5,7 +5,6 @@ import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
-import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.StackPane;
 import javafx.util.Duration;
 import lightning.app.model.EditorModel;
@@ -39,9 +38,14 @@ public final class CommandButton extends StackPane {
         Tooltip.install(this, tooltip);
         model.situationProperty().map(command::obstacle).subscribe(obstacle -> {
             button.setDisable(obstacle.isPresent());
-            tooltip.setText(help(command, obstacle.orElse("")));
-            button.setAccessibleHelp(tooltip.getText());
+            tell(tooltip, model, command);
         });
+        model.keys().changesProperty().subscribe(_ -> tell(tooltip, model, command));
+    }
+
+    private void tell(Tooltip tooltip, EditorModel model, Command command) {
+        tooltip.setText(help(command, model.keys().text(command), model.reason(command).orElse("")));
+        button.setAccessibleHelp(tooltip.getText());
     }
 
     private static ToggleButton toggle(ObservableValue<Boolean> on) {
@@ -84,16 +88,11 @@ public final class CommandButton extends StackPane {
     /**
      * What the tooltip says.
      *
+     * @param key      the command's; empty where it has none
      * @param obstacle why the command is disabled; empty if it is enabled
      */
-    static String help(Command command, String obstacle) {
-        String keys = command.shortcut().isEmpty() ? "" : "  (" + keys(command) + ")";
-        String does = command.plainTitle() + keys + "\n" + command.help() + ".";
+    static String help(Command command, String key, String obstacle) {
+        String does = command.plainTitle() + (key.isEmpty() ? "" : "  (" + key + ")") + "\n" + command.help() + ".";
         return obstacle.isEmpty() ? does : does + "\nNot now: " + obstacle + ".";
-    }
-
-    /** The command's key as the system writes it. */
-    public static String keys(Command command) {
-        return KeyCombination.valueOf(command.shortcut()).getDisplayText();
     }
 }

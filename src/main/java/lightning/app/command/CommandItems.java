@@ -6,7 +6,6 @@ import javafx.scene.control.CheckMenuItem;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.RadioMenuItem;
-import javafx.scene.input.KeyCombination;
 import lightning.app.model.EditorModel;
 import lightning.edit.Command;
 import org.kordamp.ikonli.javafx.FontIcon;
@@ -53,8 +52,8 @@ public final class CommandItems {
         item.setUserData(command);
         item.setId(prefix + command.id());
         item.setGraphic(new FontIcon(command.icon()));
-        if (keys && !command.shortcut().isEmpty()) {
-            item.setAccelerator(KeyCombination.valueOf(command.shortcut()));
+        if (keys) {
+            model.keys().changesProperty().subscribe(_ -> item.setAccelerator(model.keys().of(command).orElse(null)));
         }
         model.situationProperty().subscribe(now -> {
             item.setText(command.title(now));
@@ -92,6 +91,13 @@ public final class CommandItems {
         item.setMnemonicParsing(false);
         value(item, command, action);
         item.setDisable(!model.enabled(command));
+        return item;
+    }
+
+    /** As {@link #value}, for a menu that is filled once. */
+    public MenuItem lastingValue(Command command, String title, Runnable action) {
+        MenuItem item = value(command, title, action);
+        model.situationProperty().subscribe(now -> item.setDisable(!command.isEnabled(now)));
         return item;
     }
 

@@ -11,6 +11,7 @@ import lightning.app.model.EditorModel;
 import lightning.app.model.Preferences;
 import lightning.edit.Command;
 import lightning.edit.FileThread;
+import lightning.edit.NewScene;
 import lightning.edit.OpenDocument;
 import lightning.edit.Recovery;
 import lightning.edit.loop.Frame;
@@ -35,6 +36,7 @@ public final class FileActions {
     private final Notices notices;
     private final Preferences preferences;
     private final SceneSaver saver;
+    private final PictureExport export;
     private List<Path> recent = List.of();
 
     /** @param quit closes the window, which then asks about unsaved edits */
@@ -43,19 +45,41 @@ public final class FileActions {
         this.prompt = prompt;
         this.notices = notices;
         this.preferences = preferences;
+        export = new PictureExport(model, prompt, notices);
         saver = new SceneSaver(model, prompt, notices, this::saved);
+        model.setAction(Command.NEW_SCENE, this::begin);
         model.setAction(Command.LOAD_FILE, () -> prompt.scene(model.document().file().toAbsolutePath().getParent()).ifPresent(this::load));
         model.setAction(Command.RELOAD, this::reload);
         model.setAction(Command.SAVE_SCENE, () -> saver.save(() -> {}));
         model.setAction(Command.SAVE_SCENE_AS, () -> saver.saveAs(() -> {}));
         model.setAction(Command.SAVE_IMAGE, this::saveImage);
         model.setAction(Command.QUIT, quit);
+        RigActions.addTo(model, prompt, notices);
         listRecent();
     }
 
     /** Opens a scene; the open one stays where it cannot be read, and until it is read. Asks about unsaved edits first. */
     public void load(Path file) {
         leave(() -> read(file));
+    }
+
+    /** Asks where, and begins a scene there; one that was there was asked about by the dialog. */
+    private void begin() {
+        prompt.sceneToWrite(model.document().file().resolveSibling("untitled.jen")).ifPresent(chosen -> {
+            if (chosen.getFileName().toString().endsWith(".jen")) {
+                begin(chosen);
+            } else {
+                Path named = chosen.resolveSibling(chosen.getFileName() + ".jen");
+                notices.unlessThere(model.files(), named, () -> begin(named));
+            }
+        });
+    }
+
+    private void begin(Path file) {
+        leave(() -> read(file, () -> {
+            NewScene.write(file);
+            return OpenDocument.open(file);
+        }));
     }
 
     private void read(Path file) {
@@ -221,21 +245,27 @@ public final class FileActions {
     }
 
     private void write(Path file, Frame frame) {
-        ViewTransform view = model.viewProperty().get();
+        ViewTransform view = model.viewProperty().get().ofPicture();
         model.say("Saving " + Quote.path(file.getFileName()) + " …");
         model.files().inTurn(() -> {
             PictureFile.write(file, frame.film(), view);
             return file;
-        }, _ -> model.say("Saved " + Quote.path(file.getFileName())), why -> {
-            model.say("");
-            notices.failed("The picture could not be saved", why);
-        });
+        }, _ -> model.say("Saved " + Quote.path(file.getFileName()) + (PictureFile.isShown(file) && !view.equals(ViewTransform.DEFAULT)
+                ? " (" + view.text() + ")" : "")), why -> {
+                    model.say("");
+                    notices.failed("The picture could not be saved", why);
+                });
     }
 
     /** Which of the scenes opened before are still there. */
     private void listRecent() {
         List<Path> all = preferences.recent();
         model.files().beside(() -> all.stream().filter(Files::isRegularFile).toList(), there -> recent = there, _ -> {});
+    }
+
+    /** One for each kind of file that the picture can be exported as. */
+    public List<MenuItem> exportItems() {
+        return export.items();
     }
 
     /** One for each scene opened before that is still there, as was seen last. */

@@ -2,6 +2,8 @@ package lightning.app.command;
 
 import java.io.File;
 import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
@@ -11,6 +13,12 @@ import lightning.exchange.Importer;
 
 /** Asks which file. */
 public interface FilePrompt {
+    /** What pictures can be saved as. */
+    List<FileChooser.ExtensionFilter> PICTURES = List.of(new FileChooser.ExtensionFilter("PNG (*.png)", "*.png"),
+            new FileChooser.ExtensionFilter("OpenEXR (*.exr)", "*.exr"), new FileChooser.ExtensionFilter("Radiance HDR (*.hdr)", "*.hdr"),
+            new FileChooser.ExtensionFilter("XPM, as in 1998 (*.xpm)", "*.xpm"),
+            new FileChooser.ExtensionFilter("PFM, linear floats (*.pfm)", "*.pfm"));
+
     /** A scene, or a file of which one can be made, to open; empty where the artist thought better of it. */
     Optional<Path> scene(Path folder);
 
@@ -19,6 +27,16 @@ public interface FilePrompt {
 
     /** Where to write a picture. */
     Optional<Path> pictureToWrite(Path proposal);
+
+    /** A file of lights to read. */
+    default Optional<Path> rig(Path folder) {
+        return scene(folder);
+    }
+
+    /** Where to write lights. */
+    default Optional<Path> rigToWrite(Path proposal) {
+        return sceneToWrite(proposal);
+    }
 
     /** The system's own windows. */
     static FilePrompt of(Window owner) {
@@ -39,11 +57,23 @@ public interface FilePrompt {
             }
 
             @Override
+            public Optional<Path> rig(Path folder) {
+                return path(chooser("Load Light Rig", folder, scenes), c -> c.showOpenDialog(owner));
+            }
+
+            @Override
+            public Optional<Path> rigToWrite(Path proposal) {
+                var chooser = chooser("Save Light Rig", proposal.toAbsolutePath().getParent(), scenes);
+                chooser.setInitialFileName(proposal.getFileName().toString());
+                return path(chooser, c -> c.showSaveDialog(owner));
+            }
+
+            @Override
             public Optional<Path> pictureToWrite(Path proposal) {
+                String name = proposal.getFileName().toString();
                 var chooser = chooser("Save Image", proposal.toAbsolutePath().getParent(),
-                        new FileChooser.ExtensionFilter("PNG, 8 bits (*.png)", "*.png"),
-                        new FileChooser.ExtensionFilter("XPM, as in 1998 (*.xpm)", "*.xpm"),
-                        new FileChooser.ExtensionFilter("PFM, linear floats (*.pfm)", "*.pfm"));
+                        PICTURES.stream().sorted(Comparator.comparing(kind -> !name.endsWith(kind.getExtensions().getFirst().substring(1))))
+                                .toArray(FileChooser.ExtensionFilter[]::new));
                 chooser.setInitialFileName(proposal.getFileName().toString());
                 return path(chooser, c -> c.showSaveDialog(owner));
             }

@@ -6,15 +6,22 @@ import lightning.app.model.EditorModel;
 import lightning.text.Quote;
 import lightning.work.Progress;
 
-/** Tells in the status line how much of a file is read; stops the reading when nobody waits for it any more. Any thread may call. */
+/** Tells in the status line how much of a file is read or written; stops that when nobody waits for it any more. Any thread may call. */
 final class ReadingLine implements Progress {
     private final EditorModel model;
     private final Path file;
+    private final String what;
     private final AtomicInteger told = new AtomicInteger(-1);
 
     ReadingLine(EditorModel model, Path file) {
+        this(model, file, "Reading");
+    }
+
+    /** @param what is done with it */
+    ReadingLine(EditorModel model, Path file, String what) {
         this.model = model;
         this.file = file;
+        this.what = what;
     }
 
     @Override
@@ -23,7 +30,7 @@ final class ReadingLine implements Progress {
         if (told.getAndSet(percent) != percent) {
             model.files().window().execute(() -> {
                 if (model.reading() == file) {
-                    model.say("Reading " + Quote.path(file.getFileName()) + ": " + percent + " %");
+                    model.say(what + " " + Quote.path(file.getFileName()) + ": " + percent + " %");
                 }
             });
         }

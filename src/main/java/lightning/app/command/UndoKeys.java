@@ -12,8 +12,6 @@ import lightning.edit.Command;
  * comes first as long as something is typed there that is not set yet, and the document's when nothing is.
  */
 public final class UndoKeys {
-    private static final KeyCombination UNDO = KeyCombination.valueOf("Shortcut+Z");
-    private static final KeyCombination REDO = KeyCombination.valueOf("Shortcut+Shift+Z");
     private static final KeyCombination REDO_TOO = KeyCombination.valueOf("Shortcut+Y");
 
     private UndoKeys() {}
@@ -21,10 +19,10 @@ public final class UndoKeys {
     /** Takes the keys before any part of a window does. */
     public static void take(Node window, EditorModel model) {
         window.addEventFilter(KeyEvent.KEY_PRESSED, e -> {
-            if (UNDO.match(e)) {
+            if (model.keys().is(Command.UNDO, e)) {
                 undo(e, model);
                 e.consume();
-            } else if (REDO.match(e) || REDO_TOO.match(e)) {
+            } else if (model.keys().is(Command.REDO, e) || REDO_TOO.match(e) && model.keys().owner(REDO_TOO).isEmpty()) {
                 redo(e, model);
                 e.consume();
             }

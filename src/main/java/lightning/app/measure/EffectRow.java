@@ -26,7 +26,7 @@ final class EffectRow extends HBox {
 
     EffectRow(Effect effect) {
         String title = Character.toUpperCase(effect.title().charAt(0)) + effect.title().substring(1);
-        String id = effect.name().toLowerCase(Locale.ROOT).replace('_', '-');
+        String id = effect.id();
         shown.setText(title);
         shown.setId("effect-" + id);
         shown.setMinWidth(Region.USE_PREF_SIZE);

@@ -1,7 +1,7 @@
 package lightning.app.measure;
 
 import java.util.ArrayList;
-import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -38,7 +38,7 @@ public final class EffectsPane extends VBox {
 
     private final EditorModel model;
     private final ObjectProperty<ViewEffects> view;
-    private final Map<Effect, EffectRow> rows = new EnumMap<>(Effect.class);
+    private final Map<Effect, EffectRow> rows = new LinkedHashMap<>();
     private final Label summary = new Label();
     private final Label outcome = new Label();
     private final MeasureBar bar = new MeasureBar("-effects",
@@ -60,7 +60,7 @@ public final class EffectsPane extends VBox {
         view = model.look().effectsProperty();
         setId("effects");
         getStyleClass().add("effects");
-        for (Effect effect : Effect.values()) {
+        for (Effect effect : Effect.ALL) {
             var row = new EffectRow(effect);
             row.shown().selectedProperty().addListener((_, _, on) -> view.set(view.get().with(effect, on)));
             rows.put(effect, row);

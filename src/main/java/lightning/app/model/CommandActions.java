@@ -24,6 +24,10 @@ final class CommandActions {
         return Optional.ofNullable(switches.get(command));
     }
 
+    boolean has(Command command) {
+        return actions.containsKey(command);
+    }
+
     /** Nothing where nobody can do it. */
     void run(Command command) {
         Runnable action = actions.get(command);

@@ -51,7 +51,11 @@ public final class EditorModel implements AutoCloseable {
     private final ObjectProperty<Precision> precision = new SimpleObjectProperty<>(Precision.EXACT);
     private final ObjectProperty<ViewTransform> view = new SimpleObjectProperty<>(ViewTransform.DEFAULT);
     private final StringProperty message = new SimpleStringProperty("");
+    private final PicturePart part = new PicturePart();
     private final CommandActions actions = new CommandActions();
+    private final Keys keys = new Keys();
+    private final UpdateLog updates = new UpdateLog();
+    private final Arrangement arrangement = new Arrangement();
     private final TracedRaster raster = new TracedRaster();
     private final FileThread files;
     private final Workbench workbench;
@@ -61,6 +65,7 @@ public final class EditorModel implements AutoCloseable {
     /** What an open animation shows in place of the document; null where none is open. */
     private Scene staged;
     private volatile Path reading;
+    private boolean writing;
 
     /**
      * Takes a document and starts to trace it.
@@ -88,6 +93,7 @@ public final class EditorModel implements AutoCloseable {
             stage(staged);
         });
         setSwitch(Command.LIVE, live);
+        setSwitch(Command.HIDE_PANELS, arrangement.panelsHiddenProperty());
         setSwitch(Command.HIDE_GIZMOS, previewLook.gizmosHiddenProperty());
         setSwitch(Command.GLOWING_TEXTURES, previewLook.glowingProperty());
         opened();
@@ -181,6 +187,11 @@ public final class EditorModel implements AutoCloseable {
     /** What of the traced picture is shown. */
     public PictureLook look() {
         return look;
+    }
+
+    /** Which part of the traced picture the artist points at. */
+    public PicturePart part() {
+        return part;
     }
 
     /** Which material is edited. */
@@ -351,6 +362,26 @@ public final class EditorModel implements AutoCloseable {
         return actions.switched(command);
     }
 
+    /** Whether anybody does the command; else it stands for a choice among values. */
+    public boolean isDone(Command command) {
+        return actions.has(command);
+    }
+
+    /** How the window's room is shared. */
+    public Arrangement arrangement() {
+        return arrangement;
+    }
+
+    /** What the last updates of the picture did. */
+    public UpdateLog updates() {
+        return updates;
+    }
+
+    /** The keys of the commands. */
+    public Keys keys() {
+        return keys;
+    }
+
     /** Does the command if it is enabled. */
     public void run(Command command) {
         if (enabled(command)) {
@@ -369,8 +400,21 @@ public final class EditorModel implements AutoCloseable {
 
     /** A scene file is being read, which may take its place here; null where none is, or it is not wanted any more. */
     public void setReading(Path file) {
+        writing = false;
         reading = file;
         refresh();
+    }
+
+    /** A file is being written that may be given up, as one that is read may. */
+    public void setWriting(Path file) {
+        writing = true;
+        reading = file;
+        refresh();
+    }
+
+    /** What is done with {@link #reading()}, as in "Reading". */
+    public String fileWork() {
+        return writing ? "Writing" : "Reading";
     }
 
     /** What is being read; null where nothing is. Any thread may ask. */
@@ -399,6 +443,7 @@ public final class EditorModel implements AutoCloseable {
 
     private void hear() {
         rendering.set(workbench.rendering());
+        updates.hear(rendering.get());
         repaint();
     }
 

@@ -54,7 +54,12 @@ public final class Preferences {
     }
 
     private String text(String key) {
-        return values.getProperty(key, "");
+        return text(key, "");
+    }
+
+    /** A text; {@code otherwise} where there is none. */
+    public String text(String key, String otherwise) {
+        return values.getProperty(key, otherwise);
     }
 
     /** Whether a value is this one. */

@@ -20,16 +20,32 @@ public final class StatusText {
      * @param saving of the frame's update; empty while that is not known
      */
     public static String of(Frame frame, Optional<WarmSaving> saving) {
-        Update update = frame.update();
+        return of(frame.update(), frame.finished(), frame.promise().text(frame.update()), saving);
+    }
+
+    /**
+     * The same of an update whose picture may be gone.
+     *
+     * @param promise what the picture is: {@code exact}
+     */
+    static String of(Update update, boolean finished, String promise, Optional<WarmSaving> saving) {
         String text = update.plan().text() + " · " + number(update.rowsTouched()) + " rows touched · "
                 + number(update.rays().shadow()) + " shadow rays · " + milliseconds(update.milliseconds());
-        if (!frame.finished()) {
+        if (!finished) {
             return text + " · without finer samples yet";
         }
         if (update.plan() instanceof UpdatePlan.Relight) {
             text += saving.map(StatusText::saving).orElse(" (what it saves is being measured)");
         }
-        return text + " · " + frame.promise().text(frame.update());
+        return text + " · " + promise;
+    }
+
+    /** In words of the work: {@code 0.8 ms, exact}. */
+    public static String brief(Frame frame) {
+        Update update = frame.update();
+        String time = time(update.milliseconds());
+        String what = update.plan() instanceof UpdatePlan.Relight ? time : "Traced in " + time;
+        return what + ", " + (frame.finished() ? frame.promise().text(update) : "without finer samples yet");
     }
 
     private static String saving(WarmSaving measured) {
@@ -58,7 +74,13 @@ public final class StatusText {
         return String.format(Locale.ROOT, v < 10 ? "%.1f ms" : "%.0f ms", v);
     }
 
-    private static String number(long v) {
+    /** {@code 0.8 ms}, {@code 1.3 s}. */
+    public static String time(double milliseconds) {
+        return milliseconds < 1000 ? milliseconds(milliseconds) : String.format(Locale.ROOT, "%.1f s", milliseconds / 1000);
+    }
+
+    /** {@code 5,021}. */
+    public static String number(long v) {
         return String.format(Locale.ROOT, "%,d", v);
     }
 }

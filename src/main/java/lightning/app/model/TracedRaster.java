@@ -137,8 +137,7 @@ public final class TracedRaster implements RenderListener {
         int[] all = pixels.pixels();
         for (int y = part.top(); y < part.bottom(); y++) {
             for (int x = part.left(); x < part.right(); x++) {
-                all[y * film.width() + x] = 0xFF000000 | view.encode(film.red(x, y)) << 16
-                        | view.encode(film.green(x, y)) << 8 | view.encode(film.blue(x, y));
+                all[y * film.width() + x] = view.pack(film.red(x, y), film.green(x, y), film.blue(x, y));
             }
         }
         patch = patch.plus(part.left(), part.top(), part.right(), part.bottom());

@@ -15,6 +15,7 @@ import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
+import javafx.scene.input.ScrollEvent;
 import javafx.scene.layout.Region;
 import javafx.util.Duration;
 import lightning.app.model.EditorModel;
@@ -29,6 +30,8 @@ import lightning.effects.ViewEffects;
 public final class PreviewCanvas extends Region implements AutoCloseable {
     /** The camera rests when it did not move for so long. */
     private static final Duration REST = Duration.millis(120);
+    /** What a turn of the wheel is as a drag that zooms. */
+    private static final double WHEEL = 0.5;
 
     private final EditorModel model;
     private final ImageView image = new ImageView();
@@ -94,6 +97,12 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
             shapes.hide();
             mouse.press(e.getX() - left(), e.getY() - top(), button(e), e.isShiftDown(), e.isAltDown());
         });
+        addEventHandler(ScrollEvent.SCROLL, e -> {
+            if (e.getDeltaY() != 0) {
+                model.previewCameraProperty().set(model.previewCameraProperty().get().zoomed(e.getDeltaY() * WHEEL, viewport()));
+                e.consume();
+            }
+        });
         addEventHandler(MouseEvent.MOUSE_DRAGGED, e -> mouse.drag(e.getX() - left(), e.getY() - top()));
         addEventHandler(MouseEvent.MOUSE_RELEASED, e -> {
             mouse.release();
@@ -112,7 +121,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         return switch (e.getButton()) {
             case MIDDLE -> PreviewMouse.Button.MIDDLE;
             case SECONDARY -> PreviewMouse.Button.RIGHT;
-            default -> PreviewMouse.Button.LEFT;
+            default -> e.isShortcutDown() ? PreviewMouse.Button.ORBIT : PreviewMouse.Button.LEFT;
         };
     }
 
@@ -163,7 +172,8 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
                 model.previewLook().sizeProperty().get().factor());
         gizmos.draw(mouse.handles(), model.previewCameraProperty().get());
         loop.draw(new PreviewLoop.Wish(model.scene(), model.previewCameraProperty().get(), frame.width(), frame.height(),
-                model.viewProperty().get(), model.previewLook().glowingProperty().get() ? ViewEffects.PREVIEW_1998 : ViewEffects.PREVIEW,
+                model.viewProperty().get().ofPicture(),
+                model.previewLook().glowingProperty().get() ? ViewEffects.PREVIEW_1998 : ViewEffects.PREVIEW,
                 moving, model.frame() == null ? null : model.frame().geometry()));
     }
 

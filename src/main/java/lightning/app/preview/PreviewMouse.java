@@ -16,11 +16,11 @@ import lightning.scene.Light;
 
 /**
  * What a drag in the preview does (paper §3.2, §3.6), free of the toolkit's events: the left button rotates the light
- * under the mouse, the middle one moves it along the view, the right one in the viewing plane; a handle of the selected shape is taken
+ * under the mouse, with Ctrl about what it aims at, the middle one moves it along the view, the right one in the viewing plane; a handle of the selected shape is taken
  * with the left one; with Shift any button moves the camera.
  */
 final class PreviewMouse {
-    enum Button { LEFT, MIDDLE, RIGHT }
+    enum Button { LEFT, MIDDLE, RIGHT, ORBIT }
 
     /** How near a click must come to a gizmo, pixels. */
     private static final double TOLERANCE = 8;
@@ -137,6 +137,7 @@ final class PreviewMouse {
             PreviewCamera view = model.previewCameraProperty().get();
             Light moved = switch (button) {
                 case LEFT -> LightManipulation.rotate(begin, view, canvas, right, -down);
+                case ORBIT -> LightManipulation.orbit(begin, view, canvas, right, -down);
                 case MIDDLE -> LightManipulation.dolly(begin, view, canvas, -down);
                 case RIGHT -> LightManipulation.translate(begin, view, canvas, right, -down);
             };

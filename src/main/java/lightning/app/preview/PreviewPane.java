@@ -35,7 +35,7 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         stage.getStyleClass().add("canvas");
         setTop(header());
         setCenter(stage);
-        var hint = new Label("Left: rotate · Middle or Alt: along the view · Right: in the plane · Shift: camera");
+        var hint = new Label("Left: rotate · Ctrl: orbit · Middle or Alt: along the view · Right: in the plane · Shift: camera");
         hint.getStyleClass().add("pane-footer");
         hint.setMaxWidth(Double.MAX_VALUE);
         hint.setWrapText(true);

@@ -8,6 +8,7 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import lightning.app.model.EditorModel;
+import lightning.app.widget.LightTypes;
 import lightning.app.widget.Paints;
 import lightning.edit.BankEdits;
 import lightning.scene.Bank;

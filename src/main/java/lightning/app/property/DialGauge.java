@@ -4,19 +4,18 @@ import java.util.Optional;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.ArrowWidget;
 import lightning.app.widget.Gauge;
-import lightning.edit.Change;
 import lightning.edit.Dial;
 import lightning.edit.Situation;
 import lightning.edit.Steps;
 import lightning.scene.Light;
-import lightning.scene.Scene;
+import lightning.text.Measure;
 
 /** A dial of the selected light, or of the scene. */
 record DialGauge(EditorModel model, Dial dial) implements Gauge {
 
     /** The arrow widget of a dial, which follows the model. */
-    static ArrowWidget widget(EditorModel model, Dial dial, String unit) {
-        ArrowWidget widget = new ArrowWidget(Sections.title(dial.label()) + unit, dial.title(), new DialGauge(model, dial));
+    static ArrowWidget widget(EditorModel model, Dial dial) {
+        ArrowWidget widget = new ArrowWidget(Sections.title(dial.label()), dial.title(), new DialGauge(model, dial));
         widget.setId(dial.isOfScene() ? dial.title().replace(' ', '-') : dial.label());
         model.situationProperty().subscribe(now -> show(now, dial, widget));
         return widget;
@@ -33,6 +32,16 @@ record DialGauge(EditorModel model, Dial dial) implements Gauge {
     }
 
     @Override
+    public String title() {
+        return dial.title();
+    }
+
+    @Override
+    public Measure measure() {
+        return dial.measure();
+    }
+
+    @Override
     public Steps steps() {
         return dial.steps();
     }
@@ -40,15 +49,6 @@ record DialGauge(EditorModel model, Dial dial) implements Gauge {
     @Override
     public Optional<String> set(double value, Object gesture) {
         return model.edit(scene -> dial.set(scene, light(), value), gesture);
-    }
-
-    @Override
-    public Optional<String> typed(String text) {
-        return model.edit(scene -> typed(scene, text));
-    }
-
-    private Change typed(Scene scene, String text) {
-        return dial.typed(scene, light(), text);
     }
 
     private String light() {

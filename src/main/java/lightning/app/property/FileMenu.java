@@ -3,8 +3,10 @@ package lightning.app.property;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
@@ -12,8 +14,11 @@ import lightning.app.command.CommandItems;
 import lightning.app.model.EditorModel;
 import lightning.edit.Command;
 
-/** Offers the files of a kind that lie beside the scene, and none; what lies there is seen a moment after the menu opens. */
+/** Offers the files of a kind that lie beside the scene, pictures with what they show, and none; what lies there is seen a moment after the menu opens. */
 final class FileMenu extends MenuButton {
+    /** So many are shown with a small picture. */
+    private static final int SMALL = 60;
+
     private final EditorModel model;
     private final Command command;
     private final Function<Path, List<String>> names;
@@ -38,14 +43,27 @@ final class FileMenu extends MenuButton {
 
     private void fill() {
         Path folder = folder(model);
-        model.files().beside(() -> names.apply(folder), this::offer, _ -> offer(List.of()));
+        model.files().beside(() -> found(folder), this::offer, _ -> offer(List.of()));
     }
 
-    private void offer(List<String> names) {
+    /** A file that is offered. */
+    private record Found(String name, Optional<Thumbnail> picture) {}
+
+    private List<Found> found(Path folder) {
+        List<String> all = names.apply(folder);
+        return IntStream.range(0, all.size())
+                .mapToObj(i -> new Found(all.get(i), i < SMALL ? Thumbnail.of(folder, all.get(i)) : Optional.empty())).toList();
+    }
+
+    private void offer(List<Found> names) {
         List<MenuItem> items = new ArrayList<>();
         items.add(item("None", ""));
         items.add(new SeparatorMenuItem());
-        names.forEach(name -> items.add(item(name, name)));
+        names.forEach(found -> {
+            MenuItem item = item(found.name(), found.name());
+            found.picture().ifPresent(p -> item.setGraphic(p.view()));
+            items.add(item);
+        });
         getItems().setAll(items);
     }
 

@@ -10,6 +10,7 @@ import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import lightning.app.model.EditorModel;
+import lightning.app.widget.LightTypes;
 import lightning.app.widget.Paints;
 import lightning.edit.Change;
 import lightning.edit.Command;

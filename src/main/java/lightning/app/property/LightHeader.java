@@ -15,6 +15,7 @@ import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.app.command.CommandButton;
 import lightning.app.model.EditorModel;
+import lightning.app.widget.LightTypes;
 import lightning.app.widget.Obstacle;
 import lightning.edit.Command;
 import lightning.edit.LightEdits;

@@ -20,6 +20,7 @@ import javafx.scene.layout.VBox;
 import lightning.app.command.CommandButton;
 import lightning.app.command.CommandItems;
 import lightning.app.model.EditorModel;
+import lightning.app.widget.LightTypes;
 import lightning.app.widget.Obstacle;
 import lightning.edit.BankEdits;
 import lightning.edit.Command;

@@ -8,12 +8,14 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.app.command.CommandButton;
@@ -167,8 +169,20 @@ final class MaterialPane extends VBox {
                 model.edit(scene -> MaterialEdits.set(scene, shown, attribute, choice.value(now.toLowerCase(Locale.ROOT))), null);
             }
         });
-        return new Row(attribute, around, obstacle::set, m -> choose(box, Sections.title(attribute.text(m))), () -> choose(box, null),
+        Node node = attribute.section() == Section.MODEL ? around : named(Sections.title(attribute.title()), box, around);
+        return new Row(attribute, node, obstacle::set, m -> choose(box, Sections.title(attribute.text(m))), () -> choose(box, null),
                 () -> {});
+    }
+
+    /** A box with its name at the left: a section of one box has the name in its head. */
+    private static Node named(String title, ComboBox<String> box, Node around) {
+        var label = new Label(title);
+        label.setLabelFor(box);
+        var space = new Region();
+        HBox.setHgrow(space, Priority.ALWAYS);
+        var row = new HBox(label, space, around);
+        row.setAlignment(Pos.CENTER_LEFT);
+        return row;
     }
 
     private void choose(ComboBox<String> box, String word) {

@@ -26,6 +26,7 @@ import lightning.scene.Limits;
 import lightning.scene.Node;
 import lightning.scene.Placement;
 import lightning.scene.Shape;
+import lightning.text.Measure;
 
 /** The placement of the selected shape or group: where it stands, how it is turned, how large it is. */
 final class NodePane extends VBox {
@@ -72,14 +73,15 @@ final class NodePane extends VBox {
     }
 
     private VectorField vector(String property, WithVector with) {
-        var field = new VectorField(property, v -> model.edit(scene -> NodeEdits.placement(scene, shown, p -> with.on(p, v))));
+        var field = new VectorField(property,
+                (v, gesture) -> model.edit(scene -> NodeEdits.placement(scene, shown, p -> with.on(p, v)), gesture));
         field.setId("shape-" + property);
         return field;
     }
 
     private ArrowWidget turn(int axis) {
         String label = List.of("x", "y", "z").get(axis);
-        var widget = new ArrowWidget("About " + label + " °", "rotate " + label, Gauge.of("rotate " + label, DEGREES,
+        var widget = new ArrowWidget("About " + label, "rotate " + label, Gauge.of("rotate " + label, DEGREES, Measure.DEGREES,
                 (degrees, gesture) -> model.edit(scene -> NodeEdits.placement(scene, shown, p -> turned(p, axis, degrees)), gesture)));
         widget.setId("rotate-" + label);
         return widget;

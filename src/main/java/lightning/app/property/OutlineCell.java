@@ -1,5 +1,6 @@
 package lightning.app.property;
 
+import java.util.Map;
 import java.util.Optional;
 import javafx.css.PseudoClass;
 import javafx.geometry.Insets;
@@ -25,6 +26,14 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignV;
 final class OutlineCell extends NamedCell<OutlineRow> {
     private static final PseudoClass DARK = PseudoClass.getPseudoClass("dark");
     private static final double INDENT = 14;
+    /** What looks like the form; others look like a shape. */
+    private static final Map<Class<? extends Solid>, Ikon> ICONS = Map.of(
+            Solid.Sphere.class, MaterialDesignC.CIRCLE_OUTLINE,
+            Solid.Cone.class, MaterialDesignC.CONE,
+            Solid.Cylinder.class, MaterialDesignC.CYLINDER,
+            Solid.Frustum.class, MaterialDesignC.CUP_OUTLINE,
+            Solid.Plane.class, MaterialDesignS.SQUARE_OUTLINE,
+            Solid.Triangles.class, MaterialDesignV.VECTOR_POLYGON);
 
     private final OutlinePane pane;
     private final Button fold = new Button();
@@ -103,14 +112,7 @@ final class OutlineCell extends NamedCell<OutlineRow> {
     private static Ikon icon(Node node) {
         return switch (node) {
             case Group _ -> MaterialDesignF.FOLDER_OUTLINE;
-            case Shape s -> switch (s.solid()) {
-                case Solid.Sphere _ -> MaterialDesignC.CIRCLE_OUTLINE;
-                case Solid.Cone _ -> MaterialDesignC.CONE;
-                case Solid.Cylinder _ -> MaterialDesignC.CYLINDER;
-                case Solid.Frustum _ -> MaterialDesignC.CUP_OUTLINE;
-                case Solid.Plane _ -> MaterialDesignS.SQUARE_OUTLINE;
-                case Solid.Triangles _ -> MaterialDesignV.VECTOR_POLYGON;
-            };
+            case Shape s -> ICONS.getOrDefault(s.solid().getClass(), MaterialDesignS.SHAPE_OUTLINE);
         };
     }
 

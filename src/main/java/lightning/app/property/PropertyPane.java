@@ -26,6 +26,7 @@ import lightning.scene.Kind;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightAttribute.Section;
+import lightning.scene.Links;
 import lightning.scene.Quantity;
 
 /** The property editor of the selected light and the scene (paper §3.2, Figure 5). */
@@ -57,15 +58,15 @@ public final class PropertyPane extends VBox {
         ScrollPane scroll = Sections.scroll(Stream.of(Stream.of(header),
                 Stream.of(Section.COLOUR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE).map(this::section),
                 Stream.of(Sections.section("Links", Sections.caption("Shines on"),
-                        new LinksPart(model, LightAttribute.ILLUMINATES, "The shapes and groups that the light shines on"),
+                        links(LightAttribute.ILLUMINATES, "The shapes and groups that the light shines on"),
                         Sections.caption("Shadowed by"),
-                        new LinksPart(model, LightAttribute.SHADOWED_BY, "The shapes and groups that throw shadows in its light")),
+                        links(LightAttribute.SHADOWED_BY, "The shapes and groups that throw shadows in its light")),
                         Sections.section("Bank", bank),
-                        Sections.section("Scene", dial(Dial.AMBIENCE, ""), Sections.caption("Environment"), FilePart.ofWorld(model,
+                        Sections.section("Scene", dial(Dial.AMBIENCE), Sections.caption("Environment"), FilePart.ofWorld(model,
                                 Command.CHOOSE_ENVIRONMENT, PropertyEdit::environments,
                                 "A picture of all that is far around, which lights the scene"),
-                                dial(Dial.ENVIRONMENT_INTENSITY, ""), dial(Dial.ENVIRONMENT_ROTATION, " °"),
-                                dial(Dial.ENVIRONMENT_LAMPS, ""), dial(Dial.ENVIRONMENT_SOFTNESS, ""))))
+                                dial(Dial.ENVIRONMENT_INTENSITY), dial(Dial.ENVIRONMENT_ROTATION),
+                                dial(Dial.ENVIRONMENT_LAMPS), dial(Dial.ENVIRONMENT_SOFTNESS))))
                 .flatMap(s -> s)
                 .toArray(Node[]::new));
         setVgrow(scroll, Priority.ALWAYS);
@@ -85,30 +86,41 @@ public final class PropertyPane extends VBox {
     private <V> List<? extends Node> widgets(LightAttribute<V> attribute) {
         return switch (attribute.kind()) {
             case Quantity<V> q -> switch (q.form()) {
-                case COLOR -> List.of(color);
-                case POSITION, DIRECTION -> List.of(Sections.caption(Sections.title(attribute.title())), vector(attribute, q));
-                case EACH -> Dial.of(attribute).stream().map(d -> dial(d, attribute.unit().startsWith("degrees") ? " °" : "")).toList();
+                case COLOR -> List.of(withMenu(color, attribute));
+                case POSITION, DIRECTION ->
+                        List.of(Sections.caption(Sections.title(attribute.title())), withMenu(vector(attribute, q), attribute));
+                case EACH -> Dial.of(attribute).stream().map(d -> withMenu(dial(d), attribute)).toList();
             };
-            case Kind.Projecting _ -> List.of(Sections.caption(Sections.title(attribute.title())), FilePart.of(model,
+            case Kind.Projecting _ -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(FilePart.of(model,
                     LightAttribute.GOBO, Command.CHOOSE_GOBO, PropertyEdit::textures,
-                    "A picture that the light projects: black holds it back"));
-            case Kind.Shining _ -> List.of(Sections.caption(Sections.title(attribute.title())), FilePart.of(model,
+                    "A picture that the light projects: black holds it back"), attribute));
+            case Kind.Shining _ -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(FilePart.of(model,
                     LightAttribute.PROFILE, Command.CHOOSE_PROFILE, PropertyEdit::profiles,
-                    "How strongly the light shines in each direction, as an IES file tells"));
+                    "How strongly the light shines in each direction, as an IES file tells"), attribute));
             case Choice<V> _,Kind.Linking _,Kind.Naming _,Kind.Surrounding _,Kind.Texturing _ ->
                     throw new IllegalStateException("there is no widget for " + attribute.title());
         };
     }
 
-    private ArrowWidget dial(Dial dial, String unit) {
-        ArrowWidget widget = DialGauge.widget(model, dial, unit);
+    private Node links(LightAttribute<Links> attribute, String what) {
+        return withMenu(new LinksPart(model, attribute, what), attribute);
+    }
+
+    private <N extends Node> N withMenu(N widget, LightAttribute<?> attribute) {
+        PropertyMenu.on(widget, model, attribute);
+        return widget;
+    }
+
+    private ArrowWidget dial(Dial dial) {
+        ArrowWidget widget = DialGauge.widget(model, dial);
         dials.add(widget);
         return widget;
     }
 
     private <V> VectorField vector(LightAttribute<V> attribute, Quantity<V> quantity) {
-        VectorField field = new VectorField(attribute.title(), v -> model.edit(scene -> LightEdits.with(scene,
-                model.selectedLight().name(), light -> attribute.with(light, quantity.join().apply(List.of(v.x(), v.y(), v.z()))))));
+        VectorField field = new VectorField(attribute.title(), (v, gesture) -> model.edit(scene -> LightEdits.with(scene,
+                model.selectedLight().name(), light -> attribute.with(light, quantity.join().apply(List.of(v.x(), v.y(), v.z())))),
+                gesture));
         field.setId(attribute.title());
         vectors.add(new VectorRow(attribute, field, light -> quantity.vector(attribute.of(light))));
         return field;

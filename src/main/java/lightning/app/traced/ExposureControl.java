@@ -13,6 +13,7 @@ import lightning.app.widget.Gauge;
 import lightning.app.widget.NumberField;
 import lightning.edit.Steps;
 import lightning.scene.Limits;
+import lightning.text.Measure;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignB;
 
@@ -46,7 +47,7 @@ final class ExposureControl extends HBox {
                 set(Math.rint(v.doubleValue() / STEPS.step()) / Math.rint(1 / STEPS.step()));
             }
         });
-        var stops = new NumberField("Exposure in stops", Gauge.of("exposure", STEPS, (v, _) -> set(v)));
+        var stops = new NumberField("Exposure in stops", Gauge.of("exposure", STEPS, Measure.STOPS, (v, _) -> set(v)));
         stops.setId("exposure-stops");
         Tooltip.install(this, new Tooltip("Exposure of the view in stops; double-click for 0.\nNo part of the scene."));
         setAlignment(Pos.CENTER);

@@ -50,12 +50,15 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<Lig
         return sum;
     }
 
-    /** One line: the place, the shape, its normal. */
-    String headline() {
-        if (shape.isEmpty()) {
-            return x + ", " + y + "  background";
-        }
-        return String.format(Locale.ROOT, "%d, %d  %s  normal %.2f %.2f %.2f", x, y, shape, normal.x(), normal.y(), normal.z());
+    /**
+     * One line: the place, the shape, the values, its normal.
+     *
+     * @param values as {@link PixelValues} has them
+     */
+    String headline(String values) {
+        String place = x + ", " + y + "  " + (shape.isEmpty() ? "background" : shape) + "  " + values;
+        return normal == null ? place
+                : place + String.format(Locale.ROOT, "  normal %.2f %.2f %.2f", normal.x(), normal.y(), normal.z());
     }
 
     /** What each light does, as in {@code key 64 %}. */

@@ -8,6 +8,7 @@ import javafx.scene.layout.Region;
 import javafx.util.Duration;
 import lightning.app.command.CommandButton;
 import lightning.app.model.EditorModel;
+import lightning.app.model.Remaining;
 import lightning.app.widget.Lasting;
 import lightning.edit.Command;
 import lightning.edit.Situation;
@@ -18,6 +19,7 @@ final class ProgressOverlay extends HBox {
     private static final Duration PATIENCE = Duration.millis(250);
     private final EditorModel model;
     private final Label what = new Label();
+    private final Remaining remaining = new Remaining();
     private final ProgressBar bar = new ProgressBar(0);
     private final Lasting work = new Lasting(Lasting.Later.WINDOW, PATIENCE, text -> {
         what.setText(text);
@@ -43,8 +45,12 @@ final class ProgressOverlay extends HBox {
         RenderState state = model.renderingProperty().get();
         Situation now = model.situationProperty().get();
         boolean rendering = now.inWork().isPresent();
-        work.tell(now.reading() ? "Reading " + model.reading().getFileName() : rendering ? "Tracing" : now.verifying() ? "Verifying" : "");
-        bar.setProgress(now.reading() ? ProgressBar.INDETERMINATE_PROGRESS : rendering ? state.progress()
-                : (double) state.checked() / state.toCheck());
+        String what =
+                now.reading() ? model.fileWork() + " " + model.reading().getFileName() : rendering ? "Tracing"
+                        : now.verifying() ? "Verifying" : "";
+        double share = now.reading() ? ProgressBar.INDETERMINATE_PROGRESS : rendering ? state.progress()
+                : (double) state.checked() / state.toCheck();
+        work.tell(remaining.tell(what, share, System.nanoTime()));
+        bar.setProgress(share);
     }
 }

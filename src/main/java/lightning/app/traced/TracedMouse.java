@@ -8,18 +8,22 @@ import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.scene.Cursor;
 import javafx.scene.Node;
+import javafx.scene.control.Control;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Pane;
+import javafx.scene.layout.StackPane;
 import javafx.scene.shape.Rectangle;
 import lightning.app.command.ShapeMenu;
 import lightning.app.model.EditorModel;
+import lightning.app.model.PicturePart;
 import lightning.app.model.Sentence;
 import lightning.app.model.TracedRaster;
 import lightning.app.widget.PictureView;
 import lightning.edit.loop.Frame;
+import lightning.relight.Contributions;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
@@ -38,10 +42,12 @@ final class TracedMouse implements AutoCloseable {
     private final ReadOnlyStringWrapper prompt = new ReadOnlyStringWrapper("");
     private final Rectangle frame = new Rectangle();
     private final ShapeMenu menu;
-    private final Pane overlay = new Pane(frame);
+    private final TracedGizmo gizmo;
+    private final StackPane overlay;
     /** Hears of the next click; null where a click selects. */
     private Consumer<PixelReport> pick;
     private String wish = "";
+    private boolean hand;
     /** What the region shows that was traced last; null before the first. */
     private volatile Scene patched;
     private double pressX;
@@ -56,6 +62,8 @@ final class TracedMouse implements AutoCloseable {
         this.hovered = hovered;
         menu = new ShapeMenu(model);
         inspector = new PixelInspector(model.window());
+        gizmo = new TracedGizmo(model, picture);
+        overlay = new StackPane(gizmo, new Pane(frame));
         overlay.setMouseTransparent(true);
         frame.getStyleClass().add("region-frame");
         frame.setVisible(false);
@@ -66,16 +74,35 @@ final class TracedMouse implements AutoCloseable {
         picture.setOnMouseDragged(this::dragged);
         picture.setOnMouseReleased(this::released);
         region.subscribe(_ -> ask());
+        model.part().askProperty().subscribe(_ -> ask());
         picture.sceneProperty().subscribe(scene -> {
             if (scene != null) {
                 scene.addEventFilter(KeyEvent.KEY_PRESSED, this::key);
+                scene.addEventFilter(KeyEvent.ANY, this::space);
             }
         });
+    }
+
+    /** While the space bar is held over the picture, the left button moves it. */
+    private void space(KeyEvent e) {
+        if (e.getCode() != KeyCode.SPACE) {
+            return;
+        }
+        boolean held = e.getEventType() == KeyEvent.KEY_PRESSED && picture.isHover()
+                && !(picture.getScene().getFocusOwner() instanceof Control);
+        if (held != hand) {
+            hand = held;
+            ask();
+        }
+        if (held) {
+            e.consume();
+        }
     }
 
     private void key(KeyEvent e) {
         if (e.getCode() == KeyCode.ESCAPE && !prompt.get().isEmpty()) {
             region.set(false);
+            model.part().askProperty().set(null);
             endPick();
             e.consume();
         }
@@ -109,8 +136,9 @@ final class TracedMouse implements AutoCloseable {
     }
 
     private void ask() {
-        prompt.set(pick != null ? wish : region.get() ? "Drag a frame around what to trace" : "");
-        picture.setCursor(pick != null || region.get() ? Cursor.CROSSHAIR : Cursor.DEFAULT);
+        PicturePart.Ask part = model.part().askProperty().get();
+        prompt.set(pick != null ? wish : region.get() ? "Drag a frame around what to trace" : part != null ? part.hint() : "");
+        picture.setCursor(hand ? Cursor.OPEN_HAND : prompt.get().isEmpty() ? Cursor.DEFAULT : Cursor.CROSSHAIR);
     }
 
     private void hover(MouseEvent e) {
@@ -120,14 +148,20 @@ final class TracedMouse implements AutoCloseable {
         Frame shown = model.frame();
         Picture size = shown.scene().picture();
         picture.pixel(e.getX(), e.getY()).filter(p -> p.x() < size.width() && p.y() < size.height())
-                .ifPresentOrElse(p -> inspector.ask(shown, p.x(), p.y(), report -> {
-                    if (picture.isHover()) {
-                        hovered.accept(report);
-                    }
-                }), this::leave);
+                .ifPresentOrElse(p -> point(shown, p), this::leave);
+    }
+
+    private void point(Frame shown, PictureView.Pixel p) {
+        model.part().pointedProperty().set(new PicturePart.Pixel(p.x(), p.y()));
+        inspector.ask(shown, p.x(), p.y(), report -> {
+            if (picture.isHover()) {
+                hovered.accept(report);
+            }
+        });
     }
 
     private void leave() {
+        model.part().pointedProperty().set(null);
         hovered.accept(null);
     }
 
@@ -137,12 +171,19 @@ final class TracedMouse implements AutoCloseable {
         pressY = e.getY();
         lastX = pressX;
         lastY = pressY;
+        if (prompt.get().isEmpty() && !hand && !picture.wipe().isVisible()) {
+            gizmo.press(e);
+        }
     }
 
     private void dragged(MouseEvent e) {
-        if (e.getButton() == MouseButton.MIDDLE || e.isAltDown()) {
+        if (gizmo.isTaken()) {
+            gizmo.drag(e);
+            return;
+        }
+        if (e.getButton() == MouseButton.MIDDLE || e.isAltDown() || hand) {
             picture.pan(e.getX() - lastX, e.getY() - lastY);
-        } else if (region.get() && !picture.isEmpty()) {
+        } else if ((region.get() || model.part().askProperty().get() != null) && !picture.isEmpty()) {
             frame.setX(Math.min(pressX, e.getX()));
             frame.setY(Math.min(pressY, e.getY()));
             frame.setWidth(Math.abs(e.getX() - pressX));
@@ -156,10 +197,17 @@ final class TracedMouse implements AutoCloseable {
     }
 
     private void released(MouseEvent e) {
+        boolean dragged = gizmo.isTaken() && !e.isStillSincePress();
+        gizmo.release();
+        if (dragged) {
+            return;
+        }
+        if (hand && e.getButton() == MouseButton.PRIMARY) {
+            return;
+        }
         if (frame.isVisible()) {
             frame.setVisible(false);
-            traceRegion(picture.nearest(pressX, pressY), picture.nearest(e.getX(), e.getY()));
-            region.set(false);
+            framed(picture.nearest(pressX, pressY), picture.nearest(e.getX(), e.getY()));
         } else if (e.getButton() == MouseButton.SECONDARY && pick != null) {
             endPick();
         } else if (e.isStillSincePress() && e.getButton() == MouseButton.PRIMARY) {
@@ -173,6 +221,18 @@ final class TracedMouse implements AutoCloseable {
         if (model.frame() != null) {
             picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.ask(model.frame(), p.x(), p.y(),
                     report -> menu.show(picture, report.shape(), e.getScreenX(), e.getScreenY())));
+        }
+    }
+
+    private void framed(PictureView.Pixel from, PictureView.Pixel to) {
+        PicturePart.Ask part = model.part().askProperty().get();
+        if (region.get()) {
+            traceRegion(from, to);
+            region.set(false);
+        } else if (part != null) {
+            model.part().askProperty().set(null);
+            part.picked().accept(new Contributions.Region(Math.min(from.x(), to.x()), Math.min(from.y(), to.y()),
+                    Math.max(from.x(), to.x()) + 1, Math.max(from.y(), to.y()) + 1));
         }
     }
 

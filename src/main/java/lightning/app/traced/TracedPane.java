@@ -72,7 +72,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         getStyleClass().add("canvas-pane");
         picture.setId("traced-picture");
         mouse = new TracedMouse(model, picture, report -> {
-            pixelLine.setText(report == null ? "" : report.headline());
+            pixelLine.setText(report == null ? "" : report.headline(model.frame() == null ? ""
+                    : PixelValues.text(model.frame().seen(), model.viewProperty().get(), report.x(), report.y())));
             card.setText(report == null ? "" : String.join("\n", report.lightLines()));
         });
         LightPlacer.addTo(model, mouse::pickNext);
@@ -112,7 +113,10 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         prompt.textProperty().bind(mouse.promptProperty().map(p -> p.isEmpty() ? "" : p + "  ·  Esc ends"));
         prompt.visibleProperty().bind(mouse.promptProperty().isNotEmpty());
         StackPane.setAlignment(prompt, Pos.TOP_CENTER);
-        var stage = new StackPane(waiting, picture, mouse.overlay(), badges, look, card, progress, prompt);
+        Node legend = new StopLegend(model);
+        StackPane.setAlignment(legend, Pos.BOTTOM_RIGHT);
+        StackPane.setMargin(legend, BADGES);
+        var stage = new StackPane(waiting, picture, mouse.overlay(), badges, look, card, legend, progress, prompt);
         stage.getStyleClass().add("canvas");
         setTop(header());
         setCenter(stage);

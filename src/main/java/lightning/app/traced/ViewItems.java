@@ -1,5 +1,6 @@
 package lightning.app.traced;
 
+import java.util.ArrayList;
 import java.util.List;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
@@ -14,13 +15,18 @@ public final class ViewItems {
 
     /** @param items make the menu's items */
     public static List<MenuItem> of(EditorModel model, CommandItems items) {
-        return List.of(curve(model, items, "srgb", "sRGB", DisplayCurve.SRGB),
-                curve(model, items, "1998", "As Computed in 1998 (Linear)", DisplayCurve.LINEAR), new SeparatorMenuItem(),
-                items.item(Command.SHADOWS), items.item(Command.REFLECTIONS), items.item(Command.LIT_TEXTURES));
+        List<MenuItem> all = new ArrayList<>();
+        for (DisplayCurve curve : DisplayCurve.values()) {
+            all.add(curve(model, items, curve));
+        }
+        all.addAll(List.of(new SeparatorMenuItem(),
+                items.item(Command.SHADOWS), items.item(Command.REFLECTIONS), items.item(Command.LIT_TEXTURES)));
+        return all;
     }
 
-    private static MenuItem curve(EditorModel model, CommandItems items, String id, String title, DisplayCurve curve) {
+    private static MenuItem curve(EditorModel model, CommandItems items, DisplayCurve curve) {
         var view = model.viewProperty();
-        return items.choice(Command.CURVE, id, title, view.map(v -> v.curve() == curve), () -> view.set(view.get().withCurve(curve)));
+        return items.choice(Command.CURVE, curve.word(), curve.title(), view.map(v -> v.curve() == curve),
+                () -> view.set(view.get().withCurve(curve)));
     }
 }

@@ -8,21 +8,20 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 
 /**
- * A number with a name and an arrow (paper §3.2): drag the arrow up or down, click its upper or lower half for a step,
- * or type a value.
+ * A number with a name and an arrow (paper §3.2): drag the arrow up or down or the name sideways, click the arrow's upper or
+ * lower half for a step, or type a value or a sum.
  */
 public final class ArrowWidget extends VBox {
     private final NumberField field;
     private final Obstacle obstacle;
 
     /**
-     * @param label what stands before the number
+     * @param label what stands before the number, without its unit
      * @param title the name in full, for screen readers
      */
     public ArrowWidget(String label, String title, Gauge gauge) {
         field = new NumberField(title, gauge);
-        Label name = new Label(label);
-        name.setLabelFor(field);
+        Label name = new FieldLabel(label, gauge, field);
         name.setMaxWidth(Double.MAX_VALUE);
         HBox.setHgrow(name, Priority.ALWAYS);
         HBox row = new HBox(name, field, new ArrowPad(gauge, field));

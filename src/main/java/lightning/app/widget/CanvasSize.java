@@ -11,7 +11,7 @@ import lightning.scene.Picture;
  */
 public record CanvasSize(String title, int width, int height) {
     /** As large as there is room, in the shape of the traced picture. */
-    public static final CanvasSize LIKE_PICTURE = new CanvasSize("Like the picture", 0, 0);
+    public static final CanvasSize LIKE_PICTURE = new CanvasSize("Picture's shape", 0, 0);
     /** All the room there is. */
     public static final CanvasSize FREE = new CanvasSize("Free", 0, 0);
 

@@ -18,6 +18,7 @@ import lightning.edit.Kelvin;
 import lightning.edit.Steps;
 import lightning.math.Rgb;
 import lightning.scene.Limits;
+import lightning.text.Measure;
 
 /**
  * A colour as red, green and blue, as hue, saturation and value, and that of a light as a temperature too; and a well that
@@ -92,7 +93,7 @@ public final class ColorSliders extends VBox {
                         (h, v) -> new Hsv(h.hue(), h.saturation(), v)));
         kelvin = new ColorSlider("K", "temperature",
                 new ColorSlider.Scale(Kelvin.MIN, Kelvin.MAX, Math::log, Math::exp),
-                Gauge.of("temperature", new Steps(100, Kelvin.MIN, Kelvin.MAX), target::temperature));
+                Gauge.of("temperature", new Steps(100, Kelvin.MIN, Kelvin.MAX), Measure.KELVIN, target::temperature));
         well.getStyleClass().add("color-well");
         well.setTooltip(new Tooltip(help + ".\nClick to pick another"));
         content.getStyleClass().add("color-content");

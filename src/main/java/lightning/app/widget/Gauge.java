@@ -1,49 +1,58 @@
 package lightning.app.widget;
 
 import java.util.Optional;
-import java.util.OptionalDouble;
 import lightning.edit.Steps;
-import lightning.text.Decimal;
-import lightning.text.Quote;
+import lightning.text.Measure;
 
-/** A number that a widget edits. Both edits return why they were refused, a clause, and change nothing then. */
+/** A number that a widget edits. */
 public interface Gauge {
+    /** For people, lower case: {@code intensity}. */
+    String title();
+
     /** What a click adds, and the limits. */
     Steps steps();
 
+    /** What the number is measured in. */
+    Measure measure();
+
     /**
-     * Sets the value.
+     * Sets the value; returns why it was refused, a clause, and changes nothing then.
      *
      * @param gesture any object that stands for one drag, which is one step to undo; null for a step of its own
      */
     Optional<String> set(double value, Object gesture);
-
-    /** Sets the value that a person typed. */
-    Optional<String> typed(String text);
 
     /** Sets a value, which the receiver may refuse. */
     interface Setter {
         Optional<String> set(double value, Object gesture);
     }
 
-    /** A gauge that reads plain numbers. */
+    /** A gauge of numbers without a unit. */
     static Gauge of(String title, Steps steps, Setter setter) {
+        return of(title, steps, Measure.FACTOR, setter);
+    }
+
+    /** A gauge. */
+    static Gauge of(String title, Steps steps, Measure measure, Setter setter) {
         return new Gauge() {
+            @Override
+            public String title() {
+                return title;
+            }
+
             @Override
             public Steps steps() {
                 return steps;
             }
 
             @Override
-            public Optional<String> set(double value, Object gesture) {
-                return setter.set(value, gesture);
+            public Measure measure() {
+                return measure;
             }
 
             @Override
-            public Optional<String> typed(String text) {
-                OptionalDouble number = Decimal.read(text.strip());
-                return number.isPresent() ? set(number.getAsDouble(), null)
-                        : Optional.of(title + " must be a number, was " + Quote.of(text.strip()));
+            public Optional<String> set(double value, Object gesture) {
+                return setter.set(value, gesture);
             }
         };
     }

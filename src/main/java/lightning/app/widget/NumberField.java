@@ -2,6 +2,7 @@ package lightning.app.widget;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.Optional;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.css.PseudoClass;
@@ -9,20 +10,28 @@ import javafx.geometry.Pos;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
+import javafx.scene.input.ScrollEvent;
 import lightning.scene.Limits;
+import lightning.text.Expression;
 
 /**
- * A number as text. Enter or leaving the field sets it, Escape brings back what was there, the up and down keys step it:
- * a tenth of a step with Shift, ten with Page Up and Page Down. A text that is refused stays, marked.
+ * A number as text, or a sum that makes one ({@link Expression}). Enter or leaving the field sets it, Escape brings back what was
+ * there, the up and down keys step it, and the wheel while the keyboard is here: a tenth of a step with Shift, ten with Ctrl, or Page
+ * Up and Page Down. A text that is refused stays, marked.
  */
 public final class NumberField extends TextField {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
     private static final MathContext SHORT = new MathContext(5);
     private static final int COLUMNS = 5;
+    /** Turns of the wheel that follow sooner are one step to undo, nanoseconds. */
+    private static final long ONE_TURN = 1_000_000_000;
 
     private final ReadOnlyStringWrapper refusal = new ReadOnlyStringWrapper("");
     private final Gauge gauge;
     private double value;
+    /** What stands for the turns of the wheel that are one step to undo. */
+    private Object turn = new Object();
+    private long turned = Long.MIN_VALUE;
 
     /** @param title for people, and for screen readers */
     public NumberField(String title, Gauge gauge) {
@@ -44,6 +53,7 @@ public final class NumberField extends TextField {
             }
         });
         addEventFilter(KeyEvent.KEY_PRESSED, this::press);
+        addEventFilter(ScrollEvent.SCROLL, this::turn);
         refusal.addListener((_, _, now) -> {
             pseudoClassStateChanged(REFUSED, !now.isEmpty());
             setAccessibleHelp(now);
@@ -99,8 +109,16 @@ public final class NumberField extends TextField {
         if (getText().strip().equals(shown()) || isExact()) {
             revert();
         } else {
-            gauge.typed(getText()).ifPresentOrElse(this::refuse, this::revert);
+            typed().ifPresentOrElse(this::refuse, this::revert);
         }
+    }
+
+    /** Sets what the text says; returns why that was refused. */
+    private Optional<String> typed() {
+        return switch (Expression.read(getText(), value, gauge.measure())) {
+            case Expression.Value(double v) -> gauge.set(v, null);
+            case Expression.Wrong(String reason) -> Optional.of(gauge.title() + " " + reason);
+        };
     }
 
     private boolean isExact() {
@@ -116,12 +134,32 @@ public final class NumberField extends TextField {
                 : Limits.text(BigDecimal.valueOf(value).round(SHORT).doubleValue());
     }
 
+    /** Elsewhere the wheel scrolls what the field stands in. */
+    private void turn(ScrollEvent event) {
+        // With Shift the wheel of a mouse goes sideways.
+        double way = event.getDeltaY() == 0 ? event.getDeltaX() : event.getDeltaY();
+        if (!isFocused() || way == 0 || event.isInertia()) {
+            return;
+        }
+        event.consume();
+        if (!getText().strip().equals(shown())) {
+            commit();
+        }
+        long now = System.nanoTime();
+        if (turned == Long.MIN_VALUE || now - turned > ONE_TURN) {
+            turn = new Object();
+        }
+        turned = now;
+        double steps = Math.signum(way) * Scrub.factor(event.isShiftDown(), event.isShortcutDown());
+        gauge.set(gauge.steps().from(value, steps), turn).ifPresentOrElse(this::refuse, this::revert);
+    }
+
     private void press(KeyEvent event) {
         double steps = switch (event.getCode()) {
-            case UP -> event.isShiftDown() ? ArrowPad.FINE : 1;
-            case DOWN -> event.isShiftDown() ? -ArrowPad.FINE : -1;
-            case PAGE_UP -> ArrowPad.COARSE;
-            case PAGE_DOWN -> -ArrowPad.COARSE;
+            case UP -> event.isShiftDown() ? Scrub.FINE : 1;
+            case DOWN -> event.isShiftDown() ? -Scrub.FINE : -1;
+            case PAGE_UP -> Scrub.COARSE;
+            case PAGE_DOWN -> -Scrub.COARSE;
             default -> 0;
         };
         if (steps != 0) {

@@ -4,6 +4,8 @@ import java.nio.IntBuffer;
 import java.util.Optional;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
+import javafx.beans.value.ObservableValue;
+import javafx.geometry.Bounds;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.image.ImageView;
 import javafx.scene.image.PixelBuffer;
@@ -145,6 +147,11 @@ public final class PictureView extends Region {
         double px = Math.floor((x - image.getLayoutX()) / scale());
         double py = Math.floor((y - image.getLayoutY()) / scale());
         return new Pixel((int) Math.clamp(px, 0, buffer.getWidth() - 1), (int) Math.clamp(py, 0, buffer.getHeight() - 1));
+    }
+
+    /** Where the whole picture is in this view, pixels of the window; it may be larger than the view. */
+    public ObservableValue<Bounds> placeProperty() {
+        return image.boundsInParentProperty();
     }
 
     /** The stored picture that this one is compared with. */

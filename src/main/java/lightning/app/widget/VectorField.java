@@ -23,30 +23,27 @@ public final class VectorField extends VBox {
 
     /** Sets a vector; returns why it was refused. */
     public interface Setter {
-        Optional<String> set(Vec3 value);
+        /** @param gesture as in {@link Gauge#set} */
+        Optional<String> set(Vec3 value, Object gesture);
     }
 
     /** @param title for people, as "position" */
     public VectorField(String title, Setter setter) {
         row.getStyleClass().add("vector-row");
-        axis("x", title, x -> setter.set(new Vec3(x, value.y(), value.z())));
-        axis("y", title, y -> setter.set(new Vec3(value.x(), y, value.z())));
-        axis("z", title, z -> setter.set(new Vec3(value.x(), value.y(), z)));
+        axis("x", title, (x, g) -> setter.set(new Vec3(x, value.y(), value.z()), g));
+        axis("y", title, (y, g) -> setter.set(new Vec3(value.x(), y, value.z()), g));
+        axis("z", title, (z, g) -> setter.set(new Vec3(value.x(), value.y(), z), g));
         getStyleClass().add("vector-field");
         getChildren().addAll(row, new Refusal(fields));
         obstacle = new Obstacle(this, row);
     }
 
-    private interface AxisSetter {
-        Optional<String> set(double value);
-    }
-
-    private void axis(String axis, String title, AxisSetter setter) {
+    private void axis(String axis, String title, Gauge.Setter setter) {
         String name = title + " " + axis;
-        NumberField field = new NumberField(name, Gauge.of(name, STEPS, (v, _) -> setter.set(v)));
+        Gauge gauge = Gauge.of(name, STEPS, setter);
+        NumberField field = new NumberField(name, gauge);
         HBox.setHgrow(field, Priority.ALWAYS);
-        Label label = new Label(axis.toUpperCase(Locale.ROOT));
-        label.setLabelFor(field);
+        Label label = new FieldLabel(axis.toUpperCase(Locale.ROOT), gauge, field);
         label.getStyleClass().addAll("axis", "axis-" + axis);
         fields.add(field);
         row.getChildren().addAll(label, field);

@@ -32,7 +32,7 @@ public record Look(Optional<String> light, ViewEffects effects) {
     public String label() {
         List<String> parts = new ArrayList<>();
         light.ifPresent(name -> parts.add("only " + name));
-        for (Effect effect : Effect.values()) {
+        for (Effect effect : Effect.ALL) {
             if (!effects.shows(effect)) {
                 parts.add("no " + effect.title());
             }

@@ -1,5 +1,6 @@
 package lightning.edit.loop;
 
+import java.lang.ref.WeakReference;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -51,6 +52,8 @@ public final class RenderLoop implements AutoCloseable {
     private Update last;
     private Accuracy madeAt;
     private Scene rendered;
+    /** What is kept of the picture told last, as long as the renderer keeps it: who looks at it must not hold it in memory. */
+    private volatile WeakReference<PixelCache> told = new WeakReference<>(null);
 
     /** Starts the thread; nothing is rendered until a scene is wanted. */
     public RenderLoop(Options options, RenderListener listener) {
@@ -115,6 +118,14 @@ public final class RenderLoop implements AutoCloseable {
     public void open(Scene scene, long number) {
         queue.open(scene, number);
         verifier.cancel();
+    }
+
+    /**
+     * What is kept of the picture that was told of last; empty where there is none, or it was let go of. It is never written over
+     * and may be read on any thread, but holds much memory: it is to be let go of soon.
+     */
+    public Optional<PixelCache> known() {
+        return Optional.ofNullable(told.get());
     }
 
     /** Whether the picture is being worked at. A verification runs beside and does not count. */
@@ -225,6 +236,7 @@ public final class RenderLoop implements AutoCloseable {
     private void letGo() {
         renderer.forget();
         looking.close();
+        told = new WeakReference<>(null);
         rendered = null;
         last = null;
         verifier.done(Optional.empty());
@@ -236,7 +248,7 @@ public final class RenderLoop implements AutoCloseable {
      * @param again does the same from the beginning, planning included, to measure what it saves
      */
     private void make(WarmSaving.Step step, WarmSaving.Step again, RenderQueue.Stop stop) {
-        PixelCache start = known();
+        PixelCache start = start();
         ViewTransform shown = view;
         renderer.setView(shown.exposure(), shown.curve());
         Update update = step.on(renderer, stop);
@@ -250,7 +262,7 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     /** What an update starts from; null where it cannot start from there again, as it is of another accuracy. */
-    private PixelCache known() {
+    private PixelCache start() {
         return renderer.hasPicture() && renderer.options().accuracy() == madeAt ? renderer.finishedCache() : null;
     }
 
@@ -287,6 +299,7 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     private void tell(Film seen, Look shown) {
+        told = new WeakReference<>(renderer.cache());
         listener.rendered(new Frame(renderer.film(), seen, shown, rendered, renderer.cache().mirroredScene(), last,
                 renderer.cache().geometry(), renderer.isFinished()));
     }

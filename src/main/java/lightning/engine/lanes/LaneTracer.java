@@ -90,7 +90,7 @@ class LaneTracer implements Tracer {
 
     /** Puts the origin that all rays of the eye have into a packet. */
     static void begin(RayColumns rays, RayPacket packet) {
-        if (rays.from == null) {
+        if (rays.fromX == null) {
             Arrays.fill(packet.ox, rays.originX(0));
             Arrays.fill(packet.oy, rays.originY(0));
             Arrays.fill(packet.oz, rays.originZ(0));
@@ -99,12 +99,11 @@ class LaneTracer implements Tracer {
 
     /** Puts rays from {@code ray} on into the first {@code live} lanes of a packet. */
     static void load(RayColumns rays, int ray, int live, RayPacket packet) {
-        HitRows from = rays.from;
-        for (int i = 0; from != null && i < live; i++) {
+        for (int i = 0; rays.fromX != null && i < live; i++) {
             int row = rays.slot[ray + i];
-            packet.ox[i] = from.px[row];
-            packet.oy[i] = from.py[row];
-            packet.oz[i] = from.pz[row];
+            packet.ox[i] = rays.fromX[row];
+            packet.oy[i] = rays.fromY[row];
+            packet.oz[i] = rays.fromZ[row];
         }
         System.arraycopy(rays.dx, ray, packet.dx, 0, live);
         System.arraycopy(rays.dy, ray, packet.dy, 0, live);

@@ -34,6 +34,7 @@ final class LightLanes implements Terms {
     /** The cosine from the cone's axis, −1…1. */
     private final double[] axisCosine = new double[ROWS];
     private final double[] power = new double[ROWS];
+    private final double[] factor = new double[ROWS];
     private final float[] specular = new float[ROWS];
     private final float[] grazed = new float[ROWS];
     /** What {@link #faint(double)} is of {@link #faintOf}. */
@@ -166,14 +167,8 @@ final class LightLanes implements Terms {
 
     @Override
     public void falloffs(HitRows rows, Lamp lamp, float[] to) {
-        if (lamp.hasCone()) {
-            spots(rows, lamp.dropoff());
-        }
-        Attenuation a = lamp.light().attenuation();
-        boolean cone = lamp.hasCone();
-        for (int i = 0; i < rows.count; i += LANES) {
-            store(factor(a, cone, i), to, i);
-        }
+        factors(rows, lamp, factor);
+        round(factor, rows.count, to);
     }
 
     @Override
@@ -188,24 +183,32 @@ final class LightLanes implements Terms {
         }
     }
 
+    /** Loops by themselves: where a vector is one of two, or comes from a method, each becomes an object here. */
     @Override
     public void factors(HitRows rows, Lamp lamp, double[] to) {
+        attenuations(lamp.light().attenuation(), rows.count, to);
         if (lamp.hasCone()) {
             spots(rows, lamp.dropoff());
-        }
-        Attenuation a = lamp.light().attenuation();
-        boolean cone = lamp.hasCone();
-        for (int i = 0; i < rows.count; i += LANES) {
-            factor(a, cone, i).intoArray(to, i);
+            multiply(to, power, rows.count);
         }
     }
 
-    private DoubleVector factor(Attenuation a, boolean cone, int i) {
-        DoubleVector d = DoubleVector.fromArray(D, distance, i);
-        DoubleVector sum = d.mul(a.linear()).add(a.constant()).add(d.mul(d).mul(a.quadratic()));
-        DoubleVector factor = DoubleVector.broadcast(D, 1).div(sum);
-        DoubleVector atten = DoubleVector.broadcast(D, 1).blend(factor, factor.compare(VectorOperators.LT, 1));
-        return cone ? atten.mul(DoubleVector.fromArray(D, power, i)) : atten;
+    private static void multiply(double[] factors, double[] by, int rows) {
+        for (int i = 0; i < rows; i += LANES) {
+            DoubleVector.fromArray(D, factors, i).mul(DoubleVector.fromArray(D, by, i)).intoArray(factors, i);
+        }
+    }
+
+    private void attenuations(Attenuation a, int rows, double[] to) {
+        double constant = a.constant();
+        double linear = a.linear();
+        double quadratic = a.quadratic();
+        for (int i = 0; i < rows; i += LANES) {
+            DoubleVector d = DoubleVector.fromArray(D, distance, i);
+            DoubleVector sum = d.mul(linear).add(constant).add(d.mul(d).mul(quadratic));
+            DoubleVector part = DoubleVector.broadcast(D, 1).div(sum);
+            DoubleVector.broadcast(D, 1).blend(part, part.compare(VectorOperators.LT, 1)).intoArray(to, i);
+        }
     }
 
     private void spots(HitRows rows, double dropoff) {
@@ -239,7 +242,7 @@ final class LightLanes implements Terms {
             }
         }
         PowerLanes.of(power, 0, words * RowBits.WIDTH, shininess);
-        round(words * RowBits.WIDTH);
+        round(power, words * RowBits.WIDTH, specular);
         for (int w = 0; w < words; w++) {
             merge(word[w], which[word[w]] & RowBits.within(word[w], from, to), specular, w * RowBits.WIDTH, column);
         }
@@ -266,9 +269,9 @@ final class LightLanes implements Terms {
     }
 
     /** Apart from other loops: in one method with them vectors become objects. */
-    private void round(int rows) {
+    private static void round(double[] from, int rows, float[] to) {
         for (int i = 0; i < rows; i += LANES) {
-            store(DoubleVector.fromArray(D, power, i), specular, i);
+            store(DoubleVector.fromArray(D, from, i), to, i);
         }
     }
 

@@ -48,6 +48,8 @@ public record ErrorBound(double relative, double absolute, double largest) {
         return HALF_STEP < switch (curve) {
             case SRGB -> SRGB_RELATIVE_SLOPE * relative + SRGB_STEEPEST * scaled;
             case LINEAR -> relative + scaled;
+            // How steep these are is not bounded here: any error may show.
+            case FILMIC, ACES, FALSE -> relative + scaled > 0 ? Double.POSITIVE_INFINITY : 0;
         };
     }
 }

@@ -15,10 +15,11 @@ import lightning.work.Progress;
  * @param top      the update of the first level; null in a first pass
  * @param mirrors  the update of the mirror levels; null where they stay, and in a first pass
  * @param shapes   what became of the shapes
+ * @param depthBefore the depth of the picture before; that of the scene in a first pass
  * @param coding   whether anti-aliasing looks for edges
  */
 public record Job(PreparedScene shown, PreparedScene mirrored, Options options, LevelJob top, LevelJob mirrors, ShapeChange shapes,
-        boolean coding,
+        int depthBefore, boolean coding,
         Progress progress) {
 
     Scene scene() {

@@ -1,10 +1,12 @@
 package lightning.relight.tile;
 
 import java.util.Arrays;
+import java.util.function.Function;
 import lightning.cache.TileLevel;
 import lightning.engine.Engine;
 import lightning.shading.BranchSums;
 import lightning.shading.EdgeCoder;
+import lightning.shading.Images;
 import lightning.shading.LightKernel;
 import lightning.shading.LightLayer;
 import lightning.shading.LightRows;
@@ -12,6 +14,7 @@ import lightning.shading.Luminaire;
 import lightning.shading.RatioKernel;
 import lightning.shading.RatioRows;
 import lightning.shading.TileComposer;
+import lightning.trace.Bounce;
 import lightning.trace.HitRows;
 import lightning.trace.Retexturing;
 import lightning.trace.RowSplice;
@@ -80,12 +83,24 @@ final class LevelWorker {
     }
 
     /**
-     * The level with the texels that the plan's materials ask for.
+     * The first level with the texels that the plan's materials ask for.
      *
-     * @param above  the level that it is seen from; null for the first
-     * @param places where the rays of the first level go; unread for others
+     * @param places where its rays go
      */
-    TileLevel retextured(TileLevel level, HitRows above, SamplePlaces places, LevelJob update) {
+    TileLevel retextured(TileLevel level, SamplePlaces places, LevelJob update) {
+        return retextured(level, update, t -> t.eye(level.rows(), places, update.plan().materials().retextured()));
+    }
+
+    /**
+     * Another level with the texels that the plan's materials ask for.
+     *
+     * @param above the level that it is seen from
+     */
+    TileLevel retextured(TileLevel level, HitRows above, Bounce bounce, LevelJob update) {
+        return retextured(level, update, t -> t.seenFrom(level.rows(), above, bounce, update.plan().materials().retextured()));
+    }
+
+    private TileLevel retextured(TileLevel level, LevelJob update, Function<Retexturing, HitRows> look) {
         var changed = update.plan().materials().retextured();
         if (changed.isEmpty()) {
             return level;
@@ -93,8 +108,7 @@ final class LevelWorker {
         if (textures == null) {
             textures = new Retexturing(shown.geometry(), shown.scene(), tracer);
         }
-        HitRows rows = above == null ? textures.eye(level.rows(), places, changed)
-                : textures.mirrored(level.rows(), above, changed);
+        HitRows rows = look.apply(textures);
         if (rows == level.rows()) {
             return level;
         }
@@ -146,16 +160,16 @@ final class LevelWorker {
     }
 
     /** Tells anti-aliasing what a level shows; the levels above were told before. */
-    void code(EdgeCoder coder, int k, TileLevel level) {
+    void code(EdgeCoder coder, int depth, int place, TileLevel level) {
         Luminaire[] lights = shown.lights();
-        coder.shapes(k, level.rows(), shown.geometry().materials());
+        coder.shapes(depth, place, level.rows(), shown.geometry().materials());
         for (int l = 0; l < lights.length && !job.progress().isCancelled(); l++) {
             if (!lights[l].isDark()) {
                 LightRows layer = switch (level.layers()[l]) {
                     case LightRows exact -> exact;
                     case RatioRows ratio -> ratios.terms(level.rows(), lights[l], ratio);
                 };
-                coder.light(k, l, level.rows(), layer, shown.geometry().materials());
+                coder.light(depth, place, l, level.rows(), layer, shown.geometry().materials());
             }
         }
     }
@@ -165,12 +179,12 @@ final class LevelWorker {
      *
      * @param to gets the colours
      */
-    TileLevel compose(TileLevel level, LevelJob update, float[][] cr, float[][] to) {
+    TileLevel compose(TileLevel level, LevelJob update, Images images, float[][] to) {
         rowsComposed += level.rows().count;
         BranchSums sums = update == null || update.key() == null ? null
                 : level.branches() != null ? level.branches()
                 : composer.branches(level.rows(), shown.lights(), level.layers(), update.key());
-        composer.level(level.rows(), shown.lights(), level.layers(), sums, shown.scene().world(), cr, to);
+        composer.level(level.rows(), shown.lights(), level.layers(), sums, shown.scene().world(), images, to);
         bytesMoved += bytesRead(level, update == null ? null : update.key(), sums);
         return sums == level.branches() ? level : level.with(sums);
     }
@@ -178,7 +192,7 @@ final class LevelWorker {
     /** What composing a level reads: textures, mirror images, and of the lights all that light a row, or their sums. */
     private long bytesRead(TileLevel level, BranchSums.Key key, BranchSums sums) {
         HitRows rows = level.rows();
-        long bytes = 12L * rows.reflective + (rows.texelRed == null ? 0 : 12L * rows.count) + 2L * rows.count;
+        long bytes = 12L * (rows.reflective + rows.clear) + (rows.texelRed == null ? 0 : 12L * rows.count) + 2L * rows.count;
         for (int l = 0; l < shown.lights().length; l++) {
             boolean read = sums == null || key.light() == l;
             if (read && !shown.lights()[l].isDark() && level.layers()[l].lit() > 0) {

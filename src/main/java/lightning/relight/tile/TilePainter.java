@@ -7,8 +7,11 @@ import lightning.engine.Engine;
 import lightning.image.Film;
 import lightning.scene.Scene;
 import lightning.scene.World;
+import lightning.shading.Images;
 import lightning.shading.Luminaire;
 import lightning.shading.TileComposer;
+import lightning.trace.Bounce;
+import lightning.trace.HitRows;
 import lightning.trace.SamplePlaces;
 
 /**
@@ -18,36 +21,47 @@ import lightning.trace.SamplePlaces;
 public final class TilePainter {
     private final TileComposer eye;
     private final TileComposer mirror;
+    private final int depth;
+    /** The level to be composed next. */
+    private int next;
 
     public TilePainter(PixelCache cache, Engine engine, ViewEffects view) {
+        depth = cache.scene().picture().depth();
         eye = new TileComposer(cache.geometry().materials(), engine.sums(), view);
         mirror = new TileComposer(cache.geometry().of(cache.mirroredScene()).materials(), engine.sums(), view);
     }
 
     /**
-     * Cr of the first level's reflective rows: red, green and blue columns of scratch memory, valid until the next call;
-     * null where it has none.
+     * What the rays bring that go on from the first level's rows: scratch memory, valid until the next call; null where none does.
      *
      * @param levels all of them, lit by {@code lights} from the second on
      */
-    public float[][] mirrored(TileLevel[] levels, Luminaire[] lights, World world) {
-        if (levels[0].rows().reflective == 0) {
-            return null;
+    public Images images(TileLevel[] levels, Luminaire[] lights, World world) {
+        next = 1;
+        return images(levels, 0, 0, lights, world);
+    }
+
+    private Images images(TileLevel[] levels, int of, int level, Luminaire[] lights, World world) {
+        HitRows rows = levels[of].rows();
+        if (level == depth || rows.reflective == 0) {
+            return mirror.unfollowed(rows, level);
         }
-        float[][] cr = mirror.unfollowed(levels[levels.length - 1].rows());
-        for (int k = levels.length - 1; k > 0; k--) {
-            float[][] above = mirror.followed(levels[k - 1].rows(), world);
-            mirror.level(levels[k].rows(), lights, levels[k].layers(), null, world, cr, above);
-            cr = above;
+        Images images = mirror.followed(rows, world, level);
+        for (Bounce bounce : Bounce.values()) {
+            if (bounce.rows(rows) > 0) {
+                int at = next++;
+                Images below = images(levels, at, level + 1, lights, world);
+                mirror.level(levels[at].rows(), lights, levels[at].layers(), null, world, below, images.of(bounce));
+            }
         }
-        return cr;
+        return images;
     }
 
     /** The tile of the film: red, green, blue, {@code float[1024]} each. */
-    public float[][] film(TileLevel top, Luminaire[] lights, Scene scene, SamplePlaces places, float[][] cr) {
+    public float[][] film(TileLevel top, Luminaire[] lights, Scene scene, SamplePlaces places, Images images) {
         float[][] pixels = new float[3][Film.TILE_PIXELS];
         eye.background(top.rows(), scene, places, pixels);
-        eye.level(top.rows(), lights, top.layers(), null, scene.world(), cr, pixels);
+        eye.level(top.rows(), lights, top.layers(), null, scene.world(), images, pixels);
         return pixels;
     }
 }

@@ -19,7 +19,7 @@ public final class MeshSolid {
 
     /** A mesh with a tree of its own, which nobody shares: for who measures how it is built. */
     public static MeshSolid apart(Mesh mesh) {
-        return new MeshSolid(mesh, new MeshTreeBuilder(mesh).tree());
+        return new MeshSolid(mesh, MeshTreeBuilder.build(mesh));
     }
 
     /** Bytes of the tree. */

@@ -61,7 +61,7 @@ public final class MeshTree {
     /** The tree of a mesh: built once for all who ask while the mesh is in use, by as many threads as there are processors. */
     public static MeshTree of(Mesh mesh) {
         synchronized (KNOWN) {
-            return KNOWN.computeIfAbsent(mesh, m -> new MeshTreeBuilder(m).tree());
+            return KNOWN.computeIfAbsent(mesh, m -> MeshTreeBuilder.build(m));
         }
     }
 

@@ -1,7 +1,9 @@
 package lightning.trace.mesh;
 
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.ForkJoinTask;
+import java.util.concurrent.FutureTask;
 import java.util.stream.IntStream;
 import lightning.mesh.Mesh;
 
@@ -19,18 +21,58 @@ final class MeshTreeBuilder {
     private final int count;
     private final TriangleBoxes boxes;
 
-    MeshTreeBuilder(Mesh mesh) {
+    private MeshTreeBuilder(Mesh mesh) {
         this.mesh = mesh;
         count = mesh.triangleCount();
         boxes = new TriangleBoxes(count);
     }
 
-    MeshTree tree() {
+    /**
+     * Builds the tree of a mesh. What is large is built by threads of its own: in the common pool a thread that waits for its part takes up other work there, and that
+     * may be work which waits for this tree.
+     */
+    static MeshTree build(Mesh mesh) {
+        var builder = new MeshTreeBuilder(mesh);
+        if (builder.count <= SHARED) {
+            return builder.tree();
+        }
+        // A task that is no ForkJoinTask: who waits for it does nothing else meanwhile.
+        var task = new FutureTask<>(builder::tree);
+        try (var pool = new ForkJoinPool()) {
+            pool.execute(task);
+            return result(task);
+        }
+    }
+
+    /** An interrupt is kept for later: half a tree is of no use to the others who wait for it. */
+    private static MeshTree result(FutureTask<MeshTree> task) {
+        boolean interrupted = false;
+        try {
+            while (true) {
+                try {
+                    return task.get();
+                } catch (InterruptedException e) {
+                    interrupted = true;
+                } catch (ExecutionException e) {
+                    // Memory may have run out.
+                    if (e.getCause() instanceof Error error) {
+                        throw error;
+                    }
+                    throw new IllegalStateException(e.getCause());
+                }
+            }
+        } finally {
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+
+    private MeshTree tree() {
         chunks(count, (from, to) -> boxes.take(mesh, from, to));
         float[] all = TriangleBoxes.empty();
         boxes.enclose(0, count, all);
-        TriangleSet root = count == 0 ? null
-                : ForkJoinPool.commonPool().submit(() -> split(0, count, 0, all, new TriangleSplit(boxes))).join();
+        TriangleSet root = count == 0 ? null : split(0, count, 0, all, new TriangleSplit(boxes));
         WideNodes nodes = new WideNodes(root);
         float[] vertex = new float[MeshTree.LEAF * nodes.leafCount()];
         int[] triangle = new int[MeshTree.WIDTH * nodes.leafCount()];

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import lightning.math.Transform;
 import lightning.math.Vec3;
+import lightning.scene.Clarity;
 import lightning.scene.Material;
 import lightning.scene.PlacedShape;
 import lightning.scene.Relief;
@@ -45,6 +46,8 @@ public final class PrimitiveTable {
     private final MeshSolid[] meshes;
     /** What bends the normals of each primitive, null for nothing; null where there is nothing at all. */
     private final Relief[] reliefs;
+    /** What passes through each primitive, null for nothing; null where there is nothing at all. */
+    private final Clarity[] clarities;
     /** How far a point that was put on the primitive may lie off it because shape and camera are rounded, scene units. */
     private final double[] off;
     /** Whether the eye lies on the primitive. */
@@ -74,6 +77,7 @@ public final class PrimitiveTable {
         this.kind = kind;
         this.meshes = meshes;
         this.reliefs = reliefs;
+        clarities = clarities(stage);
         this.material = material;
         this.owner = owner;
         this.at = at;
@@ -158,7 +162,7 @@ public final class PrimitiveTable {
 
     /**
      * Whether all that rays read of primitive {@code s} has the same bits as what they read of primitive {@code t} of another table
-     * in the same render space; materials may differ, and normals that are bent.
+     * in the same render space; materials may differ, normals that are bent, and what passes through.
      */
     public boolean isAlike(int s, PrimitiveTable o, int t) {
         return kind[s] == o.kind[t] && (kind[s] != MESH || mesh(s).mesh() == o.mesh(t).mesh())
@@ -308,6 +312,27 @@ public final class PrimitiveTable {
     /** What bends the normals of primitive {@code s}; null for nothing. */
     public Relief relief(int s) {
         return reliefs == null ? null : reliefs[s];
+    }
+
+    /** Whether rays go on behind primitive {@code s} as they do behind primitive {@code t} of another table. */
+    public boolean leadsRaysAs(int s, PrimitiveTable o, int t) {
+        Clarity one = clarity(s);
+        Clarity other = o.clarity(t);
+        return one == other || one != null && other != null && one.leadsRaysAs(other);
+    }
+
+    /** What passes through primitive {@code s}; null for nothing. */
+    private Clarity clarity(int s) {
+        return clarities == null ? null : clarities[s];
+    }
+
+    private static Clarity[] clarities(Stage stage) {
+        Map<String, Material> materials = stage.materialsByName();
+        if (materials.values().stream().noneMatch(m -> m.clarity().isClear())) {
+            return null;
+        }
+        return stage.shapes().stream().map(s -> materials.get(s.material()).clarity()).map(c -> c.isClear() ? c : null)
+                .toArray(Clarity[]::new);
     }
 
     /** Whether normals of primitive {@code s} are bent as those of primitive {@code t} of another table. */

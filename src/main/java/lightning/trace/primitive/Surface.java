@@ -32,9 +32,22 @@ public final class Surface {
     public float px;
     public float py;
     public float pz;
+    /** The point on the other side of the surface, off it by the same bound, once {@link #behind} was called. */
+    public float behindX;
+    public float behindY;
+    public float behindZ;
     public float nx;
     public float ny;
     public float nz;
+
+    private double hitX;
+    private double hitY;
+    private double hitZ;
+    private double unitX;
+    private double unitY;
+    private double unitZ;
+    private double slack;
+    private boolean inside;
 
     /** Computes the surface of a part of primitive {@code s} at distance {@code t} along the ray. */
     public void at(PrimitiveTable primitives, int s, int part, double ox, double oy, double oz, double dx, double dy, double dz, double t) {
@@ -76,6 +89,14 @@ public final class Surface {
         nx = (float) bx;
         ny = (float) by;
         nz = (float) bz;
+        hitX = x;
+        hitY = y;
+        hitZ = z;
+        unitX = bx;
+        unitY = by;
+        unitZ = bz;
+        inside = facing < 0;
+        slack = (Math.abs(ox) + Math.abs(oy) + Math.abs(oz)) * ERROR + primitives.error[s];
         boolean round = mesh != null && facet.isSmooth();
         if (round) {
             smooth.at(facet, m, i, bx, by, bz, shading);
@@ -87,11 +108,23 @@ public final class Surface {
         if (round || relief != null) {
             shade(primitives, s, relief, round ? smooth.side : facing < 0 ? -1 : 1, round, bx, by, bz, dx, dy, dz);
         }
-        double off = (Math.abs(x * bx) + Math.abs(y * by) + Math.abs(z * bz)) * OFFSET
-                + ((Math.abs(ox) + Math.abs(oy) + Math.abs(oz)) * ERROR + primitives.error[s]);
+        double off = (Math.abs(x * bx) + Math.abs(y * by) + Math.abs(z * bz)) * OFFSET + slack;
         px = (float) (x + bx * off);
         py = (float) (y + by * off);
         pz = (float) (z + bz * off);
+    }
+
+    /** Finds the point behind the surface that was computed last, where a ray that passes goes on. No mesh's normals lift it. */
+    public void behind() {
+        double off = (Math.abs(hitX * unitX) + Math.abs(hitY * unitY) + Math.abs(hitZ * unitZ)) * OFFSET + slack;
+        behindX = (float) (hitX - unitX * off);
+        behindY = (float) (hitY - unitY * off);
+        behindZ = (float) (hitZ - unitZ * off);
+    }
+
+    /** Whether the ray came to the surface that was computed last from inside: along its outward normal. */
+    public boolean isInside() {
+        return inside;
     }
 
     /** Shades by another normal than the surface's own, by the relief and the mesh's normals, as far as there are any. */

@@ -12,7 +12,9 @@ import lightning.edit.loop.Look;
 import lightning.edit.loop.RenderFeed;
 import lightning.edit.loop.RenderState;
 import lightning.image.Film;
+import lightning.image.ViewTransform;
 import lightning.model.Schedules;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -20,6 +22,12 @@ import org.junit.jupiter.api.Test;
 @Tag("model")
 class RenderFeedModelTest {
     private static final Film FILM = Film.black(1, 1);
+
+    /** Tables of codes are made when they are needed first: too long a work for a model. */
+    @BeforeAll
+    static void makeTables() {
+        ViewTransform.DEFAULT.toPixels(FILM);
+    }
 
     /** The window's thread, which runs what it is told when it has time. */
     private static final class Window implements Executor {

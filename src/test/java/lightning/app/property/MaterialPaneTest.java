@@ -10,6 +10,7 @@ import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.TextField;
+import javafx.scene.image.ImageView;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javax.imageio.ImageIO;
@@ -179,6 +180,7 @@ class MaterialPaneTest extends EditorDesk {
         robot.interact(() -> found.getOnShowing().handle(null));
         waitFor("it is seen", () -> found.getItems().stream().anyMatch(i -> "dots.png".equals(i.getText())));
         MenuItem dots = found.getItems().stream().filter(i -> "dots.png".equals(i.getText())).findFirst().orElseThrow();
+        assertThat(dots.getGraphic()).isInstanceOf(ImageView.class);
         robot.interact(dots::fire);
         waitFor("it is read", () -> material(edited()).texture().isPresent());
     }

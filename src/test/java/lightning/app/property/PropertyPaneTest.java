@@ -9,12 +9,15 @@ import java.util.stream.Collectors;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.ComboBox;
+import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Labeled;
+import javafx.scene.control.MenuItem;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.stage.Stage;
+import javafx.stage.Window;
 import lightning.app.JavaFxNeeds;
 import lightning.app.OnStage;
 import lightning.app.OpenEditor;
@@ -156,6 +159,37 @@ class PropertyPaneTest {
         robot.interact(() -> model.selectLight(OpenEditor.POINT));
         assertThat(Refusals.shown(robot)).isEmpty();
         assertThat(field(robot, "angle").getText()).isEqualTo("30");
+    }
+
+    private void choose(FxRobot robot, String widget, String item) {
+        robot.rightClickOn(widget);
+        robot.clickOn(item);
+    }
+
+    @Test
+    void copiedProperty_isPastedToAnotherLightAsTheFileWritesIt(FxRobot robot) {
+        type(robot, "intensity", "1/3");
+        choose(robot, "#intensity .label", "Copy Intensity");
+        robot.interact(() -> model.selectLight(OpenEditor.POINT));
+        choose(robot, "#intensity .label", "Paste Intensity '0.3333333333333333'");
+        assertThat(OpenEditor.light(model, OpenEditor.POINT).intensity()).isEqualTo(1.0 / 3);
+    }
+
+    @Test
+    void copiedProperty_isNotOfferedToAnother(FxRobot robot) {
+        choose(robot, "#intensity .label", "Copy Intensity");
+        robot.rightClickOn("#angle .label");
+        MenuItem paste = Window.getWindows().stream().filter(ContextMenu.class::isInstance)
+                .flatMap(w -> ((ContextMenu) w).getItems().stream()).filter(i -> i.getText().startsWith("Paste Angle")).findFirst()
+                .orElseThrow();
+        assertThat(paste.isDisable()).isTrue();
+    }
+
+    @Test
+    void reset_bringsTheValueOfANewLight(FxRobot robot) {
+        type(robot, "intensity", "7");
+        choose(robot, "#intensity .label", "Reset Intensity");
+        assertThat(OpenEditor.light(model, OpenEditor.SPOT).intensity()).isEqualTo(1);
     }
 
     @Test

@@ -43,7 +43,7 @@ class SamplingMenuTest extends EditorDesk {
         assertFilmIs(new ReferenceTracer(model().scene()).trace());
         assertCanvasShows(new ReferenceTracer(model().scene()).trace());
         assertThat(model().frame().film().sameBits(new ReferenceTracer(before).trace())).isFalse();
-        assertThat(text("status")).startsWith("samples");
+        assertThat(telemetry()).startsWith("samples");
     }
 
     @Test

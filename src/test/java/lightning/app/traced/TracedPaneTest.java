@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.util.Locale;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.control.CheckMenuItem;
@@ -23,6 +24,7 @@ import lightning.edit.LightEdits;
 import lightning.effects.Effect;
 import lightning.effects.ViewEffects;
 import lightning.image.DisplayCurve;
+import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
 import lightning.math.Vec3;
@@ -46,7 +48,12 @@ class TracedPaneTest extends EditorDesk {
     void hover_tellsTheShapeAndEachLightsShare() {
         robot.moveTo(pixel(32, 24));
         waitFor("it tells", () -> text("pixel").contains("ball"));
-        assertThat(text("pixel")).startsWith("32, 24").contains("normal");
+        Film film = model().frame().film();
+        int shown = ViewTransform.DEFAULT.pack(film.red(32, 24), film.green(32, 24), film.blue(32, 24));
+        double luminance = 0.2126 * film.red(32, 24) + 0.7152 * film.green(32, 24) + 0.0722 * film.blue(32, 24);
+        assertThat(text("pixel")).startsWith("32, 24").contains("normal").contains(String.format(Locale.ROOT,
+                "%.3f %.3f %.3f → %d %d %d  %+.1f stops", film.red(32, 24), film.green(32, 24), film.blue(32, 24), shown >> 16 & 0xFF,
+                shown >> 8 & 0xFF, shown & 0xFF, Math.log(luminance / 0.18) / Math.log(2)));
         assertThat(text("pixel-lights")).contains("lamp  ").contains("sun  ").contains("stage  ").contains(" %");
     }
 
@@ -200,6 +207,19 @@ class TracedPaneTest extends EditorDesk {
         assertThat(model().viewProperty().get()).isEqualTo(new ViewTransform(1, DisplayCurve.LINEAR));
         choose("view-srgb");
         assertThat(model().raster().pixels().pixels()).isEqualTo(new ViewTransform(1).toPixels(model().frame().film()));
+    }
+
+    @Test
+    void falseColor_showsStopsWithTheirLegend() {
+        assertThat(isShown("stop-legend")).isFalse();
+        choose("view-false");
+        assertThat(model().raster().pixels().pixels())
+                .isEqualTo(ViewTransform.DEFAULT.withCurve(DisplayCurve.FALSE).toPixels(model().frame().film()));
+        assertThat(isShown("stop-legend")).isTrue();
+        choose("view-aces");
+        assertThat(model().raster().pixels().pixels())
+                .isEqualTo(ViewTransform.DEFAULT.withCurve(DisplayCurve.ACES).toPixels(model().frame().film()));
+        assertThat(isShown("stop-legend")).isFalse();
     }
 
     @Test

@@ -14,6 +14,7 @@ import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
+import javafx.scene.input.ScrollEvent;
 import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
 import lightning.app.JavaFxNeeds;
@@ -142,6 +143,64 @@ class ArrowWidgetTest {
         robot.push(KeyCode.ENTER);
         assertThat(gestures).isEmpty();
         assertThat(Refusals.shown(robot)).containsExactly("gain must be a number, was 'much'");
+    }
+
+    @Test
+    void typedSum_isReckoned(FxRobot robot) {
+        type(robot, "0.3*2");
+        robot.push(KeyCode.ENTER);
+        assertThat(value).isEqualTo(0.6);
+        assertThat(field(robot).getText()).isEqualTo("0.6");
+    }
+
+    @Test
+    void typedPercentage_isOfTheValueThatIsThere(FxRobot robot) {
+        type(robot, "+10%");
+        robot.push(KeyCode.ENTER);
+        assertThat(value).isEqualTo(1.21);
+    }
+
+    @Test
+    void typedSumThatIsWrong_saysWhere(FxRobot robot) {
+        type(robot, "2*");
+        robot.push(KeyCode.ENTER);
+        assertThat(gestures).isEmpty();
+        assertThat(Refusals.shown(robot))
+                .containsExactly("gain must be a number or a sum as 0.3*2: expected a number after '2*', found nothing");
+    }
+
+    @Test
+    void dragOfTheNameToTheRight_raisesTheValueInOneGesture(FxRobot robot) {
+        robot.drag("Gain").moveBy(12, 0).moveBy(8, 0).release(MouseButton.PRIMARY);
+        assertThat(value).isEqualTo(1.6);
+        assertThat(gestures).hasSizeGreaterThan(1).doesNotContainNull();
+        assertThat(gestures.stream().distinct()).hasSize(1);
+    }
+
+    @Test
+    void clickOnTheName_goesIntoTheField(FxRobot robot) {
+        robot.clickOn("Gain").write("7").push(KeyCode.ENTER);
+        assertThat(value).isEqualTo(7);
+    }
+
+    @Test
+    void wheel_stepsWhereTheKeyboardIs_inOneGesture(FxRobot robot) {
+        turn(robot, 40);
+        assertThat(gestures).isEmpty();
+        robot.interact(() -> field(robot).requestFocus());
+        turn(robot, 40);
+        turn(robot, 40);
+        assertThat(value).isEqualTo(1.3);
+        turn(robot, -40);
+        assertThat(value).isEqualTo(1.2);
+        assertThat(gestures.stream().distinct()).hasSize(1);
+    }
+
+    /** By hand: so the wheel has no pace. */
+    private static void turn(FxRobot robot, double way) {
+        robot.interact(
+                () -> field(robot).fireEvent(new ScrollEvent(ScrollEvent.SCROLL, 2, 2, 2, 2, false, false, false, false, false, false, 0,
+                        way, 0, way, ScrollEvent.HorizontalTextScrollUnits.NONE, 0, ScrollEvent.VerticalTextScrollUnits.NONE, 0, 0, null)));
     }
 
     @Test

@@ -5,9 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import javafx.event.EventType;
+import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
 import javafx.stage.Stage;
 import lightning.app.JavaFxNeeds;
 import lightning.app.OnStage;
@@ -24,7 +28,7 @@ class VectorFieldTest {
 
     @Start
     private void start(Stage stage) {
-        vector = new VectorField("direction", v -> {
+        vector = new VectorField("direction", (v, _) -> {
             if (v.equals(Vec3.ZERO)) {
                 return Optional.of("direction must not be zero");
             }
@@ -54,6 +58,34 @@ class VectorFieldTest {
     void upKey_addsATenth(FxRobot robot) {
         robot.clickOn(fields(robot).get(1)).push(KeyCode.UP);
         assertThat(edits).containsExactly(new Vec3(0, -0.9, 0));
+    }
+
+    @Test
+    void dragOfALetter_changesThatComponent(FxRobot robot) {
+        Node letter = robot.lookup("Z").query();
+        robot.interact(() -> {
+            drag(letter, MouseEvent.MOUSE_PRESSED, 100);
+            drag(letter, MouseEvent.MOUSE_DRAGGED, 112);
+            drag(letter, MouseEvent.MOUSE_DRAGGED, 120);
+            drag(letter, MouseEvent.MOUSE_RELEASED, 120);
+        });
+        assertThat(edits.getLast()).isEqualTo(new Vec3(0, -1, 0.5));
+    }
+
+    /** By hand: the headless window gives a drag to what is under the mouse, others to where it began. */
+    private static void drag(Node letter, EventType<MouseEvent> type, double x) {
+        letter.fireEvent(
+                new MouseEvent(type, x, 2, x, 2, MouseButton.PRIMARY, 1, false, false, false, false, true, false, false, false, false,
+                        true, null));
+    }
+
+    @Test
+    void tab_goesFromFieldToField(FxRobot robot) {
+        robot.interact(() -> fields(robot).getFirst().requestFocus());
+        robot.push(KeyCode.TAB);
+        assertThat(fields(robot).get(1).isFocused()).isTrue();
+        robot.push(KeyCode.TAB);
+        assertThat(fields(robot).get(2).isFocused()).isTrue();
     }
 
     @Test

@@ -33,6 +33,6 @@ class GroupedTracerTest {
     }
 
     private static HitRows rows(Geometry geometry, Scene scene, Tracer tracer) {
-        return new TileVisibility(geometry, scene, tracer).eye(0, 0, 32, HitRows::new);
+        return new TileVisibility(geometry, scene, tracer).eye(0, 0, 32, (count, textured, _) -> new HitRows(count, textured));
     }
 }

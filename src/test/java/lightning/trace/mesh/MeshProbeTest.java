@@ -174,7 +174,7 @@ class MeshProbeTest {
     @Test
     void tree_holdsEveryTriangleOnceWithinBoxesOfAtMostSixtyBytesATriangle() {
         Mesh ball = Meshes.ball(200, 251, false);
-        MeshTree tree = new MeshTreeBuilder(ball).tree();
+        MeshTree tree = MeshTreeBuilder.build(ball);
         boolean[] seen = new boolean[ball.triangleCount()];
         for (int id : tree.triangle) {
             if (id >= 0) {
@@ -192,7 +192,7 @@ class MeshProbeTest {
         for (int i = 0; i < t.length; i++) {
             t[i] = i % 3;
         }
-        MeshTree tree = new MeshTreeBuilder(new Mesh(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, t, null, null, null)).tree();
+        MeshTree tree = MeshTreeBuilder.build(new Mesh(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, t, null, null, null));
         assertThat(tree.stack).isLessThan(100);
     }
 

@@ -1,4 +1,4 @@
-package lightning.app.property;
+package lightning.app.widget;
 
 import java.util.Locale;
 import javafx.util.StringConverter;
@@ -10,8 +10,8 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignW;
 
 /** How the types of lights look and are called. */
-final class LightTypes {
-    static final StringConverter<LightType> CONVERTER = new StringConverter<>() {
+public final class LightTypes {
+    public static final StringConverter<LightType> CONVERTER = new StringConverter<>() {
         @Override
         public String toString(LightType type) {
             return type == null ? "" : title(type);
@@ -25,7 +25,7 @@ final class LightTypes {
 
     private LightTypes() {}
 
-    static String title(LightType type) {
+    public static String title(LightType type) {
         return switch (type) {
             case POINT -> "Point";
             case SPOT -> "Spot";
@@ -35,7 +35,7 @@ final class LightTypes {
         };
     }
 
-    static Ikon icon(LightType type) {
+    public static Ikon icon(LightType type) {
         return switch (type) {
             case POINT -> MaterialDesignL.LIGHTBULB_ON_OUTLINE;
             case SPOT -> MaterialDesignS.SPOTLIGHT_BEAM;
@@ -46,7 +46,7 @@ final class LightTypes {
     }
 
     /** Whether a light shines. */
-    static Ikon bulb(boolean on) {
+    public static Ikon bulb(boolean on) {
         return on ? MaterialDesignL.LIGHTBULB_ON : MaterialDesignL.LIGHTBULB_OFF_OUTLINE;
     }
 }

@@ -1,0 +1,93 @@
+package lightning.app.command;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import javafx.scene.control.MenuItem;
+import lightning.app.model.EditorModel;
+import lightning.cache.PixelCache;
+import lightning.edit.Command;
+import lightning.edit.loop.Frame;
+import lightning.exr.ExrType;
+import lightning.image.PictureFile;
+import lightning.image.ViewTransform;
+import lightning.layer.LayerFile;
+import lightning.relight.MemoryNeed;
+import lightning.relight.tile.Options;
+import lightning.text.Quote;
+import lightning.work.Memory;
+import lightning.work.Workers;
+
+/** Writes the traced picture for other programs, beside the window's thread: its layers, or all that its film holds. */
+final class PictureExport {
+    private final EditorModel model;
+    private final FilePrompt prompt;
+    private final Notices notices;
+
+    PictureExport(EditorModel model, FilePrompt prompt, Notices notices) {
+        this.model = model;
+        this.prompt = prompt;
+        this.notices = notices;
+    }
+
+    /** One for each kind. */
+    List<MenuItem> items() {
+        return Arrays.stream(ExportKind.values())
+                .map(kind -> CommandItems.of(model).lastingValue(Command.EXPORT, kind.title(), () -> ask(kind)))
+                .toList();
+    }
+
+    private void ask(ExportKind kind) {
+        String name = model.document().name().replaceFirst("\\.jen$", "") + kind.ending();
+        prompt.pictureToWrite(model.document().file().resolveSibling(name)).ifPresent(chosen -> {
+            if (chosen.getFileName().toString().endsWith(kind.ending())) {
+                export(kind, chosen);
+            } else {
+                // The system asked about the name as it was typed only.
+                Path file = chosen.resolveSibling(chosen.getFileName() + kind.ending());
+                notices.unlessThere(model.files(), file, () -> export(kind, file));
+            }
+        });
+    }
+
+    private void export(ExportKind kind, Path file) {
+        PixelCache known = model.workbench().known().orElse(null);
+        Frame frame = model.frame();
+        if (model.reading() != null || known == null || frame == null) {
+            model.say("Nothing is exported while a file is read or a picture is begun");
+            return;
+        }
+        ViewTransform view = model.viewProperty().get().ofPicture();
+        String name = Quote.path(file.getFileName());
+        model.setWriting(file);
+        model.files().beside(() -> {
+            write(kind, file, known, frame, view);
+            return file;
+        }, _ -> end(file, "Exported " + name), why -> {
+            end(file, why instanceof CancellationException ? "Export of " + name + " cancelled" : "");
+            if (!(why instanceof CancellationException)) {
+                notices.failed("The picture could not be exported", why);
+            }
+        });
+    }
+
+    private void write(ExportKind kind, Path file, PixelCache known, Frame frame, ViewTransform view) throws IOException {
+        if (!kind.hasLayers()) {
+            PictureFile.write(file, frame.film(), view, kind.bits());
+            return;
+        }
+        var layers = new LayerFile(known, Options.DEFAULT.engines(), kind.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT);
+        try (var workers = new Workers(Workers.available())) {
+            layers.write(file, Memory.available() - MemoryNeed.of(known), workers, new ReadingLine(model, file, "Writing"));
+        }
+    }
+
+    private void end(Path file, String text) {
+        if (model.reading() == file) {
+            model.setReading(null);
+        }
+        model.say(text);
+    }
+}

@@ -1,0 +1,81 @@
+package lightning.app.contribution;
+
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import lightning.app.model.EditorModel;
+import lightning.work.Progress;
+
+/** Answers questions about the picture on a thread of its own; a newer one of the same kind stops an older. */
+final class ContributionFeed implements AutoCloseable {
+    private final EditorModel model;
+    private final ExecutorService thread;
+    private final AtomicReference<Object> newest = new AtomicReference<>();
+
+    ContributionFeed(EditorModel model, String name) {
+        this.model = model;
+        thread = Executors.newSingleThreadExecutor(task -> {
+            Thread t = new Thread(task, name);
+            t.setDaemon(true);
+            return t;
+        });
+    }
+
+    /**
+     * Asks.
+     *
+     * @param answer stops where its progress asks for it; empty where there is none
+     * @param heard  on the window's thread, unless a newer question came
+     * @param failed likewise, where it failed
+     */
+    <T> void ask(Function<Progress, Optional<T>> answer, Consumer<T> heard, Consumer<Throwable> failed) {
+        var own = new Object();
+        newest.set(own);
+        Progress progress = new Progress() {
+            @Override
+            public void tiles(int done, int total) {
+                // It is short.
+            }
+
+            @Override
+            public boolean isCancelled() {
+                return newest.get() != own;
+            }
+        };
+        thread.execute(() -> {
+            if (progress.isCancelled()) {
+                return;
+            }
+            try {
+                answer.apply(progress).ifPresent(result -> tell(own, () -> heard.accept(result)));
+            } catch (CancellationException e) {
+                // A newer question is asked.
+            } catch (RuntimeException | OutOfMemoryError e) {
+                tell(own, () -> failed.accept(e));
+            }
+        });
+    }
+
+    private void tell(Object own, Runnable what) {
+        model.window().execute(() -> {
+            if (newest.get() == own) {
+                what.run();
+            }
+        });
+    }
+
+    /** Stops what is being asked. */
+    void stop() {
+        newest.set(new Object());
+    }
+
+    @Override
+    public void close() {
+        stop();
+        thread.shutdown();
+    }
+}

@@ -1,0 +1,299 @@
+package lightning.app.contribution;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import javafx.animation.PauseTransition;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.TableCell;
+import javafx.scene.control.TableColumn;
+import javafx.scene.control.TableRow;
+import javafx.scene.control.TableView;
+import javafx.scene.control.Tooltip;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
+import javafx.util.Duration;
+import javafx.util.Subscription;
+import lightning.app.model.EditorModel;
+import lightning.app.model.PicturePart;
+import lightning.app.model.Sentence;
+import lightning.app.widget.Obstacle;
+import lightning.app.widget.Percent;
+import lightning.edit.Change;
+import lightning.edit.loop.Frame;
+import lightning.image.Film;
+import lightning.image.ViewTransform;
+import lightning.relight.Contribution;
+import lightning.relight.Contributions;
+import lightning.relight.SmallShares;
+import lightning.relight.tile.Options;
+import lightning.scene.Scene;
+
+/**
+ * Which lights matter: the share of each in the picture, in a part of it and in the pixel under the mouse, and what would be another
+ * without it. What nobody sees is switched off by one click, and the new picture is held against the old one.
+ */
+public final class ContributionPane extends VBox {
+    /** While edits come faster than that, nothing is asked. */
+    private static final Duration REST = Duration.millis(300);
+
+    private final EditorModel model;
+    private final ContributionFeed feed;
+    private final ContributionFeed pixels;
+    private final TableView<Contribution> table = new TableView<>();
+    private final Label summary = new Label("…");
+    private final Label proof = new Label();
+    private final Label regionText = new Label("Region: the whole picture");
+    private final Obstacle nothingIdle;
+    private final PauseTransition rest = new PauseTransition(REST);
+    private final List<Subscription> heard = new ArrayList<>();
+    private Map<String, Double> pointed = Map.of();
+    private Optional<Contributions.Region> region = Optional.empty();
+    private Contributions shown;
+    private Scene shownOf;
+    private Frame asked;
+    /** What was switched off, and the picture before; null where nothing is to be proved. */
+    private Proof wanted;
+
+    private record Proof(Scene scene, Film before, int lights) {}
+
+    public ContributionPane(EditorModel model) {
+        this.model = model;
+        feed = new ContributionFeed(model, "lightning-contributions");
+        pixels = new ContributionFeed(model, "lightning-pixel-share");
+        setId("contributions");
+        getStyleClass().add("contributions");
+        summary.setId("contribution-summary");
+        summary.setMaxWidth(Double.MAX_VALUE);
+        HBox.setHgrow(summary, Priority.ALWAYS);
+        var off = new Button("Switch Off");
+        off.setId("switch-off-idle");
+        off.getStyleClass().add("accent");
+        off.setMinWidth(Region.USE_PREF_SIZE);
+        off.setOnAction(_ -> switchOff());
+        var around = new StackPane(off);
+        nothingIdle = new Obstacle(around, off, "Switch off the lights that change no displayed pixel, in one step to undo");
+        nothingIdle.set(Optional.of("nothing is known yet"));
+        var head = new HBox(summary, around);
+        head.getStyleClass().add("mixer-tools");
+        var pick = new Button("Region…");
+        pick.setId("contribution-region");
+        pick.setTooltip(new Tooltip("Drag a frame in the traced picture"));
+        pick.setMinWidth(Region.USE_PREF_SIZE);
+        pick.setOnAction(_ -> pickRegion());
+        var whole = new Button("Whole Picture");
+        whole.setId("contribution-whole");
+        whole.setMinWidth(Region.USE_PREF_SIZE);
+        whole.setOnAction(_ -> setRegion(Optional.empty()));
+        regionText.setId("contribution-region-text");
+        regionText.getStyleClass().add("pane-note");
+        var parts = new HBox(pick, whole, regionText);
+        parts.getStyleClass().add("mixer-tools");
+        proof.setId("contribution-proof");
+        proof.setWrapText(true);
+        proof.getStyleClass().add("contribution-proof");
+        fillTable();
+        VBox.setVgrow(table, Priority.ALWAYS);
+        getChildren().addAll(head, table, parts, proof);
+        rest.setOnFinished(_ -> ask());
+    }
+
+    private void fillTable() {
+        table.setId("contribution-table");
+        table.setPlaceholder(new Label("No lights"));
+        table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
+        table.getColumns().setAll(List.of(
+                column("Light", Contribution::light, Function.identity(), 130),
+                column("Picture", Contribution::picture, Percent::text, 80),
+                column("Region", Contribution::region, Percent::text, 80),
+                column("Pointer", c -> pointed.getOrDefault(c.light(), Double.NaN), p -> p.isNaN() ? "–" : Percent.text(p), 80),
+                column("Without it", c -> c.shines() ? c.without().shown() : -1L, Object::toString, 240)));
+        ((TableColumn<Contribution, Long>) table.getColumns().get(4)).setCellFactory(_ -> new TableCell<>() {
+            @Override
+            protected void updateItem(Long item, boolean empty) {
+                super.updateItem(item, empty);
+                Contribution of = getTableRow() == null ? null : getTableRow().getItem();
+                setText(empty || of == null ? null : without(of));
+            }
+        });
+        table.setRowFactory(_ -> {
+            TableRow<Contribution> row = new TableRow<>();
+            row.setOnMouseClicked(_ -> {
+                if (row.getItem() != null) {
+                    model.selectLight(row.getItem().light());
+                }
+            });
+            return row;
+        });
+    }
+
+    private static <T> TableColumn<Contribution, T> column(String title, Function<Contribution, T> value, Function<T, String> text,
+            double width) {
+        var column = new TableColumn<Contribution, T>(title);
+        column.setCellValueFactory(c -> new ReadOnlyObjectWrapper<>(value.apply(c.getValue())));
+        column.setCellFactory(_ -> new TableCell<>() {
+            @Override
+            protected void updateItem(T item, boolean empty) {
+                super.updateItem(item, empty);
+                setText(empty || item == null ? null : text.apply(item));
+            }
+        });
+        column.setPrefWidth(width);
+        return column;
+    }
+
+    /** What the picture would be without a light. */
+    static String without(Contribution of) {
+        Contribution.Change change = of.without();
+        return !of.shines() ? "does not shine" : change.isNone() ? "equal in every bit"
+                : change.isUnseen() ? String.format(Locale.ROOT, "looks the same, off by %.1e at most", change.largest())
+                : String.format(Locale.ROOT, "%,d pixels change", change.shown());
+    }
+
+    /** Begins to follow the picture. */
+    public void start() {
+        stop();
+        heard.add(model.renderingProperty().subscribe(state -> follow(state.frame())));
+        heard.add(model.viewProperty().subscribe(_ -> again()));
+        heard.add(model.part().pointedProperty().subscribe(this::point));
+    }
+
+    /** Follows no more. */
+    public void stop() {
+        heard.forEach(Subscription::unsubscribe);
+        heard.clear();
+        rest.stop();
+        feed.stop();
+        pixels.stop();
+        asked = null;
+        PicturePart.Ask ask = model.part().askProperty().get();
+        if (ask != null) {
+            model.part().askProperty().set(null);
+        }
+    }
+
+    private void follow(Frame frame) {
+        if (frame != null && frame != asked && frame.finished()) {
+            asked = frame;
+            prove(frame);
+            again();
+        }
+    }
+
+    private void again() {
+        summary.setText("Asking all lights …");
+        feed.stop();
+        rest.playFromStart();
+    }
+
+    private void ask() {
+        Options options = model.precisionProperty().get().options().withThreads(1);
+        ViewTransform view = model.viewProperty().get();
+        Optional<Contributions.Region> part = region;
+        feed.ask(progress -> model.workbench().known().map(cache -> new Answer(cache.scene(), Contributions.of(cache, options, view,
+                part.orElseGet(() -> Contributions.Region.all(cache.film())), progress))), this::show,
+                why -> summary.setText(Sentence.of(why)));
+    }
+
+    private record Answer(Scene scene, Contributions contributions) {}
+
+    private void show(Answer answer) {
+        shown = answer.contributions();
+        shownOf = answer.scene();
+        List<TableColumn<Contribution, ?>> order = List.copyOf(table.getSortOrder());
+        table.getItems().setAll(shown.lights());
+        table.getSortOrder().setAll(order);
+        table.sort();
+        int idle = shown.idle().size();
+        summary.setText(idle == 0 ? "Every light that shines changes some pixel"
+                : (idle == 1 ? "1 light changes" : idle + " lights together change") + " no displayed pixel: "
+                        + String.join(", ", shown.idle()));
+        nothingIdle.set(idle == 0 ? Optional.of("every light that shines changes some pixel") : Optional.empty());
+    }
+
+    private void pickRegion() {
+        model.part().askProperty().set(new PicturePart.Ask("Drag a frame around what to ask about", part -> setRegion(Optional.of(part))));
+    }
+
+    private void setRegion(Optional<Contributions.Region> part) {
+        region = part;
+        regionText.setText(
+                "Region: " + part.map(r -> (r.right() - r.left()) + " × " + (r.bottom() - r.top()) + " pixels at " + r.left() + ", "
+                        + r.top()).orElse("the whole picture"));
+        again();
+    }
+
+    private void point(PicturePart.Pixel pixel) {
+        if (pixel == null) {
+            pixels.stop();
+            pointed = Map.of();
+            table.refresh();
+            return;
+        }
+        pixels.ask(_ -> model.workbench().known()
+                .filter(c -> pixel.x() < c.scene().picture().width() && pixel.y() < c.scene().picture().height())
+                .map(cache -> parts(SmallShares.pixel(cache, pixel.x(), pixel.y()))), parts -> {
+                    pointed = parts;
+                    table.refresh();
+                }, why -> model.say(Sentence.of(why)));
+    }
+
+    private static Map<String, Double> parts(SmallShares shares) {
+        double all = SmallShares.brightness(shares.picture());
+        Map<String, Double> parts = new HashMap<>();
+        for (int l = 0; l < shares.scene().lights().size(); l++) {
+            parts.put(shares.scene().lights().get(l).name(), all > 0 ? SmallShares.brightness(shares.light(l)) / all : 0);
+        }
+        return parts;
+    }
+
+    private void switchOff() {
+        Frame frame = model.frame();
+        if (shown == null || frame == null || !model.scene().rig().equals(shownOf.rig())) {
+            model.say("The scene was edited since; press Go first");
+            return;
+        }
+        List<String> idle = shown.idle();
+        model.edit(scene -> Change.of(() -> Contributions.off(scene, idle))).ifPresentOrElse(model::say, () -> {
+            wanted = new Proof(model.scene(), frame.film(), idle.size());
+            proof.setText("Switched off; comparing the new picture …");
+            nothingIdle.set(Optional.of("it is being compared"));
+            if (!model.liveProperty().get()) {
+                model.go();
+            }
+        });
+    }
+
+    /** Holds the picture after lights were switched off against the one before. */
+    private void prove(Frame frame) {
+        Proof of = wanted;
+        if (of == null) {
+            return;
+        }
+        if (!frame.scene().rig().equals(of.scene().rig())) {
+            return;
+        }
+        wanted = null;
+        ViewTransform view = model.viewProperty().get();
+        model.files().beside(() -> Contribution.Change.between(of.before(), frame.film(), view),
+                change -> proof.setText(told(of.lights(), change)),
+                why -> proof.setText(Sentence.of(why)));
+    }
+
+    static String told(int lights, Contribution.Change change) {
+        String begin = "Switched off " + (lights == 1 ? "1 light" : lights + " lights") + ": ";
+        return begin + (change.isNone() ? "the new picture is equal to the old one in every bit."
+                : change.isUnseen() ? String.format(Locale.ROOT,
+                        "every pixel is displayed as before; %,d linear values differ, by %.2e at most.", change.values(), change.largest())
+                : String.format(Locale.ROOT, "%,d pixels are displayed in another colour.", change.shown()));
+    }
+}

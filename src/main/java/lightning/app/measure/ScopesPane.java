@@ -1,0 +1,109 @@
+package lightning.app.measure;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.atomic.AtomicBoolean;
+import javafx.scene.control.Label;
+import javafx.scene.image.ImageView;
+import javafx.scene.image.PixelFormat;
+import javafx.scene.image.WritableImage;
+import javafx.scene.layout.VBox;
+import javafx.util.Subscription;
+import lightning.app.model.EditorModel;
+import lightning.edit.loop.Frame;
+import lightning.image.Scopes;
+import lightning.image.ViewTransform;
+
+/** Histogram and waveform of the traced picture as it is shown, counted on a thread of its own; of many pictures the newest. */
+public final class ScopesPane extends VBox {
+    private static final int HEIGHT = 160;
+    private static final int WIDTH = 512;
+
+    private final EditorModel model;
+    private final ExecutorService thread = Executors.newSingleThreadExecutor(task -> {
+        Thread t = new Thread(task, "lightning-scopes");
+        t.setDaemon(true);
+        return t;
+    });
+    private final AtomicBoolean asked = new AtomicBoolean();
+    private final ImageView histogram = view("histogram", "How many pixels have each code, red, green and blue");
+    private final ImageView waveform = view("waveform", "Which codes the pixels of each column have");
+    private final Label cut = new Label();
+    private final List<Subscription> heard = new ArrayList<>();
+    private volatile Frame frame;
+    private volatile ViewTransform shown = ViewTransform.DEFAULT;
+
+    public ScopesPane(EditorModel model) {
+        this.model = model;
+        setId("scopes");
+        getStyleClass().add("panel");
+        setSpacing(8);
+        setStyle("-fx-padding: 12;");
+        cut.setId("scopes-cut");
+        getChildren().setAll(new Label("Histogram"), histogram, cut, new Label("Waveform"), waveform);
+    }
+
+    private static ImageView view(String id, String text) {
+        var view = new ImageView();
+        view.setId(id);
+        view.setAccessibleText(text);
+        view.setFitWidth(WIDTH);
+        view.setFitHeight(id.equals("histogram") ? HEIGHT : Scopes.CODES);
+        view.setSmooth(false);
+        return view;
+    }
+
+    /** Begins to follow the picture. */
+    public void start() {
+        stop();
+        heard.add(model.renderingProperty().subscribe(_ -> look()));
+        heard.add(model.viewProperty().subscribe(_ -> look()));
+    }
+
+    /** Follows no more: scopes that are not seen cost nothing. */
+    public void stop() {
+        heard.forEach(Subscription::unsubscribe);
+        heard.clear();
+        frame = null;
+    }
+
+    private void look() {
+        Frame now = model.frame();
+        ViewTransform view = model.viewProperty().get();
+        if (now == null || now == frame && view.equals(shown)) {
+            return;
+        }
+        frame = now;
+        shown = view;
+        if (asked.compareAndSet(false, true)) {
+            thread.execute(this::count);
+        }
+    }
+
+    private void count() {
+        asked.set(false);
+        Frame about = frame;
+        if (about != null) {
+            Scopes scopes = Scopes.of(about.seen(), shown);
+            int[] bars = scopes.histogramPixels(HEIGHT);
+            int[] wave = scopes.waveformPixels();
+            model.window().execute(() -> show(scopes, bars, wave));
+        }
+    }
+
+    private void show(Scopes scopes, int[] bars, int[] wave) {
+        histogram.setImage(image(Scopes.CODES, HEIGHT, bars));
+        waveform.setImage(image(scopes.columns(), Scopes.CODES, wave));
+        cut.setText(String.format(Locale.ROOT, "%.1f %% of a channel at black, %.1f %% at white", 100 * scopes.shareOf(0),
+                100 * scopes.shareOf(Scopes.CODES - 1)));
+    }
+
+    private static WritableImage image(int width, int height, int[] pixels) {
+        var image = new WritableImage(width, height);
+        image.getPixelWriter().setPixels(0, 0, width, height, PixelFormat.getIntArgbInstance(), pixels, 0, width);
+        return image;
+    }
+}

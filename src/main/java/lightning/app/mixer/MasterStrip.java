@@ -1,0 +1,67 @@
+package lightning.app.mixer;
+
+import java.util.Optional;
+import javafx.scene.control.Label;
+import javafx.scene.control.Tooltip;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+import lightning.app.widget.Gauge;
+import lightning.app.widget.NumberField;
+import lightning.edit.Steps;
+
+/**
+ * Makes all that shines brighter or darker. The scene keeps it in the lights' own intensities, so that the fader stands at 0 again
+ * when it is let go.
+ */
+final class MasterStrip extends VBox {
+    private static final double RANGE = 5;
+
+    private final Board board;
+    private final Thumbnail thumbnail = new Thumbnail("master");
+    private final Fader fader;
+    private final NumberField stops;
+
+    MasterStrip(Board board) {
+        this.board = board;
+        setId("strip-master");
+        getStyleClass().addAll("strip", "master-strip");
+        var name = new Label("Master");
+        name.getStyleClass().add("strip-head");
+        fader = new Fader("master fader", RANGE, false, new Hand());
+        fader.setId("fader-master");
+        stops = new NumberField("master stops", Gauge.of("stops", new Steps(0.1, -100, 100), board::master));
+        stops.setId("stops-master");
+        stops.setTooltip(new Tooltip("Stops to add to all lights and the environment"));
+        stops.show(0);
+        VBox.setVgrow(fader, Priority.ALWAYS);
+        var note = new Label("stops, all lights");
+        note.getStyleClass().add("part");
+        getChildren().addAll(name, thumbnail, fader, stops, note);
+    }
+
+    private final class Hand implements Fader.Hand {
+        @Override
+        public void begin() {
+            board.begin();
+        }
+
+        @Override
+        public void move(double to, Object gesture) {
+            if (board.master(to, gesture).isEmpty() && gesture != null) {
+                fader.show(to);
+                stops.show(to);
+            }
+        }
+
+        @Override
+        public void end() {
+            board.end();
+            fader.show(0);
+            stops.show(0);
+        }
+    }
+
+    void show(SharePictures pictures) {
+        thumbnail.show(Optional.of(pictures.whole()));
+    }
+}

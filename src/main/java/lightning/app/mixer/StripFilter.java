@@ -1,0 +1,54 @@
+package lightning.app.mixer;
+
+import java.util.Locale;
+import lightning.app.widget.LightTypes;
+import lightning.edit.Channel;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+
+/** Which strips of the board are seen. */
+enum StripFilter {
+    ALL("All"), SHINING("Shining"), DARK("Dark"), SOLO("Solo"), MUTED("Muted"), BANKS("Banks");
+
+    private final String title;
+
+    StripFilter(String title) {
+        this.title = title;
+    }
+
+    @Override
+    public String toString() {
+        return title;
+    }
+
+    boolean shows(Channel channel, Scene scene) {
+        return switch (this) {
+            case ALL -> true;
+            case SHINING -> channel.shines(scene);
+            case DARK -> !channel.shines(scene);
+            case SOLO -> channel.isSolo(scene);
+            case MUTED -> !channel.isOn(scene);
+            case BANKS -> channel instanceof Channel.OfBank;
+        };
+    }
+
+    /** Whether a strip's name, its bank's or its type has the words. */
+    static boolean finds(String words, Channel channel, Scene scene) {
+        String all = channel.title() + switch (channel) {
+            case Channel.OfLight(String name) -> scene.light(name).map(StripFilter::words).orElse("");
+            case Channel.OfBank _ -> " bank";
+            case Channel.OfEnvironment _ -> "";
+        };
+        String text = all.toLowerCase(Locale.ROOT);
+        for (String word : words.strip().toLowerCase(Locale.ROOT).split("\\s+")) {
+            if (!text.contains(word)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static String words(Light light) {
+        return " " + light.bank() + " " + LightTypes.title(light.type());
+    }
+}

@@ -1,0 +1,46 @@
+package lightning.app.mixer;
+
+import java.nio.IntBuffer;
+import java.util.Optional;
+import javafx.scene.control.Label;
+import javafx.scene.image.ImageView;
+import javafx.scene.image.PixelBuffer;
+import javafx.scene.image.PixelFormat;
+import javafx.scene.image.WritableImage;
+import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
+import lightning.app.widget.Percent;
+
+/** What a strip gives to the picture: the picture of it, and its part in per cent. */
+final class Thumbnail extends VBox {
+    private final ImageView image = new ImageView();
+    private final Label part = new Label("–");
+    private int[] pixels;
+
+    Thumbnail(String id) {
+        getStyleClass().add("thumbnail");
+        image.setId("thumbnail-" + id);
+        var frame = new StackPane(image);
+        frame.setMinSize(ShareFeed.WIDTH, ShareFeed.HEIGHT);
+        frame.setMaxSize(ShareFeed.WIDTH, ShareFeed.HEIGHT);
+        frame.getStyleClass().add("thumbnail-frame");
+        part.setId("part-" + id);
+        part.getStyleClass().add("part");
+        getChildren().addAll(frame, part);
+    }
+
+    void show(Optional<SharePictures.One> one) {
+        one.ifPresentOrElse(p -> {
+            if (p.pixels() != pixels) {
+                pixels = p.pixels();
+                image.setImage(new WritableImage(new PixelBuffer<>(p.width(), p.height(), IntBuffer.wrap(pixels),
+                        PixelFormat.getIntArgbPreInstance())));
+            }
+            part.setText(Percent.text(p.part()));
+        }, () -> {
+            pixels = null;
+            image.setImage(null);
+            part.setText("–");
+        });
+    }
+}

@@ -1,0 +1,55 @@
+package lightning.app.model;
+
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleObjectProperty;
+
+/** How the window's room is given to the pictures, and to what stands around them. */
+public final class Arrangement {
+    private final ObjectProperty<Canvases> canvases = new SimpleObjectProperty<>(Canvases.SIDE_BY_SIDE);
+    private final BooleanProperty panelsHidden = new SimpleBooleanProperty();
+
+    /** Which of the two pictures are seen, and how large. */
+    public enum Canvases {
+        SIDE_BY_SIDE("Side by Side", 0.5), PICTURE_LARGE("Traced Picture Large", 0.72), PREVIEW_LARGE("Preview Large", 0.28),
+        PICTURE_ALONE("Traced Picture Alone", 1), PREVIEW_ALONE("Preview Alone", 0);
+
+        private final String title;
+        private final double share;
+
+        Canvases(String title, double share) {
+            this.title = title;
+            this.share = share;
+        }
+
+        /** The traced picture's share of the width; 1 and 0 where one is alone. */
+        public double share() {
+            return share;
+        }
+
+        @Override
+        public String toString() {
+            return title;
+        }
+    }
+
+    public ObjectProperty<Canvases> canvasesProperty() {
+        return canvases;
+    }
+
+    /** Whether lists, properties and the tool bar are hidden. */
+    public BooleanProperty panelsHiddenProperty() {
+        return panelsHidden;
+    }
+
+    /** As it was left. The panels are shown in any case: without them nobody would find anything. */
+    public void restore(Preferences preferences) {
+        canvases.set(preferences.choice("arrangement", Canvases.SIDE_BY_SIDE));
+    }
+
+    /** Keeps what is restored. */
+    public void remember(Preferences preferences) {
+        preferences.set("arrangement", canvases.get().name());
+    }
+}

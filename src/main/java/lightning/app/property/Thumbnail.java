@@ -1,0 +1,81 @@
+package lightning.app.property;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.IntBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Iterator;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javafx.scene.image.ImageView;
+import javafx.scene.image.PixelBuffer;
+import javafx.scene.image.PixelFormat;
+import javafx.scene.image.WritableImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+
+/**
+ * A picture file, small.
+ *
+ * @param pixels {@code int[width * height]}, opaque 0xFFRRGGBB
+ */
+record Thumbnail(int width, int height, int[] pixels) {
+    /** Of the longer side, pixels. */
+    private static final int SIDE = 40;
+    /** A larger picture is not looked at. */
+    private static final long MOST_PIXELS = 1L << 26;
+
+    /** Beside the window's thread: that of a file of a scene's folder or its textures; empty where it is none, lies elsewhere, or is too large. */
+    static Optional<Thumbnail> of(Path folder, String name) {
+        try {
+            Path root = folder.toRealPath();
+            for (Path path : Stream.of(folder.resolve(name), folder.resolve("textures").resolve(name)).toList()) {
+                if (Files.isRegularFile(path) && path.toRealPath().startsWith(root)) {
+                    return read(path);
+                }
+            }
+        } catch (IOException | RuntimeException e) {
+            // A picture that cannot be read has its name alone.
+        }
+        return Optional.empty();
+    }
+
+    private static Optional<Thumbnail> read(Path path) throws IOException {
+        try (ImageInputStream in = ImageIO.createImageInputStream(path.toFile())) {
+            Iterator<ImageReader> readers = in == null ? Stream.<ImageReader>empty().iterator() : ImageIO.getImageReaders(in);
+            if (!readers.hasNext()) {
+                return Optional.empty();
+            }
+            ImageReader reader = readers.next();
+            try {
+                reader.setInput(in, true, true);
+                return (long) reader.getWidth(0) * reader.getHeight(0) > MOST_PIXELS ? Optional.empty() : Optional.of(small(reader));
+            } finally {
+                reader.dispose();
+            }
+        }
+    }
+
+    private static Thumbnail small(ImageReader reader) throws IOException {
+        int step = Math.max(1, Math.max(reader.getWidth(0), reader.getHeight(0)) / SIDE);
+        var some = reader.getDefaultReadParam();
+        some.setSourceSubsampling(step, step, 0, 0);
+        BufferedImage read = reader.read(0, some);
+        int[] pixels = read.getRGB(0, 0, read.getWidth(), read.getHeight(), null, 0, read.getWidth());
+        for (int i = 0; i < pixels.length; i++) {
+            pixels[i] |= 0xFF000000;
+        }
+        return new Thumbnail(read.getWidth(), read.getHeight(), pixels);
+    }
+
+    ImageView view() {
+        var view = new ImageView(new WritableImage(
+                new PixelBuffer<>(width, height, IntBuffer.wrap(pixels), PixelFormat.getIntArgbPreInstance())));
+        view.setPreserveRatio(true);
+        view.setFitWidth(SIDE);
+        view.setFitHeight(SIDE);
+        return view;
+    }
+}

@@ -1,0 +1,179 @@
+package lightning.app.traced;
+
+import java.util.List;
+import java.util.Optional;
+import javafx.geometry.Bounds;
+import javafx.scene.canvas.Canvas;
+import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.layout.Pane;
+import javafx.scene.paint.Color;
+import javafx.scene.shape.Rectangle;
+import lightning.app.model.EditorModel;
+import lightning.app.widget.PictureView;
+import lightning.edit.LightEdits;
+import lightning.edit.LightGizmo;
+import lightning.edit.LightManipulation;
+import lightning.edit.NodeEdits;
+import lightning.edit.NodeGizmo;
+import lightning.edit.PreviewCamera;
+import lightning.edit.Viewport;
+import lightning.scene.Light;
+
+/**
+ * The wireframe of the selected light, or the handles of the selected shape, over the traced picture while the mouse is there: taken and
+ * dragged as in the preview. G hides them in both.
+ */
+final class TracedGizmo extends Pane {
+    private static final Color SELECTED = Color.web("#FFD60A");
+    private static final Color EDGE = Color.gray(0, 0.65);
+    private static final List<Color> AXES = List.of(Color.web("#FF6B5E"), Color.web("#7ADB5C"), Color.web("#5CA8FF"));
+    private static final double LINE = 1.25;
+    private static final double EDGE_LINE = 3;
+    private static final double TOLERANCE = 8;
+
+    private final EditorModel model;
+    private final PictureView picture;
+    private final Canvas canvas = new Canvas();
+    private Drag drag;
+
+    /** What a press took. */
+    private sealed interface Taken {}
+
+    private record OfLight(Light begin, MouseEvent press) implements Taken {}
+
+    private record OfHandle(NodeGizmo gizmo, NodeGizmo.Handle handle) implements Taken {}
+
+    /** @param from the place of the press, of the whole picture as it is shown */
+    private record Drag(Taken taken, Viewport.Pixel from) {}
+
+    TracedGizmo(EditorModel model, PictureView picture) {
+        this.model = model;
+        this.picture = picture;
+        setId("traced-gizmo");
+        setMouseTransparent(true);
+        var clip = new Rectangle();
+        clip.widthProperty().bind(widthProperty());
+        clip.heightProperty().bind(heightProperty());
+        setClip(clip);
+        getChildren().add(canvas);
+        model.sceneProperty().subscribe(_ -> draw());
+        model.situationProperty().subscribe(_ -> draw());
+        model.previewLook().gizmosHiddenProperty().subscribe(_ -> draw());
+        model.previewLook().sizeProperty().subscribe(_ -> draw());
+        picture.placeProperty().subscribe(_ -> draw());
+        picture.hoverProperty().subscribe(_ -> draw());
+    }
+
+    private Viewport viewport() {
+        Bounds place = picture.placeProperty().getValue();
+        return new Viewport(Math.max(1, place.getWidth()), Math.max(1, place.getHeight()));
+    }
+
+    private PreviewCamera view() {
+        return PreviewCamera.of(model.scene());
+    }
+
+    private boolean isThere() {
+        return !picture.isEmpty() && !model.previewLook().gizmosHiddenProperty().get();
+    }
+
+    private Optional<LightGizmo> light() {
+        return isThere() ? Optional.ofNullable(model.selectedLight())
+                .map(l -> LightGizmo.of(l, view(), viewport(), model.previewLook().sizeProperty().get().factor())) : Optional.empty();
+    }
+
+    private Optional<NodeGizmo> handles() {
+        return isThere() ? model.selectedNode().flatMap(n -> NodeGizmo.of(model.scene(), n, view(), viewport())) : Optional.empty();
+    }
+
+    private Viewport.Pixel place(MouseEvent e) {
+        Bounds place = picture.placeProperty().getValue();
+        return new Viewport.Pixel(e.getX() - place.getMinX(), e.getY() - place.getMinY());
+    }
+
+    /** Takes what is under the mouse; returns whether there is something. */
+    boolean press(MouseEvent e) {
+        Viewport.Pixel at = place(e);
+        Optional<NodeGizmo> gizmo = e.getButton() == MouseButton.PRIMARY ? handles() : Optional.empty();
+        Optional<Taken> taken = gizmo.flatMap(g -> g.pick(view(), viewport(), at, TOLERANCE).map(h -> new OfHandle(g, h)));
+        if (taken.isEmpty()) {
+            taken = light().filter(g -> g.distance(view(), viewport(), at) <= TOLERANCE).map(_ -> new OfLight(model.selectedLight(), e));
+        }
+        drag = taken.map(t -> new Drag(t, at)).orElse(null);
+        return drag != null;
+    }
+
+    /** Drags what was taken. */
+    void drag(MouseEvent e) {
+        Viewport.Pixel to = place(e);
+        switch (drag.taken()) {
+            case OfHandle(NodeGizmo gizmo, NodeGizmo.Handle handle) -> {
+                PreviewCamera view = view();
+                Viewport shown = viewport();
+                Viewport.Pixel from = drag.from();
+                model.edit(scene -> NodeEdits.placement(scene, gizmo.node().name(), _ -> gizmo.dragged(handle, view, shown, from, to)),
+                        drag)
+                        .ifPresent(model::say);
+            }
+            case OfLight(Light begin, MouseEvent press) -> {
+                Light moved = moved(begin, press, to.x() - drag.from().x(), drag.from().y() - to.y());
+                model.edit(scene -> LightEdits.with(scene, begin.name(), _ -> moved), drag).ifPresent(model::say);
+            }
+        }
+    }
+
+    private Light moved(Light begin, MouseEvent press, double right, double up) {
+        PreviewCamera view = view();
+        Viewport shown = viewport();
+        if (press.getButton() == MouseButton.SECONDARY) {
+            return LightManipulation.translate(begin, view, shown, right, up);
+        }
+        if (press.getButton() == MouseButton.MIDDLE || press.isAltDown()) {
+            return LightManipulation.dolly(begin, view, shown, up);
+        }
+        return press.isShortcutDown() ? LightManipulation.orbit(begin, view, shown, right, up)
+                : LightManipulation.rotate(begin, view, shown, right, up);
+    }
+
+    /** Whether something is dragged. */
+    boolean isTaken() {
+        return drag != null;
+    }
+
+    void release() {
+        drag = null;
+        draw();
+    }
+
+    private void draw() {
+        canvas.setWidth(picture.getWidth());
+        canvas.setHeight(picture.getHeight());
+        GraphicsContext g = canvas.getGraphicsContext2D();
+        g.clearRect(0, 0, canvas.getWidth(), canvas.getHeight());
+        if (!picture.isHover() && drag == null) {
+            return;
+        }
+        light().ifPresent(gizmo -> lines(g, gizmo.strokes(view(), viewport()), SELECTED, LINE));
+        handles().ifPresent(gizmo -> gizmo.handles().forEach(h -> lines(g, NodeGizmo.strokes(h, view(), viewport()), switch (h.act()) {
+            case MOVE, TURN -> AXES.get(h.axis());
+            case SCALE, FREE -> SELECTED;
+        }, 2 * LINE)));
+    }
+
+    private void lines(GraphicsContext g, List<LightGizmo.Stroke> strokes, Color color, double width) {
+        Bounds place = picture.placeProperty().getValue();
+        g.beginPath();
+        for (LightGizmo.Stroke s : strokes) {
+            g.moveTo(s.from().x() + place.getMinX(), s.from().y() + place.getMinY());
+            g.lineTo(s.to().x() + place.getMinX(), s.to().y() + place.getMinY());
+        }
+        g.setStroke(EDGE);
+        g.setLineWidth(EDGE_LINE);
+        g.stroke();
+        g.setStroke(color);
+        g.setLineWidth(width);
+        g.stroke();
+    }
+}

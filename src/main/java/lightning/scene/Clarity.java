@@ -1,0 +1,71 @@
+package lightning.scene;
+
+import lightning.math.Rgb;
+
+/**
+ * What passes through a surface, and what a body made of the material does to light inside.
+ *
+ * @param clear        the colour that what is seen through the surface is multiplied by; black where nothing is
+ * @param ior          the index of refraction, that of what is around being 1
+ * @param thin         whether the surface is a pane: it bends no ray, and has no inside
+ * @param tint         what is left of white after {@code tintDistance} inside
+ * @param tintDistance scene units
+ * @param shadows      which shadows shapes of the material throw, whether it is clear or not
+ */
+public record Clarity(Rgb clear, double ior, boolean thin, Rgb tint, double tintDistance, ShadowsThrown shadows) {
+    /** A surface that nothing passes through. */
+    public static final Clarity NONE = new Clarity(MaterialAttribute.CLEAR.initial(), MaterialAttribute.IOR.initial(),
+            MaterialAttribute.THIN.initial(), MaterialAttribute.TINT.initial(), MaterialAttribute.TINT_DISTANCE.initial(),
+            MaterialAttribute.SHADOWS.initial());
+
+    public Clarity {
+        MaterialAttribute.CLEAR.check(clear);
+        MaterialAttribute.IOR.check(ior);
+        MaterialAttribute.TINT.check(tint);
+        MaterialAttribute.TINT_DISTANCE.check(tintDistance);
+    }
+
+    public Clarity withClear(Rgb v) {
+        return new Clarity(v, ior, thin, tint, tintDistance, shadows);
+    }
+
+    public Clarity withIor(double v) {
+        return new Clarity(clear, v, thin, tint, tintDistance, shadows);
+    }
+
+    public Clarity withThin(boolean v) {
+        return new Clarity(clear, ior, v, tint, tintDistance, shadows);
+    }
+
+    public Clarity withTint(Rgb v) {
+        return new Clarity(clear, ior, thin, v, tintDistance, shadows);
+    }
+
+    public Clarity withTintDistance(double v) {
+        return new Clarity(clear, ior, thin, tint, v, shadows);
+    }
+
+    public Clarity withShadows(ShadowsThrown v) {
+        return new Clarity(clear, ior, thin, tint, tintDistance, v);
+    }
+
+    /** Whether anything is seen through the surface. */
+    public boolean isClear() {
+        return (float) clear.max() > 0;
+    }
+
+    /** Whether light loses anything on its way inside. */
+    public boolean isTinted() {
+        return isClear() && !thin && (float) tint.min() < 1;
+    }
+
+    /** Whether shapes of the material throw shadows. */
+    public boolean throwsShadows() {
+        return shadows == ShadowsThrown.FULL;
+    }
+
+    /** Whether rays go on behind every surface as they do by another. */
+    public boolean leadsRaysAs(Clarity o) {
+        return this == o || isClear() == o.isClear() && (!isClear() || ior == o.ior && thin == o.thin);
+    }
+}
