@@ -1,0 +1,308 @@
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.RoundRectangle2D;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.File;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileVisitResult;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.nio.file.attribute.FileTime;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+
+/**
+ * Makes of the assembled program an image that needs no Java: {@code mvn -Prelease package} runs it, with the program's folder, the folder of
+ * the release, version, time of the sources, and the kind of package ({@code deb}, {@code rpm}, {@code msi}, {@code dmg}). The same sources and the same Java give the same bytes: all files bear the sources' time, and the
+ * archive of classes is made of a sorted list.
+ */
+final class Release {
+    /** What the program and its libraries ask of Java; the last has how other countries write numbers. */
+    private static final String MODULES = "java.desktop,java.logging,java.management,java.sql,java.xml,jdk.incubator.vector,"
+            + "jdk.management,jdk.unsupported,jdk.localedata";
+    private static final String SUMMARY = "Lights ray-traced scenes: the exact picture in a fraction of a full trace";
+    /** What JavaFX opens by name, which no program can find out; the second names are those of 64 bits of time. */
+    private static final String DEBIAN = "libgtk-3-0 | libgtk-3-0t64, libfreetype6, libpangoft2-1.0-0, libxtst6, libxxf86vm1";
+    private static final int[] ICON_SIDES = {16, 32, 48, 64, 128, 256};
+
+    private final Path program;
+    private final Path made;
+    private final Path shipped;
+    private final String version;
+    private final FileTime time;
+    private final String kind;
+
+    private Release(Path program, Path made, String version, Instant time, String kind) {
+        this.program = program;
+        this.made = made;
+        this.shipped = made.resolve("shipped");
+        this.version = version;
+        this.time = FileTime.from(time);
+        this.kind = kind;
+    }
+
+    public static void main(String[] args) throws Exception {
+        var release = new Release(Path.of(args[0]), Path.of(args[1]), args[2], Instant.parse(args[3]), args[4]);
+        release.clear();
+        release.link();
+        release.ship();
+        release.archive();
+        release.pack();
+        release.sum();
+    }
+
+    /** Takes away what an earlier run left; what others put beside it, as the bill of materials, stays. */
+    private void clear() throws IOException {
+        for (String folder : List.of("runtime", "shipped", "training", "temporary", "associations")) {
+            remove(made.resolve(folder));
+        }
+        Files.createDirectories(made.resolve("dist"));
+        try (Stream<Path> old = Files.list(made.resolve("dist"))) {
+            for (Path file : old.filter(file -> file.toString().endsWith("." + kind)).toList()) {
+                Files.delete(file);
+            }
+        }
+    }
+
+    /** A Java of these modules alone, with the archive of its own classes. */
+    private void link() throws IOException, InterruptedException {
+        run("jlink", "--add-modules", MODULES, "--output", made.resolve("runtime").toString(), "--no-header-files", "--no-man-pages",
+                "--strip-debug", "--generate-cds-archive");
+    }
+
+    /** All that lies in the program's folder once it is installed. */
+    private void ship() throws IOException {
+        copy(program.resolve("lib"), shipped);
+        for (String folder : List.of("scenes", "textures", "licences")) {
+            copy(program.resolve(folder), shipped.resolve(folder));
+        }
+        for (String file : List.of("licences.txt", "LICENSE")) {
+            Files.copy(program.resolve(file), shipped.resolve(file));
+        }
+        setTimes(shipped);
+    }
+
+    /**
+     * Makes the archive of classes that starts load. What they load, a start tells that does what starts do; sorted, and without hints that hang on the
+     * order of its threads, the list is the same each time, and so is what Java makes of it.
+     */
+    private void archive() throws IOException, InterruptedException {
+        Path training = Files.createDirectories(made.resolve("training"));
+        Path list = training.resolve("classes");
+        java(training, "-XX:DumpLoadedClassList=" + list.toAbsolutePath(), "-Dlightning.home=" + shipped.toAbsolutePath(),
+                "-Dlightning.data=" + training.resolve("data").toAbsolutePath(), "-Dglass.platform=Headless", "-Dprism.order=sw",
+                "lightning.Training", training.resolve("picture.png").toAbsolutePath().toString());
+        List<String> classes = Files.readAllLines(list).stream().filter(line -> !line.startsWith("#") && !line.startsWith("@cp"))
+                .map(line -> line.replaceFirst(" id: .*", "")).distinct().sorted().toList();
+        Files.write(list, classes);
+        java(training, "-Xshare:dump", "-XX:SharedClassListFile=" + list.toAbsolutePath(),
+                "-XX:SharedArchiveFile=" + shipped.resolve("lightning.jsa").toAbsolutePath());
+        Files.setLastModifiedTime(shipped.resolve("lightning.jsa"), time);
+    }
+
+    /** Runs the linked Java in the folder of what is shipped, on the class path that the launcher will give to it. */
+    private void java(Path logs, String... words) throws IOException, InterruptedException {
+        List<String> line = new ArrayList<>(List.of(made.resolve("runtime/bin/java").toAbsolutePath().toString()));
+        line.addAll(options());
+        line.addAll(List.of("-cp", jars().stream().map(jar -> shipped.resolve(jar).toAbsolutePath().toString())
+                .collect(Collectors.joining(File.pathSeparator))));
+        line.addAll(List.of(words));
+        Path log = logs.resolve("log");
+        Process process =
+                new ProcessBuilder(line).directory(shipped.toFile()).redirectErrorStream(true).redirectOutput(log.toFile()).start();
+        if (process.waitFor() != 0) {
+            throw new IOException(String.join(" ", line) + " ended with " + process.exitValue() + ":\n" + Files.readString(log));
+        }
+    }
+
+    private void pack() throws IOException, InterruptedException {
+        List<String> line = new ArrayList<>(List.of("--type", kind, "--name", name(), "--app-version", version, "--dest",
+                made.resolve("dist").toString(), "--temp", made.resolve("temporary").toString(), "--input", shipped.toString(),
+                "--runtime-image", made.resolve("runtime").toString(), "--main-jar", "lightning.jar", "--main-class", "lightning.Main",
+                "--vendor", "Lightning", "--description", SUMMARY, "--icon", icon().toString()));
+        List<String> java = new ArrayList<>(options());
+        java.addAll(List.of("-Dlightning.home=$APPDIR", "-XX:SharedArchiveFile=$APPDIR/lightning.jsa", "-Xlog:cds*=off", "-Xlog:aot*=off"));
+        java.forEach(option -> line.addAll(List.of("--java-options", option)));
+        if (!kind.equals("dmg")) {
+            line.addAll(List.of("--license-file", "LICENSE"));
+        }
+        associate(line, "jen", "text/x-lightning-scene", "Lightning scene");
+        associate(line, "glb", "model/gltf-binary", "glTF scene");
+        switch (kind) {
+            case "deb" -> line.addAll(List.of("--linux-shortcut", "--linux-menu-group", "Graphics", "--linux-app-category", "graphics",
+                    "--linux-package-deps", DEBIAN, "--linux-deb-maintainer", "lightning@localhost", "--resource-dir",
+                    "src/main/release/linux"));
+            case "rpm" ->
+                    line.addAll(List.of("--linux-shortcut", "--linux-menu-group", "Graphics", "--resource-dir", "src/main/release/linux"));
+            case "msi" -> line.addAll(List.of("--win-menu", "--win-shortcut-prompt", "--win-dir-chooser", "--win-console"));
+            case "dmg" -> line.addAll(List.of("--mac-app-category", "graphics-design"));
+            default -> throw new IllegalArgumentException("a package of kind " + kind + "; expected deb, rpm, msi or dmg");
+        }
+        run("jpackage", line.toArray(String[]::new));
+    }
+
+    /** As people of each system write names of programs. */
+    private String name() {
+        return kind.equals("deb") || kind.equals("rpm") ? "lightning" : "Lightning";
+    }
+
+    private void associate(List<String> line, String extension, String type, String description) throws IOException {
+        Path file = Files.createDirectories(made.resolve("associations")).resolve(extension + ".properties");
+        Files.writeString(file, "extension=" + extension + "\nmime-type=" + type + "\ndescription=" + description + "\n");
+        line.addAll(List.of("--file-associations", file.toString()));
+    }
+
+    /** How Java runs the program: the options of the launcher. */
+    private List<String> options() throws IOException {
+        return Files.readAllLines(program.resolve("bin/java.options")).stream().filter(line -> line.startsWith("-")).toList();
+    }
+
+    /** The class path in the order that jpackage gives to it: the program, and its libraries by their names. */
+    private List<String> jars() throws IOException {
+        try (Stream<Path> files = Files.list(shipped)) {
+            Stream<String> libraries = files.map(file -> file.getFileName().toString())
+                    .filter(file -> file.endsWith(".jar") && !file.equals("lightning.jar")).sorted();
+            return Stream.concat(Stream.of("lightning.jar"), libraries).toList();
+        }
+    }
+
+    /** The icon, its corners rounded, in the form that the system reads. */
+    private Path icon() throws IOException {
+        BufferedImage whole = ImageIO.read(Path.of("src/main/release/icon.png").toFile());
+        return switch (kind) {
+            case "msi" -> Files.write(made.resolve("lightning.ico"), ico(whole));
+            case "dmg" -> Files.write(made.resolve("lightning.icns"), icns(whole));
+            default -> Files.write(made.resolve("lightning.png"), png(whole, 256));
+        };
+    }
+
+    private static byte[] png(BufferedImage whole, int side) throws IOException {
+        var image = new BufferedImage(side, side, BufferedImage.TYPE_INT_ARGB);
+        Graphics2D graphics = image.createGraphics();
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        graphics.setColor(Color.BLACK);
+        graphics.fill(new RoundRectangle2D.Double(0, 0, side, side, side * 0.36, side * 0.36));
+        graphics.setComposite(java.awt.AlphaComposite.SrcIn);
+        graphics.drawImage(whole.getScaledInstance(side, side, java.awt.Image.SCALE_AREA_AVERAGING), 0, 0, null);
+        graphics.dispose();
+        var out = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", out);
+        return out.toByteArray();
+    }
+
+    /** Windows: a directory of 16 bytes for each size, then the sizes as PNG. */
+    private static byte[] ico(BufferedImage whole) throws IOException {
+        List<byte[]> pictures = new ArrayList<>();
+        for (int side : ICON_SIDES) {
+            pictures.add(png(whole, side));
+        }
+        int offset = 6 + 16 * pictures.size();
+        ByteBuffer bytes =
+                ByteBuffer.allocate(offset + pictures.stream().mapToInt(picture -> picture.length).sum()).order(ByteOrder.LITTLE_ENDIAN);
+        bytes.putShort((short) 0).putShort((short) 1).putShort((short) pictures.size());
+        for (int i = 0; i < ICON_SIDES.length; i++) {
+            byte side = (byte) ICON_SIDES[i];
+            bytes.put(side).put(side).putShort((short) 0).putShort((short) 1).putShort((short) 32).putInt(pictures.get(i).length)
+                    .putInt(offset);
+            offset += pictures.get(i).length;
+        }
+        pictures.forEach(bytes::put);
+        return bytes.array();
+    }
+
+    /** macOS: each size as PNG after its type and length; ic07 to ic09 are of 128 to 512 pixels. */
+    private static byte[] icns(BufferedImage whole) throws IOException {
+        var body = new ByteArrayOutputStream();
+        for (int i = 0; i < 3; i++) {
+            byte[] picture = png(whole, 128 << i);
+            body.write(("ic0" + (7 + i)).getBytes(StandardCharsets.US_ASCII));
+            body.write(ByteBuffer.allocate(4).putInt(picture.length + 8).array());
+            body.write(picture);
+        }
+        return ByteBuffer.allocate(body.size() + 8).put("icns".getBytes(StandardCharsets.US_ASCII)).putInt(body.size() + 8)
+                .put(body.toByteArray())
+                .array();
+    }
+
+    /** SHA-256 of all that is given out, as {@code sha256sum --check} reads it. */
+    private void sum() throws IOException, NoSuchAlgorithmException {
+        Path sums = made.resolve("dist/SHA256SUMS");
+        var text = new StringBuilder();
+        try (Stream<Path> files = Files.list(made.resolve("dist"))) {
+            for (Path file : files.filter(file -> !file.equals(sums)).sorted().toList()) {
+                byte[] digest = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(file));
+                text.append(HexFormat.of().formatHex(digest)).append("  ").append(file.getFileName()).append('\n');
+            }
+        }
+        Files.writeString(sums, text);
+    }
+
+    /** Runs a tool of this Java in a process of its own: jlink makes other bytes in one that has run other code. */
+    private void run(String tool, String... words) throws IOException, InterruptedException {
+        List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", tool).toString()));
+        line.addAll(List.of(words));
+        ProcessBuilder process = new ProcessBuilder(line).inheritIO();
+        // What packs it gives no file a later time than this.
+        process.environment().put("SOURCE_DATE_EPOCH", Long.toString(time.to(TimeUnit.SECONDS)));
+        int code = process.start().waitFor();
+        if (code != 0) {
+            throw new IOException(tool + " ended with " + code);
+        }
+    }
+
+    private static void copy(Path from, Path to) throws IOException {
+        try (Stream<Path> files = Files.walk(from)) {
+            for (Path file : files.sorted().toList()) {
+                Path target = to.resolve(from.relativize(file).toString());
+                if (Files.isDirectory(file)) {
+                    Files.createDirectories(target);
+                } else {
+                    Files.copy(file, target);
+                }
+            }
+        }
+    }
+
+    private void setTimes(Path folder) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            for (Path file : files.toList()) {
+                Files.setLastModifiedTime(file, time);
+            }
+        }
+    }
+
+    private static void remove(Path folder) throws IOException {
+        if (!Files.exists(folder)) {
+            return;
+        }
+        Files.walkFileTree(folder, new SimpleFileVisitor<>() {
+            @Override
+            public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) throws IOException {
+                file.toFile().setWritable(true);
+                Files.delete(file);
+                return FileVisitResult.CONTINUE;
+            }
+
+            @Override
+            public FileVisitResult postVisitDirectory(Path directory, IOException error) throws IOException {
+                Files.delete(directory);
+                return FileVisitResult.CONTINUE;
+            }
+        });
+    }
+}
