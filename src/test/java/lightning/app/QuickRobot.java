@@ -132,9 +132,16 @@ public final class QuickRobot extends FxRobot {
         return this;
     }
 
+    /** What was added a moment ago has no place before the window has laid itself out, and what moves meanwhile is followed. */
     @Override
     public FxRobot moveTo(PointQuery to, Motion motion) {
-        go(await(to::query));
+        settle();
+        Point2D place = await(to::query);
+        go(place);
+        Point2D now = await(to::query);
+        if (pressed.isEmpty() && !now.equals(place)) {
+            go(now);
+        }
         return this;
     }
 
