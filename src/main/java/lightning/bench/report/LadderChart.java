@@ -23,7 +23,8 @@ final class LadderChart {
     /** One grade: its time in milliseconds, and its error, ≥ 0. */
     record Point(Grade grade, double lower, double median, double upper, double error) {
         private boolean isPlausible() {
-            return Charts.plausible(lower) && Charts.plausible(median) && Charts.plausible(upper) && Charts.plausibleOrZero(error);
+            return Charts.plausible(lower) && lower <= median && median <= upper && Charts.plausible(upper)
+                    && Charts.plausibleOrZero(error);
         }
     }
 

@@ -51,6 +51,15 @@ class LadderChartTest {
         assertThat(LadderChart.svg("chart", List.of(), 400, 300)).contains("<svg");
     }
 
+    @Test
+    void quartilesInDisorder_areNoPoint() {
+        Point wrong = new Point(Grade.EXACT, 3, 2, 1, 0);
+
+        assertThat(LadderChart.svg("chart", List.of(wrong, new Point(Grade.FULL_TRACE, 8, 9, 10, 0)), 400, 300)).contains(">full trace<")
+                .doesNotContain(">exact<");
+        assertThat(LadderChart.svg("chart", List.of(wrong), 400, 300)).contains("<svg");
+    }
+
     @Provide
     Arbitrary<List<Point>> points() {
         Arbitrary<Double> few = Arbitraries.of(1.0, 2.0, 3.0, 4.0);
