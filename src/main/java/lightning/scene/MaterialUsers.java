@@ -1,0 +1,63 @@
+package lightning.scene;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import lightning.text.Quote;
+
+/** For each material of some shapes the first of these that has it, in the order of the shapes. */
+final class MaterialUsers {
+    private final Map<String, String> users;
+
+    private MaterialUsers(Map<String, String> users) {
+        this.users = users;
+    }
+
+    static MaterialUsers of(List<Shape> shapes) {
+        Map<String, String> users = new LinkedHashMap<>();
+        shapes.forEach(s -> users.putIfAbsent(s.material(), s.name()));
+        return new MaterialUsers(users);
+    }
+
+    /** The names of the materials, in that order. */
+    Set<String> materials() {
+        return Collections.unmodifiableSet(users.keySet());
+    }
+
+    /**
+     * Those of all shapes where some came in the place of others; empty where only a walk tells. Of a material that shapes came
+     * with, and went with, the first of all stands before them, or among them.
+     */
+    Optional<MaterialUsers> replacing(MaterialUsers gone, MaterialUsers came) {
+        Map<String, String> all = new LinkedHashMap<>(users);
+        int first = 0;
+        for (Map.Entry<String, String> user : gone.users.entrySet()) {
+            if (users.get(user.getKey()).equals(user.getValue())) {
+                String next = came.users.get(user.getKey());
+                if (next == null) {
+                    return Optional.empty();
+                }
+                first++;
+                all.put(user.getKey(), next);
+            }
+        }
+        boolean ordered = first < 2 || List.copyOf(gone.materials()).equals(List.copyOf(came.materials()));
+        return ordered && gone.materials().containsAll(came.materials()) ? Optional.of(new MaterialUsers(all)) : Optional.empty();
+    }
+
+    /**
+     * Checks that there are the materials.
+     *
+     * @throws IllegalArgumentException if one is not
+     */
+    void check(Set<String> known) {
+        users.forEach((material, shape) -> {
+            if (!known.contains(material)) {
+                throw new IllegalArgumentException("shape " + Quote.of(shape) + ": there is no material " + Quote.of(material));
+            }
+        });
+    }
+}
