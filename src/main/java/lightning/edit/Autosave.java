@@ -10,6 +10,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import lightning.jen.JenDocument;
 import lightning.scene.Scene;
+import lightning.work.OwnThread;
 
 /**
  * Keeps unsaved edits on a thread of its own, a short while after the first of them, so that a crash loses no more than
@@ -35,11 +36,7 @@ public final class Autosave implements AutoCloseable {
         this.recovery = recovery;
         this.delay = delay;
         this.trouble = trouble;
-        thread = new ScheduledThreadPoolExecutor(1, task -> {
-            Thread t = new Thread(task, "lightning-autosave");
-            t.setDaemon(true);
-            return t;
-        });
+        thread = new ScheduledThreadPoolExecutor(1, OwnThread.named("lightning-autosave"));
         thread.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
     }
 

@@ -8,6 +8,7 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import lightning.file.FileState;
+import lightning.work.OwnThread;
 
 /**
  * Looks now and then, on a thread of its own, whether others wrote the open scene's file or have it open too; a file
@@ -32,11 +33,7 @@ public final class DiskWatch implements AutoCloseable {
     public DiskWatch(Presence presence, Duration period, Consumer<DiskNews> heard) {
         this.presence = presence;
         this.heard = heard;
-        thread = new ScheduledThreadPoolExecutor(1, task -> {
-            Thread t = new Thread(task, "lightning-disk");
-            t.setDaemon(true);
-            return t;
-        }, new ThreadPoolExecutor.DiscardPolicy());
+        thread = new ScheduledThreadPoolExecutor(1, OwnThread.named("lightning-disk"), new ThreadPoolExecutor.DiscardPolicy());
         thread.setContinueExistingPeriodicTasksAfterShutdownPolicy(false);
         thread.scheduleWithFixedDelay(this::tick, period.toMillis(), period.toMillis(), TimeUnit.MILLISECONDS);
     }

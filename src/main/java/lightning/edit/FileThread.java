@@ -2,9 +2,9 @@ package lightning.edit;
 
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import lightning.work.OwnThread;
 
 /**
  * Reads and writes files beside the window's thread, so that no disk holds up a window, and brings there what came of it.
@@ -14,17 +14,11 @@ public final class FileThread implements Executor, AutoCloseable {
     private static final int PATIENCE_SECONDS = 60;
 
     private final Executor window;
-    private final ExecutorService thread = Executors.newSingleThreadExecutor(task -> daemon(task, "lightning-files"));
+    private final ExecutorService thread = OwnThread.inTurn("lightning-files");
 
     /** @param window runs tasks in turn on the window's thread */
     public FileThread(Executor window) {
         this.window = window;
-    }
-
-    private static Thread daemon(Runnable task, String name) {
-        Thread thread = new Thread(task, name);
-        thread.setDaemon(true);
-        return thread;
     }
 
     /** Something with files. */
@@ -55,7 +49,7 @@ public final class FileThread implements Executor, AutoCloseable {
 
     /** The same on a thread of its own: reading, which may take long and waits for nothing. */
     public <T> void beside(Work<T> work, Consumer<T> done, Consumer<Throwable> failed) {
-        daemon(task(work, done, failed), "lightning-reading").start();
+        OwnThread.of("lightning-reading", task(work, done, failed)).start();
     }
 
     private <T> Runnable task(Work<T> work, Consumer<T> done, Consumer<Throwable> failed) {

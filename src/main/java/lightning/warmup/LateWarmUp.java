@@ -5,6 +5,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
+import lightning.work.OwnThread;
 import lightning.work.Progress;
 
 /**
@@ -23,8 +24,7 @@ public final class LateWarmUp implements AutoCloseable {
     private final CountDownLatch closed = new CountDownLatch(1);
 
     public LateWarmUp(Scene scene) {
-        Thread thread = new Thread(() -> wait(scene), "lightning-warm-up");
-        thread.setDaemon(true);
+        Thread thread = OwnThread.of("lightning-warm-up", () -> wait(scene));
         thread.setPriority(Thread.MIN_PRIORITY);
         thread.start();
     }

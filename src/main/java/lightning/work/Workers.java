@@ -37,11 +37,7 @@ public final class Workers implements AutoCloseable {
             throw new IllegalArgumentException("the number of threads must be ≥ 1, was " + count);
         }
         this.count = count;
-        threads = Executors.newFixedThreadPool(Math.max(1, count - 1), task -> {
-            Thread thread = new Thread(task, "lightning-worker");
-            thread.setDaemon(true);
-            return thread;
-        });
+        threads = Executors.newFixedThreadPool(Math.max(1, count - 1), OwnThread.named("lightning-worker"));
     }
 
     /** As many threads as the machine has processors. */

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
 import javafx.concurrent.Task;
 import lightning.edit.motion.MotionExport;
+import lightning.work.OwnThread;
 
 /** Writes a motion path as numbered pictures on a thread of its own; its value is how many are written. */
 final class ExportTask extends Task<Integer> {
@@ -51,8 +52,7 @@ final class ExportTask extends Task<Integer> {
 
     /** Begins. The thread must not be interrupted, which would break a file that is being written. */
     void begin() {
-        Thread thread = new Thread(this, "lightning-export");
-        thread.setDaemon(true);
+        Thread thread = OwnThread.of("lightning-export", this);
         thread.start();
     }
 }

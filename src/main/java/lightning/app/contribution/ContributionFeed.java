@@ -3,11 +3,11 @@ package lightning.app.contribution;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import lightning.app.model.EditorModel;
+import lightning.work.OwnThread;
 import lightning.work.Progress;
 
 /** Answers questions about the picture on a thread of its own; a newer one of the same kind stops an older. */
@@ -18,11 +18,7 @@ final class ContributionFeed implements AutoCloseable {
 
     ContributionFeed(EditorModel model, String name) {
         this.model = model;
-        thread = Executors.newSingleThreadExecutor(task -> {
-            Thread t = new Thread(task, name);
-            t.setDaemon(true);
-            return t;
-        });
+        thread = OwnThread.inTurn(name);
     }
 
     /**

@@ -2,6 +2,7 @@ package lightning.app.measure;
 
 import java.util.function.Function;
 import javafx.concurrent.Task;
+import lightning.work.OwnThread;
 import lightning.work.Progress;
 
 /** Measures something on a thread of its own. */
@@ -34,8 +35,7 @@ final class MeasureTask<T> extends Task<T> {
     }
 
     void begin() {
-        Thread own = new Thread(this, thread);
-        own.setDaemon(true);
+        Thread own = OwnThread.of(thread, this);
         own.start();
     }
 }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicBoolean;
 import javafx.scene.control.Label;
 import javafx.scene.image.ImageView;
@@ -16,6 +15,7 @@ import lightning.app.model.EditorModel;
 import lightning.edit.loop.Frame;
 import lightning.image.Scopes;
 import lightning.image.ViewTransform;
+import lightning.work.OwnThread;
 
 /** Histogram and waveform of the traced picture as it is shown, counted on a thread of its own; of many pictures the newest. */
 public final class ScopesPane extends VBox {
@@ -23,11 +23,7 @@ public final class ScopesPane extends VBox {
     private static final int WIDTH = 512;
 
     private final EditorModel model;
-    private final ExecutorService thread = Executors.newSingleThreadExecutor(task -> {
-        Thread t = new Thread(task, "lightning-scopes");
-        t.setDaemon(true);
-        return t;
-    });
+    private final ExecutorService thread = OwnThread.inTurn("lightning-scopes");
     private final AtomicBoolean asked = new AtomicBoolean();
     private final ImageView histogram = view("histogram", "How many pixels have each code, red, green and blue");
     private final ImageView waveform = view("waveform", "Which codes the pixels of each column have");

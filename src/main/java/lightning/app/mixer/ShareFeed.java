@@ -1,12 +1,12 @@
 package lightning.app.mixer;
 
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import lightning.app.model.EditorModel;
 import lightning.image.ViewTransform;
 import lightning.relight.SmallShares;
+import lightning.work.OwnThread;
 
 /** Makes the strips' pictures on a thread of its own; of pictures that come faster than that, the newest. */
 final class ShareFeed implements AutoCloseable {
@@ -14,11 +14,7 @@ final class ShareFeed implements AutoCloseable {
     static final int WIDTH = 88;
     static final int HEIGHT = 60;
 
-    private final ExecutorService thread = Executors.newSingleThreadExecutor(task -> {
-        Thread t = new Thread(task, "lightning-mixer");
-        t.setDaemon(true);
-        return t;
-    });
+    private final ExecutorService thread = OwnThread.inTurn("lightning-mixer");
     private final AtomicBoolean asked = new AtomicBoolean();
     private final EditorModel model;
     private final Consumer<SharePictures> heard;

@@ -13,6 +13,7 @@ import lightning.relight.plan.UpdatePlan;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
+import lightning.work.OwnThread;
 import lightning.work.Progress;
 
 /**
@@ -69,8 +70,7 @@ final class PreviewLoop implements AutoCloseable {
     PreviewLoop(Consumer<Picture> heard, Consumer<Throwable> failed) {
         this.heard = heard;
         this.failed = failed;
-        thread = new Thread(this::run, "lightning-preview");
-        thread.setDaemon(true);
+        thread = OwnThread.of("lightning-preview", this::run);
         thread.start();
     }
 

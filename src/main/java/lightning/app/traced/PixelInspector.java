@@ -2,22 +2,18 @@ package lightning.app.traced;
 
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import lightning.edit.loop.Frame;
 import lightning.shading.PixelExplainer;
+import lightning.work.OwnThread;
 
 /** Tells what a pixel shows, on a thread of its own; of many questions the newest is answered. */
 final class PixelInspector implements AutoCloseable {
     /** @param heard on the window's thread */
     private record Question(Frame about, int x, int y, Consumer<PixelReport> heard) {}
 
-    private final ExecutorService thread = Executors.newSingleThreadExecutor(task -> {
-        Thread t = new Thread(task, "lightning-inspect");
-        t.setDaemon(true);
-        return t;
-    });
+    private final ExecutorService thread = OwnThread.inTurn("lightning-inspect");
     private final AtomicReference<Question> newest = new AtomicReference<>();
     private final Executor window;
     private Frame about;

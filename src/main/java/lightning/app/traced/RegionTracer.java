@@ -2,7 +2,6 @@ package lightning.app.traced;
 
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import lightning.app.model.TracedRaster;
@@ -10,16 +9,13 @@ import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
+import lightning.work.OwnThread;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
 /** Traces a part of the picture alone, beside all other work; a newer region replaces an older one. */
 final class RegionTracer implements AutoCloseable {
-    private final ExecutorService thread = Executors.newSingleThreadExecutor(task -> {
-        Thread t = new Thread(task, "lightning-region");
-        t.setDaemon(true);
-        return t;
-    });
+    private final ExecutorService thread = OwnThread.inTurn("lightning-region");
     private volatile Object newest;
 
     /**

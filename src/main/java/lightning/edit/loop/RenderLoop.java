@@ -21,6 +21,7 @@ import lightning.scene.Antialias;
 import lightning.scene.Picture;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
+import lightning.work.OwnThread;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
@@ -60,8 +61,7 @@ public final class RenderLoop implements AutoCloseable {
         this.listener = listener;
         renderer = new Renderer(options);
         verifier = new Verifier(options.threads(), listener);
-        thread = new Thread(new RenderTurns(queue, hands(), listener), "lightning-render");
-        thread.setDaemon(true);
+        thread = OwnThread.of("lightning-render", new RenderTurns(queue, hands(), listener));
         thread.start();
     }
 

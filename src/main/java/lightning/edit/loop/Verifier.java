@@ -3,7 +3,6 @@ package lightning.edit.loop;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import lightning.accuracy.Promise;
 import lightning.accuracy.Verification;
@@ -13,6 +12,7 @@ import lightning.image.Film;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
 import lightning.warmup.WarmUp;
+import lightning.work.OwnThread;
 import lightning.work.Workers;
 
 /**
@@ -26,11 +26,7 @@ final class Verifier implements AutoCloseable {
 
     private final Workers workers;
     private final RenderListener listener;
-    private final ExecutorService thread = Executors.newSingleThreadExecutor(task -> {
-        Thread t = new Thread(task, "lightning-verify");
-        t.setDaemon(true);
-        return t;
-    });
+    private final ExecutorService thread = OwnThread.inTurn("lightning-verify");
     private RenderQueue.Stop stop;
     private RenderQueue.Stop measuring;
     /** What a saving is to be measured of; null where there is nothing. */
