@@ -6,11 +6,11 @@ import java.util.Optional;
 import javafx.scene.control.Button;
 import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.Label;
+import javafx.scene.image.Image;
 import javafx.scene.image.ImageView;
-import javafx.scene.image.PixelFormat;
-import javafx.scene.image.WritableImage;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.VBox;
+import lightning.app.widget.PixelImage;
 import lightning.exchange.LightUnits;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
@@ -58,10 +58,7 @@ final class LightUnitCards extends VBox {
         };
     }
 
-    private static WritableImage image(Film film) {
-        var image = new WritableImage(film.width(), film.height());
-        image.getPixelWriter().setPixels(0, 0, film.width(), film.height(), PixelFormat.getIntArgbInstance(),
-                ViewTransform.DEFAULT.toPixels(film), 0, film.width());
-        return image;
+    private static Image image(Film film) {
+        return PixelImage.of(film.width(), film.height(), ViewTransform.DEFAULT.toPixels(film));
     }
 }

@@ -1,6 +1,5 @@
 package lightning.app.cue;
 
-import java.nio.IntBuffer;
 import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
 import javafx.scene.control.Label;
@@ -8,14 +7,12 @@ import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.image.ImageView;
-import javafx.scene.image.PixelBuffer;
-import javafx.scene.image.PixelFormat;
-import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
+import lightning.app.widget.PixelImage;
 import lightning.edit.cue.Cue;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
@@ -55,8 +52,7 @@ final class CueCard extends VBox {
         if (small == null) {
             frame.getChildren().add(new Label("no picture"));
         } else {
-            frame.getChildren().add(new ImageView(new WritableImage(
-                    new PixelBuffer<>(small.width, small.height, IntBuffer.wrap(small.pixels), PixelFormat.getIntArgbPreInstance()))));
+            frame.getChildren().add(new ImageView(PixelImage.of(small.width, small.height, small.pixels)));
         }
         name.setId("cue-name-" + cue.name());
         name.setText(cue.name());

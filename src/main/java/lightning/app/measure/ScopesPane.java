@@ -7,11 +7,10 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.atomic.AtomicBoolean;
 import javafx.scene.control.Label;
 import javafx.scene.image.ImageView;
-import javafx.scene.image.PixelFormat;
-import javafx.scene.image.WritableImage;
 import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
 import lightning.app.model.EditorModel;
+import lightning.app.widget.PixelImage;
 import lightning.edit.loop.Frame;
 import lightning.image.Scopes;
 import lightning.image.ViewTransform;
@@ -91,15 +90,9 @@ public final class ScopesPane extends VBox {
     }
 
     private void show(Scopes scopes, int[] bars, int[] wave) {
-        histogram.setImage(image(Scopes.CODES, HEIGHT, bars));
-        waveform.setImage(image(scopes.columns(), Scopes.CODES, wave));
+        histogram.setImage(PixelImage.of(Scopes.CODES, HEIGHT, bars));
+        waveform.setImage(PixelImage.of(scopes.columns(), Scopes.CODES, wave));
         cut.setText(String.format(Locale.ROOT, "%.1f %% of a channel at black, %.1f %% at white", 100 * scopes.shareOf(0),
                 100 * scopes.shareOf(Scopes.CODES - 1)));
-    }
-
-    private static WritableImage image(int width, int height, int[] pixels) {
-        var image = new WritableImage(width, height);
-        image.getPixelWriter().setPixels(0, 0, width, height, PixelFormat.getIntArgbInstance(), pixels, 0, width);
-        return image;
     }
 }

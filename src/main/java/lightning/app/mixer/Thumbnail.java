@@ -1,15 +1,12 @@
 package lightning.app.mixer;
 
-import java.nio.IntBuffer;
 import java.util.Optional;
 import javafx.scene.control.Label;
 import javafx.scene.image.ImageView;
-import javafx.scene.image.PixelBuffer;
-import javafx.scene.image.PixelFormat;
-import javafx.scene.image.WritableImage;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.app.widget.Percent;
+import lightning.app.widget.PixelImage;
 
 /** What a strip gives to the picture: the picture of it, and its part in per cent. */
 final class Thumbnail extends VBox {
@@ -33,8 +30,7 @@ final class Thumbnail extends VBox {
         one.ifPresentOrElse(p -> {
             if (p.pixels() != pixels) {
                 pixels = p.pixels();
-                image.setImage(new WritableImage(new PixelBuffer<>(p.width(), p.height(), IntBuffer.wrap(pixels),
-                        PixelFormat.getIntArgbPreInstance())));
+                image.setImage(PixelImage.of(p.width(), p.height(), pixels));
             }
             part.setText(Percent.text(p.part()));
         }, () -> {

@@ -1,6 +1,5 @@
 package lightning.app.preview;
 
-import java.nio.IntBuffer;
 import java.util.concurrent.atomic.AtomicReference;
 import javafx.animation.PauseTransition;
 import javafx.beans.property.ObjectProperty;
@@ -9,9 +8,6 @@ import javafx.beans.value.ObservableBooleanValue;
 import javafx.geometry.Point2D;
 import javafx.scene.AccessibleRole;
 import javafx.scene.image.ImageView;
-import javafx.scene.image.PixelBuffer;
-import javafx.scene.image.PixelFormat;
-import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
@@ -22,6 +18,7 @@ import lightning.app.model.EditorModel;
 import lightning.app.model.PreviewLook;
 import lightning.app.model.Sentence;
 import lightning.app.widget.CanvasSize;
+import lightning.app.widget.PixelImage;
 import lightning.edit.Situation;
 import lightning.edit.Viewport;
 import lightning.effects.ViewEffects;
@@ -185,8 +182,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
 
     private void show() {
         PreviewLoop.Picture picture = drawn.getAndSet(null);
-        image.setImage(new WritableImage(new PixelBuffer<>(picture.width(), picture.height(),
-                IntBuffer.wrap(picture.pixels()), PixelFormat.getIntArgbPreInstance())));
+        image.setImage(PixelImage.of(picture.width(), picture.height(), picture.pixels()));
         model.previewFramesProperty().set(model.previewFramesProperty().get() + 1);
     }
 

@@ -2,19 +2,16 @@ package lightning.app.property;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.nio.IntBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javafx.scene.image.ImageView;
-import javafx.scene.image.PixelBuffer;
-import javafx.scene.image.PixelFormat;
-import javafx.scene.image.WritableImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
+import lightning.app.widget.PixelImage;
 
 /**
  * A picture file, small.
@@ -71,8 +68,7 @@ record Thumbnail(int width, int height, int[] pixels) {
     }
 
     ImageView view() {
-        var view = new ImageView(new WritableImage(
-                new PixelBuffer<>(width, height, IntBuffer.wrap(pixels), PixelFormat.getIntArgbPreInstance())));
+        var view = new ImageView(PixelImage.of(width, height, pixels));
         view.setPreserveRatio(true);
         view.setFitWidth(SIDE);
         view.setFitHeight(SIDE);

@@ -1,12 +1,8 @@
 package lightning.app.widget;
 
-import java.nio.IntBuffer;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Group;
 import javafx.scene.image.ImageView;
-import javafx.scene.image.PixelBuffer;
-import javafx.scene.image.PixelFormat;
-import javafx.scene.image.WritableImage;
 import javafx.scene.shape.Line;
 
 /** A stored picture over the left part of the one there is now, with a border that the mouse moves. */
@@ -29,8 +25,7 @@ public final class Wipe extends Group {
     public void store(int newWidth, int newHeight, int[] pixels) {
         width = newWidth;
         height = newHeight;
-        image.setImage(new WritableImage(new PixelBuffer<>(width, height, IntBuffer.wrap(pixels.clone()),
-                PixelFormat.getIntArgbPreInstance())));
+        image.setImage(PixelImage.of(width, height, pixels.clone()));
     }
 
     boolean isStored() {
