@@ -10,7 +10,7 @@ import java.util.List;
 public record Group(String name, Placement placement, List<Node> children, boolean visible) implements Node {
     public Group {
         Limits.name(name);
-        children = List.copyOf(children);
+        children = BlockList.copyOf(children);
     }
 
     /** A visible one. */

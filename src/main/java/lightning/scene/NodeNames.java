@@ -1,14 +1,20 @@
 package lightning.scene;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
 import lightning.text.Quote;
 
 /** The names of shapes and groups, each of which one has, sorted: a table of hashes would be slow where a file chose names that collide. */
 final class NodeNames {
-    private final String[] sorted;
+    /** More names are not exchanged one by one. */
+    private static final int FEW = 64;
 
-    private NodeNames(String[] sorted) {
+    private final List<String> sorted;
+
+    private NodeNames(List<String> sorted) {
         this.sorted = sorted;
     }
 
@@ -18,63 +24,61 @@ final class NodeNames {
      * @throws IllegalArgumentException if two are the same
      */
     static NodeNames of(List<String> names) {
-        String[] sorted = sorted(names);
+        String[] sorted = names.toArray(String[]::new);
+        Arrays.parallelSort(sorted);
         for (int i = 1; i < sorted.length; i++) {
             if (sorted[i].equals(sorted[i - 1])) {
                 throw taken(sorted[i]);
             }
         }
-        return new NodeNames(sorted);
-    }
-
-    private static String[] sorted(List<String> names) {
-        String[] all = names.toArray(String[]::new);
-        Arrays.parallelSort(all);
-        return all;
+        return new NodeNames(BlockList.copyOf(Arrays.asList(sorted)));
     }
 
     int count() {
-        return sorted.length;
+        return sorted.size();
     }
 
     boolean contains(String name) {
-        return Arrays.binarySearch(sorted, name) >= 0;
+        return place(sorted, name) >= 0;
+    }
+
+    private static int place(List<String> names, String name) {
+        return Collections.binarySearch(names, name);
     }
 
     /**
-     * These names without some of them and with others; themselves where both are the same.
+     * These names without some that are among them, and with others; themselves where both are the same.
      *
      * @throws IllegalArgumentException if two are the same then
      */
     NodeNames replacing(List<String> gone, List<String> came) {
-        return gone.equals(came) ? this : new NodeNames(merged(sorted, sorted(gone), sorted(came)));
+        if (gone.equals(came)) {
+            return this;
+        }
+        return gone.size() + came.size() > FEW ? allReplacing(gone, came) : new NodeNames(eachReplacing(gone, came));
     }
 
-    private static String[] merged(String[] names, String[] gone, String[] came) {
-        String[] all = new String[names.length - gone.length + came.length];
-        int from = 0;
-        int to = 0;
-        int g = 0;
-        int c = 0;
-        while (g < gone.length || c < came.length) {
-            // What goes first, so that a name that comes again is not found any more.
-            boolean goes = c == came.length || g < gone.length && gone[g].compareTo(came[c]) <= 0;
-            int found = Arrays.binarySearch(names, from, names.length, goes ? gone[g] : came[c]);
-            int place = found < 0 ? -found - 1 : found;
-            System.arraycopy(names, from, all, to, place - from);
-            to += place - from;
-            from = place;
-            if (goes) {
-                from++;
-                g++;
-            } else if (found >= 0 || c > 0 && came[c].equals(came[c - 1])) {
-                throw taken(came[c]);
-            } else {
-                all[to++] = came[c++];
-            }
+    private NodeNames allReplacing(List<String> gone, List<String> came) {
+        List<String> names = new ArrayList<>(sorted);
+        names.removeIf(new HashSet<>(gone)::contains);
+        names.addAll(came);
+        return of(names);
+    }
+
+    private List<String> eachReplacing(List<String> gone, List<String> came) {
+        List<String> names = sorted;
+        for (String name : gone) {
+            int place = place(names, name);
+            names = BlockList.spliced(names, place, place + 1, List.of());
         }
-        System.arraycopy(names, from, all, to, names.length - from);
-        return all;
+        for (String name : came) {
+            int place = place(names, name);
+            if (place >= 0) {
+                throw taken(name);
+            }
+            names = BlockList.spliced(names, -place - 1, -place - 1, List.of(name));
+        }
+        return names;
     }
 
     private static IllegalArgumentException taken(String name) {

@@ -42,27 +42,11 @@ final class NodeSplice {
 
     private List<Node> in(List<Node> nodes, int depth) {
         int place = places[depth];
-        return depth == nesting() ? spliced(nodes, place, by)
-                : spliced(nodes, place, List.of(in((Group) nodes.get(place), depth + 1)));
+        List<? extends Node> then = depth == nesting() ? by : List.of(in((Group) nodes.get(place), depth + 1));
+        return BlockList.spliced(nodes, place, place + 1, then);
     }
 
     private Group in(Group group, int depth) {
         return group.withChildren(in(group.children(), depth));
-    }
-
-    @SuppressWarnings("unchecked")
-    private static List<Node> spliced(List<Node> nodes, int at, List<? extends Node> by) {
-        // As objects: each of a hundred thousand nodes would be asked for its type.
-        Object[] all = nodes.toArray();
-        if (by.size() == 1) {
-            all[at] = by.getFirst();
-        } else {
-            Object[] before = all;
-            all = new Object[before.length - 1 + by.size()];
-            System.arraycopy(before, 0, all, 0, at);
-            System.arraycopy(by.toArray(), 0, all, at, by.size());
-            System.arraycopy(before, at + 1, all, at + by.size(), before.length - 1 - at);
-        }
-        return (List<Node>) (List<?>) List.of(all);
     }
 }

@@ -23,7 +23,7 @@ final class NodeTree {
 
     /** @throws IllegalArgumentException as {@link Stage#Stage(List, List)}, but for materials */
     NodeTree(List<Node> nodes) {
-        this.nodes = List.copyOf(nodes);
+        this.nodes = BlockList.copyOf(nodes);
         var all = new NodeSurvey(this.nodes, 0, 1, 1);
         count = Limits.range("the number of shapes", all.shapes.size(), 0, Limits.MAX_SHAPES);
         names = NodeNames.of(all.names);
@@ -72,7 +72,7 @@ final class NodeTree {
     List<Shape> shapes() {
         List<Shape> found = shapes;
         if (found == null) {
-            found = count == names.count() && hidden == 0 ? allShapes(nodes) : List.copyOf(collect(nodes, new ArrayList<>(count)));
+            found = count == names.count() && hidden == 0 ? allShapes(nodes) : BlockList.copyOf(collect(nodes, new ArrayList<>(count)));
             shapes = found;
         }
         return found;

@@ -151,9 +151,10 @@ public final class SceneChange {
 
     /** What is the same at both ends is passed over; between, nodes came, or went, or are others in the same places. */
     private boolean nodes(List<Node> from, List<Node> to, List<String> changed) {
-        int begin = 0;
-        int end = from.size();
-        int endNow = to.size();
+        int begin = BlockList.sharedStart(from, to);
+        int shared = Math.min(BlockList.sharedEnd(from, to), Math.min(from.size(), to.size()) - begin);
+        int end = from.size() - shared;
+        int endNow = to.size() - shared;
         while (begin < Math.min(end, endNow) && same(from.get(begin), to.get(begin))) {
             begin++;
         }

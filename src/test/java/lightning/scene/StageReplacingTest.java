@@ -132,4 +132,26 @@ class StageReplacingTest {
             assertThat(edited.looked()).isLessThan(10);
         }
     }
+
+    @Test
+    void editsAmongManyShapes_areAsIfAllHadBeenRead() {
+        List<Node> inside = IntStream.range(0, 700).<Node>mapToObj(i -> sphere("in" + i)).toList();
+        List<Node> nodes = new ArrayList<>(IntStream.range(0, 1500).<Node>mapToObj(i -> sphere("s" + i)).toList());
+        nodes.add(800, new Group("g", Placement.IDENTITY, inside));
+        Stage stage = new Stage(List.of(), nodes);
+        for (String name : List.of("s0", "s799", "g", "s1499", "in0", "in699")) {
+            for (By by : By.values()) {
+                Node node = stage.node(name).orElseThrow();
+                Stage edited = stage.replacing(name, of(node, by));
+                List<Node> plain = plainly(nodes, name, of(node, by));
+                assertThat(edited.nodes()).isEqualTo(plain);
+                assertThat(edited).isEqualTo(new Stage(List.of(), plain));
+                List<String> names = all(plain).stream().map(Node::name).toList();
+                assertThat(names).allMatch(edited::hasNode);
+                assertThat(all(nodes)).allMatch(n -> edited.hasNode(n.name()) == names.contains(n.name()));
+                assertThatIllegalArgumentException().isThrownBy(() -> edited.replacing("s5", List.of(sphere("s5"), sphere("s6"))))
+                        .withMessage("shape 's6': the name is already taken");
+            }
+        }
+    }
 }

@@ -1,0 +1,104 @@
+package lightning.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatNullPointerException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.IntStream;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+
+/** A list in blocks is the list that a plain one would be, and shares what an edit left alone. */
+class BlockListTest {
+    private static final int MANY = 5 * BlockList.MOST;
+
+    private static List<Integer> upTo(int size) {
+        return IntStream.range(0, size).boxed().toList();
+    }
+
+    @Property(tries = 200)
+    void editsOfAnyPlace_areThoseOfAPlainList(@ForAll @IntRange(max = 2 * MANY) int size, @ForAll @IntRange(min = 1, max = 60) int edits,
+            @ForAll @IntRange(max = 3) int bias, @ForAll long seed) {
+        var random = new Random(seed);
+        List<Integer> plain = new ArrayList<>(upTo(size));
+        List<Integer> blocks = BlockList.copyOf(plain);
+        for (int e = 0; e < edits; e++) {
+            int from = random.nextInt(plain.size() + 1);
+            // Cuts of all lengths, most short; the bias lets lists shrink or grow.
+            int to = Math.min(plain.size(), from + random.nextInt(1 << random.nextInt(4 * (bias + 1))));
+            List<Integer> by = random.ints(random.nextInt(1 << random.nextInt(4 * (4 - bias)))).boxed().toList();
+            List<Integer> before = blocks;
+            blocks = BlockList.spliced(blocks, from, to, by);
+            int start = BlockList.sharedStart(before, blocks);
+            int end = BlockList.sharedEnd(before, blocks);
+            assertThat(blocks.subList(0, start)).isEqualTo(before.subList(0, start));
+            assertThat(blocks.subList(blocks.size() - end, blocks.size())).isEqualTo(before.subList(before.size() - end, before.size()));
+            plain.subList(from, to).clear();
+            plain.addAll(from, by);
+        }
+        assertThat(blocks).hasSameSizeAs(plain);
+        assertThat(new ArrayList<>(blocks)).isEqualTo(plain);
+        assertThat(blocks.equals(plain)).isTrue();
+        assertThat(plain.equals(blocks)).isTrue();
+        assertThat(blocks.hashCode()).isEqualTo(plain.hashCode());
+        for (int i = 0; i < plain.size(); i++) {
+            assertThat(blocks.get(i)).isEqualTo(plain.get(i));
+        }
+    }
+
+    @Property(tries = 50)
+    void listOfEqualElements_isEqual(@ForAll @IntRange(min = 1, max = MANY) int size, @ForAll @IntRange(max = MANY - 1) int place) {
+        List<Integer> all = BlockList.copyOf(upTo(size));
+        int at = place % size;
+        List<Integer> same = BlockList.spliced(all, at, at + 1, List.of(at));
+        List<Integer> other = BlockList.spliced(all, at, at + 1, List.of(-1));
+        assertThat(same).isEqualTo(all);
+        assertThat(other).isNotEqualTo(all);
+        assertThat(BlockList.spliced(other, at, at + 1, List.of(at))).isEqualTo(all);
+    }
+
+    @Test
+    void editOfOneElement_sharesAllBlocksButItsOwn() {
+        List<Integer> all = BlockList.copyOf(upTo(MANY));
+        for (List<Integer> by : List.of(List.<Integer>of(), List.of(-1), List.of(-1, -2))) {
+            List<Integer> edited = BlockList.spliced(all, MANY / 2, MANY / 2 + 1, by);
+            assertThat(BlockList.sharedStart(all, edited)).isBetween(MANY / 2 - BlockList.MOST, MANY / 2);
+            assertThat(BlockList.sharedEnd(all, edited)).isBetween(MANY / 2 - BlockList.MOST, MANY / 2);
+        }
+    }
+
+    @Test
+    void manyDeletions_leaveFewBlocks() {
+        List<Integer> all = BlockList.copyOf(upTo(MANY));
+        for (int place = 0; all.size() > MANY / 4; place = (place + 2) % (all.size() - 1)) {
+            all = BlockList.spliced(all, place, place + 1, List.of());
+        }
+        List<Integer> edited = BlockList.spliced(all, 0, 1, List.of(-1));
+        // What is not shared is the first block, and what was joined to it.
+        assertThat(all.size() - BlockList.sharedEnd(all, edited)).isGreaterThanOrEqualTo(BlockList.MOST / 4);
+    }
+
+    @Test
+    void listInBlocks_isNotCopied() {
+        List<Integer> all = BlockList.copyOf(upTo(MANY));
+        assertThat(BlockList.copyOf(all)).isSameAs(all);
+    }
+
+    @Test
+    void list_isImmutableAndHasNoNull() {
+        List<Integer> source = new ArrayList<>(upTo(MANY));
+        List<Integer> all = BlockList.copyOf(source);
+        source.set(0, -1);
+        assertThat(all.getFirst()).isZero();
+        assertThatThrownBy(() -> all.set(0, 1)).isInstanceOf(UnsupportedOperationException.class);
+        assertThatThrownBy(() -> all.get(MANY)).isInstanceOf(IndexOutOfBoundsException.class);
+        Integer[] holes = new Integer[MANY];
+        assertThatNullPointerException().isThrownBy(() -> BlockList.copyOf(Arrays.asList(holes)));
+    }
+}
