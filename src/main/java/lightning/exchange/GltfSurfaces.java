@@ -44,7 +44,7 @@ final class GltfSurfaces {
                 .withAmbient(pieces.color(m.emission(), Limits.MAX_EMISSION, "emission of materials"))
                 .withMetalness(Pieces.clamp(m.metallic() * means.metalness(), 1))
                 .withRoughness(Pieces.clamp(m.roughness() * means.roughness(), 1)).withTexture(picture(m.image()));
-        return relieved(mirroring(highlit(made, m)), m);
+        return relieved(clear(mirroring(highlit(made, m)), m), m);
     }
 
     /** With what a surface mirrors of lights where it is no metal: a grey share here, and all of it where it is grazed. */
@@ -68,6 +68,21 @@ final class GltfSurfaces {
         pieces.notes.add("metals that mirror lights alone here, being rough, in part no metal, textured or shining",
                 made.metalness() > 0 && !mirrors ? 1 : 0);
         return mirrors ? made.withReflective(made.base()) : made;
+    }
+
+    /** With what is seen through it, which the base colour tints once at each surface. */
+    private Material clear(Material made, GltfMaterial m) {
+        var through = new SeeThrough(pieces);
+        GltfMaterial.Glass glass = m.glass();
+        if (!(glass.share() > 0)) {
+            return through.veil(made, Pieces.clamp(m.opacity(), 1));
+        }
+        pieces.notes.add("materials that blur what is seen through them, sharp here", made.roughness() > ROUGHEST_MIRROR ? 1 : 0);
+        Material clear = through.made(made, Pieces.clamp(glass.share(), 1), made.base(), glass.ior(), glass.thin(), made.metalness());
+        double distance = glass.distance();
+        return glass.thin() || !(distance <= Limits.MAX_TINT_DISTANCE) ? clear
+                : clear.withClarity(clear.clarity().withTint(pieces.color(glass.tint(), 1, "colors of bodies"))
+                        .withTintDistance(Math.max(distance, Limits.MIN_TINT_DISTANCE)));
     }
 
     /** @param image of roughness and metalness */

@@ -76,15 +76,17 @@ final class NffImport {
         return fill < 0 ? Material.DEFAULT.name() : fills.get(fill);
     }
 
-    /** The format mirrors by Ks and adds all; here what is mirrored takes its share from the diffuse light, which is given back first. */
+    /** The format mirrors by Ks and adds all; here what is mirrored, and what goes through, takes its share from the diffuse light, which is given back first as far as a surface can have it. */
     private Material material(NffFile.Fill fill) {
         double mirror = Pieces.clamp(fill.specular(), 1);
-        double diffuse = fill.diffuse() / (mirror < 1 ? 1 - mirror : 1);
-        pieces.notes.add("fills that let light through (T), shown opaque", fill.transmittance() > 0 ? 1 : 0);
+        double through = Pieces.clamp(fill.transmittance(), 1);
+        double kept = (1 - mirror) * (1 - through);
+        double diffuse = kept > 0 ? Math.min(fill.diffuse() / kept, Math.max(fill.diffuse(), 1)) : 0;
         pieces.notes.add("fills with Ks beyond 0 to 1", mirror == fill.specular() ? 0 : 1);
-        return Material.of("material").withDiffuse(pieces.color(fill.color().times(diffuse), 1, "diffuse colors of fills"))
+        Material opaque = Material.of("material").withDiffuse(pieces.color(fill.color().times(diffuse), 1, "diffuse colors of fills"))
                 .withSpecular(Rgb.grey(mirror)).withReflective(Rgb.grey(mirror))
                 .withShininess(Pieces.clamp(fill.shine(), Limits.MAX_SHININESS));
+        return new SeeThrough(pieces).made(opaque, through, Rgb.WHITE, fill.index(), false, 0);
     }
 
     private Optional<Node> shape(NffSolid solid) {

@@ -106,11 +106,11 @@ final class ObjImport {
 
     private Material made(MtlMaterial m) throws IOException {
         Rgb specular = pieces.color(m.specular(), 1, "specular colors of materials");
-        Material made =
+        Material made = clear(m,
                 Material.of("material").withDiffuse(pieces.color(m.diffuse(), 1, "diffuse colors of materials")).withSpecular(specular)
                         .withShininess(Pieces.clamp(m.shininess(), Limits.MAX_SHININESS))
                         .withAmbient(pieces.color(m.emission(), Limits.MAX_EMISSION, "emission of materials"))
-                        .withReflective(m.mirrors() ? specular : Rgb.BLACK);
+                        .withReflective(m.mirrors() ? specular : Rgb.BLACK));
         if (m.texture().isPresent()) {
             Optional<Path> picture = beside(m.texture().get());
             if (picture.isPresent() && Pieces.isPicture(picture.get())) {
@@ -119,5 +119,11 @@ final class ObjImport {
             pieces.notes.add("textures that are not there, or no PNG or JPEG");
         }
         return made;
+    }
+
+    /** What bends no light by its model is a veil of its filter's colour. */
+    private Material clear(MtlMaterial m, Material opaque) {
+        return new SeeThrough(pieces).made(opaque, 1 - Pieces.clamp(m.opacity(), 1), pieces.color(m.filter(), 1, "filters of materials"),
+                m.refracts() ? m.ior() : 1, !m.refracts(), 0);
     }
 }

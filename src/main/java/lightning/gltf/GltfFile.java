@@ -32,7 +32,8 @@ public final class GltfFile {
     /** Extensions that change nothing of the form and are understood, or cost no more than looks. */
     private static final Set<String> KNOWN =
             Set.of("KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform", "KHR_materials_unlit",
-                    "KHR_materials_emissive_strength", "KHR_materials_specular", "KHR_materials_ior");
+                    "KHR_materials_emissive_strength", "KHR_materials_specular", "KHR_materials_ior", "KHR_materials_transmission",
+                    "KHR_materials_volume");
 
     private final Path path;
     private final Json root;

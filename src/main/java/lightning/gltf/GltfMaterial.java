@@ -16,6 +16,19 @@ import lightning.math.Rgb;
  * @param surface    the number of the image of metalness and roughness; −1 for none
  * @param normals    the number of the image of its normal map; −1 for none
  * @param lean       a factor on how far these normals lean
+ * @param opacity    0 … 1, how much of it is there; less than 1 where it is a veil
+ * @param glass      what passes through it
  */
 public record GltfMaterial(String name, Rgb base, double metallic, double roughness, Rgb reflection, double grazing, Rgb emission,
-        boolean unlit, int image, int surface, int normals, double lean) {}
+        boolean unlit, int image, int surface, int normals, double lean, double opacity, Glass glass) {
+    /**
+     * What passes through a surface, and through the body behind it.
+     *
+     * @param share    0 … 1, of the light that is not mirrored
+     * @param ior      the index of refraction
+     * @param thin     whether there is no body behind it
+     * @param tint     what is left of white after {@code distance}
+     * @param distance metres; infinite where nothing is lost
+     */
+    public record Glass(double share, double ior, boolean thin, Rgb tint, double distance) {}
+}

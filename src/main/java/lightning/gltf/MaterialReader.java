@@ -25,7 +25,9 @@ final class MaterialReader {
         for (String picture : List.of("occlusionTexture", "emissiveTexture")) {
             notes.add(picture + " of materials", material.get(picture).isThere() ? 1 : 0);
         }
-        notes.add("transparent materials", material.get("alphaMode").text().orElse("OPAQUE").equals("OPAQUE") ? 0 : 1);
+        String alpha = material.get("alphaMode").text().orElse("OPAQUE");
+        double there = alpha.equals("BLEND") ? look.get("baseColorFactor").numbers(1, 1, 1, 1)[3] : 1;
+        notes.add("cut-outs by the alpha of pictures", alpha.equals("MASK") || alpha.equals("BLEND") && there == 1 ? 1 : 0);
         double[] emission = material.get("emissiveFactor").numbers(0, 0, 0);
         double strength = extensions.get("KHR_materials_emissive_strength").get("emissiveStrength").number(1);
         Json normals = material.get("normalTexture");
@@ -34,7 +36,18 @@ final class MaterialReader {
         return new GltfMaterial(material.get("name").text().orElse(""), surface.base, surface.metallic, surface.roughness,
                 surface.reflection, surface.grazing, new Rgb(emission[0], emission[1], emission[2]).times(strength),
                 extensions.get("KHR_materials_unlit").isThere(), surface.image, surface.picture, image(normals),
-                normals.get("scale").number(1));
+                normals.get("scale").number(1), there, glass(extensions));
+    }
+
+    /** KHR_materials_transmission with KHR_materials_ior and KHR_materials_volume. */
+    private GltfMaterial.Glass glass(Json extensions) throws MeshException {
+        Json transmission = extensions.get("KHR_materials_transmission");
+        Json volume = extensions.get("KHR_materials_volume");
+        notes.add("transmissionTexture of materials", transmission.get("transmissionTexture").isThere() ? 1 : 0);
+        double[] tint = volume.get("attenuationColor").numbers(1, 1, 1);
+        return new GltfMaterial.Glass(transmission.get("transmissionFactor").number(0),
+                extensions.get("KHR_materials_ior").get("ior").number(1.5), volume.get("thicknessFactor").number(0) == 0,
+                new Rgb(tint[0], tint[1], tint[2]), volume.get("attenuationDistance").number(Double.POSITIVE_INFINITY));
     }
 
     /** How a material answers light, as {@link GltfMaterial} has it. */

@@ -35,8 +35,9 @@ public record NffFile(Optional<View> view, Rgb background, List<Light> lights, L
      * @param specular      Ks, of highlights and of what is mirrored
      * @param shine         the exponent of Phong's highlight
      * @param transmittance T, how much light goes through
+     * @param index         the index of refraction
      */
-    public record Fill(Rgb color, double diffuse, double specular, double shine, double transmittance) {}
+    public record Fill(Rgb color, double diffuse, double specular, double shine, double transmittance, double index) {}
 
     /**
      * Polygons, which are flat, or patches, which are smooth.

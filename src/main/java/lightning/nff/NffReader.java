@@ -132,7 +132,7 @@ public final class NffReader {
             notes.add("fills with fewer than eight numbers");
         }
         passLine("words behind fills, of another dialect");
-        fill = fills.computeIfAbsent(new NffFile.Fill(color, rest[0], rest[1], rest[2], rest[3]), _ -> fills.size());
+        fill = fills.computeIfAbsent(new NffFile.Fill(color, rest[0], rest[1], rest[2], rest[3], rest[4]), _ -> fills.size());
         if (fills.size() > MOST_FILLS) {
             throw text.problem("a file must have at most " + MOST_FILLS + " different fills");
         }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import lightning.gltf.Gltf;
@@ -15,7 +16,10 @@ import lightning.jen.JenReader;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.mesh.MeshException;
+import lightning.scene.Clarity;
 import lightning.scene.Material;
+import lightning.scene.Scene;
+import lightning.scene.ShadowsThrown;
 import lightning.scene.SurfaceModel;
 import lightning.shading.ReferenceTracer;
 import lightning.work.Progress;
@@ -212,5 +216,53 @@ class GltfSurfacesTest {
         Material made =
                 material("{'pbrMetallicRoughness': {'baseColorFactor': [0.1, 0.2, 0.3, 1]}, 'extensions': {'KHR_materials_unlit': {}}}");
         assertThat(Map.of(made.ambient(), made.diffuse())).containsEntry(new Rgb(0.1, 0.2, 0.3), Rgb.BLACK);
+    }
+
+    @Test
+    void glass_isAsClearAsTheFileSays() throws Exception {
+        Material glass = material("""
+                {'pbrMetallicRoughness': {'baseColorFactor': [0.8, 0.5, 0.25, 1], 'metallicFactor': 0, 'roughnessFactor': 0},
+                 'extensions': {'KHR_materials_transmission': {'transmissionFactor': 0.5}, 'KHR_materials_ior': {'ior': 1.33},
+                   'KHR_materials_volume': {'thicknessFactor': 1, 'attenuationColor': [1, 0.5, 0.25], 'attenuationDistance': 3}}}""");
+        assertThat(glass.clarity()).isEqualTo(new Clarity(new Rgb(0.4, 0.25, 0.125), 1.33, false, new Rgb(1, 0.5, 0.25), 3,
+                ShadowsThrown.FULL));
+        // Its clearest channel lets 0.4 pass, so 0.6 of this is half of the file's.
+        assertThat(glass.base().times(0.6).r()).isCloseTo(0.4, within(1e-15));
+        assertThat(glass.base().times(0.6).b()).isCloseTo(0.125, within(1e-15));
+    }
+
+    @Test
+    void glassWithoutABody_isAPane() throws Exception {
+        Material pane = material("""
+                {'pbrMetallicRoughness': {'metallicFactor': 0},
+                 'extensions': {'KHR_materials_transmission': {'transmissionFactor': 1}}}""");
+        assertThat(pane.clarity()).isEqualTo(Clarity.NONE.withClear(Rgb.WHITE).withThin(true).withShadows(ShadowsThrown.NONE));
+        assertThat(pane.base()).isEqualTo(Rgb.BLACK);
+    }
+
+    @Test
+    void metal_isNotClear() throws Exception {
+        assertThat(material("{'extensions': {'KHR_materials_transmission': {'transmissionFactor': 1}}}").clarity()).isEqualTo(Clarity.NONE);
+    }
+
+    /** A veil over a background of 1 that nothing lights, so that its own colour is black. */
+    @Test
+    void veil_showsWhatIsBehindByWhatIsMissing() throws Exception {
+        Import read =
+                read("""
+                        {'alphaMode': 'BLEND', 'pbrMetallicRoughness': {'baseColorFactor': [1, 1, 1, 0.25], 'metallicFactor': 0, 'roughnessFactor': 1}}
+                        """);
+        read.write();
+        Scene scene = JenReader.read(folder.resolve("a.jen")).scene();
+        Film film = new ReferenceTracer(scene.withLights(List.of()).withWorld(scene.world().withBackground(Rgb.WHITE))
+                .withPicture(scene.picture().withSize(9, 9))).trace();
+        assertThat(film.red(4, 4)).isEqualTo(0.75f);
+        assertThat(scene.materials().getFirst().base()).isEqualTo(Rgb.WHITE);
+    }
+
+    @Test
+    void cutOuts_areTold() throws Exception {
+        assertThat(read("{'alphaMode': 'MASK'}").notes()).containsEntry("cut-outs by the alpha of pictures", 1);
+        assertThat(read("{'alphaMode': 'BLEND'}").notes()).containsEntry("cut-outs by the alpha of pictures", 1);
     }
 }

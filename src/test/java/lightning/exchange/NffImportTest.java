@@ -14,9 +14,11 @@ import lightning.math.Vec3;
 import lightning.mesh.MeshException;
 import lightning.nff.Databases;
 import lightning.nff.Teapot;
+import lightning.scene.Clarity;
 import lightning.scene.Light;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
+import lightning.scene.ShadowsThrown;
 import lightning.scene.Solid;
 import lightning.work.Progress;
 import net.jqwik.api.ForAll;
@@ -54,7 +56,7 @@ class NffImportTest {
         assertThat(solids).filteredOn(Solid.Sphere.class::isInstance).hasSize(balls);
         assertThat(solids).filteredOn(s -> s instanceof Solid.Frustum || s instanceof Solid.Cylinder).hasSize(tubes);
         assertThat(solids.stream().mapToInt(s -> s instanceof Solid.Triangles t ? t.mesh().triangleCount() : 0).sum()).isEqualTo(triangles);
-        assertThat(read.notes().keySet()).allMatch(note -> note.startsWith("fills that let light through"));
+        assertThat(read.notes().keySet()).allMatch(note -> note.startsWith("materials that light goes through"));
     }
 
     @Property
@@ -94,15 +96,29 @@ class NffImportTest {
 
     @Test
     void fill_mirrorsByItsSpecularShare() throws Exception {
-        Import read = read("a", "f 1 0.5 0 0.4 0.5 20 0.3 1.5\ns 0 0 0 1\n");
+        Import read = read("a", "f 1 0.5 0 0.4 0.5 20 0 1.5\ns 0 0 0 1\n");
         assertThat(read.scene().materials().getFirst()).satisfies(m -> {
             // 0.4 of the colour are seen where half of all diffuse light is mirrored away.
             assertThat(m.diffuse()).isEqualTo(new Rgb(0.8, 0.4, 0));
             assertThat(m.reflective()).isEqualTo(Rgb.grey(0.5));
             assertThat(m.specular()).isEqualTo(Rgb.grey(0.5));
             assertThat(m.shininess()).isEqualTo(20);
+            assertThat(m.clarity()).isEqualTo(Clarity.NONE);
         });
-        assertThat(read.notes()).containsEntry("fills that let light through (T), shown opaque", 1);
+    }
+
+    @Test
+    void fill_letsItsShareThrough() throws Exception {
+        Import read = read("a", "f 1 0.5 0 0.2 0 20 0.75 1.33\ns 0 0 0 1\n");
+        assertThat(read.scene().materials().getFirst()).satisfies(m -> {
+            assertThat(m.diffuse()).as("a quarter of it is seen").isEqualTo(new Rgb(0.8, 0.4, 0));
+            assertThat(m.clarity().clear()).isEqualTo(Rgb.grey(0.75));
+            assertThat(m.clarity().ior()).isEqualTo(1.33);
+            assertThat(m.clarity().thin()).isFalse();
+            assertThat(m.clarity().shadows()).isEqualTo(ShadowsThrown.NONE);
+        });
+        assertThat(read.scene().picture().depth()).isEqualTo(6);
+        assertThat(read.notes()).containsEntry("materials that light goes through, which throw no shadow here", 1);
     }
 
     @Test

@@ -42,8 +42,8 @@ class NffReaderTest {
         NffFile file = read(
                 "s 0 0 0 1\nf 1 0 0 0.5 0.25 8 0.9 1.5\ns 0 0 0 2\nf 0 1 0 1 0 1 0 1\nc\n0 0 0 1\n0 1 0 0.5\nf 1 0 0 0.5 0.25 8 0.9 1.5\n"
                         + "s 0 0 0 3\n");
-        assertThat(file.fills()).containsExactly(new NffFile.Fill(new Rgb(1, 0, 0), 0.5, 0.25, 8, 0.9),
-                new NffFile.Fill(new Rgb(0, 1, 0), 1, 0, 1, 0));
+        assertThat(file.fills()).containsExactly(new NffFile.Fill(new Rgb(1, 0, 0), 0.5, 0.25, 8, 0.9, 1.5),
+                new NffFile.Fill(new Rgb(0, 1, 0), 1, 0, 1, 0, 1));
         assertThat(file.solids()).containsExactly(new NffSolid.Ball(-1, Vec3.ZERO, 1), new NffSolid.Ball(0, Vec3.ZERO, 2),
                 new NffSolid.Tube(1, Vec3.ZERO, 1, Vec3.Y, 0.5), new NffSolid.Ball(0, Vec3.ZERO, 3));
     }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import lightning.math.Rgb;
 import lightning.mesh.ByteSource;
 import lightning.mesh.MeshException;
@@ -17,7 +18,7 @@ public final class MtlReader {
     private final TextSource text;
     private final Notes notes;
     private final Map<String, MtlMaterial> materials = new LinkedHashMap<>();
-    private MtlMaterial now;
+    private Draft now;
 
     private MtlReader(ByteSource source, Notes notes) {
         this.notes = notes;
@@ -46,7 +47,7 @@ public final class MtlReader {
 
     private void keep() {
         if (now != null) {
-            materials.putIfAbsent(now.name(), now);
+            materials.putIfAbsent(now.name, now.made());
         }
     }
 
@@ -57,38 +58,84 @@ public final class MtlReader {
             if (materials.size() == MeshLimits.PARTS) {
                 throw text.problem("a file must have at most " + MeshLimits.PARTS + " materials");
             }
-            now = MtlMaterial.of(text.rest());
+            now = new Draft(text.rest());
             return;
         }
         if (now == null) {
             throw text.problem("newmtl must stand before " + keyword);
         }
-        MtlMaterial m = now;
-        now = switch (keyword) {
-            case "Kd" -> new MtlMaterial(m.name(), color(m.diffuse()), m.specular(), m.emission(), m.shininess(), m.mirrors(), m.texture());
-            case "Ks" -> new MtlMaterial(m.name(), m.diffuse(), color(m.specular()), m.emission(), m.shininess(), m.mirrors(), m.texture());
-            case "Ke" -> new MtlMaterial(m.name(), m.diffuse(), m.specular(), color(m.emission()), m.shininess(), m.mirrors(), m.texture());
-            case "Ns" -> new MtlMaterial(m.name(), m.diffuse(), m.specular(), m.emission(), number(), m.mirrors(), m.texture());
-            case "illum" ->
-                    new MtlMaterial(m.name(), m.diffuse(), m.specular(), m.emission(), m.shininess(), mirrors(number()), m.texture());
-            case "map_Kd" -> new MtlMaterial(m.name(), m.diffuse(), m.specular(), m.emission(), m.shininess(), m.mirrors(), picture());
+        switch (keyword) {
+            case "Kd" -> now.diffuse = color(now.diffuse);
+            case "Ks" -> now.specular = color(now.specular);
+            case "Ke" -> now.emission = color(now.emission);
+            case "Ns" -> now.shininess = number();
+            case "illum" -> now.illumination = number();
+            case "d" -> now.opacity = opacity();
+            case "Tr" -> now.transparency = number();
+            case "Tf" -> now.filter = color(now.filter);
+            case "Ni" -> now.ior = number();
+            case "map_Kd" -> now.texture = picture();
             // Most writers put 1 there whatever the surface is, which would make it shine.
-            case "Ka" -> left("ambient colors (Ka) of materials");
-            // Opaque, as all is here.
-            case "d" -> number() == 1 ? m : left("transparent materials");
-            case "Tr" -> number() == 0 ? m : left("transparent materials");
-            case "Ni" -> m;
-            default -> left(keyword + " of materials");
-        };
+            case "Ka" -> notes.add("ambient colors (Ka) of materials");
+            case "map_d" -> notes.add("cut-outs by pictures (map_d) of materials");
+            default -> notes.add(keyword + " of materials");
+        }
     }
 
-    private static boolean mirrors(double illumination) {
-        return illumination >= 3 && illumination <= 9 && illumination != 4 && illumination != 9;
+    /** Of {@code -halo}, by which the middle is clearer than the rim, the number alone. */
+    private double opacity() throws IOException, MeshException {
+        if (text.word() && text.is("-halo")) {
+            notes.add("materials that are clearer in their middle");
+            return number();
+        }
+        if (text.length() == 0) {
+            throw text.problem("expected a number, found the end of the line");
+        }
+        return text.number("it");
     }
 
-    private MtlMaterial left(String kind) {
-        notes.add(kind);
-        return now;
+    /** A material of which not all lines are read. */
+    private static final class Draft {
+        /** Models that let light through: glass and refraction, with and without Fresnel's equations. */
+        private static final Set<Double> CLEAR = Set.of(4.0, 6.0, 7.0, 9.0);
+        private static final Set<Double> REFRACTING = Set.of(6.0, 7.0);
+
+        final String name;
+        Rgb diffuse = Rgb.grey(0.8);
+        Rgb specular = Rgb.BLACK;
+        Rgb emission = Rgb.BLACK;
+        double shininess;
+        double illumination = 2;
+        double opacity = Double.NaN;
+        double transparency = Double.NaN;
+        Rgb filter;
+        double ior = 1.5;
+        Optional<String> texture = Optional.empty();
+
+        Draft(String name) {
+            this.name = name;
+        }
+
+        MtlMaterial made() {
+            boolean mirrors = illumination >= 3 && illumination <= 9 && illumination != 4 && illumination != 9;
+            return new MtlMaterial(name, diffuse, specular, emission, shininess, mirrors, there(), filter == null ? Rgb.WHITE : filter, ior,
+                    REFRACTING.contains(illumination), texture);
+        }
+
+        /**
+         * By d, or by Tr where there is no d. Some writers put 1 into Tr for what is there: alone, and by a model that lets nothing through, it
+         * is taken so. By models that refract a filter alone says how much passes.
+         */
+        private double there() {
+            if (!Double.isNaN(opacity) && opacity != 1) {
+                return opacity;
+            }
+            if (REFRACTING.contains(illumination) && filter != null) {
+                return 0;
+            }
+            boolean alone = Double.isNaN(opacity) && !Double.isNaN(transparency);
+            return alone && (transparency != 1 || CLEAR.contains(illumination)) ? 1 - transparency : 1;
+        }
     }
 
     private double number() throws IOException, MeshException {

@@ -15,6 +15,8 @@ import lightning.mesh.Notes;
 import lightning.work.Progress;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Materials beside OBJ files. */
 class MtlReaderTest {
@@ -43,10 +45,28 @@ class MtlReaderTest {
         assertThat(materials).containsOnlyKeys("old oak", "plain");
         assertThat(materials.get("old oak"))
                 .isEqualTo(new MtlMaterial("old oak", new Rgb(0.5, 0.25, 0.125), Rgb.grey(0.5), new Rgb(0, 0, 2), 96.5,
-                        true, Optional.of("my wood.png")));
-        assertThat(materials.get("plain")).isEqualTo(MtlMaterial.of("plain"));
-        assertThat(notes.counts()).containsOnlyKeys("ambient colors (Ka) of materials", "transparent materials", "options -s of pictures",
+                        true, 0.5, Rgb.WHITE, 1.5, false, Optional.of("my wood.png")));
+        assertThat(materials.get("plain"))
+                .isEqualTo(new MtlMaterial("plain", Rgb.grey(0.8), Rgb.BLACK, Rgb.BLACK, 0, false, 1, Rgb.WHITE, 1.5, false,
+                        Optional.empty()));
+        assertThat(notes.counts()).containsOnlyKeys("ambient colors (Ka) of materials", "options -s of pictures",
                 "options -clamp of pictures", "map_Bump of materials");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"d 0.25, 0.25", "d -halo 0.25, 0.25", "Tr 0.75, 0.25", "Tr 1, 1", "Tr 1|illum 4, 0", "d 1|Tr 1, 1", "d 0.25|Tr 0.25, 0.25",
+        "Tf 0.5 0.5 1|illum 7, 0", "Tf 0.5 0.5 1|illum 2, 1", "d 0.25|Tf 1 0 0|illum 6, 0.25"})
+    void opacity_isReadAsWritersMeanIt(String lines, double opacity) throws Exception {
+        assertThat(read("newmtl a\n" + lines.replace('|', '\n') + "\n").get("a").opacity()).isEqualTo(opacity);
+    }
+
+    @Test
+    void glass_hasItsIndexAndFilter() throws Exception {
+        MtlMaterial glass = read("newmtl a\nTf 0.5 0.75 1\nNi 1.33\nillum 6\n").get("a");
+        assertThat(glass.refracts()).isTrue();
+        assertThat(glass.ior()).isEqualTo(1.33);
+        assertThat(glass.filter()).isEqualTo(new Rgb(0.5, 0.75, 1));
+        assertThat(read("newmtl a\nd 0.5\nillum 4\n").get("a").refracts()).isFalse();
     }
 
     @Test
@@ -54,6 +74,8 @@ class MtlReaderTest {
         assertRefused("Kd 1 1 1\n", "line 1: newmtl must stand before Kd");
         assertRefused("newmtl a\nKd 1 x 1\n", "line 2: green must be a decimal number, was 'x'");
         assertRefused("newmtl a\nNs\n", "line 2: expected a number, found the end of the line");
+        assertRefused("newmtl a\nd\n", "line 2: expected a number, found the end of the line");
+        assertRefused("newmtl a\nd -halo\n", "line 2: expected a number, found the end of the line");
     }
 
     private void assertRefused(String file, String message) {
