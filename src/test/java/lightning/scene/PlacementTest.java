@@ -48,4 +48,18 @@ class PlacementTest {
         assertThat(placement.leastScale()).isEqualTo(2);
         assertThat(placement.mostScale()).isEqualTo(5);
     }
+
+    @Test
+    void placements_areEqualWhereAllBitsAre() {
+        Vec3 at = new Vec3(0, 2, 3);
+        Vec3 rotate = new Vec3(4, 5, 6);
+        Vec3 scale = new Vec3(7, 8, 9);
+        Placement placement = new Placement(at, rotate, scale);
+        assertThat(placement).isEqualTo(new Placement(at, rotate, scale)).hasSameHashCodeAs(new Placement(at, rotate, scale))
+                .isNotEqualTo(new Placement(new Vec3(-0.0, 2, 3), rotate, scale)).isNotEqualTo(new Placement(at, Vec3.ZERO, scale))
+                .isNotEqualTo(new Placement(at, rotate, new Vec3(7, 8, -9)));
+        assertThat(placement.at()).isEqualTo(at);
+        assertThat(placement.rotate()).isEqualTo(rotate);
+        assertThat(placement.scale()).isEqualTo(scale);
+    }
 }
