@@ -12,7 +12,7 @@ final class NodeTree {
     /** How many shapes and groups are not visible by themselves. */
     private final int hidden;
     final MaterialUsers users;
-    /** Stands for the names and their places in the tree, told by identity. */
+    /** Stands for the groups with their names, and the places of all that is in them, told by identity. */
     final Object outline;
     /** Equal for equal nodes. */
     final long hash;
@@ -56,8 +56,8 @@ final class NodeTree {
     private static boolean sameOutline(List<? extends Node> a, List<? extends Node> b) {
         boolean same = a.size() == b.size();
         for (int i = 0; same && i < a.size(); i++) {
-            same = a.get(i) == b.get(i) || a.get(i).name().equals(b.get(i).name()) && switch (a.get(i)) {
-                case Group g -> b.get(i) instanceof Group h && sameOutline(g.children(), h.children());
+            same = a.get(i) == b.get(i) || switch (a.get(i)) {
+                case Group g -> b.get(i) instanceof Group h && g.name().equals(h.name()) && sameOutline(g.children(), h.children());
                 case Shape _ -> b.get(i) instanceof Shape;
             };
         }

@@ -152,7 +152,7 @@ public final class Stage {
         return tree.names == o.tree.names;
     }
 
-    /** Whether both have the same shapes and groups in the same places of the tree, because the one was made of the other. */
+    /** Whether both have the same groups, and as many shapes in the same places of the tree, because the one was made of the other. */
     public boolean sharesOutlineWith(Stage o) {
         return tree.outline == o.tree.outline;
     }

@@ -8,6 +8,7 @@ import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
 import javafx.scene.control.SeparatorMenuItem;
+import javafx.scene.control.skin.VirtualFlow;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
@@ -142,7 +143,8 @@ final class OutlinePane extends VBox {
             list(stage);
         }
         if (other || moved) {
-            mark(stage, moved);
+            // Where lines are listed anew below a group, those in view are not known before they are laid out.
+            mark(stage, moved && (other && !unfolded.isEmpty() || !isInView(line(stage))));
         }
     }
 
@@ -155,10 +157,21 @@ final class OutlinePane extends VBox {
         showing = false;
     }
 
-    /** @param scroll whether the line is brought into view */
+    /** The line of what is selected; −1 for none. */
+    private int line(Stage stage) {
+        return selected == null ? -1 : stage.places(selected.name()).map(places -> OutlineRow.line(list.getItems(), places)).orElse(-1);
+    }
+
+    /** Whether a line is among those laid out last, between the first and the last of these, which may be cut off. */
+    private boolean isInView(int row) {
+        return list.lookup(".virtual-flow") instanceof VirtualFlow<?> flow && flow.getFirstVisibleCell() != null
+                && flow.getFirstVisibleCell().getIndex() < row && row < flow.getLastVisibleCell().getIndex();
+    }
+
+    /** @param scroll whether the line is brought into view, which takes the longer the more lines there are */
     private void mark(Stage stage, boolean scroll) {
         showing = true;
-        int row = selected == null ? -1 : stage.places(selected.name()).map(places -> OutlineRow.line(list.getItems(), places)).orElse(-1);
+        int row = line(stage);
         if (row < 0) {
             list.getSelectionModel().clearSelection();
         } else if (list.getSelectionModel().getSelectedIndex() != row) {

@@ -45,14 +45,32 @@ record OutlineRow(OutlineRow group, int place, int depth) {
         int before = lines.size();
         int now = stage.nodes().size();
         if (!unfolded.isEmpty() || before > 0 && lines.getLast().place != before - 1 || Math.abs(now - before) > MOST) {
-            List<OutlineRow> all = of(stage, unfolded);
-            if (!all.equals(lines)) {
-                lines.setAll(all);
-            }
+            become(lines, of(stage, unfolded));
         } else if (now < before) {
             lines.subList(now, before).clear();
         } else if (now > before) {
             lines.addAll(IntStream.range(before, now).mapToObj(place -> new OutlineRow(null, place, 0)).toList());
+        }
+    }
+
+    /** Touches those lines alone that are others, but for what is the same at both ends. */
+    private static void become(ObservableList<OutlineRow> lines, List<OutlineRow> all) {
+        int least = Math.min(lines.size(), all.size());
+        int begin = 0;
+        while (begin < least && lines.get(begin).equals(all.get(begin))) {
+            begin++;
+        }
+        int same = 0;
+        while (same < least - begin && lines.get(lines.size() - 1 - same).equals(all.get(all.size() - 1 - same))) {
+            same++;
+        }
+        List<OutlineRow> come = all.subList(begin, all.size() - same);
+        int end = lines.size() - same;
+        if (end - begin == lines.size()) {
+            lines.setAll(all);
+        } else {
+            lines.subList(begin, end).clear();
+            lines.addAll(begin, come);
         }
     }
 

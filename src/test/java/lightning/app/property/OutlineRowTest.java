@@ -37,15 +37,32 @@ class OutlineRowTest {
         assertThat(lines).isEqualTo(OutlineRow.of(stage, Set.of(unfolded)));
     }
 
-    @Test
-    void editsOfOneOfManyShapes_touchOneLineAtMost() {
-        Stage stage = stage(1000);
-        show(stage);
+    private void countTouched() {
         lines.addListener((ListChangeListener<OutlineRow>) change -> {
             while (change.next()) {
                 touched += change.getAddedSize() + change.getRemovedSize();
             }
         });
+    }
+
+    @Test
+    void editsInsideOfAnUnfoldedGroup_touchItsLastLineAlone() {
+        Stage stage = stage(1000);
+        show(stage, "g");
+        countTouched();
+        show(stage.replacing("in", List.of(sphere("other"))), "g");
+        assertThat(touched).isZero();
+        show(stage.replacing("in", List.of(sphere("in"), sphere("other"))), "g");
+        assertThat(touched).isEqualTo(1);
+        show(stage, "g");
+        assertThat(touched).isEqualTo(2);
+    }
+
+    @Test
+    void editsOfOneOfManyShapes_touchOneLineAtMost() {
+        Stage stage = stage(1000);
+        show(stage);
+        countTouched();
         show(stage.replacing("s500", List.of(sphere("other"))));
         assertThat(touched).isZero();
         show(stage.replacing("s500", List.of(sphere("s500"), sphere("other"))));
