@@ -14,6 +14,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.app.model.EditorModel;
+import lightning.app.widget.WhileSeen;
 import lightning.edit.History;
 import lightning.edit.Situation;
 
@@ -29,7 +30,6 @@ final class HistoryPane extends VBox {
     private final ToggleButton document = new ToggleButton("Document");
     private final ToggleButton light = new ToggleButton("Selected light");
     private final Label about = new Label();
-    private boolean shown;
 
     /** @param done how many steps are done there */
     private record Row(int done, String text, boolean undone) {}
@@ -67,13 +67,7 @@ final class HistoryPane extends VBox {
         });
         setVgrow(list, Priority.ALWAYS);
         getChildren().addAll(head, list);
-        model.situationProperty().subscribe(this::show);
-    }
-
-    /** A window that is closed needs no list. */
-    void setShown(boolean is) {
-        shown = is;
-        show(model.situationProperty().get());
+        WhileSeen.follow(this, () -> model.situationProperty().subscribe(this::show));
     }
 
     private boolean isOfLight() {
@@ -81,9 +75,6 @@ final class HistoryPane extends VBox {
     }
 
     private void show(Situation now) {
-        if (!shown) {
-            return;
-        }
         History history = model.document().history();
         long id = now.selected().map(l -> history.id(l.name())).orElse(-1L);
         List<String> steps = isOfLight() ? history.lightSteps(id) : history.steps();

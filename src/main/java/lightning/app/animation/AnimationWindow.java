@@ -6,6 +6,7 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.stage.Stage;
 import javafx.stage.Window;
+import lightning.app.command.CommandKeys;
 import lightning.app.command.PathAsk;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.Looks;
@@ -31,8 +32,10 @@ public final class AnimationWindow extends Stage {
         content.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {
                 close();
+                event.consume();
             }
         });
+        CommandKeys.take(content, model);
         Looks.dress(content);
         setScene(content);
         setResizable(false);

@@ -1,6 +1,6 @@
 package lightning.app.command;
 
-import javafx.scene.Node;
+import javafx.event.EventTarget;
 import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
@@ -17,7 +17,7 @@ public final class UndoKeys {
     private UndoKeys() {}
 
     /** Takes the keys before any part of a window does. */
-    public static void take(Node window, EditorModel model) {
+    public static void take(EventTarget window, EditorModel model) {
         window.addEventFilter(KeyEvent.KEY_PRESSED, e -> {
             if (model.keys().is(Command.UNDO, e)) {
                 undo(e, model);

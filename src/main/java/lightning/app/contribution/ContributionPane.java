@@ -1,6 +1,5 @@
 package lightning.app.contribution;
 
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -28,6 +27,7 @@ import lightning.app.model.PicturePart;
 import lightning.app.model.Sentence;
 import lightning.app.widget.Obstacle;
 import lightning.app.widget.Percent;
+import lightning.app.widget.WhileSeen;
 import lightning.edit.Change;
 import lightning.edit.loop.Frame;
 import lightning.image.Film;
@@ -55,7 +55,6 @@ public final class ContributionPane extends VBox {
     private final Label regionText = new Label("Region: the whole picture");
     private final Obstacle nothingIdle;
     private final PauseTransition rest = new PauseTransition(REST);
-    private final List<Subscription> heard = new ArrayList<>();
     private Map<String, Double> pointed = Map.of();
     private Optional<Contributions.Region> region = Optional.empty();
     private Contributions shown;
@@ -105,6 +104,7 @@ public final class ContributionPane extends VBox {
         VBox.setVgrow(table, Priority.ALWAYS);
         getChildren().addAll(head, table, parts, proof);
         rest.setOnFinished(_ -> ask());
+        WhileSeen.follow(this, this::follow);
     }
 
     private void fillTable() {
@@ -159,18 +159,14 @@ public final class ContributionPane extends VBox {
                 : String.format(Locale.ROOT, "%,d pixels change", change.shown());
     }
 
-    /** Begins to follow the picture. */
-    public void start() {
-        stop();
-        heard.add(model.renderingProperty().subscribe(state -> follow(state.frame())));
-        heard.add(model.viewProperty().subscribe(_ -> again()));
-        heard.add(model.part().pointedProperty().subscribe(this::point));
+    /** Follows the picture. */
+    private Subscription follow() {
+        return Subscription.combine(model.renderingProperty().subscribe(state -> follow(state.frame())),
+                model.viewProperty().subscribe(_ -> again()), model.part().pointedProperty().subscribe(this::point), this::stop);
     }
 
-    /** Follows no more. */
-    public void stop() {
-        heard.forEach(Subscription::unsubscribe);
-        heard.clear();
+    /** Gives up what is asked. */
+    private void stop() {
         rest.stop();
         feed.stop();
         pixels.stop();

@@ -24,6 +24,7 @@ import javafx.util.Subscription;
 import lightning.app.model.EditorModel;
 import lightning.app.model.Sentence;
 import lightning.app.widget.Obstacle;
+import lightning.app.widget.WhileSeen;
 import lightning.edit.Change;
 import lightning.edit.FileThread;
 import lightning.edit.Situation;
@@ -53,7 +54,6 @@ public final class CuePane extends VBox {
     private final Obstacle cannotBlend;
     private final Label percent = new Label("0 %");
     private final Map<String, CueCard> cards = new LinkedHashMap<>();
-    private final List<Subscription> heard = new ArrayList<>();
     private List<Cue> cues = List.of();
     private String a = "";
     private String b = "";
@@ -112,19 +112,13 @@ public final class CuePane extends VBox {
         VBox.setVgrow(parts, Priority.ALWAYS);
         getChildren().addAll(tools, parts);
         choose();
+        WhileSeen.follow(this, this::follow);
     }
 
     /** Lists the cues and follows the editor. */
-    public void start() {
-        stop();
-        heard.add(model.documentProperty().subscribe(_ -> list()));
-        heard.add(model.situationProperty().subscribe(now -> cannotKeep.set(obstacle(now))));
-    }
-
-    /** Follows no more. */
-    public void stop() {
-        heard.forEach(Subscription::unsubscribe);
-        heard.clear();
+    private Subscription follow() {
+        return Subscription.combine(model.documentProperty().subscribe(_ -> list()),
+                model.situationProperty().subscribe(now -> cannotKeep.set(obstacle(now))));
     }
 
     private static Optional<String> obstacle(Situation now) {

@@ -153,9 +153,4 @@ public final class AccuracyPane extends BorderPane {
         ViewTransform view = difference.isSelected() ? ViewTransform.DEFAULT : model.viewProperty().get();
         picture.setPixels(film.width(), film.height(), view.toPixels(film));
     }
-
-    /** Gives up what is being measured. */
-    public void stop() {
-        bar.stop();
-    }
 }

@@ -195,9 +195,4 @@ public final class EffectsPane extends VBox {
         measured.effects().forEach(cost -> rows.get(cost.effect()).show(cost));
         list(model.scene());
     }
-
-    /** Gives up what is being measured. */
-    public void stop() {
-        bar.stop();
-    }
 }

@@ -11,6 +11,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import lightning.app.model.Sentence;
 import lightning.app.widget.Obstacle;
+import lightning.app.widget.WhileSeen;
 import lightning.work.Progress;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
@@ -48,6 +49,8 @@ final class MeasureBar extends HBox {
         cancelling = new Obstacle(cancelBox, cancel, "Stop measuring");
         getChildren().addAll(bar, measureBox, cancelBox);
         update();
+        // Nothing is measured for a window that is closed.
+        WhileSeen.follow(this, () -> this::stop);
     }
 
     /** Says what begins when the artist asks to measure. */
@@ -104,7 +107,7 @@ final class MeasureBar extends HBox {
     }
 
     /** Gives up what is being measured. */
-    void stop() {
+    private void stop() {
         if (task != null) {
             // Without an interrupt, which would break the workers' waiting.
             task.cancel(false);

@@ -1,7 +1,5 @@
 package lightning.app.measure;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -11,6 +9,7 @@ import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.PixelImage;
+import lightning.app.widget.WhileSeen;
 import lightning.edit.loop.Frame;
 import lightning.image.Scopes;
 import lightning.image.ViewTransform;
@@ -27,7 +26,6 @@ public final class ScopesPane extends VBox {
     private final ImageView histogram = view("histogram", "How many pixels have each code, red, green and blue");
     private final ImageView waveform = view("waveform", "Which codes the pixels of each column have");
     private final Label cut = new Label();
-    private final List<Subscription> heard = new ArrayList<>();
     private volatile Frame frame;
     private volatile ViewTransform shown = ViewTransform.DEFAULT;
 
@@ -39,6 +37,7 @@ public final class ScopesPane extends VBox {
         setStyle("-fx-padding: 12;");
         cut.setId("scopes-cut");
         getChildren().setAll(new Label("Histogram"), histogram, cut, new Label("Waveform"), waveform);
+        WhileSeen.follow(this, this::follow);
     }
 
     private static ImageView view(String id, String text) {
@@ -51,18 +50,10 @@ public final class ScopesPane extends VBox {
         return view;
     }
 
-    /** Begins to follow the picture. */
-    public void start() {
-        stop();
-        heard.add(model.renderingProperty().subscribe(_ -> look()));
-        heard.add(model.viewProperty().subscribe(_ -> look()));
-    }
-
-    /** Follows no more: scopes that are not seen cost nothing. */
-    public void stop() {
-        heard.forEach(Subscription::unsubscribe);
-        heard.clear();
-        frame = null;
+    /** Follows the picture. */
+    private Subscription follow() {
+        return Subscription.combine(model.renderingProperty().subscribe(_ -> look()), model.viewProperty().subscribe(_ -> look()),
+                () -> frame = null);
     }
 
     private void look() {

@@ -1,6 +1,5 @@
 package lightning.app.mixer;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -22,6 +21,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
 import lightning.app.model.EditorModel;
+import lightning.app.widget.WhileSeen;
 import lightning.edit.Channel;
 import lightning.edit.loop.Frame;
 import lightning.scene.Scene;
@@ -40,7 +40,6 @@ public final class MixerPane extends VBox {
     private final TextField search = new TextField();
     private final ChoiceBox<StripFilter> filter = new ChoiceBox<>();
     private final Label count = new Label();
-    private final List<Subscription> heard = new ArrayList<>();
     private SharePictures pictures;
     private Frame looked;
 
@@ -63,27 +62,21 @@ public final class MixerPane extends VBox {
         getChildren().addAll(tools(), desk);
         addEventHandler(KeyEvent.KEY_PRESSED, this::key);
         board.selectedProperty().subscribe(_ -> choose());
+        WhileSeen.follow(this, this::follow);
     }
 
-    /** Begins to follow the scene and the picture. */
-    public void start() {
-        stop();
-        heard.add(model.sceneProperty().subscribe(this::show));
-        heard.add(model.renderingProperty().subscribe(state -> look(state.frame())));
-        heard.add(model.viewProperty().subscribe(_ -> feed.look()));
-        heard.add(model.selectedLightProperty().subscribe(light -> {
-            if (light != null && board.selectedProperty().get().size() <= 1) {
-                board.set(List.of(new Channel.OfLight(light.name())));
-            }
-        }));
+    /** Follows the scene and the picture. */
+    private Subscription follow() {
         // The keyboard is at a fader, and not in the search; what scrolls is in the window only when that has its looks.
         model.window().execute(() -> shown().stream().findFirst().ifPresent(strip -> strip.fader().requestFocus()));
-    }
-
-    /** Follows no more: a board that is not seen costs nothing. */
-    public void stop() {
-        heard.forEach(Subscription::unsubscribe);
-        heard.clear();
+        return Subscription.combine(model.sceneProperty().subscribe(this::show),
+                model.renderingProperty().subscribe(state -> look(state.frame())),
+                model.viewProperty().subscribe(_ -> feed.look()),
+                model.selectedLightProperty().subscribe(light -> {
+                    if (light != null && board.selectedProperty().get().size() <= 1) {
+                        board.set(List.of(new Channel.OfLight(light.name())));
+                    }
+                }));
     }
 
     private Node tools() {

@@ -30,6 +30,7 @@ public final class PanelWindow extends Stage {
         content.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {
                 close();
+                event.consume();
             }
         });
         Looks.dress(content);
