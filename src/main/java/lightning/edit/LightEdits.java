@@ -72,16 +72,7 @@ public final class LightEdits {
 
     /** Turns the light to a point, from its position; refused for a point light, and where it stands at the point. */
     public static Change aim(Scene scene, String name, Vec3 target) {
-        return with(scene, name, l -> {
-            LightAttribute.DIRECTION.obstacle(l.type()).ifPresent(reason -> {
-                throw new IllegalArgumentException(reason);
-            });
-            Vec3 way = target.minus(l.position());
-            if (!(way.maxAbs() >= 1e-12)) {
-                throw new IllegalArgumentException("the light stands at the point that it should aim at");
-            }
-            return l.withDirection(way);
-        });
+        return with(scene, name, l -> LightPlacing.from(l, new LightPlacing.Act.Pool(), target).aimed(target));
     }
 
     /** Another type; all attributes are kept (paper §4.5). */

@@ -34,6 +34,7 @@ public record NodeGizmo(Node node, Vec3 origin, List<Vec3> axes, Transform back,
     /** A ring or an arrow is left out where its plane, or it itself, is within about this of the direction of the view, radians. */
     private static final double EDGE_ON = 0.12;
     private static final double NEAR = 1e-3;
+    private static final double SCALE_STEP = 0.1;
 
     /** What a handle does. */
     public enum Act {
@@ -153,24 +154,36 @@ public record NodeGizmo(Node node, Vec3 origin, List<Vec3> axes, Transform back,
      * a drag back to its begin restores it.
      */
     public Placement dragged(Handle handle, PreviewCamera view, Viewport canvas, Viewport.Pixel from, Viewport.Pixel to) {
+        return dragged(handle, view, canvas, from, to, false);
+    }
+
+    /**
+     * The same.
+     *
+     * @param snapped whether it moves, turns and scales in round steps: see {@link Snap}
+     */
+    public Placement dragged(Handle handle, PreviewCamera view, Viewport canvas, Viewport.Pixel from, Viewport.Pixel to, boolean snapped) {
         Placement p = node.placement();
         return switch (handle.act()) {
             case MOVE -> {
                 Vec3 axis = axes.get(handle.axis());
-                yield moved(axis.times(along(axis, view, canvas, to) - along(axis, view, canvas, from)));
+                double way = along(axis, view, canvas, to) - along(axis, view, canvas, from);
+                yield moved(axis.times(snapped ? Snap.whole(way, Snap.step(origin, view, canvas)) : way));
             }
             case FREE -> {
                 double pixel = view.pixelScale(view.depth(origin), canvas.height());
-                yield moved(view.right().times((to.x() - from.x()) * pixel).plus(view.up().times((from.y() - to.y()) * pixel)));
+                Vec3 way = view.right().times((to.x() - from.x()) * pixel).plus(view.up().times((from.y() - to.y()) * pixel));
+                yield moved(snapped ? Snap.grid(way, Snap.step(origin, view, canvas)) : way);
             }
             case TURN -> {
                 double turn = Math.toDegrees(angle(handle.axis(), view, canvas, to) - angle(handle.axis(), view, canvas, from));
-                yield new Placement(p.at(), Turning.about(p.rotate(), handle.axis(), turn), p.scale());
+                yield new Placement(p.at(), Turning.about(p.rotate(), handle.axis(), snapped ? Snap.whole(turn, Snap.TURN) : turn), p.scale());
             }
             case SCALE -> {
                 Viewport.Pixel middle = canvas.pixel(view, origin);
                 double factor = Math.rint(1e4 * to.distance(middle) / Math.max(1, from.distance(middle))) / 1e4;
-                yield new Placement(p.at(), p.rotate(), p.scale().times(Math.max(factor, 1e-3)));
+                double rounded = snapped ? Math.max(Snap.whole(factor, SCALE_STEP), SCALE_STEP) : Math.max(factor, 1e-3);
+                yield new Placement(p.at(), p.rotate(), p.scale().times(rounded));
             }
         };
     }

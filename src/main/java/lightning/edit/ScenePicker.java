@@ -3,6 +3,7 @@ package lightning.edit;
 import java.util.Optional;
 import lightning.math.Ray;
 import lightning.math.Vec3;
+import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
 import lightning.trace.MaterialTable;
@@ -10,6 +11,9 @@ import lightning.trace.SurfacePoint;
 
 /** Finds what lies under a place of a canvas. Made once for all scenes that differ in lights and materials only. */
 public final class ScenePicker {
+    /** Of the distance from the eye. */
+    private static final double OFF_SURFACE = 1e-5;
+
     private final Scene scene;
     private final Geometry geometry;
 
@@ -52,19 +56,35 @@ public final class ScenePicker {
         Vec3 eye = view.camera().from();
         Ray ray = new Ray(geometry.toRenderSpace(eye), canvas.direction(view, place.x(), place.y()));
         // The eye may lie outside the scene's box, where the tree of boxes promises nothing.
-        int shape = geometry.nearestInTurn(ray);
+        return found(geometry.nearestInTurn(ray), ray, eye);
+    }
+
+    /** What stands between a place of a surface and a light, the nearest to the surface; empty where nothing does. */
+    public Optional<Found> between(Found at, Light light) {
+        boolean far = !light.type().hasPosition();
+        Vec3 way = far ? light.direction().negated() : light.position().minus(at.point());
+        // The ray leaves the surface from a little above it, so as not to meet that again.
+        double off = OFF_SURFACE * at.point().minus(at.eye()).length();
+        Vec3 from = at.point().plus(at.normal().times(off));
+        Ray ray = new Ray(geometry.toRenderSpace(from), way.normalized());
+        return found(geometry.nearest(ray), ray, from).filter(f -> far || f.point().minus(from).length() < way.length());
+    }
+
+    private Optional<Found> found(int shape, Ray ray, Vec3 eye) {
         if (shape < 0) {
             return Optional.empty();
         }
         SurfacePoint at = geometry.surface(shape, ray);
         Vec3 point = geometry.toScene(new Vec3(at.px(), at.py(), at.pz()));
-        return Optional.of(new Found(geometry.shape(shape).name(), point,
-                new Vec3(at.nx(), at.ny(), at.nz()).normalized(), eye));
+        return Optional.of(new Found(geometry.shape(shape).name(), point, new Vec3(at.nx(), at.ny(), at.nz()).normalized(), eye));
     }
 
-    /** The surface in the middle of the traced picture's pixel (x, y); empty where there is none. */
+    /** The surface in the middle of the traced picture's pixel (x, y), by the tree of boxes; empty where there is none. */
     public Optional<Found> atPixel(int x, int y) {
         var canvas = new Viewport(scene.picture().width(), scene.picture().height());
-        return at(PreviewCamera.of(scene), canvas, new Viewport.Pixel(x + 0.5, y + 0.5));
+        var view = PreviewCamera.of(scene);
+        Vec3 eye = view.camera().from();
+        Ray ray = new Ray(geometry.toRenderSpace(eye), canvas.direction(view, x + 0.5, y + 0.5));
+        return found(geometry.nearest(ray), ray, eye);
     }
 }

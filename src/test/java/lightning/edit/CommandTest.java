@@ -297,6 +297,7 @@ class CommandTest {
                 Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, Command.NEW_BANK,
                 Command.DELETE_BANK, Command.NEW_SCENE, Command.PASTE_PROPERTY, Command.RESET_PROPERTY, Command.LOAD_RIG, Command.ADD_RIG,
                 Command.SAVE_RIG, Command.CHANGE_TYPE,
-                Command.SWITCH_ON, Command.SOLO, Command.AIM, Command.PLACE_HIGHLIGHT, Command.PLACE_SHADOW, Command.MAKE_ANIMATION);
+                Command.SWITCH_ON, Command.SOLO, Command.AIM, Command.PLACE_HIGHLIGHT, Command.PLACE_DIFFUSE, Command.PLACE_RIM,
+                Command.PLACE_SHADOW, Command.MAKE_ANIMATION);
     }
 }

@@ -1,62 +1,233 @@
 package lightning.app.traced;
 
-import java.util.function.BiFunction;
-import java.util.function.Consumer;
+import java.util.Optional;
+import javafx.beans.property.ReadOnlyStringProperty;
+import javafx.beans.property.ReadOnlyStringWrapper;
 import lightning.app.model.EditorModel;
-import lightning.edit.Change;
 import lightning.edit.Command;
+import lightning.app.model.Sentence;
+import lightning.app.widget.PictureView;
 import lightning.edit.LightEdits;
 import lightning.edit.LightPlacing;
+import lightning.edit.LightPlacing.Act;
+import lightning.edit.PreviewCamera;
 import lightning.edit.ScenePicker;
-import lightning.scene.Scene;
+import lightning.edit.Snap;
+import lightning.edit.Viewport;
+import lightning.edit.loop.Frame;
+import lightning.math.Vec3;
+import lightning.scene.Light;
 
-/** Places the selected light by what it does in the traced picture: its aim, its highlight, the shadow of something. */
+/**
+ * Places the selected light by what it does in the traced picture: a press does it there, a drag goes on with it from surface to surface.
+ * Then a ring about the place stays, whose drag takes the light nearer or farther; it goes with the next edit that is not its own.
+ */
 final class LightPlacer {
-    private final EditorModel model;
-    private final Picker picker;
+    /** The ring's radius, pixels. */
+    static final double RING = 40;
 
-    /** Lets the artist click a place of the traced picture. */
-    interface Picker {
-        /** @param picked hears what is there, never the background */
-        void next(String hint, Consumer<PixelReport> picked);
+    private static final String NOTHING = "There is nothing there; click a shape";
+
+    private final EditorModel model;
+    private final ReadOnlyStringWrapper prompt = new ReadOnlyStringWrapper("");
+    private Tool tool;
+    private Drag drag;
+    /** Of the drag: what makes it one step, and the light before it. */
+    private Object gesture;
+    private Light before;
+    private Ring ring;
+
+    /** What the next press is for. */
+    private sealed interface Tool {
+        /** It does that, wherever it is. */
+        record Acting(Act act) implements Tool {}
+
+        /** It takes what throws a shadow, or a shadow. */
+        record Taking() implements Tool {}
     }
 
-    private LightPlacer(EditorModel model, Picker picker) {
+    /** What is under the mouse while the button is down. */
+    private sealed interface Drag {
+        /** @param picker finds surfaces of the picture that is shown */
+        record Placing(LightPlacing placing, ScenePicker picker) implements Drag {}
+
+        /** @param from where the shadow, or what throws it, was taken */
+        record Shadow(Light begin, ScenePicker.Found from, ScenePicker picker) implements Drag {}
+
+        record Farther(Ring ring, Viewport.Pixel from) implements Drag {}
+    }
+
+    /**
+     * A placed light.
+     *
+     * @param light as it is now
+     */
+    private record Ring(LightPlacing placing, ScenePicker.Found at, Light light) {}
+
+    private LightPlacer(EditorModel model) {
         this.model = model;
-        this.picker = picker;
+        model.situationProperty().subscribe(_ -> {
+            if (drag == null && ring != null && !ring.light().equals(model.selectedLight())) {
+                ring = null;
+            }
+        });
     }
 
     /** Does the commands that place a light. */
-    static void addTo(EditorModel model, Picker picker) {
-        var placer = new LightPlacer(model, picker);
-        model.setAction(Command.AIM, placer::aim);
-        model.setAction(Command.PLACE_HIGHLIGHT, placer::highlight);
-        model.setAction(Command.PLACE_SHADOW, placer::shadow);
+    static LightPlacer of(EditorModel model) {
+        var placer = new LightPlacer(model);
+        model.setAction(Command.AIM, () -> placer.take("Click where the light should shine to, or drag its pool", new Act.Pool()));
+        model.setAction(Command.PLACE_HIGHLIGHT,
+                () -> placer.take("Click where the highlight should be, or drag it there", new Act.Highlight()));
+        model.setAction(Command.PLACE_DIFFUSE, () -> placer.take("Click what the light should shine straight onto, or drag", new Act.Diffuse()));
+        model.setAction(Command.PLACE_RIM, () -> placer.take("Click where the rim of light should begin, or drag", new Act.Rim()));
+        model.setAction(Command.PLACE_SHADOW,
+                () -> placer.take(new Tool.Taking(), "Click what throws the shadow, or drag it or its shadow to where that should fall"));
+        return placer;
     }
 
-    private void aim() {
-        picker.next("Click where the light should shine to", at -> edit((scene, light) -> LightEdits.aim(scene, light, at.point())));
+    private void take(String hint, Act act) {
+        take(new Tool.Acting(act), hint);
     }
 
-    private void highlight() {
-        picker.next("Click where the highlight should be", at -> edit((scene, light) -> LightPlacing.highlight(scene, light, found(at))));
+    private void take(Tool taken, String hint) {
+        tool = taken;
+        ring = null;
+        prompt.set(hint);
     }
 
-    private void shadow() {
-        picker.next("Click what throws the shadow", thrower -> picker.next("Click where the shadow should fall",
-                target -> edit((scene, light) -> LightPlacing.shadow(scene, light, thrower.point(), target.point()))));
-    }
-
-    private ScenePicker.Found found(PixelReport at) {
-        return new ScenePicker.Found(at.shape(), at.point(), at.normal(), model.scene().camera().from());
-    }
-
-    private void edit(BiFunction<Scene, String, Change> edit) {
-        if (model.selectedLight() == null) {
-            model.say("No light is selected");
-        } else {
-            String light = model.selectedLight().name();
-            model.edit(scene -> edit.apply(scene, light)).ifPresent(model::say);
+    /**
+     * Where the mouse is.
+     *
+     * @param pixel  of the picture; empty beside it
+     * @param canvas the size of the whole picture as it is shown
+     * @param at     on that
+     */
+    record Pointer(Optional<PictureView.Pixel> pixel, Viewport canvas, Viewport.Pixel at) {
+        Optional<ScenePicker.Found> on(ScenePicker picker) {
+            return pixel.flatMap(p -> picker.atPixel(p.x(), p.y()));
         }
+    }
+
+    /** What the artist shall do; empty where no tool is taken. */
+    ReadOnlyStringProperty promptProperty() {
+        return prompt.getReadOnlyProperty();
+    }
+
+    /** Puts the tool away. */
+    void end() {
+        tool = null;
+        prompt.set("");
+    }
+
+    /** Takes the ring away; returns whether there was one. */
+    boolean endRing() {
+        boolean there = ring != null;
+        ring = null;
+        return there;
+    }
+
+    /** Whether a press took something. */
+    boolean isDragging() {
+        return drag != null;
+    }
+
+    /** Where the ring is drawn on a canvas that shows the whole picture, and how far the light is from there; empty where there is none. */
+    Optional<Mark> mark(Viewport canvas) {
+        return Optional.ofNullable(ring).filter(r -> r.light().type().hasPosition())
+                .map(r -> new Mark(middle(r, canvas), r.light().position().minus(r.at().point()).length()));
+    }
+
+    /** @param distance from the place to the light, as it is now */
+    record Mark(Viewport.Pixel middle, double distance) {}
+
+    private Viewport.Pixel middle(Ring r, Viewport canvas) {
+        return canvas.pixel(PreviewCamera.of(model.scene()), r.at().point());
+    }
+
+    /** Takes what is there with the tool, or the ring; returns whether there is something to drag. */
+    boolean press(Pointer to, double tolerance) {
+        Frame frame = model.frame();
+        gesture = new Object();
+        before = model.selectedLight();
+        if (tool == null) {
+            boolean taken = mark(to.canvas()).filter(m -> Math.abs(m.middle().distance(to.at()) - RING) <= tolerance).isPresent();
+            drag = taken ? new Drag.Farther(ring, to.at()) : null;
+        } else if (before == null) {
+            model.say("No light is selected");
+        } else if (frame != null) {
+            ScenePicker picker = ScenePicker.of(frame.scene(), frame.geometry());
+            to.on(picker).ifPresentOrElse(found -> {
+                switch (tool) {
+                    case Tool.Acting(Act act) -> {
+                        var placing = LightPlacing.from(before, act, found.point());
+                        drag = new Drag.Placing(placing, picker);
+                        place(placing, found, false);
+                    }
+                    case Tool.Taking() -> drag = new Drag.Shadow(before, found, picker);
+                }
+            }, () -> model.say(NOTHING));
+        }
+        return drag != null;
+    }
+
+    /** @param snapped whether distances are rounded, and aims */
+    void drag(Pointer to, boolean snapped) {
+        switch (drag) {
+            case Drag.Placing(LightPlacing placing, ScenePicker picker) -> to.on(picker).ifPresent(found -> place(placing, found, snapped));
+            case Drag.Shadow(Light begin, ScenePicker.Found from, ScenePicker picker) -> {
+                // Of a shadow, what throws it is what stands between; of anything else it is that itself.
+                Act act = new Act.Shadow(picker.between(from, begin).orElse(from).point());
+                drag = new Drag.Placing(LightPlacing.from(begin, act, from.point()), picker);
+                drag(to, snapped);
+            }
+            case Drag.Farther(Ring begin, Viewport.Pixel from) -> {
+                Viewport.Pixel middle = middle(begin, to.canvas());
+                Vec3 point = begin.at().point();
+                double factor = to.at().distance(middle) / Math.max(1, from.distance(middle));
+                double wanted = begin.light().position().minus(point).length() * factor;
+                show(begin.placing(), begin.at(), begin.placing().atDistance(begin.light(), point, snapped ? Snap.distance(wanted) : wanted),
+                        Optional.empty());
+            }
+        }
+    }
+
+    private void place(LightPlacing placing, ScenePicker.Found found, boolean snapped) {
+        boolean pool = placing.act() instanceof Act.Pool;
+        LightPlacing rounded = snapped && !pool ? placing.withDistance(Snap.distance(placing.distance())) : placing;
+        try {
+            Light light = rounded.at(found);
+            Optional<Snap> snap = snapped && pool ? Optional.of(Snap.ofDirection(light)) : Optional.empty();
+            show(rounded, found, snap.map(Snap::light).orElse(light), snap.map(Snap::told));
+        } catch (IllegalArgumentException e) {
+            model.say(Sentence.of(e));
+        }
+    }
+
+    private void show(LightPlacing placing, ScenePicker.Found at, Light light, Optional<String> snapped) {
+        Optional<String> refusal = model.edit(scene -> LightEdits.with(scene, light.name(), _ -> light), gesture);
+        refusal.ifPresentOrElse(model::say, () -> {
+            ring = new Ring(placing, at, light);
+            double distance = light.position().minus(at.point()).length();
+            model.say(snapped.map(s -> "Snapped: " + s).orElse(light.type().hasPosition() ? "Distance " + Snap.number(distance) : ""));
+        });
+    }
+
+    /** @param still whether the mouse has not moved since the press */
+    void release(boolean still) {
+        if (drag instanceof Drag.Shadow(Light _, ScenePicker.Found from, ScenePicker _) && still) {
+            take("Click where the shadow should fall, or drag it there", new Act.Shadow(from.point()));
+        } else {
+            end();
+        }
+        drag = null;
+    }
+
+    /** Takes back what the drag did, and puts the tool away. */
+    void giveUp() {
+        model.edit(scene -> LightEdits.with(scene, before.name(), _ -> before), gesture);
+        drag = null;
+        ring = null;
+        end();
     }
 }

@@ -1,5 +1,6 @@
 package lightning.app.traced;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javafx.geometry.Bounds;
@@ -18,6 +19,7 @@ import lightning.edit.LightManipulation;
 import lightning.edit.NodeEdits;
 import lightning.edit.NodeGizmo;
 import lightning.edit.PreviewCamera;
+import lightning.edit.Snap;
 import lightning.edit.Viewport;
 import lightning.scene.Light;
 
@@ -31,10 +33,12 @@ final class TracedGizmo extends Pane {
     private static final List<Color> AXES = List.of(Color.web("#FF6B5E"), Color.web("#7ADB5C"), Color.web("#5CA8FF"));
     private static final double LINE = 1.25;
     private static final double EDGE_LINE = 3;
-    private static final double TOLERANCE = 8;
+    private static final int RING_SIDES = 48;
+    static final double TOLERANCE = 8;
 
     private final EditorModel model;
     private final PictureView picture;
+    private final LightPlacer placer;
     private final Canvas canvas = new Canvas();
     private Drag drag;
 
@@ -48,8 +52,9 @@ final class TracedGizmo extends Pane {
     /** @param from the place of the press, of the whole picture as it is shown */
     private record Drag(Taken taken, Viewport.Pixel from) {}
 
-    TracedGizmo(EditorModel model, PictureView picture) {
+    TracedGizmo(EditorModel model, PictureView picture, LightPlacer placer) {
         this.model = model;
+        this.placer = placer;
         this.picture = picture;
         setId("traced-gizmo");
         setMouseTransparent(true);
@@ -66,7 +71,8 @@ final class TracedGizmo extends Pane {
         picture.hoverProperty().subscribe(_ -> draw());
     }
 
-    private Viewport viewport() {
+    /** The whole picture as it is shown. */
+    Viewport viewport() {
         Bounds place = picture.placeProperty().getValue();
         return new Viewport(Math.max(1, place.getWidth()), Math.max(1, place.getHeight()));
     }
@@ -88,7 +94,8 @@ final class TracedGizmo extends Pane {
         return isThere() ? model.selectedNode().flatMap(n -> NodeGizmo.of(model.scene(), n, view(), viewport())) : Optional.empty();
     }
 
-    private Viewport.Pixel place(MouseEvent e) {
+    /** Where the mouse is in it. */
+    Viewport.Pixel place(MouseEvent e) {
         Bounds place = picture.placeProperty().getValue();
         return new Viewport.Pixel(e.getX() - place.getMinX(), e.getY() - place.getMinY());
     }
@@ -113,13 +120,16 @@ final class TracedGizmo extends Pane {
                 PreviewCamera view = view();
                 Viewport shown = viewport();
                 Viewport.Pixel from = drag.from();
-                model.edit(scene -> NodeEdits.placement(scene, gizmo.node().name(), _ -> gizmo.dragged(handle, view, shown, from, to)),
+                model.edit(scene -> NodeEdits.placement(scene, gizmo.node().name(), _ -> gizmo.dragged(handle, view, shown, from, to, e.isShiftDown())),
                         drag)
                         .ifPresent(model::say);
             }
             case OfLight(Light begin, MouseEvent press) -> {
                 Light moved = moved(begin, press, to.x() - drag.from().x(), drag.from().y() - to.y());
-                model.edit(scene -> LightEdits.with(scene, begin.name(), _ -> moved), drag).ifPresent(model::say);
+                Optional<Snap> snap = e.isShiftDown() && !moved.equals(begin) ? Optional.of(Snap.of(begin, moved, view(), viewport()))
+                        : Optional.empty();
+                model.edit(scene -> LightEdits.with(scene, begin.name(), _ -> snap.map(Snap::light).orElse(moved)), drag)
+                        .ifPresentOrElse(model::say, () -> snap.ifPresent(s -> model.say("Snapped: " + s.told())));
             }
         }
     }
@@ -147,19 +157,55 @@ final class TracedGizmo extends Pane {
         draw();
     }
 
-    private void draw() {
+    /** Takes back what the drag did. */
+    void giveUp() {
+        switch (drag.taken()) {
+            case OfHandle(NodeGizmo gizmo, NodeGizmo.Handle _) -> model
+                    .edit(scene -> NodeEdits.placement(scene, gizmo.node().name(), _ -> gizmo.node().placement()), drag);
+            case OfLight(Light begin, MouseEvent _) -> model.edit(scene -> LightEdits.with(scene, begin.name(), _ -> begin), drag);
+        }
+        release();
+    }
+
+    /** Draws all anew. */
+    void draw() {
         canvas.setWidth(picture.getWidth());
         canvas.setHeight(picture.getHeight());
         GraphicsContext g = canvas.getGraphicsContext2D();
         g.clearRect(0, 0, canvas.getWidth(), canvas.getHeight());
-        if (!picture.isHover() && drag == null) {
+        if (!picture.isHover() && drag == null && !placer.isDragging()) {
             return;
+        }
+        if (!picture.isEmpty()) {
+            placer.mark(viewport()).ifPresent(mark -> ring(g, mark));
         }
         light().ifPresent(gizmo -> lines(g, gizmo.strokes(view(), viewport()), SELECTED, LINE));
         handles().ifPresent(gizmo -> gizmo.handles().forEach(h -> lines(g, NodeGizmo.strokes(h, view(), viewport()), switch (h.act()) {
             case MOVE, TURN -> AXES.get(h.axis());
             case SCALE, FREE -> SELECTED;
         }, 2 * LINE)));
+    }
+
+    /** The ring about where a light was placed, and how far the light is from there. */
+    private void ring(GraphicsContext g, LightPlacer.Mark mark) {
+        List<LightGizmo.Stroke> strokes = new ArrayList<>();
+        for (int i = 0; i < RING_SIDES; i++) {
+            strokes.add(new LightGizmo.Stroke(onRing(mark.middle(), i), onRing(mark.middle(), i + 1)));
+        }
+        lines(g, strokes, SELECTED, 2 * LINE);
+        Bounds place = picture.placeProperty().getValue();
+        double x = mark.middle().x() + place.getMinX() + LightPlacer.RING + 6;
+        double y = mark.middle().y() + place.getMinY() + 4;
+        g.setLineWidth(EDGE_LINE);
+        g.setStroke(EDGE);
+        g.strokeText(Snap.number(mark.distance()), x, y);
+        g.setFill(SELECTED);
+        g.fillText(Snap.number(mark.distance()), x, y);
+    }
+
+    private static Viewport.Pixel onRing(Viewport.Pixel middle, int i) {
+        double angle = 2 * Math.PI * i / RING_SIDES;
+        return new Viewport.Pixel(middle.x() + LightPlacer.RING * Math.cos(angle), middle.y() + LightPlacer.RING * Math.sin(angle));
     }
 
     private void lines(GraphicsContext g, List<LightGizmo.Stroke> strokes, Color color, double width) {

@@ -29,8 +29,8 @@ import lightning.scene.Scene;
 import lightning.trace.Geometry;
 
 /**
- * The mouse over the traced picture: says what a pixel is made of, selects the light that matters most there, picks
- * places for a {@link LightPlacer}, frames a region, moves the picture.
+ * The mouse over the traced picture: says what a pixel is made of, selects the light that matters most there, serves the
+ * {@link LightPlacer}, frames a region, moves the picture.
  */
 final class TracedMouse implements AutoCloseable {
     private final EditorModel model;
@@ -42,12 +42,15 @@ final class TracedMouse implements AutoCloseable {
     private final ReadOnlyStringWrapper prompt = new ReadOnlyStringWrapper("");
     private final Rectangle frame = new Rectangle();
     private final ShapeMenu menu;
+    private final LightPlacer placer;
     private final TracedGizmo gizmo;
     private final StackPane overlay;
     /** Hears of the next click; null where a click selects. */
     private Consumer<PixelReport> pick;
     private String wish = "";
     private boolean hand;
+    /** Whether the artist gave the drag up before the button was released. */
+    private boolean givenUp;
     /** What the region shows that was traced last; null before the first. */
     private volatile Scene patched;
     private double pressX;
@@ -62,7 +65,8 @@ final class TracedMouse implements AutoCloseable {
         this.hovered = hovered;
         menu = new ShapeMenu(model);
         inspector = new PixelInspector(model.window());
-        gizmo = new TracedGizmo(model, picture);
+        placer = LightPlacer.of(model);
+        gizmo = new TracedGizmo(model, picture, placer);
         overlay = new StackPane(gizmo, new Pane(frame));
         overlay.setMouseTransparent(true);
         frame.getStyleClass().add("region-frame");
@@ -74,6 +78,10 @@ final class TracedMouse implements AutoCloseable {
         picture.setOnMouseDragged(this::dragged);
         picture.setOnMouseReleased(this::released);
         region.subscribe(_ -> ask());
+        placer.promptProperty().subscribe(hint -> {
+            pick = hint.isEmpty() ? pick : null;
+            ask();
+        });
         model.part().askProperty().subscribe(_ -> ask());
         picture.sceneProperty().subscribe(scene -> {
             if (scene != null) {
@@ -100,7 +108,17 @@ final class TracedMouse implements AutoCloseable {
     }
 
     private void key(KeyEvent e) {
-        if (e.getCode() == KeyCode.ESCAPE && !prompt.get().isEmpty()) {
+        if (e.getCode() != KeyCode.ESCAPE) {
+            return;
+        }
+        if (gizmo.isTaken() || placer.isDragging()) {
+            givenUp = true;
+            giveUp();
+            e.consume();
+        } else if (placer.endRing()) {
+            gizmo.draw();
+            e.consume();
+        } else if (!prompt.get().isEmpty()) {
             region.set(false);
             model.part().askProperty().set(null);
             endPick();
@@ -108,8 +126,18 @@ final class TracedMouse implements AutoCloseable {
         }
     }
 
+    private void giveUp() {
+        if (gizmo.isTaken()) {
+            gizmo.giveUp();
+        } else {
+            placer.giveUp();
+            gizmo.draw();
+        }
+    }
+
     /** The next click tells what is there instead of selecting a light; a right click ends it. */
     void pickNext(String hint, Consumer<PixelReport> picked) {
+        placer.end();
         pick = picked;
         wish = hint;
         ask();
@@ -137,7 +165,8 @@ final class TracedMouse implements AutoCloseable {
 
     private void ask() {
         PicturePart.Ask part = model.part().askProperty().get();
-        prompt.set(pick != null ? wish : region.get() ? "Drag a frame around what to trace" : part != null ? part.hint() : "");
+        String place = placer.promptProperty().get();
+        prompt.set(pick != null ? wish : !place.isEmpty() ? place + ", Shift snaps" : region.get() ? "Drag a frame around what to trace" : part != null ? part.hint() : "");
         picture.setCursor(hand ? Cursor.OPEN_HAND : prompt.get().isEmpty() ? Cursor.DEFAULT : Cursor.CROSSHAIR);
     }
 
@@ -167,18 +196,35 @@ final class TracedMouse implements AutoCloseable {
 
     private void pressed(MouseEvent e) {
         menu.hide();
+        givenUp = false;
         pressX = e.getX();
         pressY = e.getY();
         lastX = pressX;
         lastY = pressY;
-        if (prompt.get().isEmpty() && !hand && !picture.wipe().isVisible()) {
+        boolean primary = e.getButton() == MouseButton.PRIMARY && !e.isAltDown() && !hand;
+        boolean placing = pick == null && !placer.promptProperty().get().isEmpty();
+        boolean free = prompt.get().isEmpty() && !hand && !picture.wipe().isVisible();
+        boolean placed = primary && (placing || free) && placer.press(pointer(e), TracedGizmo.TOLERANCE);
+        if (free && !placed) {
             gizmo.press(e);
         }
     }
 
+    private LightPlacer.Pointer pointer(MouseEvent e) {
+        return new LightPlacer.Pointer(picture.pixel(e.getX(), e.getY()), gizmo.viewport(), gizmo.place(e));
+    }
+
     private void dragged(MouseEvent e) {
+        if (givenUp) {
+            return;
+        }
         if (gizmo.isTaken()) {
             gizmo.drag(e);
+            return;
+        }
+        if (placer.isDragging()) {
+            placer.drag(pointer(e), e.isShiftDown());
+            gizmo.draw();
             return;
         }
         if (e.getButton() == MouseButton.MIDDLE || e.isAltDown() || hand) {
@@ -199,7 +245,12 @@ final class TracedMouse implements AutoCloseable {
     private void released(MouseEvent e) {
         boolean dragged = gizmo.isTaken() && !e.isStillSincePress();
         gizmo.release();
-        if (dragged) {
+        if (placer.isDragging()) {
+            placer.release(e.isStillSincePress());
+            gizmo.draw();
+            return;
+        }
+        if (dragged || givenUp) {
             return;
         }
         if (hand && e.getButton() == MouseButton.PRIMARY) {
@@ -208,9 +259,9 @@ final class TracedMouse implements AutoCloseable {
         if (frame.isVisible()) {
             frame.setVisible(false);
             framed(picture.nearest(pressX, pressY), picture.nearest(e.getX(), e.getY()));
-        } else if (e.getButton() == MouseButton.SECONDARY && pick != null) {
+        } else if (e.getButton() == MouseButton.SECONDARY && (pick != null || !placer.promptProperty().get().isEmpty())) {
             endPick();
-        } else if (e.isStillSincePress() && e.getButton() == MouseButton.PRIMARY) {
+        } else if (e.isStillSincePress() && e.getButton() == MouseButton.PRIMARY && placer.promptProperty().get().isEmpty()) {
             click(e);
         } else if (e.isStillSincePress() && e.getButton() == MouseButton.SECONDARY) {
             offer(e);
@@ -270,6 +321,7 @@ final class TracedMouse implements AutoCloseable {
 
     private void endPick() {
         pick = null;
+        placer.end();
         ask();
     }
 

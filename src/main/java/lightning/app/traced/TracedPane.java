@@ -76,7 +76,6 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
                     : PixelValues.text(model.frame().seen(), model.viewProperty().get(), report.x(), report.y())));
             card.setText(report == null ? "" : String.join("\n", report.lightLines()));
         });
-        LightPlacer.addTo(model, mouse::pickNext);
         model.setSwitch(Command.REGION, mouse.regionProperty());
         model.setAction(Command.TRACED_FIT, picture::fit);
         model.setAction(Command.TRACED_ONE_TO_ONE, picture::oneToOne);
