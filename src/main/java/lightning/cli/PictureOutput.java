@@ -1,10 +1,13 @@
 package lightning.cli;
 
 import java.io.IOException;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Optional;
 import lightning.file.SafeFile;
 import lightning.image.Clipping;
+import lightning.image.CubeReader;
 import lightning.image.DisplayCurve;
 import lightning.image.Film;
 import lightning.image.PictureFile;
@@ -49,19 +52,36 @@ final class PictureOutput {
         return file;
     }
 
-    @Option(names = "--view", paramLabel = "CURVE", converter = Curve.class,
+    @Option(names = "--view", paramLabel = "VIEW", converter = View.class,
             description = {"How .png and .xpm show light: srgb (the default), 1998 for the linear values as they are, filmic or aces for",
-                "highlights that roll off, false for a colour for each stop."})
-    private void setCurve(DisplayCurve curve) {
-        view = view.withCurve(curve);
+                "highlights that roll off, false for a colour for each stop; a .cube table, or one behind one of these: filmic+look.cube."})
+    private void setView(ViewTransform shown) {
+        view = shown.withExposure(view.exposure());
     }
 
-    /** The names that an artist types. */
-    private static final class Curve implements ITypeConverter<DisplayCurve> {
+    /** The names that an artist types, and files. */
+    private static final class View implements ITypeConverter<ViewTransform> {
         @Override
-        public DisplayCurve convert(String text) {
-            return Arrays.stream(DisplayCurve.values()).filter(curve -> curve.word().equals(text)).findFirst()
-                    .orElseThrow(() -> new TypeConversionException("expected srgb, 1998, filmic, aces or false, found " + Quote.of(text)));
+        public ViewTransform convert(String text) {
+            int plus = text.indexOf('+');
+            Optional<DisplayCurve> curve = curve(plus < 0 ? text : text.substring(0, plus));
+            String file = curve.isEmpty() ? text : plus < 0 ? "" : text.substring(plus + 1);
+            ViewTransform shown = ViewTransform.DEFAULT.withCurve(curve.orElse(DisplayCurve.SRGB));
+            if (file.isEmpty()) {
+                return shown;
+            }
+            if (!file.endsWith(".cube")) {
+                throw new TypeConversionException("expected srgb, 1998, filmic, aces, false or a .cube file, found " + Quote.of(file));
+            }
+            try {
+                return shown.withCube(Optional.of(CubeReader.read(Path.of(file))));
+            } catch (InvalidPathException | IOException e) {
+                throw new TypeConversionException("expected a .cube table: " + e.getMessage());
+            }
+        }
+
+        private static Optional<DisplayCurve> curve(String word) {
+            return Arrays.stream(DisplayCurve.values()).filter(curve -> curve.word().equals(word)).findFirst();
         }
     }
 

@@ -127,7 +127,7 @@ final class RelightCommand implements Callable<Integer> {
     private boolean make(String title, WarmSaving.Step step, Renderer renderer, Workers workers, ProgressBar bar) {
         PixelCache start = renderer.cache();
         WarmSaving.Step shown = (r, progress) -> {
-            r.setView(output.view().exposure(), output.view().curve());
+            r.setView(output.view().exposure(), output.view().steepest());
             return step.on(r, progress);
         };
         Update update = shown.on(renderer, bar);

@@ -27,6 +27,7 @@ public enum DisplayCurve {
     private final DoubleUnaryOperator curve;
     private final double white;
     private CodeTable table;
+    private ValueTable values;
 
     DisplayCurve(String word, String title, DoubleUnaryOperator curve, double white) {
         this.word = word;
@@ -57,6 +58,26 @@ public enum DisplayCurve {
                 table = CodeTable.of(curve, white > 1 ? (float) Math.scalb(1.0, Math.getExponent(white) + 1) : 1);
             }
             return table;
+        }
+    }
+
+    /**
+     * What the display would get of a linear value, 0 to 1, before it is rounded to a code; the linear curve's own value, which is not cut
+     * off. Within 10⁻⁶ of the curve; below 0 and NaN count as 0.
+     */
+    double value(float linear) {
+        if (this == LINEAR) {
+            return linear > 0 ? linear : 0;
+        }
+        return valueTable().value(linear);
+    }
+
+    private ValueTable valueTable() {
+        synchronized (this) {
+            if (values == null) {
+                values = ValueTable.of(curve);
+            }
+            return values;
         }
     }
 

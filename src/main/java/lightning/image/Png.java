@@ -42,9 +42,8 @@ final class Png {
         short[] codes = ((DataBufferUShort) raster.getDataBuffer()).getData();
         for (int y = 0, at = 0; y < film.height(); y++) {
             for (int x = 0; x < film.width(); x++) {
-                codes[at++] = (short) view.encodeDeep(film.red(x, y));
-                codes[at++] = (short) view.encodeDeep(film.green(x, y));
-                codes[at++] = (short) view.encodeDeep(film.blue(x, y));
+                view.packDeep(film.red(x, y), film.green(x, y), film.blue(x, y), codes, at);
+                at += 3;
             }
         }
         return new BufferedImage(model, raster, false, null);

@@ -1,6 +1,8 @@
 package lightning.image;
 
 import java.math.BigDecimal;
+import java.util.Optional;
+import lightning.text.Quote;
 
 /**
  * How a linear film becomes display pixels: clamped, which a film never is.
@@ -9,8 +11,18 @@ import java.math.BigDecimal;
  * {@code 2^exposure} is rounded to float and so is the product; NaN counts as 0.
  *
  * @param exposure stops, −64 to 64; one more doubles the brightness
+ * @param cube     what the curve gives passes this table last, if there is one; what {@link DisplayCurve#LINEAR} gives is not cut off
+ *                 before. Stops in colours do without it
+ * @param marked   whether pixels that are cut off are shown in {@link #OVER_WHITE} and {@link #BLACK}; stops in colours are not
  */
-public record ViewTransform(double exposure, DisplayCurve curve) {
+public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeTable> cube, boolean marked) {
+    /** 0xRRGGBB: the mark of a pixel with a channel that the curve cuts off at white. */
+    public static final int OVER_WHITE = 0xFF00C8;
+    /** 0xRRGGBB: the mark of a pixel that is shown as black. */
+    public static final int BLACK = 0x0050FF;
+
+    private static final double CODES = 255;
+    private static final double DEEP_CODES = 65535;
 
     /** The largest absolute exposure, in stops. */
     public static final double MAX_EXPOSURE = 64;
@@ -34,12 +46,29 @@ public record ViewTransform(double exposure, DisplayCurve curve) {
         this(exposure, DisplayCurve.SRGB);
     }
 
+    /**
+     * Without a table and marks.
+     *
+     * @throws IllegalArgumentException if {@code exposure} is NaN or outside −64…64
+     */
+    public ViewTransform(double exposure, DisplayCurve curve) {
+        this(exposure, curve, Optional.empty(), false);
+    }
+
     public ViewTransform withExposure(double stops) {
-        return new ViewTransform(stops, curve);
+        return new ViewTransform(stops, curve, cube, marked);
     }
 
     public ViewTransform withCurve(DisplayCurve v) {
-        return new ViewTransform(exposure, v);
+        return new ViewTransform(exposure, v, cube, marked);
+    }
+
+    public ViewTransform withCube(Optional<CubeTable> v) {
+        return new ViewTransform(exposure, curve, v, marked);
+    }
+
+    public ViewTransform withMarked(boolean v) {
+        return new ViewTransform(exposure, curve, cube, v);
     }
 
     /** The factor on linear values, {@code 2^exposure}. */
@@ -47,14 +76,43 @@ public record ViewTransform(double exposure, DisplayCurve curve) {
         return (float) StrictMath.pow(2, exposure);
     }
 
-    /** The display code, 0 to 255, of one linear value. */
+    /** The display code, 0 to 255, of one linear value, without the table. */
     public int encode(float linear) {
         return curve.table().encode(linear * gain());
     }
 
-    /** The code of 16 bits, 0 to 65535, of one linear value: rounded as that of 8 bits is. */
-    public int encodeDeep(float linear) {
-        return curve.encodeDeep(linear * gain());
+    /**
+     * The codes of 16 bits, 0 to 65535, of a linear pixel, rounded as those of 8 bits are; without marks.
+     *
+     * @param to {@code short[]}: red, green and blue from {@code at} on
+     */
+    void packDeep(float red, float green, float blue, short[] to, int at) {
+        float gain = gain();
+        if (tabled()) {
+            double[] color = looked(red * gain, green * gain, blue * gain);
+            for (int c = 0; c < 3; c++) {
+                to[at + c] = (short) code(color[c], DEEP_CODES);
+            }
+        } else {
+            to[at] = (short) curve.encodeDeep(red * gain);
+            to[at + 1] = (short) curve.encodeDeep(green * gain);
+            to[at + 2] = (short) curve.encodeDeep(blue * gain);
+        }
+    }
+
+    private boolean tabled() {
+        return cube.isPresent() && curve != DisplayCurve.FALSE;
+    }
+
+    /** What the table makes of what the curve gives. */
+    private double[] looked(float red, float green, float blue) {
+        double[] color = {curve.value(red), curve.value(green), curve.value(blue)};
+        cube.orElseThrow().apply(color);
+        return color;
+    }
+
+    private static int code(double v, double most) {
+        return (int) Math.floor(most * Math.clamp(v, 0, 1) + 0.5);
     }
 
     /** The linear value, 0…1, that {@link #DEFAULT} shows as {@code code}, 0 to 255: the inverse of sRGB. */
@@ -92,8 +150,8 @@ public record ViewTransform(double exposure, DisplayCurve curve) {
      * @param pixels {@code int[width * height]}, as {@link #toPixels} gives it
      */
     public void packTile(float[] red, float[] green, float[] blue, int left, int top, int width, int[] pixels) {
-        if (curve == DisplayCurve.FALSE) {
-            packStops(red, green, blue, left, top, width, pixels);
+        if (curve == DisplayCurve.FALSE || tabled() || marked) {
+            packEach(red, green, blue, left, top, width, pixels);
             return;
         }
         float gain = gain();
@@ -112,7 +170,7 @@ public record ViewTransform(double exposure, DisplayCurve curve) {
         }
     }
 
-    private void packStops(float[] red, float[] green, float[] blue, int left, int top, int width, int[] pixels) {
+    private void packEach(float[] red, float[] green, float[] blue, int left, int top, int width, int[] pixels) {
         int columns = Math.min(Film.TILE, width - left);
         int rows = Math.min(Film.TILE, pixels.length / width - top);
         for (int y = 0; y < rows; y++) {
@@ -126,21 +184,43 @@ public record ViewTransform(double exposure, DisplayCurve curve) {
     /** One pixel of linear values as it is displayed, opaque 0xFFRRGGBB. */
     public int pack(float red, float green, float blue) {
         float gain = gain();
+        float r = red * gain;
+        float g = green * gain;
+        float b = blue * gain;
         if (curve == DisplayCurve.FALSE) {
-            return 0xFF000000 | FalseColor.of(red * gain, green * gain, blue * gain);
+            return 0xFF000000 | FalseColor.of(r, g, b);
         }
+        int codes = tabled() ? lookedCodes(r, g, b) : codes(r, g, b);
+        if (marked) {
+            boolean over = r > curve.white() || g > curve.white() || b > curve.white();
+            return 0xFF000000 | (over ? OVER_WHITE : codes == 0 ? BLACK : codes);
+        }
+        return 0xFF000000 | codes;
+    }
+
+    private int codes(float red, float green, float blue) {
         CodeTable table = curve.table();
-        return 0xFF000000 | table.encode(red * gain) << 16 | table.encode(green * gain) << 8 | table.encode(blue * gain);
+        return table.encode(red) << 16 | table.encode(green) << 8 | table.encode(blue);
     }
 
-    /** What a saved picture is shown by where nobody asked for another: stops are for looking alone. */
+    private int lookedCodes(float red, float green, float blue) {
+        double[] color = looked(red, green, blue);
+        return code(color[0], CODES) << 16 | code(color[1], CODES) << 8 | code(color[2], CODES);
+    }
+
+    /** What a saved picture is shown by where nobody asked for another: stops and marks are for looking alone. */
     public ViewTransform ofPicture() {
-        return curve == DisplayCurve.FALSE ? withCurve(DisplayCurve.SRGB) : this;
+        return new ViewTransform(exposure, curve == DisplayCurve.FALSE ? DisplayCurve.SRGB : curve, cube, false);
     }
 
-    /** As in {@code Filmic (Hable), +0.5 stops}. */
+    /** A curve by which every error shows that shows in this view: how steep a table is nobody knows. */
+    public DisplayCurve steepest() {
+        return tabled() ? DisplayCurve.FILMIC : curve;
+    }
+
+    /** As in {@code Filmic (Hable), look.cube, +0.5 stops}. */
     public String text() {
-        return curve.title() + (exposure == 0 ? ""
+        return curve.title() + cube.map(table -> ", " + Quote.path(table.file().getFileName())).orElse("") + (exposure == 0 ? ""
                 : ", " + (exposure > 0 ? "+" : "") + BigDecimal.valueOf(exposure).stripTrailingZeros().toPlainString() + " stops");
     }
 }

@@ -7,10 +7,12 @@ import java.net.UnixDomainSocketAddress;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import lightning.exr.ExrChannel;
 import lightning.exr.ExrReader;
+import lightning.image.CubeReader;
 import lightning.image.DisplayCurve;
 import lightning.image.Film;
 import lightning.image.PictureFile;
@@ -115,6 +117,23 @@ class RenderCommandTest {
     }
 
     @Test
+    void viewThroughATable_writesWhatItSays() throws Exception {
+        Path linear = folder.resolve("linear.pfm");
+        Path table = Files.writeString(folder.resolve("inverse.cube"), "LUT_1D_SIZE 2\n1 1 1\n0 0 0\n");
+        Cli.run("render", scene, "-o", linear).isDone();
+        for (String view : List.of(table.toString(), "aces+" + table)) {
+            Path shown = folder.resolve("shown.png");
+            Cli.run("render", scene, "-o", shown, "--view", view, "--exposure", "1").isDone();
+            ViewTransform expected = new ViewTransform(1, view.startsWith("aces") ? DisplayCurve.ACES : DisplayCurve.SRGB)
+                    .withCube(Optional.of(CubeReader.read(table)));
+            assertThat(ViewTransform.DEFAULT.toPixels(PictureFile.read(shown))).isEqualTo(expected.toPixels(PictureFile.read(linear)));
+        }
+        Files.writeString(table, "LUT_1D_SIZE 2\n1 1 one\n");
+        Cli.run("render", scene, "-o", folder.resolve("a.png"), "--view", table.toString())
+                .isRefusedSaying("inverse.cube, line 2: expected three numbers from -10⁹ to 10⁹, found '1 1 one'");
+    }
+
+    @Test
     void xpm_isWrittenAsText() throws Exception {
         Path picture = folder.resolve("a.xpm");
         Cli.run("render", scene, "-o", picture).isDone();
@@ -175,7 +194,7 @@ class RenderCommandTest {
         "--depth | -1 | --depth must be from 0 to 10, was -1",
         "--depth | x | --depth",
         "--threads | 0 | --threads must be from 1 to 1024, was 0",
-        "--view | rec709 | expected srgb, 1998, filmic, aces or false, found 'rec709'",
+        "--view | rec709 | expected srgb, 1998, filmic, aces, false or a .cube file, found 'rec709'",
         "--exposure | 65 | --exposure must be from -64 to 64 stops, was 65"})
     void badOption_isRefused(String option, String value, String sentence) {
         Cli.run("render", scene, "-o", folder.resolve("a.png"), option, value).isRefusedSaying(sentence);

@@ -55,6 +55,7 @@ public final class FileActions {
         model.setAction(Command.SAVE_IMAGE, this::saveImage);
         model.setAction(Command.QUIT, quit);
         RigActions.addTo(model, prompt, notices);
+        TableActions.addTo(model, prompt, notices, preferences);
         listRecent();
     }
 

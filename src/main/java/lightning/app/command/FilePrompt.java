@@ -38,11 +38,17 @@ public interface FilePrompt {
         return sceneToWrite(proposal);
     }
 
+    /** A table of colours to read. */
+    default Optional<Path> table(Path folder) {
+        return scene(folder);
+    }
+
     /** The system's own windows. */
     static FilePrompt of(Window owner) {
         var scenes = new FileChooser.ExtensionFilter("Scenes (*.jen)", "*.jen");
         var files = new FileChooser.ExtensionFilter("Scenes, glTF, OBJ, PLY, NFF",
                 Stream.concat(Stream.of(".jen"), Importer.ENDINGS.stream()).map(ending -> "*" + ending).toList());
+        var tables = new FileChooser.ExtensionFilter("Tables (*.cube)", "*.cube");
         return new FilePrompt() {
             @Override
             public Optional<Path> scene(Path folder) {
@@ -59,6 +65,11 @@ public interface FilePrompt {
             @Override
             public Optional<Path> rig(Path folder) {
                 return path(chooser("Load Light Rig", folder, scenes), c -> c.showOpenDialog(owner));
+            }
+
+            @Override
+            public Optional<Path> table(Path folder) {
+                return path(chooser("Color Table", folder, tables), c -> c.showOpenDialog(owner));
             }
 
             @Override

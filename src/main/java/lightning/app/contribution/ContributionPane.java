@@ -193,7 +193,7 @@ public final class ContributionPane extends VBox {
 
     private void ask() {
         Options options = model.precisionProperty().get().options().withThreads(1);
-        ViewTransform view = model.viewProperty().get();
+        ViewTransform view = model.viewProperty().get().withMarked(false);
         Optional<Contributions.Region> part = region;
         feed.ask(progress -> model.workbench().known().map(cache -> new Answer(cache.scene(), Contributions.of(cache, options, view,
                 part.orElseGet(() -> Contributions.Region.all(cache.film())), progress))), this::show,
@@ -279,7 +279,7 @@ public final class ContributionPane extends VBox {
             return;
         }
         wanted = null;
-        ViewTransform view = model.viewProperty().get();
+        ViewTransform view = model.viewProperty().get().withMarked(false);
         model.files().beside(() -> Contribution.Change.between(of.before(), frame.film(), view),
                 change -> proof.setText(told(of.lights(), change)),
                 why -> proof.setText(Sentence.of(why)));

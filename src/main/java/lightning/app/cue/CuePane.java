@@ -204,7 +204,7 @@ public final class CuePane extends VBox {
         Lighting lighting = Lighting.of(model.scene());
         Frame frame = model.frame();
         Film film = frame.film();
-        ViewTransform view = model.viewProperty().get();
+        ViewTransform view = model.viewProperty().get().withMarked(false);
         file(() -> {
             folder.keep(of, lighting, film, view);
             return of;

@@ -115,7 +115,12 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         Node legend = new StopLegend(model);
         StackPane.setAlignment(legend, Pos.BOTTOM_RIGHT);
         StackPane.setMargin(legend, BADGES);
-        var stage = new StackPane(waiting, picture, mouse.overlay(), badges, look, card, legend, progress, prompt);
+        Node clipping = new ClippingLegend(model);
+        StackPane.setAlignment(clipping, Pos.BOTTOM_RIGHT);
+        StackPane.setMargin(clipping, BADGES);
+        model.setSwitch(Command.MARK_CLIPPING, model.viewProperty().map(ViewTransform::marked),
+                () -> model.viewProperty().set(model.viewProperty().get().withMarked(!model.viewProperty().get().marked())));
+        var stage = new StackPane(waiting, picture, mouse.overlay(), badges, look, card, legend, clipping, progress, prompt);
         stage.getStyleClass().add("canvas");
         setTop(header());
         setCenter(stage);

@@ -250,11 +250,11 @@ public final class RenderLoop implements AutoCloseable {
     private void make(WarmSaving.Step step, WarmSaving.Step again, RenderQueue.Stop stop) {
         PixelCache start = start();
         ViewTransform shown = view;
-        renderer.setView(shown.exposure(), shown.curve());
+        renderer.setView(shown.exposure(), shown.steepest());
         Update update = step.on(renderer, stop);
         verifier.done(!renderer.isFinished() ? Optional.empty()
                 : WarmSaving.Edit.of(update, start, renderer.options(), (r, progress) -> {
-                    r.setView(shown.exposure(), shown.curve());
+                    r.setView(shown.exposure(), shown.steepest());
                     return again.on(r, progress);
                 }));
         madeAt = renderer.options().accuracy();

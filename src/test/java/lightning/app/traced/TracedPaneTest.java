@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.util.Locale;
+import java.util.Optional;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.control.CheckMenuItem;
@@ -23,6 +25,7 @@ import lightning.edit.Dial;
 import lightning.edit.LightEdits;
 import lightning.effects.Effect;
 import lightning.effects.ViewEffects;
+import lightning.image.CubeReader;
 import lightning.image.DisplayCurve;
 import lightning.image.Film;
 import lightning.image.PictureFile;
@@ -220,6 +223,42 @@ class TracedPaneTest extends EditorDesk {
         assertThat(model().raster().pixels().pixels())
                 .isEqualTo(ViewTransform.DEFAULT.withCurve(DisplayCurve.ACES).toPixels(model().frame().film()));
         assertThat(isShown("stop-legend")).isFalse();
+    }
+
+    @Test
+    void colorTable_isShownThroughKeptAndTakenAway() throws IOException {
+        answer = Files.writeString(folder.resolve("inverse.cube"), "LUT_1D_SIZE 2\n1 1 1\n0 0 0\n");
+        int[] before = model().raster().pixels().pixels().clone();
+        choose("view-color-table");
+        waitFor("the table is read", () -> model().viewProperty().get().cube().isPresent());
+        ViewTransform inverse = ViewTransform.DEFAULT.withCube(Optional.of(CubeReader.read(answer)));
+        assertThat(model().raster().pixels().pixels()).isEqualTo(inverse.toPixels(model().frame().film())).isNotEqualTo(before);
+        assertThat(model().messageProperty().get()).isEqualTo("Shown through inverse.cube, 3 × 2");
+        waitFor("it is kept", () -> Files.readString(folder.resolve("own/preferences.properties")).contains("inverse.cube"));
+        choose("view-color-table");
+        assertThat(model().raster().pixels().pixels()).isEqualTo(before);
+    }
+
+    @Test
+    void marks_areOnWhatIsCutOffWithTheirLegend() {
+        robot.interact(() -> model().viewProperty().set(new ViewTransform(3)));
+        assertThat(isShown("clipping-legend")).isFalse();
+        robot.push(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.K);
+        assertThat(isShown("clipping-legend")).isTrue();
+        Film film = model().frame().film();
+        int marked = 0;
+        int[] shown = model().raster().pixels().pixels();
+        for (int i = 0; i < shown.length; i++) {
+            int x = i % film.width();
+            int y = i / film.width();
+            boolean over = 8 * Math.max(Math.max(film.red(x, y), film.green(x, y)), film.blue(x, y)) > 1;
+            assertThat(shown[i] == (0xFF000000 | ViewTransform.OVER_WHITE)).as("pixel %s %s", x, y).isEqualTo(over);
+            marked += over ? 1 : 0;
+        }
+        assertThat(marked).isPositive();
+        robot.push(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.K);
+        assertThat(model().raster().pixels().pixels()).isEqualTo(new ViewTransform(3).toPixels(film));
+        assertThat(isShown("clipping-legend")).isFalse();
     }
 
     @Test

@@ -1,0 +1,76 @@
+package lightning.app.command;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Optional;
+import lightning.app.model.EditorModel;
+import lightning.app.model.Preferences;
+import lightning.app.model.Sentence;
+import lightning.edit.Command;
+import lightning.image.CubeReader;
+import lightning.image.CubeTable;
+import lightning.image.ViewTransform;
+import lightning.text.Quote;
+
+/** The table of colours that the view shows through: chosen by its file, kept from one run to the next. */
+final class TableActions {
+    private static final String KEY = "table";
+
+    private final EditorModel model;
+    private final FilePrompt prompt;
+    private final Notices notices;
+    private final Preferences preferences;
+
+    private TableActions(EditorModel model, FilePrompt prompt, Notices notices, Preferences preferences) {
+        this.model = model;
+        this.prompt = prompt;
+        this.notices = notices;
+        this.preferences = preferences;
+    }
+
+    /** Does the command, and reads the table of the run before. */
+    static void addTo(EditorModel model, FilePrompt prompt, Notices notices, Preferences preferences) {
+        var actions = new TableActions(model, prompt, notices, preferences);
+        model.setSwitch(Command.COLOR_TABLE, model.viewProperty().map(view -> view.cube().isPresent()), actions::change);
+        actions.restore();
+    }
+
+    private void change() {
+        ViewTransform view = model.viewProperty().get();
+        if (view.cube().isPresent()) {
+            keep(Optional.empty());
+        } else {
+            prompt.table(model.document().file().toAbsolutePath().getParent()).ifPresent(file -> model.files()
+                    .beside(() -> CubeReader.read(file), table -> {
+                        keep(Optional.of(table));
+                        model.say("Shown through " + Quote.path(file.getFileName()) + ", " + table.size());
+                    }, why -> notices.failed("The table could not be read", why)));
+        }
+    }
+
+    private void keep(Optional<CubeTable> table) {
+        show(table);
+        preferences.set(KEY, table.map(t -> t.file().toAbsolutePath().toString()).orElse(""));
+        preferences.save();
+    }
+
+    private void show(Optional<CubeTable> table) {
+        model.viewProperty().set(model.viewProperty().get().withCube(table));
+    }
+
+    private void restore() {
+        String kept = preferences.text(KEY, "");
+        if (!kept.isEmpty()) {
+            model.files().beside(() -> CubeReader.read(path(kept)), table -> show(Optional.of(table)), why -> model.say(Sentence.of(why)));
+        }
+    }
+
+    private static Path path(String text) {
+        try {
+            return Path.of(text);
+        } catch (InvalidPathException e) {
+            // Another system wrote it: there is no such file here.
+            return Path.of("table.cube");
+        }
+    }
+}
