@@ -41,7 +41,8 @@ final class EditorMenu extends MenuBar {
         Menu light = menu("Light", Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, LINE, Command.NEW_BANK,
                 Command.DELETE_BANK, LINE, Command.RENAME_LIGHT,
                 Command.SWITCH_ON, Command.SOLO, Command.LOOK_THROUGH_LIGHT, LINE, Command.AIM, Command.PLACE_HIGHLIGHT,
-                Command.PLACE_DIFFUSE, Command.PLACE_RIM, Command.PLACE_SHADOW, LINE, Command.MIXER, Command.CONTRIBUTIONS, Command.CUES, LINE, Command.LOAD_RIG, Command.ADD_RIG,
+                Command.PLACE_DIFFUSE, Command.PLACE_RIM, Command.PLACE_SHADOW, LINE, Command.MIXER, Command.CONTRIBUTIONS, Command.CUES,
+                LINE, Command.LOAD_RIG, Command.ADD_RIG,
                 Command.SAVE_RIG, LINE, Command.MAKE_ANIMATION);
         Menu shape = menu("Shape", Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, LINE, Command.SHOW_SHAPE);
         Menu render = menu("Render", Command.GO, Command.LIVE, Command.UPDATE_REFLECTIONS, Command.VERIFY, Command.CANCEL, LINE,

@@ -177,7 +177,8 @@ public record NodeGizmo(Node node, Vec3 origin, List<Vec3> axes, Transform back,
             }
             case TURN -> {
                 double turn = Math.toDegrees(angle(handle.axis(), view, canvas, to) - angle(handle.axis(), view, canvas, from));
-                yield new Placement(p.at(), Turning.about(p.rotate(), handle.axis(), snapped ? Snap.whole(turn, Snap.TURN) : turn), p.scale());
+                yield new Placement(p.at(), Turning.about(p.rotate(), handle.axis(), snapped ? Snap.whole(turn, Snap.TURN) : turn),
+                        p.scale());
             }
             case SCALE -> {
                 Viewport.Pixel middle = canvas.pixel(view, origin);

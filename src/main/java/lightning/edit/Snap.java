@@ -40,7 +40,8 @@ public record Snap(Light light, String told) {
         }
         double step = step(begin.position(), view, canvas);
         Vec3 at = grid(dragged.position(), step);
-        return new Snap(dragged.withPosition(at), "at " + number(at.x()) + " " + number(at.y()) + " " + number(at.z()) + ", grid " + number(step));
+        return new Snap(dragged.withPosition(at),
+                "at " + number(at.x()) + " " + number(at.y()) + " " + number(at.z()) + ", grid " + number(step));
     }
 
     /** A light whose direction is rounded. */
@@ -107,8 +108,8 @@ public record Snap(Light light, String told) {
         return new BigDecimal(v).round(new MathContext(digits, RoundingMode.HALF_EVEN)).doubleValue();
     }
 
-    /** A number as the status tells it, in six digits. */
+    /** A number as the status tells it, in four digits. */
     public static String number(double v) {
-        return Decimal.text(round(v, 6));
+        return Decimal.text(round(v, 4));
     }
 }

@@ -156,7 +156,8 @@ class LightPlacingTest {
             var placing = LightPlacing.from(begin, acts[i], point);
             Light placed = placing.at(at);
             double rounding = 1e-9 * (1 + point.maxAbs() / distance);
-            Vec3 towardsLight = type.hasPosition() ? placed.position().minus(point).normalized() : placed.direction().normalized().negated();
+            Vec3 towardsLight =
+                    type.hasPosition() ? placed.position().minus(point).normalized() : placed.direction().normalized().negated();
             assertThat(towardsLight.dot(normal)).as(acts[i].toString()).isCloseTo(cosines[i], within(1e-7 + rounding));
             if (type.hasPosition()) {
                 assertThat(placed.position().minus(point).length()).isCloseTo(distance, within(distance * (1e-7 + rounding)));

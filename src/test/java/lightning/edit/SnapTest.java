@@ -29,7 +29,8 @@ class SnapTest {
 
     @Test
     void almostDown_isDown() {
-        assertThat(Snap.direction(new Vec3(0.1, -2, 0.05))).satisfies(v -> PreviewCameraTest.assertClose(v.normalized(), new Vec3(0, -1, 0), 0));
+        assertThat(Snap.direction(new Vec3(0.1, -2, 0.05)))
+                .satisfies(v -> PreviewCameraTest.assertClose(v.normalized(), new Vec3(0, -1, 0), 0));
     }
 
     @Test
@@ -64,7 +65,8 @@ class SnapTest {
         Light spot = Desk.spot(new Vec3(0, 1, 4), new Vec3(0, 0, -1));
         Light moved = LightManipulation.orbit(spot, view, CANVAS, 40, 7);
         Snap snap = Snap.of(spot, moved, view, CANVAS);
-        PreviewCameraTest.assertClose(snap.light().position().plus(snap.light().direction().normalized().times(4)), new Vec3(0, 1, 0), 1e-9);
+        PreviewCameraTest.assertClose(snap.light().position().plus(snap.light().direction().normalized().times(4)), new Vec3(0, 1, 0),
+                1e-9);
         assertThat(snap.told()).contains("azimuth 15°").contains("elevation 0°");
     }
 

@@ -101,7 +101,8 @@ class CubeTableTest {
         }
         float[] colors = new float[3 * size * size * size];
         for (int i = 0; i < colors.length / 3; i++) {
-            double[] at = {(double) (i % size) / (size - 1), (double) (i / size % size) / (size - 1), (double) (i / size / size) / (size - 1)};
+            double[] at =
+                    {(double) (i % size) / (size - 1), (double) (i / size % size) / (size - 1), (double) (i / size / size) / (size - 1)};
             for (int c = 0; c < 3; c++) {
                 colors[3 * i + c] = (float) affine(matrix[c], at[0], at[1], at[2]);
             }

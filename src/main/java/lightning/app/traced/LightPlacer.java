@@ -4,9 +4,9 @@ import java.util.Optional;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import lightning.app.model.EditorModel;
-import lightning.edit.Command;
 import lightning.app.model.Sentence;
 import lightning.app.widget.PictureView;
+import lightning.edit.Command;
 import lightning.edit.LightEdits;
 import lightning.edit.LightPlacing;
 import lightning.edit.LightPlacing.Act;
@@ -79,7 +79,8 @@ final class LightPlacer {
         model.setAction(Command.AIM, () -> placer.take("Click where the light should shine to, or drag its pool", new Act.Pool()));
         model.setAction(Command.PLACE_HIGHLIGHT,
                 () -> placer.take("Click where the highlight should be, or drag it there", new Act.Highlight()));
-        model.setAction(Command.PLACE_DIFFUSE, () -> placer.take("Click what the light should shine straight onto, or drag", new Act.Diffuse()));
+        model.setAction(Command.PLACE_DIFFUSE,
+                () -> placer.take("Click what the light should shine straight onto, or drag", new Act.Diffuse()));
         model.setAction(Command.PLACE_RIM, () -> placer.take("Click where the rim of light should begin, or drag", new Act.Rim()));
         model.setAction(Command.PLACE_SHADOW,
                 () -> placer.take(new Tool.Taking(), "Click what throws the shadow, or drag it or its shadow to where that should fall"));
@@ -186,7 +187,8 @@ final class LightPlacer {
                 Vec3 point = begin.at().point();
                 double factor = to.at().distance(middle) / Math.max(1, from.distance(middle));
                 double wanted = begin.light().position().minus(point).length() * factor;
-                show(begin.placing(), begin.at(), begin.placing().atDistance(begin.light(), point, snapped ? Snap.distance(wanted) : wanted),
+                show(begin.placing(), begin.at(),
+                        begin.placing().atDistance(begin.light(), point, snapped ? Snap.distance(wanted) : wanted),
                         Optional.empty());
             }
         }

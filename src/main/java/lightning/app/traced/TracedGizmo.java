@@ -120,7 +120,9 @@ final class TracedGizmo extends Pane {
                 PreviewCamera view = view();
                 Viewport shown = viewport();
                 Viewport.Pixel from = drag.from();
-                model.edit(scene -> NodeEdits.placement(scene, gizmo.node().name(), _ -> gizmo.dragged(handle, view, shown, from, to, e.isShiftDown())),
+                model.edit(
+                        scene -> NodeEdits.placement(scene, gizmo.node().name(),
+                                _ -> gizmo.dragged(handle, view, shown, from, to, e.isShiftDown())),
                         drag)
                         .ifPresent(model::say);
             }

@@ -166,7 +166,8 @@ final class TracedMouse implements AutoCloseable {
     private void ask() {
         PicturePart.Ask part = model.part().askProperty().get();
         String place = placer.promptProperty().get();
-        prompt.set(pick != null ? wish : !place.isEmpty() ? place + ", Shift snaps" : region.get() ? "Drag a frame around what to trace" : part != null ? part.hint() : "");
+        prompt.set(pick != null ? wish : !place.isEmpty() ? place + ", Shift snaps" : region.get() ? "Drag a frame around what to trace"
+                : part != null ? part.hint() : "");
         picture.setCursor(hand ? Cursor.OPEN_HAND : prompt.get().isEmpty() ? Cursor.DEFAULT : Cursor.CROSSHAIR);
     }
 

@@ -19,7 +19,8 @@ public final class ViewItems {
         for (DisplayCurve curve : DisplayCurve.values()) {
             all.add(curve(model, items, curve));
         }
-        all.addAll(List.of(new SeparatorMenuItem(), items.item(Command.COLOR_TABLE), items.item(Command.MARK_CLIPPING), new SeparatorMenuItem(),
+        all.addAll(List.of(new SeparatorMenuItem(), items.item(Command.COLOR_TABLE), items.item(Command.MARK_CLIPPING),
+                new SeparatorMenuItem(),
                 items.item(Command.SHADOWS), items.item(Command.REFLECTIONS), items.item(Command.LIT_TEXTURES)));
         return all;
     }
