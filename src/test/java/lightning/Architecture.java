@@ -25,7 +25,7 @@ final class Architecture {
     private static final String ENGINE =
             "text math column scene effects image trace shading engine engine.scalar engine.lanes engine.choice fulltrace warmup cache work"
                     + " relight.plan relight.tile relight";
-    private static final String DOCUMENT = ENGINE + " file jen accuracy edit.loop edit";
+    private static final String DOCUMENT = ENGINE + " file jen scene.shot accuracy edit.loop edit";
     private static final String DESK = DOCUMENT + " app.widget app.model app.command";
 
     /** The rows from the bottom of the program up. */
@@ -42,10 +42,11 @@ final class Architecture {
             row("nff", "text math mesh"),
             row("mesh.file", "mesh mesh.ply mesh.obj gltf nff work"),
             row("scene", "text math mesh"),
+            row("scene.shot", "text math scene"),
             row("ies", "text mesh scene"),
             row("hdr", "text mesh scene"),
             row("effects", "text math scene"),
-            row("jen", "text math file mesh mesh.file scene ies hdr work"),
+            row("jen", "text math file mesh mesh.file scene scene.shot ies hdr work"),
             row("exr", "text"),
             row("image", "text math file exr"),
             row("trace.solid", "scene"),
@@ -69,7 +70,7 @@ final class Architecture {
             row("edit.loop", ENGINE + " accuracy"),
             row("edit", ENGINE + " file jen accuracy edit.loop"),
             row("edit.cue", "text math file scene jen image edit"),
-            row("edit.motion", ENGINE + " file edit"),
+            row("edit.motion", ENGINE + " file scene.shot edit"),
             row("exchange", "text math file mesh mesh.ply mesh.obj gltf nff mesh.file scene jen image trace fulltrace work"),
             row("app.widget", "text math scene image edit"),
             row("app.model", DOCUMENT),

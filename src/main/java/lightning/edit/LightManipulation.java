@@ -1,5 +1,6 @@
 package lightning.edit;
 
+import lightning.math.Rotation;
 import lightning.math.Vec3;
 import lightning.scene.Light;
 import lightning.scene.Limits;

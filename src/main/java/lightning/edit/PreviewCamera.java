@@ -1,5 +1,6 @@
 package lightning.edit;
 
+import lightning.math.Rotation;
 import lightning.math.Transform;
 import lightning.math.Vec3;
 import lightning.scene.Camera;

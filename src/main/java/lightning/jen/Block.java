@@ -3,6 +3,7 @@ package lightning.jen;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import lightning.scene.shot.Key;
 import lightning.text.Quote;
 
 /** A block as it stands in the text. All places are numbers of tokens; −1 where something is missing. */
@@ -17,6 +18,14 @@ final class Block {
      */
     record Entry(Property<?> property, int nameToken, int from, int to, Value value) {}
 
+    /**
+     * What is written of one property's keys.
+     *
+     * @param open  the token of the brace before them; {@code close} of the one behind
+     * @param keys  those that are well written
+     */
+    record Keys(Property<?> property, int nameToken, int open, int close, List<Key> keys) {}
+
     private static final int FEW = 3;
 
     final BlockType<?> type;
@@ -25,8 +34,10 @@ final class Block {
     String name = "";
     int open = -1;
     int close = -1;
-    /** What a group holds. */
+    /** What a group holds, or what has keys in a shot. */
     final List<Block> children;
+    /** Of what has keys in a shot. */
+    List<Keys> keys = List.of();
     /** All properties that are written, well or not. Lists, as there are few of them and may be a million blocks. */
     private final List<Property<?>> written = new ArrayList<>(FEW);
     /** The well written ones, in the order of the text. */
@@ -35,7 +46,7 @@ final class Block {
     Block(BlockType<?> type, int keyword) {
         this.type = type;
         this.keyword = keyword;
-        children = type == Blocks.GROUP ? new ArrayList<>() : List.of();
+        children = type == Blocks.GROUP || type == Blocks.SHOT ? new ArrayList<>() : List.of();
     }
 
     /** Tells that a property is written; whether it was not before. */

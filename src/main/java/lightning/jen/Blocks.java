@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.math.Vec3;
 import lightning.scene.Antialias;
 import lightning.scene.Bank;
 import lightning.scene.Camera;
@@ -25,6 +24,7 @@ import lightning.scene.Sampling;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.World;
+import lightning.scene.shot.Shot;
 
 /** The table of all blocks and their properties: the one place that knows what a file may say. */
 final class Blocks {
@@ -45,11 +45,7 @@ final class Blocks {
             (name, v, children) -> new Picture(v.whole("size", 0), v.whole("size", 1), v.whole("depth", 0),
                     new Sampling(Antialias.valueOf(v.word("antialias").toUpperCase(Locale.ROOT)), v.whole("samples", 0))));
 
-    static final BlockType<Camera> CAMERA = new BlockType<>("camera", false, Optional.empty(), List.of(
-            position("from", Camera.DEFAULT.from(), Camera::from),
-            position("to", Camera.DEFAULT.to(), Camera::to),
-            direction("up", Camera.DEFAULT.up(), Camera::up),
-            Property.number("fov", Camera.DEFAULT.fov(), Limits.MIN_FOV, Limits.MAX_FOV, "degrees, vertical", Camera::fov)),
+    static final BlockType<Camera> CAMERA = new BlockType<>("camera", false, Optional.empty(), Property.of(Camera.ATTRIBUTES),
             (name, v, children) -> new Camera(v.vector("from"), v.vector("to"), v.vector("up"), v.number("fov")));
 
     static final BlockType<World> WORLD = new BlockType<>("world", false, Optional.empty(), Property.of(World.ATTRIBUTES),
@@ -77,19 +73,30 @@ final class Blocks {
     static final BlockType<Bank> BANK = new BlockType<>("bank", true, Optional.empty(), Property.of(Bank.ATTRIBUTES),
             (name, v, children) -> v.on(Bank.of(name), Bank.ATTRIBUTES));
 
+    /** The tracks stand in its braces beside these. */
+    static final BlockType<Shot> SHOT = new BlockType<>("shot", false, Optional.empty(), List.of(
+            Property.<Shot>numbers("frames", List.of(" first", " last"), Value.of(Shot.DEFAULT.first(), Shot.DEFAULT.last()), 0,
+                    Shot.MAX_FRAME, "the first not behind the last", s -> Value.of(s.first(), s.last())).inWholeNumbers(),
+            Property.number("rate", Shot.DEFAULT.rate(), Shot.MIN_RATE, Shot.MAX_RATE, "frames per second", Shot::rate)),
+            (name, v, children) -> new Shot(v.whole("frames", 0), v.whole("frames", 1), v.number("rate"), List.of()));
+
     /** The blocks of shapes, in the order of the documents. */
     private static final List<BlockType<Shape>> SHAPES =
             Stream.concat(Solid.CANONICAL.stream().map(Blocks::shape), Stream.of(MESH)).toList();
     private static final Map<String, BlockType<Shape>> BY_NOUN =
             SHAPES.stream().collect(Collectors.toUnmodifiableMap(BlockType::keyword, b -> b));
     private static final Map<String, BlockType<?>> BY_KEYWORD = Stream
-            .concat(SHAPES.stream(), Stream.of(PICTURE, CAMERA, WORLD, MATERIAL, GROUP, BANK, LIGHT))
+            .concat(SHAPES.stream(), Stream.of(PICTURE, CAMERA, WORLD, MATERIAL, GROUP, BANK, LIGHT, SHOT))
             .collect(Collectors.toUnmodifiableMap(BlockType::keyword, b -> b));
 
     /** The keywords of all blocks. */
     static final List<String> KEYWORDS = BY_KEYWORD.keySet().stream().sorted().toList();
     /** The keywords of the blocks that may stand in a group. */
     static final List<String> NODES = Stream.concat(SHAPES.stream(), Stream.of(GROUP)).map(BlockType::keyword).toList();
+
+    /** The keywords of the blocks that may stand in a shot: those of what has keys. */
+    static final List<String> KEYED =
+            Stream.concat(Stream.of(CAMERA, LIGHT, BANK).map(BlockType::keyword), NODES.stream()).toList();
 
     private Blocks() {}
 
@@ -118,15 +125,7 @@ final class Blocks {
     }
 
     private static <T extends Node> List<Property<T>> placed() {
-        return List.of(
-                Blocks.<T>position("at", Vec3.ZERO, n -> n.placement().at()),
-                Property.<T>vector("rotate", Value.of(Vec3.ZERO), Limits.MAX_ROTATION,
-                        "degrees about x, then y, then z", n -> Value.of(n.placement().rotate())),
-                Property.<T>vector("scale", Value.of(Vec3.ONE), Limits.MAX_SCALE, "factors, none 0",
-                        n -> Value.of(n.placement().scale()))
-                        .also(v -> new Placement(Vec3.ZERO, Vec3.ZERO, vector(v))),
-                Property.<T>choice("visible", new Value.Word("yes"), List.of("yes", "no"),
-                        n -> new Value.Word(n.visible() ? "yes" : "no")));
+        return Property.of(Node.ATTRIBUTES).stream().map(p -> p.<T>of(n -> n)).toList();
     }
 
     private static Value part(Shape mesh) {
@@ -142,28 +141,11 @@ final class Blocks {
         return new Placement(v.vector("at"), v.vector("rotate"), v.vector("scale"));
     }
 
-    private static <T> Property<T> position(String name, Vec3 initial, Function<T, Vec3> get) {
-        return Property.vector(name, Value.of(initial), Limits.MAX_COORDINATE, "scene units", t -> Value.of(get.apply(t)));
-    }
-
-    private static <T> Property<T> direction(String name, Vec3 initial, Function<T, Vec3> get) {
-        return Property.<T>vector(name, Value.of(initial), Limits.MAX_COORDINATE, "any length but 0",
-                t -> Value.of(get.apply(t))).also(v -> Limits.direction(name, vector(v)));
-    }
-
     private static Value word(Enum<?> choice) {
         return new Value.Word(choice.name().toLowerCase(Locale.ROOT));
     }
 
     private static List<String> words(Enum<?>[] choices) {
         return Stream.of(choices).map(c -> c.name().toLowerCase(Locale.ROOT)).toList();
-    }
-
-    private static double component(Value v, int index) {
-        return ((Value.Numbers) v).all().get(index);
-    }
-
-    private static Vec3 vector(Value v) {
-        return new Vec3(component(v, 0), component(v, 1), component(v, 2));
     }
 }

@@ -3,30 +3,40 @@ package lightning.jen;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Optional;
 import lightning.file.FileState;
 import lightning.file.SafeFile;
 import lightning.scene.Scene;
+import lightning.scene.shot.Shot;
+import lightning.scene.shot.ShotSuccession;
 
 /** A scene together with the text that says it. Immutable. */
 public final class JenDocument {
     private final Scene scene;
+    private final Optional<Shot> shot;
     private final String text;
 
-    JenDocument(Scene scene, String text) {
+    JenDocument(Scene scene, Optional<Shot> shot, String text) {
         this.scene = scene;
+        this.shot = shot;
         this.text = text;
     }
 
     /** A document with a text written from scratch. */
     public static JenDocument of(Scene scene) {
-        return new JenDocument(scene, JenWriter.write(scene));
+        return new JenDocument(scene, Optional.empty(), JenWriter.write(scene));
     }
 
     public Scene scene() {
         return scene;
     }
 
-    /** The file's content: reading it gives {@link #scene()} again, in every bit. */
+    /** Keys over frames, where the file says any. */
+    public Optional<Shot> shot() {
+        return shot;
+    }
+
+    /** The file's content: reading it gives {@link #scene()} and {@link #shot()} again, in every bit. */
     public String text() {
         return text;
     }
@@ -36,12 +46,30 @@ public final class JenDocument {
      * Comments, order, spaces and all numbers that are the same keep their characters. Values that
      * were not written are added where they are no longer the default; new blocks come last, or
      * before the block that they precede in the scene; blocks that are gone are cut out.
+     * Keys follow what is renamed, and go with what is gone.
      *
      * @throws IllegalArgumentException if {@code edited} names a texture file that a scene file
      *     cannot name
      */
     public JenDocument with(Scene edited) {
-        return edited.equals(scene) ? this : new JenDocument(edited, Patch.apply(text, scene, edited));
+        if (edited.equals(scene)) {
+            return this;
+        }
+        Optional<Shot> followed = shot.map(s -> new ShotSuccession(scene, edited).of(s));
+        return new JenDocument(edited, followed, Patch.apply(text, scene, edited));
+    }
+
+    /**
+     * The same scene with another shot. The block of the shot is written anew; all else keeps its characters.
+     *
+     * @throws IllegalArgumentException if it is a shot of another scene ({@link Shot#check})
+     */
+    public JenDocument withShot(Shot other) {
+        if (shot.filter(other::equals).isPresent()) {
+            return this;
+        }
+        other.check(scene);
+        return new JenDocument(scene, Optional.of(other), Patch.shot(text, scene, other));
     }
 
     /**

@@ -9,6 +9,7 @@ import java.util.Optional;
 import lightning.file.OrdinaryFile;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
+import lightning.scene.shot.Shot;
 
 /** Reads {@code .jen} files. */
 public final class JenReader {
@@ -82,6 +83,10 @@ public final class JenReader {
         if (scene.isEmpty()) {
             throw new JenException(problems.in(source));
         }
-        return new JenDocument(scene.get(), source.text());
+        Optional<Shot> shot = new ShotBuilder(tokens, problems, scene.get()).build(blocks);
+        if (!problems.isEmpty()) {
+            throw new JenException(problems.in(source));
+        }
+        return new JenDocument(scene.get(), shot, source.text());
     }
 }

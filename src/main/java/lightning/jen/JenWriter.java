@@ -3,10 +3,11 @@ package lightning.jen;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.scene.Scene;
+import lightning.scene.shot.Shot;
 
 /** Writes scenes from scratch: only what is not the default, one block per line where it fits. */
 public final class JenWriter {
-    private static final int LINE = 110;
+    static final int LINE = 110;
 
     private JenWriter() {}
 
@@ -26,6 +27,17 @@ public final class JenWriter {
         section(out, scene.rig().banks().stream().map(Element::of).toList());
         section(out, scene.lights().stream().map(Element::of).toList());
         return out.toString();
+    }
+
+    /**
+     * The text of a scene file that reads back as {@code scene} and {@code shot} in every bit.
+     *
+     * @param shot one of that scene
+     * @throws IllegalArgumentException as {@link #write(Scene)}, and if something with keys is not in the scene
+     */
+    public static String write(Scene scene, Shot shot) {
+        shot.check(scene);
+        return write(scene) + '\n' + new ShotText(scene, "\n").block(shot) + '\n';
     }
 
     private static void section(StringBuilder out, List<Element> elements) {

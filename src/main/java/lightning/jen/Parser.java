@@ -165,6 +165,8 @@ final class Parser {
                     boolean property = block.type.property(tokens.text(at)).isPresent();
                     if (!startsBlock() || property && !isNamedBlock()) {
                         at = properties.property(block, at);
+                    } else if (block.type == Blocks.SHOT) {
+                        target(block);
                     } else if (block.type == Blocks.GROUP) {
                         child(block, nesting);
                     } else {
@@ -184,6 +186,29 @@ final class Parser {
             problem(group.title() + ": a " + type.keyword() + " cannot stand in a group, expected '}' or one of "
                     + String.join(", ", Blocks.NODES));
             top.add(block(type, 0));
+        }
+    }
+
+    /** Reads what has keys in a shot. */
+    private void target(Block shot) {
+        BlockType<?> type = Blocks.of(tokens.text(at)).orElseThrow();
+        if (!Blocks.KEYED.contains(type.keyword())) {
+            problem("shot: a " + type.keyword() + " has no keys, expected '}' or one of " + String.join(", ", Blocks.KEYED));
+            at++;
+            skipToBlock();
+            return;
+        }
+        var target = new Block(type, at++);
+        if (type.named()) {
+            name(target);
+        }
+        if (kind() == Kind.OPEN) {
+            target.open = at++;
+            at = new KeyParser(tokens, problems, properties, target).body(at);
+            shot.children.add(target);
+        } else {
+            problem(target.title() + ": expected '{' and keys, found " + tokens.found(at));
+            skipToBlock();
         }
     }
 

@@ -7,8 +7,13 @@ import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import lightning.scene.Attribute;
 import lightning.scene.Scene;
+import lightning.scene.shot.Shot;
+import lightning.scene.shot.ShotSuccession;
+import lightning.scene.shot.Target;
 
 /**
  * Brings the text of a valid scene file to an edited scene by the fewest changes.
@@ -40,6 +45,36 @@ final class Patch {
         return new Patch(new Source("", text), tokens).scene(blocks, before, edited);
     }
 
+    /** The text with another block of the shot, the last where there was none. */
+    static String shot(String text, Scene scene, Shot shot) {
+        Tokens tokens = Lexer.tokens(text, new Problems());
+        var source = new Source("", text);
+        String block = new ShotText(scene, source.newline()).block(shot);
+        Optional<Block> old = Parser.file(tokens, new Problems()).stream().filter(b -> b.type == Blocks.SHOT).findFirst();
+        if (old.isPresent()) {
+            return text.substring(0, tokens.start(old.get().keyword)) + block + text.substring(tokens.end(old.get().close));
+        }
+        return text + (text.endsWith("\n") ? "" : source.newline()) + source.newline() + block + source.newline();
+    }
+
+    /** Brings the keys to what has them now: names follow, what is gone is cut out. */
+    private void shot(Edits edits, Block shot, Scene before, Scene edited) {
+        var succession = new ShotSuccession(before, edited);
+        for (Block child : shot.children) {
+            Target now = succession.of(ShotBuilder.target(child)).orElse(null);
+            if (now == null) {
+                cut(edits, child);
+                continue;
+            }
+            String head = new ShotText(edited, source.newline()).head(now);
+            if (ShotText.type(edited, now) != child.type || !now.name().equals(child.name)) {
+                edits.replace(start(child), tokens.end(child.nameToken), head);
+            }
+            List<String> known = now.attributes(edited).stream().map(Attribute::name).toList();
+            child.keys.stream().filter(k -> !known.contains(k.property().name())).forEach(k -> cut(edits, k.nameToken(), k.close()));
+        }
+    }
+
     private String scene(List<Block> blocks, Scene before, Scene edited) {
         var edits = new Edits(source.text());
         single(edits, blocks, Element.of(Blocks.PICTURE, edited.picture()));
@@ -57,6 +92,7 @@ final class Patch {
                 edited.rig().banks().stream().map(Element::of).toList()));
         added.addAll(list(edits, ofKinds(blocks, List.of(Blocks.LIGHT.keyword())),
                 edited.lights().stream().map(Element::of).toList()));
+        ofKinds(blocks, List.of(Blocks.SHOT.keyword())).forEach(shot -> shot(edits, shot, before, edited));
         var out = new StringBuilder(edits.apply(0, source.text().length()));
         for (Element element : added) {
             if (out.charAt(out.length() - 1) != '\n') {
@@ -166,13 +202,20 @@ final class Patch {
 
     /** Cuts out a block, with its lines where nothing else is in them. */
     private void cut(Edits edits, Block block) {
-        int from = source.lineStart(start(block));
-        int to = source.lineEnd(end(block));
+        cut(edits, block.keyword, block.close);
+    }
+
+    /** Cuts out what stands from one token to another, likewise. */
+    private void cut(Edits edits, int first, int last) {
+        int start = tokens.start(first);
+        int end = tokens.end(last);
+        int from = source.lineStart(start);
+        int to = source.lineEnd(end);
         String text = source.text();
-        if (text.substring(from, start(block)).isBlank() && text.substring(end(block), to).isBlank()) {
+        if (text.substring(from, start).isBlank() && text.substring(end, to).isBlank()) {
             edits.replace(from, Math.min(text.length(), to == text.length() ? to : text.indexOf('\n', to) + 1), "");
         } else {
-            edits.replace(start(block), end(block), "");
+            edits.replace(start, end, "");
         }
     }
 

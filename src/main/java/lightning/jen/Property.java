@@ -44,8 +44,6 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         LINKS
     }
 
-    private static final List<String> XYZ = List.of(" x", " y", " z");
-
     /** How a file writes attributes, in their order. */
     static <T> List<Property<T>> of(List<? extends Attribute<T, ?>> attributes) {
         return attributes.stream().flatMap(a -> of(a).stream()).toList();
@@ -91,11 +89,6 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
     static <T> Property<T> number(String name, double initial, double min, double max, String unit,
             Function<T, Double> get) {
         return numbers(name, List.of(""), Value.of(initial), min, max, unit, t -> Value.of(get.apply(t)));
-    }
-
-    /** Three numbers x, y, z, either sign. */
-    static <T> Property<T> vector(String name, Value initial, double max, String unit, Function<T, Value> get) {
-        return numbers(name, XYZ, initial, -max, max, unit, get);
     }
 
     static <T> Property<T> numbers(String name, List<String> labels, Value initial, double min, double max,

@@ -151,7 +151,8 @@ final class PropertyParser {
         }
     }
 
-    private double number(Property<?> property, int index, int token) {
+    /** @throws IllegalArgumentException if the token is no number that the property may have at {@code index} */
+    double number(Property<?> property, int index, int token) {
         if (tokens.kind(token) != Kind.NUMBER) {
             throw new IllegalArgumentException(property.name() + " must be " + property.expected() + ", found "
                     + tokens.found(token));

@@ -71,6 +71,7 @@ final class SceneBuilder {
         Optional<Picture> picture = single(blocks, Blocks.PICTURE);
         Optional<Camera> camera = single(blocks, Blocks.CAMERA);
         Optional<World> world = single(blocks, Blocks.WORLD);
+        single(blocks, Blocks.SHOT);
         List<Material> materials = materials(of(blocks, Blocks.MATERIAL));
         List<Node> nodes = nodes(blocks.stream().filter(b -> Blocks.NODES.contains(b.type.keyword())).toList(), 1, 1);
         List<Bank> banks = banks(of(blocks, Blocks.BANK));

@@ -24,6 +24,15 @@ public sealed interface Kind<V>
     /** A value for people. */
     String text(V value);
 
+    /** What values of this kind do between two keys of a shot. */
+    default Keying keying() {
+        return switch (this) {
+            case Quantity<V> n -> n.whole() ? Keying.HOLDS : Keying.GLIDES;
+            case Choice<V> _ -> Keying.HOLDS;
+            case Filed<?> _,Linking _,Naming _,Texturing _ -> Keying.NONE;
+        };
+    }
+
     /** The name of something in the scene, or none, which is empty. */
     record Naming() implements Kind<String> {
         @Override

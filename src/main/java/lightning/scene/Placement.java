@@ -61,6 +61,18 @@ public final class Placement {
         return new Vec3(scaleX, scaleY, scaleZ);
     }
 
+    public Placement withAt(Vec3 v) {
+        return new Placement(v, rotate, scale());
+    }
+
+    public Placement withRotate(Vec3 v) {
+        return new Placement(at(), v, scale());
+    }
+
+    public Placement withScale(Vec3 v) {
+        return new Placement(at(), rotate, v);
+    }
+
     /** The smallest absolute scale factor. */
     public double leastScale() {
         return least(scale());

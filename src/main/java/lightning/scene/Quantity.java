@@ -74,8 +74,17 @@ public record Quantity<V>(Form form, List<String> labels, double min, double max
     }
 
     private static Quantity<Vec3> vector(Form form, Range<Vec3> range) {
-        return new Quantity<>(form, AXES, -Limits.MAX_COORDINATE, Limits.MAX_COORDINATE, 0.1, false,
-                v -> List.of(v.x(), v.y(), v.z()), n -> new Vec3(n.get(0), n.get(1), n.get(2)), range);
+        return vector(form, Limits.MAX_COORDINATE, 0.1, range);
+    }
+
+    /** A number for each axis, either sign. */
+    static Quantity<Vec3> axes(double max, double step, Range<Vec3> range) {
+        return vector(Form.EACH, max, step, range);
+    }
+
+    private static Quantity<Vec3> vector(Form form, double max, double step, Range<Vec3> range) {
+        return new Quantity<>(form, AXES, -max, max, step, false, v -> List.of(v.x(), v.y(), v.z()),
+                n -> new Vec3(n.get(0), n.get(1), n.get(2)), range);
     }
 
     static Quantity<Attenuation> attenuation() {

@@ -16,6 +16,12 @@ public record Shape(Solid solid, String name, String material, Placement placeme
         this(solid, name, material, placement, true);
     }
 
+    /** An attribute of a solid as one of the shape that has it. */
+    static <V> Attribute<Node, V> attribute(Attribute<Solid.Canonical, V> a) {
+        return new Attribute<>(a.name(), a.title(), a.kind(), a.initial(), a.unit(), n -> a.of((Solid.Canonical) ((Shape) n).solid),
+                (n, v) -> ((Shape) n).withSolid(a.with((Solid.Canonical) ((Shape) n).solid, v)));
+    }
+
     public Shape withName(String v) {
         return new Shape(solid, v, material, placement, visible);
     }

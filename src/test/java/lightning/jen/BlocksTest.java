@@ -127,6 +127,10 @@ class BlocksTest {
             values.put("from", Value.of(3, 5, 10));
             values.put("up", Value.of(1, 2, 3));
         }
+        if (c.type == Blocks.SHOT) {
+            // So that neither end comes behind the other.
+            values.put("frames", Value.of(0, lightning.scene.shot.Shot.MAX_FRAME));
+        }
         List<Double> numbers = new ArrayList<>(((Value.Numbers) values.get(c.property.name())).all());
         numbers.set(c.index, v);
         values.put(c.property.name(), new Value.Numbers(numbers));

@@ -76,7 +76,7 @@ public final class AttributeArbitraries {
         return (V) links;
     }
 
-    private static <V> Arbitrary<V> numbers(Quantity<V> q) {
+    static <V> Arbitrary<V> numbers(Quantity<V> q) {
         Arbitrary<Double> ordinary = Numbers.between(Math.max(q.min(), -ORDINARY), Math.min(q.max(), ORDINARY));
         Arbitrary<Double> number = q.isVector() ? ordinary
                 : Arbitraries.frequencyOf(Tuple.of(6, ordinary), Tuple.of(1, Arbitraries.of(q.min())));

@@ -1,11 +1,11 @@
 package lightning.edit.motion;
 
 import java.util.List;
-import lightning.edit.Rotation;
 import lightning.math.Vec3;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Limits;
+import lightning.scene.shot.Between;
 
 /**
  * The way of a light across the frames of the preview (paper §3.7): where it was and where it shone to, every so many
@@ -52,18 +52,16 @@ public record MotionPath(int every, List<Key> keys) {
      * @param frame from 0; may lie between two frames
      */
     public Light at(Light light, double frame) {
-        double along = Math.clamp(frame / every, 0, keys.size() - 1);
-        int last = (int) along;
-        double share = along - last;
+        double passed = Math.clamp(frame, 0, frames() - 1);
+        int last = Math.min((int) (passed / every), keys.size() - 1);
+        double share = (passed - last * every) / every;
         Key from = keys.get(last);
-        if (share == 0) {
+        if (share <= 0) {
             return from.on(light);
         }
         Key to = keys.get(last + 1);
-        Vec3 position = from.position().times(1 - share).plus(to.position().times(share));
-        double length = from.direction().length() * (1 - share) + to.direction().length() * share;
-        Vec3 direction = from.direction().equals(to.direction()) ? from.direction()
-                : Rotation.between(from.direction(), to.direction(), share).times(length);
+        Vec3 position = Between.position(from.position(), to.position(), share);
+        Vec3 direction = Between.direction(from.direction(), to.direction(), share);
         return new Key(position, direction).on(light);
     }
 }

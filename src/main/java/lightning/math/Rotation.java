@@ -1,6 +1,4 @@
-package lightning.edit;
-
-import lightning.math.Vec3;
+package lightning.math;
 
 /** Turns vectors about axes, by Rodrigues' formula. */
 public final class Rotation {
@@ -12,7 +10,7 @@ public final class Rotation {
      * @param axis    of length 1
      * @param radians the angle
      */
-    static Vec3 about(Vec3 axis, double radians, Vec3 v) {
+    public static Vec3 about(Vec3 axis, double radians, Vec3 v) {
         double c = Math.cos(radians);
         double s = Math.sin(radians);
         return v.times(c).plus(axis.cross(v).times(s)).plus(axis.times(axis.dot(v) * (1 - c)));

@@ -1,0 +1,107 @@
+package lightning.scene.shot;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import lightning.scene.Limits;
+import lightning.scene.Scene;
+
+/**
+ * Keys over frames. Two equal shots give the same scene at every frame.
+ *
+ * @param first  the first frame, 0 … {@link #MAX_FRAME}
+ * @param last   the last frame, from {@code first}
+ * @param rate   frames per second, {@value #MIN_RATE} … {@value #MAX_RATE}
+ * @param tracks one for each attribute that has keys, those of one target together; at most {@value #MAX_KEYS} keys in all
+ */
+public record Shot(int first, int last, double rate, List<Track> tracks) {
+    public static final int MAX_FRAME = 1_000_000_000;
+    public static final int MAX_KEYS = 1_000_000;
+    public static final double MIN_RATE = 0.001;
+    public static final double MAX_RATE = 1000;
+    /** One frame of nothing, 24 in a second. */
+    public static final Shot DEFAULT = new Shot(1, 1, 24, List.of());
+
+    public Shot {
+        checkFrame("the first frame", first);
+        Limits.range("the last frame", last, first, MAX_FRAME);
+        Limits.range("rate", rate, MIN_RATE, MAX_RATE);
+        Map<Target, List<Track>> byTarget = new LinkedHashMap<>();
+        Set<String> seen = new HashSet<>();
+        long keys = 0;
+        for (Track track : tracks) {
+            if (!seen.add(track.target() + "." + track.attribute())) {
+                throw new IllegalArgumentException(track.target() + ": " + track.attribute() + " must have its keys once");
+            }
+            keys += track.keys().size();
+            byTarget.computeIfAbsent(track.target(), _ -> new ArrayList<>()).add(track);
+        }
+        Limits.range("the number of keys", keys, 0, MAX_KEYS);
+        tracks = byTarget.values().stream().flatMap(List::stream).toList();
+    }
+
+    static void checkFrame(String what, int frame) {
+        Limits.range(what, frame, 0, MAX_FRAME);
+    }
+
+    /** The keys of an attribute. */
+    public Optional<Track> track(Target target, String attribute) {
+        return tracks.stream().filter(t -> t.target().equals(target) && t.attribute().equals(attribute)).findFirst();
+    }
+
+    public Shot withTracks(List<Track> v) {
+        return new Shot(first, last, rate, v);
+    }
+
+    public Shot withFrames(int from, int to) {
+        return new Shot(from, to, rate, tracks);
+    }
+
+    /** This shot with other keys of one attribute, or with its first. */
+    public Shot with(Track track) {
+        List<Track> all = new ArrayList<>(tracks);
+        int place = -1;
+        for (int i = 0; i < all.size(); i++) {
+            if (all.get(i).target().equals(track.target()) && all.get(i).attribute().equals(track.attribute())) {
+                place = i;
+            }
+        }
+        if (place < 0) {
+            all.add(track);
+        } else {
+            all.set(place, track);
+        }
+        return withTracks(all);
+    }
+
+    /**
+     * Refuses a shot of another scene.
+     *
+     * @throws IllegalArgumentException if something with keys is not in the scene or lacks the attribute, or if the attribute may not
+     *                                  have a key's value
+     */
+    public void check(Scene scene) {
+        tracks.forEach(track -> track.check(scene));
+    }
+
+    /**
+     * The scene at a frame: what has keys is as these say, all else as in {@code scene}, whose stage it shares where no shape and no
+     * group has keys.
+     *
+     * @param scene one that {@link #check} takes
+     * @param frame any; before the first key and behind the last one things are as these say
+     * @throws IllegalArgumentException if what the keys say does not go together there, as a camera that stands where it looks; the
+     *                                  message begins with the frame
+     */
+    public Scene at(Scene scene, int frame) {
+        try {
+            return new FrameScene(tracks, frame).of(scene);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException("frame " + frame + ": " + e.getMessage(), e);
+        }
+    }
+}

@@ -1,0 +1,142 @@
+package lightning.scene.shot;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.scene.Attribute;
+import lightning.scene.Choice;
+import lightning.scene.Keying;
+import lightning.scene.Kind;
+import lightning.scene.Quantity;
+import lightning.scene.Scene;
+
+/**
+ * The keys of one attribute of something.
+ *
+ * @param attribute its name as a file writes it
+ * @param keys      one at least, in the order of their frames, one for a frame
+ */
+public record Track(Target target, String attribute, List<Key> keys) {
+    public Track {
+        keys = List.copyOf(keys);
+        if (keys.isEmpty()) {
+            throw new IllegalArgumentException(target + ": " + attribute + " must have a key");
+        }
+        for (int i = 1; i < keys.size(); i++) {
+            if (keys.get(i).frame() <= keys.get(i - 1).frame()) {
+                throw new IllegalArgumentException(target + ": " + attribute + ": keys must be in the order of their frames, found "
+                        + keys.get(i).frame() + " behind " + keys.get(i - 1).frame());
+            }
+        }
+    }
+
+    /** These keys of something else. */
+    public Track of(Target other) {
+        return new Track(other, attribute, keys);
+    }
+
+    /**
+     * Refuses keys that the scene cannot have.
+     *
+     * @throws IllegalArgumentException if what has them is not there, or lacks the attribute, or if the attribute has no keys at all or
+     *                                  may not have one's value
+     */
+    public void check(Scene scene) {
+        check(target.attributes(scene).stream().filter(a -> a.name().equals(attribute)).findFirst()
+                .orElseThrow(() -> new IllegalArgumentException(target + " has no " + attribute + " with keys")));
+    }
+
+    /**
+     * Refuses keys that the attribute cannot have.
+     *
+     * @throws IllegalArgumentException if it has none at all, if a value is none of its own, or if words or whole numbers are to
+     *                                  go from key to key
+     */
+    private void check(Attribute<?, ?> known) {
+        if (known.kind().keying() == Keying.NONE) {
+            throw new IllegalArgumentException(target + ": " + attribute + " has no keys: only numbers and words have");
+        }
+        for (Key key : keys) {
+            if (known.kind().keying() == Keying.HOLDS && key.passage() != Passage.STEPPED) {
+                throw new IllegalArgumentException(target + ": " + attribute + " stays until its next key, so it must be stepped");
+            }
+            check(known.kind(), key.setting());
+        }
+    }
+
+    private <V> void check(Kind<V> kind, Setting setting) {
+        boolean right = switch (kind) {
+            case Quantity<V> n -> setting instanceof Setting.Numbers(List<Double> all) && all.size() == n.labels().size();
+            case Choice<V> c -> setting instanceof Setting.Word(String text) && c.words().contains(text);
+            case Kind.Filed<?> _,Kind.Linking _,Kind.Naming _,Kind.Texturing _ -> false;
+        };
+        if (!right) {
+            throw new IllegalArgumentException(target + ": " + attribute + " cannot be " + setting);
+        }
+        if (kind instanceof Quantity<V> n && setting instanceof Setting.Numbers(List<Double> all)) {
+            all.forEach(number -> n.check(attribute, number.doubleValue()));
+        }
+        kind.check(attribute, value(kind, setting));
+    }
+
+    /**
+     * The value at a frame: at a key the key's in every bit, before the first key and behind the last one theirs.
+     *
+     * @param kind the attribute's
+     */
+    <V> V at(int frame, Kind<V> kind) {
+        int last = 0;
+        int behind = keys.size();
+        while (behind - last > 1) {
+            int middle = (last + behind) >>> 1;
+            if (keys.get(middle).frame() <= frame) {
+                last = middle;
+            } else {
+                behind = middle;
+            }
+        }
+        Key from = keys.get(last);
+        if (frame <= from.frame() || last == keys.size() - 1 || from.passage() == Passage.STEPPED) {
+            return value(kind, from.setting());
+        }
+        Quantity<V> quantity = (Quantity<V>) kind;
+        List<Double> numbers = from.passage() == Passage.SMOOTH ? smooth(last, frame)
+                : Between.linear(quantity.form(), numbers(last), numbers(last + 1), share(last, frame));
+        return quantity.join().apply(numbers);
+    }
+
+    private double share(int last, int frame) {
+        int start = keys.get(last).frame();
+        return (double) (frame - start) / (keys.get(last + 1).frame() - start);
+    }
+
+    private List<Double> smooth(int last, int frame) {
+        List<Double> all = new ArrayList<>();
+        for (int i = 0; i < numbers(last).size(); i++) {
+            double slope = slope(last, i);
+            double next = slope(last + 1, i);
+            all.add(Between.smooth(numbers(last).get(i), numbers(last + 1).get(i), slope, next,
+                    keys.get(last + 1).frame() - keys.get(last).frame(), share(last, frame)));
+        }
+        return all;
+    }
+
+    /** The slope at a key, of one number: 0 at both ends. */
+    private double slope(int key, int number) {
+        if (key == 0 || key == keys.size() - 1) {
+            return 0;
+        }
+        return Between.slope(numbers(key - 1).get(number), numbers(key).get(number), numbers(key + 1).get(number),
+                keys.get(key).frame() - keys.get(key - 1).frame(), keys.get(key + 1).frame() - keys.get(key).frame());
+    }
+
+    private List<Double> numbers(int key) {
+        return ((Setting.Numbers) keys.get(key).setting()).all();
+    }
+
+    private static <V> V value(Kind<V> kind, Setting setting) {
+        return switch (setting) {
+            case Setting.Numbers(List<Double> all) -> ((Quantity<V>) kind).join().apply(all);
+            case Setting.Word(String text) -> ((Choice<V>) kind).value(text);
+        };
+    }
+}
