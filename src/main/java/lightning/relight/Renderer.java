@@ -1,7 +1,6 @@
 package lightning.relight;
 
 import java.util.concurrent.CancellationException;
-import java.util.function.Predicate;
 import java.util.function.Supplier;
 import lightning.cache.PixelCache;
 import lightning.image.DisplayCurve;
@@ -13,11 +12,8 @@ import lightning.relight.plan.Reflections;
 import lightning.relight.plan.UpdatePlan;
 import lightning.relight.tile.Options;
 import lightning.relight.tile.Tally;
-import lightning.scene.Material;
 import lightning.scene.Scene;
-import lightning.shading.Demands;
 import lightning.trace.Geometry;
-import lightning.trace.MaterialTable;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
@@ -32,8 +28,7 @@ public final class Renderer implements AutoCloseable {
     private PixelCache cache;
     /** What the cache lacks, where it holds pixels' centres alone; else null. */
     private Unfinished unfinished;
-    /** What a first pass may take where the cache has nothing that serves; may be null. */
-    private Geometry shared;
+    private final GeometryOffer offer = new GeometryOffer();
     /** How the cache is known; its accuracy differs from the wanted one after a change, until the next update. */
     private Accuracy known;
     private double exposure;
@@ -245,7 +240,7 @@ public final class Renderer implements AutoCloseable {
     /** Drops all that is known: the next picture is a first pass. */
     public void forget() {
         restore(null);
-        shared = null;
+        offer.set(null);
     }
 
     /**
@@ -330,7 +325,8 @@ public final class Renderer implements AutoCloseable {
 
     private Tally firstPass(UpdatePlan.FirstPass plan, Scene wanted, boolean centersAlone, Progress progress) {
         checkMemory(wanted, bytes());
-        Making.Made made = new Making(options, workers, progress).firstPass(geometry(wanted), wanted, centersAlone);
+        Making.Made made =
+                new Making(options, workers, progress).firstPass(offer.take(wanted, cache, options.view()), wanted, centersAlone);
         cache = made.cache();
         unfinished = centersAlone ? new Unfinished(null, plan) : null;
         return made.work();
@@ -338,21 +334,14 @@ public final class Renderer implements AutoCloseable {
 
     /** What rays of a scene can meet, as a first pass takes it; it is kept for that. */
     public Geometry prepare(Scene wanted) {
-        shared = geometry(options.view().of(wanted));
-        return shared;
+        Geometry prepared = offer.take(options.view().of(wanted), cache, options.view());
+        offer.set(prepared);
+        return prepared;
     }
 
     /** Lets first passes take what is known elsewhere of the same shapes; null is nothing. */
     public void share(Geometry geometry) {
-        shared = geometry;
-    }
-
-    private Geometry geometry(Scene wanted) {
-        // Anti-aliasing looks into mirrors for edges, so what mirrors nothing must not be followed then.
-        Predicate<Material> mirrors = Making.seeksEdges(wanted) ? MaterialTable.MIRRORS : Demands.of(options.view()).mirrors();
-        Geometry own = cache == null ? null : cache.geometry();
-        Geometry best = shared != null && (own == null || !own.serves(wanted)) ? shared : own;
-        return best == null ? new Geometry(wanted, mirrors) : best.forScene(wanted, mirrors);
+        offer.set(geometry);
     }
 
     private Tally relight(UpdatePlan.Relight plan, Scene wanted, boolean centersAlone, Progress progress) {

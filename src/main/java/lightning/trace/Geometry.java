@@ -10,14 +10,11 @@ import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import lightning.math.Ray;
 import lightning.math.Vec3;
-import lightning.scene.Clarity;
 import lightning.scene.Links;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.trace.primitive.PrimitiveTable;
-import lightning.trace.primitive.Surface;
-import lightning.trace.primitive.TextureLookup;
 import lightning.trace.solid.Form;
 import lightning.trace.solid.Touch;
 import lightning.trace.tree.Bvh;
@@ -399,7 +396,8 @@ public final class Geometry {
      */
     public SurfacePoint surface(int primitive, Ray ray) {
         RayWalk walk = bvh.walk(ray);
-        return walk.only(primitive) < 0 ? missed(primitive) : surface(primitive, walk.part(), ray, walk.distance());
+        return walk.only(primitive) < 0 ? missed(primitive)
+                : new SurfaceProbe(primitives, materials).at(primitive, walk.part(), ray, walk.distance());
     }
 
     /** The same; every triangle of a mesh is asked. */
@@ -408,44 +406,11 @@ public final class Geometry {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
         return t == Form.MISS ? missed(primitive)
-                : surface(primitive, primitives.part(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z()), ray, t);
+                : new SurfaceProbe(primitives, materials).at(primitive,
+                        primitives.part(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z()), ray, t);
     }
 
     private static SurfacePoint missed(int primitive) {
         throw new IllegalArgumentException("the ray misses primitive " + primitive);
-    }
-
-    private SurfacePoint surface(int primitive, int part, Ray ray, double t) {
-        Vec3 o = ray.origin();
-        Vec3 d = ray.direction();
-        Surface surface = new Surface();
-        surface.at(primitives, primitive, part, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
-        int material = primitives.material[primitive];
-        float[] diffuse = {materials.diffuse(material, 0), materials.diffuse(material, 1), materials.diffuse(material, 2)};
-        float[] texel = {1, 1, 1};
-        if (materials.isTextured(material)) {
-            new TextureLookup().at(primitives, primitive, part, materials.texture(material), surface.ownX, surface.ownY, surface.ownZ,
-                    texel);
-            for (int c = 0; c < 3; c++) {
-                diffuse[c] *= texel[c];
-            }
-        }
-        float[] specular = new float[3];
-        for (int c = 0; c < 3; c++) {
-            specular[c] = materials.metal(material, c) * texel[c] + materials.specular(material, c);
-        }
-        SurfacePoint.Behind behind = null;
-        if (materials.isClear(material)) {
-            surface.behind();
-            behind = new SurfacePoint.Behind(materials.clarity(material), surface.behindX, surface.behindY, surface.behindZ,
-                    way(materials.clarity(material), surface, t));
-        }
-        return new SurfacePoint(primitive, material, surface.px, surface.py, surface.pz, surface.nx, surface.ny, surface.nz,
-                (float) d.x(), (float) d.y(), (float) d.z(), diffuse, specular, texel, behind);
-    }
-
-    /** The way that a ray came inside to a surface that was computed last; below 0 where it came from outside. */
-    static float way(Clarity clarity, Surface surface, double t) {
-        return surface.isInside() && !clarity.thin() ? (float) t : -1;
     }
 }

@@ -290,7 +290,7 @@ public final class TileVisibility {
         rows.behindX[row] = surface.behindX;
         rows.behindY[row] = surface.behindY;
         rows.behindZ[row] = surface.behindZ;
-        rows.inside[row] = Geometry.way(materials.clarity(primitives.material[primitive]), surface, rays.t[ray]);
+        rows.inside[row] = SurfaceProbe.way(materials.clarity(primitives.material[primitive]), surface, rays.t[ray]);
     }
 
     /** The place in the order of rows of the material that a ray hit. */

@@ -3,7 +3,6 @@ package lightning.trace.mesh;
 import static jdk.incubator.vector.DoubleVector.broadcast;
 import static jdk.incubator.vector.DoubleVector.fromArray;
 import static jdk.incubator.vector.VectorOperators.D2F;
-import static jdk.incubator.vector.VectorOperators.GE;
 import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LE;
 import static jdk.incubator.vector.VectorOperators.LT;
@@ -12,7 +11,6 @@ import static jdk.incubator.vector.VectorOperators.MAX;
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
-import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.trace.solid.Lanes;
 import lightning.trace.solid.Rays;
@@ -24,14 +22,6 @@ import lightning.trace.solid.Rays;
  * v·R, the inverse 2v of a distance below 2R, its product with the origin v·R, the fused sum v·2R; together less than 8v·R, that is 2⁻²¹·R. A line
  * flatter than 1 : 2⁶⁰ on an axis drifts by less than 2⁻⁵⁸·R. The new origin is off by less than 4u·(|c| + R), u and c as those of the lines. The floats' line is made wide by
  * 2⁻²⁰·R + {@code loose} = w, so that it crosses every box that holds a triangle which {@link MeshRay} meets, and no later than that is met.
- *
- * <p><b>Triangles</b> that are certainly not met are told by the signs of {@link MeshRay}, in floats, with room for all that those may be off. Let λ be the
- * longest side of the box around the triangle. A ray that meets it crosses that box, made wide by less than loose/4, so the sheared vertices lie within
- * B = 2λ + w of 0. That ray's signs are right for vertices off by 4u·R, products rounded by u; where the ray is off its line by loose/4 at the
- * triangle, and runs across it by at most 2⁻²⁶ of its length ({@link MeshLines#tilted}), sheared vertices are off by loose/2 + 2⁻²⁵·λ. Moving and
- * shearing in floats are off by 7v·R: new origin v·R, twice, the two differences v·R each, the shear v·R, the fused sum 2v·R. A difference of
- * products of numbers within B that are off by ε is off by 4ε·B, and rounding makes it 3v·B² more, where λ ≤ 2R. All together, with 16v·R + loose ≤ w, less than 3w·B:
- * 6w·λ + 3w², of which 7w·(λ + w) is more by all that reckoning it in floats takes away; the least normal float covers underflow.
  */
 final class MeshSight {
     private static final VectorSpecies<Double> SPECIES = Lanes.SPECIES;
@@ -244,33 +234,9 @@ final class MeshSight {
         float dz = stepZ[i];
         int at = MeshTree.LEAF * leaf;
         if (Math.abs(dz) == 1) {
-            return meets(v, at, at + 8, at + 16, startX[i], startY[i], startZ[i], dx * dz, dy * dz, w, extent);
+            return LeafTriangles.meets(v, at, at + 8, at + 16, startX[i], startY[i], startZ[i], dx * dz, dy * dz, w, extent);
         }
-        return Math.abs(dx) == 1 ? meets(v, at + 8, at + 16, at, startY[i], startZ[i], startX[i], dy * dx, dz * dx, w, extent)
-                : meets(v, at + 16, at, at + 8, startZ[i], startX[i], startY[i], dz * dy, dx * dy, w, extent);
-    }
-
-    private static int meets(float[] v, int x, int y, int z, float ox, float oy, float oz, float shearX, float shearY, float w,
-            float extent) {
-        FloatVector sx = FloatVector.broadcast(EIGHT, -shearX);
-        FloatVector sy = FloatVector.broadcast(EIGHT, -shearY);
-        FloatVector az = FloatVector.fromArray(EIGHT, v, z).sub(oz);
-        FloatVector ax = az.fma(sx, FloatVector.fromArray(EIGHT, v, x).sub(ox));
-        FloatVector ay = az.fma(sy, FloatVector.fromArray(EIGHT, v, y).sub(oy));
-        FloatVector bz = FloatVector.fromArray(EIGHT, v, MeshTree.VERTEX + z).sub(oz);
-        FloatVector bx = bz.fma(sx, FloatVector.fromArray(EIGHT, v, MeshTree.VERTEX + x).sub(ox));
-        FloatVector by = bz.fma(sy, FloatVector.fromArray(EIGHT, v, MeshTree.VERTEX + y).sub(oy));
-        FloatVector cz = FloatVector.fromArray(EIGHT, v, 2 * MeshTree.VERTEX + z).sub(oz);
-        FloatVector cx = cz.fma(sx, FloatVector.fromArray(EIGHT, v, 2 * MeshTree.VERTEX + x).sub(ox));
-        FloatVector cy = cz.fma(sy, FloatVector.fromArray(EIGHT, v, 2 * MeshTree.VERTEX + y).sub(oy));
-        FloatVector atA = cx.mul(by).sub(cy.mul(bx));
-        FloatVector atB = ax.mul(cy).sub(ay.mul(cx));
-        FloatVector atC = bx.mul(ay).sub(by.mul(ax));
-        float margin = 7 * w * (extent + w) + Float.MIN_NORMAL;
-        FloatVector most = FloatVector.broadcast(EIGHT, margin);
-        FloatVector least = FloatVector.broadcast(EIGHT, -margin);
-        VectorMask<Float> one = atA.compare(GE, least).and(atB.compare(GE, least)).and(atC.compare(GE, least));
-        VectorMask<Float> other = atA.compare(LE, most).and(atB.compare(LE, most)).and(atC.compare(LE, most));
-        return (int) one.or(other).toLong();
+        return Math.abs(dx) == 1 ? LeafTriangles.meets(v, at + 8, at + 16, at, startY[i], startZ[i], startX[i], dy * dx, dz * dx, w, extent)
+                : LeafTriangles.meets(v, at + 16, at, at + 8, startZ[i], startX[i], startY[i], dz * dy, dx * dy, w, extent);
     }
 }

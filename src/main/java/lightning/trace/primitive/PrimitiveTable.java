@@ -2,11 +2,8 @@ package lightning.trace.primitive;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import lightning.math.Transform;
 import lightning.math.Vec3;
-import lightning.scene.Clarity;
-import lightning.scene.Material;
 import lightning.scene.PlacedShape;
 import lightning.scene.Relief;
 import lightning.scene.Shape;
@@ -44,10 +41,7 @@ public final class PrimitiveTable {
     private final byte[] kind;
     /** The mesh of each primitive that is one; null where none is. */
     private final MeshSolid[] meshes;
-    /** What bends the normals of each primitive, null for nothing; null where there is nothing at all. */
-    private final Relief[] reliefs;
-    /** What passes through each primitive, null for nothing; null where there is nothing at all. */
-    private final Clarity[] clarities;
+    private final SurfaceTraits traits;
     /** How far a point that was put on the primitive may lie off it because shape and camera are rounded, scene units. */
     private final double[] off;
     /** Whether the eye lies on the primitive. */
@@ -71,13 +65,12 @@ public final class PrimitiveTable {
     public record Boxed(PrimitiveTable primitives, float[] boxes) {}
 
     /** Writes to {@code bounds}, {@code slack} and {@code share} what {@link PrimitiveBoxes} wants. */
-    private PrimitiveTable(byte[] kind, MeshSolid[] meshes, Relief[] reliefs, int[] material, int[] owner, int[] at, double[] data,
+    private PrimitiveTable(byte[] kind, MeshSolid[] meshes, SurfaceTraits traits, int[] material, int[] owner, int[] at, double[] data,
             Stage stage, Vec3 camera, double[] bounds, double[] slack, double[] share) {
         count = kind.length;
         this.kind = kind;
         this.meshes = meshes;
-        this.reliefs = reliefs;
-        clarities = clarities(stage);
+        this.traits = traits;
         this.material = material;
         this.owner = owner;
         this.at = at;
@@ -91,10 +84,9 @@ public final class PrimitiveTable {
         int[] next = {0};
         stage.place(shape -> {
             int s = next[0]++;
-            Transform render = render(shape.toWorld(), camera);
-            Vec3 place = new Vec3(render.t0(), render.t1(), render.t2());
-            Transform inverse = inverse(shape.directionsBack(), place);
-            store(inverse, data, at[s]);
+            var map = new PlacedMap(shape, camera);
+            Transform render = map.render;
+            map.storeInverse(data, at[s]);
             extent(s, render.m00(), render.m01(), render.m02(), render.t0(), bounds, 6 * s);
             extent(s, render.m10(), render.m11(), render.m12(), render.t1(), bounds, 6 * s + 1);
             extent(s, render.m20(), render.m21(), render.m22(), render.t2(), bounds, 6 * s + 2);
@@ -103,11 +95,10 @@ public final class PrimitiveTable {
                 far = Math.max(far, Math.abs(bounds[i]));
             }
             error[s] = far * Surface.ERROR;
-            slack[s] = Slack.of(render, inverse, far);
-            share[s] = mesh(s) == null ? Slack.share(render, inverse, kind(s).form().tip(data, at[s])) : 0;
+            slack[s] = Slack.of(render, map.inverse, far);
+            share[s] = mesh(s) == null ? Slack.share(render, map.inverse, kind(s).form().tip(data, at[s])) : 0;
             extremes[0] = Math.max(extremes[0], far);
-            Vec3 reach = reach(shape.directionsBack().absolute());
-            off(s, shape, reach, bounds, place, camera);
+            off(s, shape, map, bounds, camera);
             underEye[s] = gap(s, 0, 0, 0) <= off[s];
             extremes[1] = Math.max(extremes[1], off[s]);
         });
@@ -148,15 +139,15 @@ public final class PrimitiveTable {
                 System.arraycopy(own, 0, data, at[s] + Form.MAP, own.length);
             }
         }
-        return boxed(kind, meshes, reliefs(stage), material, owner, at, data, stage, camera);
+        return boxed(kind, meshes, new SurfaceTraits(stage), material, owner, at, data, stage, camera);
     }
 
-    private static Boxed boxed(byte[] kind, MeshSolid[] meshes, Relief[] reliefs, int[] material, int[] owner, int[] at, double[] data,
+    private static Boxed boxed(byte[] kind, MeshSolid[] meshes, SurfaceTraits traits, int[] material, int[] owner, int[] at, double[] data,
             Stage stage, Vec3 camera) {
         double[] bounds = new double[6 * kind.length];
         double[] slack = new double[kind.length];
         double[] share = new double[kind.length];
-        PrimitiveTable table = new PrimitiveTable(kind, meshes, reliefs, material, owner, at, data, stage, camera, bounds, slack, share);
+        PrimitiveTable table = new PrimitiveTable(kind, meshes, traits, material, owner, at, data, stage, camera, bounds, slack, share);
         return new Boxed(table, PrimitiveBoxes.of(bounds, slack, share));
     }
 
@@ -176,7 +167,7 @@ public final class PrimitiveTable {
 
     /** The same primitives seen from elsewhere. */
     public Boxed from(Vec3 camera) {
-        return boxed(kind, meshes, reliefs, material, owner, at, data.clone(), stage, camera);
+        return boxed(kind, meshes, traits, material, owner, at, data.clone(), stage, camera);
     }
 
     /**
@@ -191,11 +182,12 @@ public final class PrimitiveTable {
      * its map, and 8 units in the last place of its length in what its {@link Form} finds, 16u·(|p| + |place|) and 16u in own units.
      * As |place| ≤ |x| + size, all of it is less than 64u of |x|, |p| and the size.
      */
-    private void off(int s, PlacedShape shape, Vec3 reach, double[] bounds, Vec3 place, Vec3 camera) {
+    private void off(int s, PlacedShape shape, PlacedMap map, double[] bounds, Vec3 camera) {
         int b = 6 * s;
+        Vec3 place = map.place;
         size[s] = Math.max(new Vec3(bounds[b], bounds[b + 1], bounds[b + 2]).minus(place).maxAbs(),
                 new Vec3(bounds[b + 3], bounds[b + 4], bounds[b + 5]).minus(place).maxAbs());
-        off[s] = turned(shape, reach) * size[s] + shape.error().place() + 0x1p-51 * (size[s] + place.maxAbs() + camera.maxAbs());
+        off[s] = map.turned() * size[s] + shape.error().place() + 0x1p-51 * (size[s] + place.maxAbs() + camera.maxAbs());
     }
 
     /**
@@ -260,86 +252,19 @@ public final class PrimitiveTable {
         return mesh == null ? kind(s).form().gap(m, i, px, py, pz, rate(s)) : mesh.gap(px, py, pz) / rate(s);
     }
 
-    /** How far a number of the map of directions back may be off, as a share of the row that it is in. */
-    private static double turned(PlacedShape shape, Vec3 reach) {
-        Vec3 error = reach(shape.error().directionsBack());
-        return Math.max(Math.max(error.x() / reach.x(), error.y() / reach.y()), error.z() / reach.z());
-    }
-
-    /** The sum of each row of a map without its translation, none of whose numbers is below 0. */
-    private static Vec3 reach(Transform m) {
-        return new Vec3(m.m00() + m.m01() + m.m02(), m.m10() + m.m11() + m.m12(), m.m20() + m.m21() + m.m22());
-    }
-
-    /** A map to the scene as one to the space whose origin is the camera. */
-    private static Transform render(Transform m, Vec3 camera) {
-        return new Transform(m.m00(), m.m01(), m.m02(), m.t0() - camera.x(), m.m10(), m.m11(), m.m12(), m.t1() - camera.y(),
-                m.m20(), m.m21(), m.m22(), m.t2() - camera.z());
-    }
-
-    /** Directions back, and the translation by which the place of the shape becomes the origin. */
-    private static Transform inverse(Transform back, Vec3 place) {
-        Vec3 origin = back.vector(place);
-        return new Transform(back.m00(), back.m01(), back.m02(), -origin.x(), back.m10(), back.m11(), back.m12(), -origin.y(),
-                back.m20(), back.m21(), back.m22(), -origin.z());
-    }
-
-    /** Writes a map row by row to {@code to[i … i + 11]}. */
-    private static void store(Transform m, double[] to, int i) {
-        to[i] = m.m00();
-        to[i + 1] = m.m01();
-        to[i + 2] = m.m02();
-        to[i + 3] = m.t0();
-        to[i + 4] = m.m10();
-        to[i + 5] = m.m11();
-        to[i + 6] = m.m12();
-        to[i + 7] = m.t1();
-        to[i + 8] = m.m20();
-        to[i + 9] = m.m21();
-        to[i + 10] = m.m22();
-        to[i + 11] = m.t2();
-    }
-
-    private static Relief[] reliefs(Stage stage) {
-        Map<String, Material> materials = stage.materialsByName();
-        if (materials.values().stream().allMatch(m -> m.relief().isFlat())) {
-            return null;
-        }
-        return stage.shapes().stream().map(s -> materials.get(s.material()).relief()).map(r -> r.isFlat() ? null : r)
-                .toArray(Relief[]::new);
-    }
-
     /** What bends the normals of primitive {@code s}; null for nothing. */
     public Relief relief(int s) {
-        return reliefs == null ? null : reliefs[s];
+        return traits.relief(s);
     }
 
     /** Whether rays go on behind primitive {@code s} as they do behind primitive {@code t} of another table. */
     public boolean leadsRaysAs(int s, PrimitiveTable o, int t) {
-        Clarity one = clarity(s);
-        Clarity other = o.clarity(t);
-        return one == other || one != null && other != null && one.leadsRaysAs(other);
-    }
-
-    /** What passes through primitive {@code s}; null for nothing. */
-    private Clarity clarity(int s) {
-        return clarities == null ? null : clarities[s];
-    }
-
-    private static Clarity[] clarities(Stage stage) {
-        Map<String, Material> materials = stage.materialsByName();
-        if (materials.values().stream().noneMatch(m -> m.clarity().isClear())) {
-            return null;
-        }
-        return stage.shapes().stream().map(s -> materials.get(s.material()).clarity()).map(c -> c.isClear() ? c : null)
-                .toArray(Clarity[]::new);
+        return traits.leadsRaysAs(s, o.traits, t);
     }
 
     /** Whether normals of primitive {@code s} are bent as those of primitive {@code t} of another table. */
     public boolean isBentAs(int s, PrimitiveTable o, int t) {
-        Relief one = relief(s);
-        Relief other = o.relief(t);
-        return one == other || one != null && other != null && one.hasNormalsOf(other);
+        return traits.isBentAs(s, o.traits, t);
     }
 
     /** Whether primitive {@code s} shows colours of its vertices. */

@@ -1,0 +1,50 @@
+package lightning.trace;
+
+import lightning.math.Ray;
+import lightning.math.Vec3;
+import lightning.scene.Clarity;
+import lightning.trace.primitive.PrimitiveTable;
+import lightning.trace.primitive.Surface;
+import lightning.trace.primitive.TextureLookup;
+
+/**
+ * Tells what single rays meet, with all that lighting needs of it.
+ *
+ * @param materials of the primitives
+ */
+record SurfaceProbe(PrimitiveTable primitives, MaterialTable materials) {
+    /** What a ray meets on a part of a primitive at a distance. */
+    SurfacePoint at(int primitive, int part, Ray ray, double t) {
+        Vec3 o = ray.origin();
+        Vec3 d = ray.direction();
+        Surface surface = new Surface();
+        surface.at(primitives, primitive, part, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
+        int material = primitives.material[primitive];
+        float[] diffuse = {materials.diffuse(material, 0), materials.diffuse(material, 1), materials.diffuse(material, 2)};
+        float[] texel = {1, 1, 1};
+        if (materials.isTextured(material)) {
+            new TextureLookup().at(primitives, primitive, part, materials.texture(material), surface.ownX, surface.ownY, surface.ownZ,
+                    texel);
+            for (int c = 0; c < 3; c++) {
+                diffuse[c] *= texel[c];
+            }
+        }
+        float[] specular = new float[3];
+        for (int c = 0; c < 3; c++) {
+            specular[c] = materials.metal(material, c) * texel[c] + materials.specular(material, c);
+        }
+        SurfacePoint.Behind behind = null;
+        if (materials.isClear(material)) {
+            surface.behind();
+            behind = new SurfacePoint.Behind(materials.clarity(material), surface.behindX, surface.behindY, surface.behindZ,
+                    way(materials.clarity(material), surface, t));
+        }
+        return new SurfacePoint(primitive, material, surface.px, surface.py, surface.pz, surface.nx, surface.ny, surface.nz,
+                (float) d.x(), (float) d.y(), (float) d.z(), diffuse, specular, texel, behind);
+    }
+
+    /** The way that a ray came inside to a surface that was computed last; below 0 where it came from outside. */
+    static float way(Clarity clarity, Surface surface, double t) {
+        return surface.isInside() && !clarity.thin() ? (float) t : -1;
+    }
+}

@@ -1,0 +1,58 @@
+package lightning.trace.primitive;
+
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.function.IntFunction;
+import java.util.function.Predicate;
+import lightning.scene.Clarity;
+import lightning.scene.Material;
+import lightning.scene.Relief;
+import lightning.scene.Shape;
+import lightning.scene.Stage;
+
+/** What materials of primitives say of where rays go there: what bends normals, and what passes through. */
+final class SurfaceTraits {
+    /** What bends the normals of each primitive, null for nothing; null where there is nothing at all. */
+    private final Relief[] reliefs;
+    /** What passes through each primitive, null for nothing; null where there is nothing at all. */
+    private final Clarity[] clarities;
+
+    SurfaceTraits(Stage stage) {
+        reliefs = each(stage, Material::relief, r -> !r.isFlat(), Relief[]::new);
+        clarities = each(stage, Material::clarity, Clarity::isClear, Clarity[]::new);
+    }
+
+    private static <T> T[] each(Stage stage, Function<Material, T> trait, Predicate<T> counts, IntFunction<T[]> array) {
+        Map<String, Material> materials = stage.materialsByName();
+        if (materials.values().stream().map(trait).noneMatch(counts)) {
+            return null;
+        }
+        List<Shape> shapes = stage.shapes();
+        return shapes.stream().map(s -> trait.apply(materials.get(s.material()))).map(t -> counts.test(t) ? t : null).toArray(array);
+    }
+
+    /** What bends the normals of primitive {@code s}; null for nothing. */
+    Relief relief(int s) {
+        return reliefs == null ? null : reliefs[s];
+    }
+
+    /** What passes through primitive {@code s}; null for nothing. */
+    private Clarity clarity(int s) {
+        return clarities == null ? null : clarities[s];
+    }
+
+    /** Whether rays go on behind primitive {@code s} as they do behind primitive {@code t} of others. */
+    boolean leadsRaysAs(int s, SurfaceTraits o, int t) {
+        Clarity one = clarity(s);
+        Clarity other = o.clarity(t);
+        return one == other || one != null && other != null && one.leadsRaysAs(other);
+    }
+
+    /** Whether normals of primitive {@code s} are bent as those of primitive {@code t} of others. */
+    boolean isBentAs(int s, SurfaceTraits o, int t) {
+        Relief one = relief(s);
+        Relief other = o.relief(t);
+        return one == other || one != null && other != null && one.hasNormalsOf(other);
+    }
+}
