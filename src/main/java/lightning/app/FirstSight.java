@@ -2,6 +2,7 @@ package lightning.app;
 
 import javafx.animation.AnimationTimer;
 import javafx.application.Platform;
+import lightning.app.command.TableActions;
 import lightning.app.model.EditorModel;
 import lightning.app.model.Precision;
 import lightning.app.model.Preferences;
@@ -27,6 +28,7 @@ final class FirstSight implements AutoCloseable {
         model = new EditorModel(document, recovery, thread);
         model.precisionProperty().set(preferences.choice("precision", Precision.EXACT));
         model.viewProperty().set(model.viewProperty().get().withCurve(preferences.choice("curve", DisplayCurve.SRGB)));
+        TableActions.restore(model, preferences);
         model.previewLook().restore(preferences);
         model.keys().restore(preferences);
         model.arrangement().restore(preferences);

@@ -37,7 +37,11 @@ final class KeysPane extends GridPane {
             new Row("A menu with the shape's material, here or in the preview", "right click", ""),
             new Row("Zoom", "wheel", ""),
             new Row("Move the picture", "middle drag, or Space and drag", ""),
-            new Row("Turn, carry, move the selected light or shape", "as in the preview", ""));
+            new Row("Turn, carry, move the selected light or shape", "as in the preview", ""),
+            new Row("What a light does, with a tool of the menu Light", "click, or drag", ""),
+            new Row("Take a light that was placed nearer or farther", "drag of its ring", ""),
+            new Row("Snap to round places, angles, distances", "Shift in a drag", ""),
+            new Row("Give a drag up", "", "Esc"));
     private static final List<Row> LIST = List.of(
             new Row("Rename the selected light", "double click", "F2"),
             new Row("Switch it on or off", "the bulb", "Space"),

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import javafx.application.Platform;
 import javafx.stage.Stage;
@@ -17,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxToolkit;
+import org.testfx.util.WaitForAsyncUtils;
 
 @ExtendWith(JavaFxNeeds.class)
 class FirstSightTest {
@@ -70,5 +72,27 @@ class FirstSightTest {
         show("16384 16384");
         OpenEditor.await(() -> seen.get() != null);
         assertThat(seen.get()).isFalse();
+    }
+
+    @Test
+    void tableOfTheRunBefore_isReadAgain() throws Exception {
+        Path table = Files.writeString(folder.resolve("look.cube"), "LUT_1D_SIZE 2\n1 1 1\n0 0 0\n");
+        var preferences = new Preferences(folder.resolve("own"), Runnable::run);
+        preferences.set("table", table);
+        preferences.save();
+        show("16 12");
+        WaitForAsyncUtils.waitFor(30, TimeUnit.SECONDS,
+                () -> WaitForAsyncUtils.asyncFx(() -> sight.model().viewProperty().get().cube().isPresent()).get());
+    }
+
+    @Test
+    void tableThatIsGone_isSaidAndNotShown() throws Exception {
+        var preferences = new Preferences(folder.resolve("own"), Runnable::run);
+        preferences.set("table", folder.resolve("gone.cube"));
+        preferences.save();
+        show("16 12");
+        WaitForAsyncUtils.waitFor(30, TimeUnit.SECONDS,
+                () -> WaitForAsyncUtils.asyncFx(() -> sight.model().messageProperty().get().contains("there is no such file")).get());
+        assertThat(sight.model().viewProperty().get().cube()).isEmpty();
     }
 }

@@ -84,6 +84,29 @@ class NodeGizmoTest {
     }
 
     @Test
+    void snappedDrags_moveTurnAndScaleInRoundSteps() {
+        PreviewCamera view = PreviewCamera.of(scene(BALL));
+        NodeGizmo gizmo = gizmo(BALL);
+        Viewport.Pixel from = CANVAS.pixel(view, gizmo.origin());
+        for (Handle handle : gizmo.handles()) {
+            var begin = handle.act() == Act.SCALE || handle.act() == Act.TURN ? new Viewport.Pixel(from.x() + 30, from.y() - 30) : from;
+            var to = new Viewport.Pixel(from.x() + 61, from.y() - 47);
+            Placement free = gizmo.dragged(handle, view, CANVAS, begin, to);
+            Placement snapped = gizmo.dragged(handle, view, CANVAS, begin, to, true);
+            double step = Snap.step(gizmo.origin(), view, CANVAS);
+            switch (handle.act()) {
+                case MOVE, FREE -> {
+                    assertThat(snapped).isNotEqualTo(free);
+                    assertThat(inScene(snapped.at()).minus(inScene(free.at())).maxAbs()).isLessThanOrEqualTo(step / 2 * 1.0001);
+                }
+                case TURN -> assertThat(gizmo.dragged(handle, view, CANVAS, begin, begin, true).rotate()).isEqualTo(BALL.rotate());
+                case SCALE -> assertThat(snapped.scale().x() / BALL.scale().x() * 10)
+                        .isCloseTo(Math.rint(10 * free.scale().x() / BALL.scale().x()), within(1e-9));
+            }
+        }
+    }
+
+    @Test
     void dragOfTheSquare_scalesAllAxesAlike() {
         NodeGizmo gizmo = gizmo(BALL);
         PreviewCamera view = PreviewCamera.of(scene(BALL));

@@ -13,7 +13,7 @@ import lightning.image.ViewTransform;
 import lightning.text.Quote;
 
 /** The table of colours that the view shows through: chosen by its file, kept from one run to the next. */
-final class TableActions {
+public final class TableActions {
     private static final String KEY = "table";
 
     private final EditorModel model;
@@ -28,11 +28,10 @@ final class TableActions {
         this.preferences = preferences;
     }
 
-    /** Does the command, and reads the table of the run before. */
+    /** Does the command. */
     static void addTo(EditorModel model, FilePrompt prompt, Notices notices, Preferences preferences) {
         var actions = new TableActions(model, prompt, notices, preferences);
         model.setSwitch(Command.COLOR_TABLE, model.viewProperty().map(view -> view.cube().isPresent()), actions::change);
-        actions.restore();
     }
 
     private void change() {
@@ -49,19 +48,20 @@ final class TableActions {
     }
 
     private void keep(Optional<CubeTable> table) {
-        show(table);
+        show(model, table);
         preferences.set(KEY, table.map(t -> t.file().toAbsolutePath().toString()).orElse(""));
         preferences.save();
     }
 
-    private void show(Optional<CubeTable> table) {
+    private static void show(EditorModel model, Optional<CubeTable> table) {
         model.viewProperty().set(model.viewProperty().get().withCube(table));
     }
 
-    private void restore() {
+    /** Reads the table of the run before, beside the window's thread. */
+    public static void restore(EditorModel model, Preferences preferences) {
         String kept = preferences.text(KEY, "");
         if (!kept.isEmpty()) {
-            model.files().beside(() -> CubeReader.read(path(kept)), table -> show(Optional.of(table)), why -> model.say(Sentence.of(why)));
+            model.files().beside(() -> CubeReader.read(path(kept)), table -> show(model, Optional.of(table)), why -> model.say(Sentence.of(why)));
         }
     }
 

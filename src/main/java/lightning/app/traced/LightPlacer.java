@@ -83,7 +83,7 @@ final class LightPlacer {
                 () -> placer.take("Click what the light should shine straight onto, or drag", new Act.Diffuse()));
         model.setAction(Command.PLACE_RIM, () -> placer.take("Click where the rim of light should begin, or drag", new Act.Rim()));
         model.setAction(Command.PLACE_SHADOW,
-                () -> placer.take(new Tool.Taking(), "Click what throws the shadow, or drag it or its shadow to where that should fall"));
+                () -> placer.take(new Tool.Taking(), "Drag a shadow or what throws it, or click what throws it"));
         return placer;
     }
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
+import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import lightning.app.EditorDesk;
 import lightning.app.widget.PictureView;
@@ -67,5 +68,16 @@ class TracedGizmoTest extends EditorDesk {
         robot.interact(() -> model().selectNode("ball"));
         drag(new Vec3(0, 1, 0), MouseButton.PRIMARY, 30, 0);
         assertThat(model().scene().stage().node("ball").orElseThrow().placement().at().x()).isGreaterThan(0.2);
+    }
+
+    @Test
+    void escapeInADragOfAShape_givesItUpWithoutAStep() {
+        robot.interact(() -> model().selectNode("ball"));
+        Scene before = model().scene();
+        robot.moveTo(inPicture(new Vec3(0, 1, 0))).press(MouseButton.PRIMARY).moveBy(30, 0);
+        assertThat(model().scene()).isNotEqualTo(before);
+        robot.push(KeyCode.ESCAPE).moveBy(10, 0).release(MouseButton.PRIMARY);
+        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().enabled(Command.UNDO)).isFalse();
     }
 }
