@@ -61,7 +61,8 @@ public final class TableActions {
     public static void restore(EditorModel model, Preferences preferences) {
         String kept = preferences.text(KEY, "");
         if (!kept.isEmpty()) {
-            model.files().beside(() -> CubeReader.read(path(kept)), table -> show(model, Optional.of(table)), why -> model.say(Sentence.of(why)));
+            model.files().beside(() -> CubeReader.read(path(kept)), table -> show(model, Optional.of(table)),
+                    why -> model.say(Sentence.of(why)));
         }
     }
 
