@@ -89,7 +89,7 @@ final class Architecture {
             row("bench.mesh", "mesh trace.solid trace.mesh"),
             row("bench", ENGINE + " file jen mesh trace.mesh accuracy pov bench.mesh"),
             row("bench.report", ENGINE + " file accuracy bench"),
-            row("cli", ENGINE + " file exr jen hdr layer accuracy mesh exchange pov bench bench.report"));
+            row("cli", ENGINE + " file exr jen scene.shot hdr layer accuracy mesh exchange pov bench bench.report"));
 
     /** @param known the packages that it may import, beside itself */
     private record Row(String name, Set<String> known) {

@@ -48,6 +48,7 @@ public final class Lightning {
                 .addSubcommand(new EditCommand())
                 .addSubcommand(new RenderCommand(console))
                 .addSubcommand(new RelightCommand(console))
+                .addSubcommand(new CommandLine(new ShotCommand()).addSubcommand(new ShotRenderCommand(console)))
                 .addSubcommand(new ExplainCommand(console))
                 .addSubcommand(new ImportCommand(console))
                 .addSubcommand(new ExportCommand(console))

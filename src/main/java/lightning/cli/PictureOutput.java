@@ -92,14 +92,23 @@ final class PictureOutput {
 
     /** Finds out before a long computation whether its result could not be written. */
     void check() throws IOException {
-        PictureFile.requireKnownExtension(file);
-        PictureFile.requireBits(file, bits());
+        checkKind(file);
         checkFile(file);
+    }
+
+    /** The same of what the ending of a file's name says alone. */
+    void checkKind(Path picture) throws IOException {
+        PictureFile.requireKnownExtension(picture);
+        PictureFile.requireBits(picture, bits(picture));
     }
 
     /** Of a number in the file. */
     int bits() throws IOException {
-        return bits == null ? PictureFile.bits(file).getFirst() : bits;
+        return bits(file);
+    }
+
+    private int bits(Path picture) throws IOException {
+        return bits == null ? PictureFile.bits(picture).getFirst() : bits;
     }
 
     static void checkFile(Path file) throws IOException {
@@ -108,12 +117,22 @@ final class PictureOutput {
 
     /** The bytes that a picture may take when its output needs some too. */
     long memory(Scene scene) throws IOException {
-        return Memory.available() - PictureFile.bytesToWrite(file, scene.picture().width(), scene.picture().height());
+        return memory(scene, file);
+    }
+
+    /** The same where the picture goes to another file than was named. */
+    static long memory(Scene scene, Path picture) throws IOException {
+        return Memory.available() - PictureFile.bytesToWrite(picture, scene.picture().width(), scene.picture().height());
+    }
+
+    /** Writes the picture to another file than was named. */
+    void write(Film film, Path picture) throws IOException {
+        PictureFile.write(picture, film, view, bits(picture));
     }
 
     /** Writes the picture, and says how much of it the file cannot show. */
     void write(Film film, Console console) throws IOException {
-        PictureFile.write(file, film, view, bits());
+        write(film, file);
         Clipping clipping = Clipping.of(film, view);
         if (clipping.pixels() > 0 && PictureFile.isDisplayed(file)) {
             console.line("%s: %d of %d pixels (%.1f %%) are cut off at white, the brightest is %.3g times as bright", file,

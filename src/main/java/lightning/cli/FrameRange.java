@@ -1,0 +1,37 @@
+package lightning.cli;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import lightning.scene.shot.Shot;
+import lightning.text.Quote;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+
+/** Some frames, one behind the other: {@code 1-240} or {@code 17}. */
+record FrameRange(int first, int last) {
+    static final int MOST = 100_000;
+
+    int count() {
+        return last - first + 1;
+    }
+
+    /** Reads what a person typed. */
+    static final class Converter implements ITypeConverter<FrameRange> {
+        private static final Pattern RANGE = Pattern.compile("([0-9]{1,10})(?:-([0-9]{1,10}))?");
+
+        @Override
+        public FrameRange convert(String text) {
+            Matcher range = RANGE.matcher(text);
+            if (!range.matches()) {
+                throw new TypeConversionException("expected frames as in 1-240 or 17, found " + Quote.of(text));
+            }
+            long first = Long.parseLong(range.group(1));
+            long last = range.group(2) == null ? first : Long.parseLong(range.group(2));
+            if (last > Shot.MAX_FRAME || last < first || last - first >= MOST) {
+                throw new TypeConversionException("expected at most " + MOST + " frames from 0 to " + Shot.MAX_FRAME
+                        + ", the first not behind the last, found " + Quote.of(text));
+            }
+            return new FrameRange((int) first, (int) last);
+        }
+    }
+}

@@ -1,0 +1,122 @@
+package lightning.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import lightning.image.PictureFile;
+import lightning.jen.JenDocument;
+import lightning.jen.JenReader;
+import lightning.shading.ReferenceTracer;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** A shot as numbered pictures. */
+class ShotRenderCommandTest {
+    /** Lights alone change at first, then the camera, then a shape. */
+    private static final String SHOT = """
+            shot {
+              frames 3 7
+              light lamp { intensity { 3 0.5  5 2 } at { 3 -3 4 3 smooth  5 -1 4 3 } }
+              light sun { on { 3 yes  5 no } }
+              camera { from { 5 0 2 7  6 0.5 2 7 } }
+              sphere ball { at { 6 0 1 0  7 0.5 1 0 } }
+            }
+            """;
+
+    @TempDir
+    Path folder;
+    private Path scene;
+
+    @BeforeEach
+    void write() throws Exception {
+        scene = Files.writeString(folder.resolve("a.jen"), Cli.SCENE + SHOT);
+    }
+
+    private List<String> files(String name) throws Exception {
+        try (Stream<Path> files = Files.list(folder.resolve(name))) {
+            return files.map(f -> f.getFileName().toString()).sorted().toList();
+        }
+    }
+
+    @Test
+    void everyFrame_isTheReferencePictureOfItsScene() throws Exception {
+        Files.createDirectory(folder.resolve("out"));
+        Cli done = Cli.run("shot", "render", scene, "-o", folder.resolve("out/b.pfm")).isDone();
+        assertThat(files("out")).containsExactly("b-0003.pfm", "b-0004.pfm", "b-0005.pfm", "b-0006.pfm", "b-0007.pfm");
+        JenDocument document = JenReader.read(scene);
+        for (int frame = 3; frame <= 7; frame++) {
+            assertThat(PictureFile.read(folder.resolve("out/b-000" + frame + ".pfm"))
+                    .sameBits(new ReferenceTracer(document.shot().orElseThrow().at(document.scene(), frame)).trace())).as("frame " + frame)
+                    .isTrue();
+        }
+        // The first frame and the one whose camera moved.
+        assertThat(done.out()).contains("2 frames traced in", "3 relit in");
+    }
+
+    @Test
+    void outputWithoutAnEnding_isAFolderThatIsMade() throws Exception {
+        Cli.run("shot", "render", scene, "--frames", "4-5", "-o", folder.resolve("frames"), "--size", "8x8").isDone();
+        assertThat(files("frames")).containsExactly("a-0004.png", "a-0005.png");
+    }
+
+    @Test
+    void resume_leavesPicturesThatAreThere() throws Exception {
+        Path out = Files.createDirectory(folder.resolve("frames"));
+        Files.writeString(out.resolve("a-0004.png"), "mine");
+        Cli done = Cli.run("shot", "render", scene, "--resume", "--frames", "3-5", "-o", out, "--size", "8x8").isDone();
+        assertThat(Files.readString(out.resolve("a-0004.png"))).isEqualTo("mine");
+        assertThat(files("frames")).containsExactly("a-0003.png", "a-0004.png", "a-0005.png");
+        assertThat(done.out()).contains("1 of 3 frames were there");
+        Cli.run("shot", "render", scene, "--frames", "4", "-o", out, "--size", "8x8").isDone();
+        assertThat(PictureFile.read(out.resolve("a-0004.png")).width()).isEqualTo(8);
+    }
+
+    @Test
+    void sceneWithoutAShot_isRefused() throws Exception {
+        Cli.run("shot", "render", Cli.scene(folder), "-o", folder.resolve("x")).isRefusedSaying("has no shot");
+    }
+
+    @Test
+    void frameThatIsNoScene_isRefusedBeforeAnythingIsWritten() throws Exception {
+        Files.writeString(scene, Cli.SCENE + "shot { frames 1 9  camera { from { 1 0 2 7  9 0 0.5 0 } } }");
+        Cli.run("shot", "render", scene, "-o", folder.resolve("x")).isRefusedSaying("frame 9: from and to must be two different points");
+        assertThat(folder.resolve("x")).doesNotExist();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"9-3", "1-200000", "x", "-1", "1-", "1-99999999999", "1.5", "1-2-3"})
+    void framesThatAreNone_areRefused(String frames) {
+        Cli.run("shot", "render", scene, "-o", folder.resolve("x"), "--frames=" + frames).isRefusedSaying("--frames",
+                "found '" + frames + "'");
+    }
+
+    @Test
+    void shotWithoutAWord_tellsTheWords() {
+        Cli.run("shot").isRefusedSaying("expected what to do with the shot", "render");
+    }
+
+    @Test
+    void unknownEnding_isRefused() {
+        Cli.run("shot", "render", scene, "-o", folder.resolve("x.tiff")).isRefusedSaying(".tiff");
+    }
+
+    @Test
+    void jobTemplate_callsTheCommandWithAFrame() throws Exception {
+        JsonNode template = JsonMapper.shared().readTree(Files.readString(Path.of("docs/shot.openjd.json")));
+        assertThat(template.get("specificationVersion").asString()).isEqualTo("jobtemplate-2023-09");
+        JsonNode run = template.get("steps").get(0).get("script").get("actions").get("onRun");
+        assertThat(run.get("command").asString()).isEqualTo("{{Param.Lightning}}");
+        Object[] words = run.get("args").values().stream().map(a -> a.asString().replace("{{Param.Scene}}", scene.toString())
+                .replace("{{Param.Output}}", folder.resolve("farm").toString()).replace("{{Task.Param.Frame}}", "4")).toArray();
+        Cli.run(words).isDone();
+        assertThat(files("farm")).containsExactly("a-0004.png");
+    }
+}
