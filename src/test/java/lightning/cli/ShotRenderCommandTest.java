@@ -2,8 +2,10 @@ package lightning.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.stream.Stream;
 import lightning.image.PictureFile;
@@ -12,6 +14,7 @@ import lightning.jen.JenReader;
 import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIf;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -106,6 +109,25 @@ class ShotRenderCommandTest {
     @Test
     void unknownEnding_isRefused() {
         Cli.run("shot", "render", scene, "-o", folder.resolve("x.tiff")).isRefusedSaying(".tiff");
+    }
+
+    static boolean canRunJobs() {
+        return Stream.of(System.getenv().getOrDefault("PATH", "").split(File.pathSeparator))
+                .anyMatch(f -> !f.isEmpty() && Files.isExecutable(Path.of(f, "openjd")));
+    }
+
+    @Test
+    @EnabledIf("canRunJobs")
+    void jobTemplate_runsWhereOpenJdIsInstalled() throws Exception {
+        Path program = Files.writeString(folder.resolve("program"), "#!/bin/sh\nexec '" + Path.of(System.getProperty("java.home"), "bin", "java")
+                + "' --add-modules jdk.incubator.vector -cp '" + System.getProperty("java.class.path") + "' lightning.Main \"$@\"\n");
+        Files.setPosixFilePermissions(program, PosixFilePermissions.fromString("rwx------"));
+        Path log = folder.resolve("log");
+        Process jobs = new ProcessBuilder("openjd", "run", "docs/shot.openjd.json", "--step", "Render", "-p", "Scene=" + scene, "-p",
+                "Output=" + folder.resolve("farm"), "-p", "Frames=4-5", "-p", "Lightning=" + program)
+                .redirectErrorStream(true).redirectOutput(log.toFile()).start();
+        assertThat(jobs.waitFor()).as(Files.readString(log)).isZero();
+        assertThat(files("farm")).containsExactly("a-0004.png", "a-0005.png");
     }
 
     @Test
