@@ -4,7 +4,6 @@ import java.time.format.DateTimeFormatter;
 import java.util.Locale;
 import java.util.function.Function;
 import javafx.beans.property.ReadOnlyStringWrapper;
-import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.control.TableColumn;
 import javafx.scene.control.TableView;
@@ -59,6 +58,6 @@ final class UpdatesPane extends VBox {
 
     private void number(String title, Function<Entry, String> of) {
         text(title, 116, of);
-        table.getColumns().getLast().setStyle("-fx-alignment: " + Pos.CENTER_RIGHT.name().replace('_', '-').toLowerCase(Locale.ROOT) + ";");
+        table.getColumns().getLast().getStyleClass().add("number-column");
     }
 }

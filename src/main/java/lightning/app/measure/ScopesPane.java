@@ -32,9 +32,7 @@ public final class ScopesPane extends VBox {
     public ScopesPane(EditorModel model) {
         this.model = model;
         setId("scopes");
-        getStyleClass().add("panel");
-        setSpacing(8);
-        setStyle("-fx-padding: 12;");
+        getStyleClass().addAll("panel", "scopes");
         cut.setId("scopes-cut");
         getChildren().setAll(new Label("Histogram"), histogram, cut, new Label("Waveform"), waveform);
         WhileSeen.follow(this, this::follow);

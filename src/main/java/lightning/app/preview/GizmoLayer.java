@@ -8,6 +8,7 @@ import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.layout.Pane;
 import javafx.scene.paint.Color;
 import javafx.scene.shape.StrokeLineCap;
+import lightning.app.model.GizmoPaint;
 import lightning.edit.LightGizmo;
 import lightning.edit.NodeGizmo;
 import lightning.edit.PreviewCamera;
@@ -21,13 +22,7 @@ import lightning.scene.Scene;
  * the view is another.
  */
 final class GizmoLayer extends Pane {
-    static final Color SELECTED = Color.web("#FFD60A");
-    private static final Color PLAIN = Color.web("#E8EAF0");
-    private static final Color DARK = Color.web("#E8EAF0", 0.4);
-    private static final Color EDGE = Color.gray(0, 0.65);
-    private static final List<Color> AXES = List.of(Color.web("#FF6B5E"), Color.web("#7ADB5C"), Color.web("#5CA8FF"));
-    private static final double LINE = 1.25;
-    private static final double EDGE_LINE = 3;
+    private static final double HANDLE_EDGE = 4;
     private static final double DOT = 4;
     /** The sides of the arrow at the border, pixels, and half the angle of its tip, radians. */
     private static final double ARROW = 15;
@@ -60,31 +55,18 @@ final class GizmoLayer extends Pane {
         }
         if (!view.equals(seen) || !shiningNow.equals(shining) || !darkNow.equals(dark)) {
             GraphicsContext g = clear(others, canvas);
-            draw(g, shiningNow, PLAIN, view);
-            draw(g, darkNow, DARK, view);
+            draw(g, shiningNow, GizmoPaint.PLAIN, view);
+            draw(g, darkNow, GizmoPaint.DARK, view);
             seen = view;
             shining = shiningNow;
             dark = darkNow;
         }
-        draw(clear(selected, canvas), chosen == null ? List.of() : List.of(chosen), SELECTED, view);
+        draw(clear(selected, canvas), chosen == null ? List.of() : List.of(chosen), GizmoPaint.SELECTED, view);
     }
 
     /** The handles of the selected shape, where there are any, over all else; the lights were drawn in the same view. */
     void draw(Optional<NodeGizmo> handles, PreviewCamera camera) {
-        GraphicsContext g = selected.getGraphicsContext2D();
-        handles.ifPresent(gizmo -> gizmo.handles().forEach(handle -> {
-            List<LightGizmo.Stroke> strokes = NodeGizmo.strokes(handle, camera, seen.canvas());
-            lines(g, strokes, EDGE, EDGE_LINE + 1);
-            lines(g, strokes, color(handle), 2 * LINE);
-        }));
-    }
-
-    /** Red, green and blue for x, y and z, as the axes have everywhere. */
-    private static Color color(NodeGizmo.Handle handle) {
-        return switch (handle.act()) {
-            case MOVE, TURN -> AXES.get(handle.axis());
-            case SCALE, FREE -> SELECTED;
-        };
+        handles.ifPresent(gizmo -> GizmoPaint.handles(selected.getGraphicsContext2D(), gizmo, camera, seen.canvas(), HANDLE_EDGE));
     }
 
     private static GraphicsContext clear(Canvas canvas, Viewport size) {
@@ -112,9 +94,7 @@ final class GizmoLayer extends Pane {
                 dots.add(view.canvas().pixel(view.camera(), light.position()));
             }
         }
-        // A dark edge first, so that the wires are seen before bright surfaces too.
-        lines(g, strokes, EDGE, EDGE_LINE);
-        lines(g, strokes, color, LINE);
+        GizmoPaint.wires(g, strokes, color);
         g.setFill(color);
         for (Viewport.Pixel at : dots) {
             g.fillOval(at.x() - DOT / 2, at.y() - DOT / 2, DOT, DOT);
@@ -133,21 +113,10 @@ final class GizmoLayer extends Pane {
             x[i] = marker.at().x() - length * Math.cos(angle);
             y[i] = marker.at().y() - length * Math.sin(angle);
         }
-        g.setStroke(EDGE);
-        g.setLineWidth(EDGE_LINE);
+        g.setStroke(GizmoPaint.EDGE);
+        g.setLineWidth(GizmoPaint.EDGE_LINE);
         g.strokePolygon(x, y, 3);
         g.setFill(color);
         g.fillPolygon(x, y, 3);
-    }
-
-    private static void lines(GraphicsContext g, List<LightGizmo.Stroke> strokes, Color color, double width) {
-        g.setStroke(color);
-        g.setLineWidth(width);
-        g.beginPath();
-        for (LightGizmo.Stroke s : strokes) {
-            g.moveTo(s.from().x(), s.from().y());
-            g.lineTo(s.to().x(), s.to().y());
-        }
-        g.stroke();
     }
 }

@@ -15,6 +15,7 @@ import javafx.scene.input.ScrollEvent;
 import javafx.scene.layout.Region;
 import javafx.util.Duration;
 import lightning.app.model.EditorModel;
+import lightning.app.model.Grip;
 import lightning.app.model.PreviewLook;
 import lightning.app.model.Sentence;
 import lightning.app.widget.CanvasSize;
@@ -92,7 +93,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         addEventHandler(MouseEvent.MOUSE_PRESSED, e -> {
             requestFocus();
             shapes.hide();
-            mouse.press(e.getX() - left(), e.getY() - top(), button(e), e.isShiftDown(), e.isAltDown());
+            mouse.press(e.getX() - left(), e.getY() - top(), Grip.of(e), e.isShiftDown());
         });
         addEventHandler(ScrollEvent.SCROLL, e -> {
             if (e.getDeltaY() != 0) {
@@ -112,14 +113,6 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
                 shapes.offer(mouse.canvas(), place, e.getScreenX(), e.getScreenY());
             }
         });
-    }
-
-    private static PreviewMouse.Button button(MouseEvent e) {
-        return switch (e.getButton()) {
-            case MIDDLE -> PreviewMouse.Button.MIDDLE;
-            case SECONDARY -> PreviewMouse.Button.RIGHT;
-            default -> e.isShortcutDown() ? PreviewMouse.Button.ORBIT : PreviewMouse.Button.LEFT;
-        };
     }
 
     private double left() {

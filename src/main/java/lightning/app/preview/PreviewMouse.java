@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Optional;
 import lightning.app.model.EditorModel;
 import lightning.edit.CameraDrag;
+import lightning.edit.LightDrag;
 import lightning.edit.LightEdits;
 import lightning.edit.LightGizmo;
-import lightning.edit.LightManipulation;
 import lightning.edit.NodeEdits;
 import lightning.edit.NodeGizmo;
 import lightning.edit.PreviewCamera;
@@ -20,8 +20,6 @@ import lightning.scene.Light;
  * with the left one; with Shift any button moves the camera.
  */
 final class PreviewMouse {
-    enum Button { LEFT, MIDDLE, RIGHT, ORBIT }
-
     /** How near a click must come to a gizmo, pixels. */
     private static final double TOLERANCE = 8;
     /** How far a drag goes before it is told whether it is vertical, pixels. */
@@ -33,7 +31,7 @@ final class PreviewMouse {
     private Light begin;
     /** What a click selects that does not become a drag; null where that is what the press selected. */
     private Light next;
-    private Button button;
+    private LightDrag by;
     private PreviewCamera cameraBegin;
     private CameraDrag cameraDrag;
     private NodeGizmo gizmo;
@@ -90,8 +88,8 @@ final class PreviewMouse {
         return of.pick(model.previewCameraProperty().get(), canvas, new Viewport.Pixel(x, y), TOLERANCE);
     }
 
-    /** @param alt makes a middle button of any other */
-    void press(double x, double y, Button pressed, boolean shift, boolean alt) {
+    /** @param shift moves the camera, whatever is taken */
+    void press(double x, double y, LightDrag pressed, boolean shift) {
         pressX = x;
         pressY = y;
         if (shift) {
@@ -100,7 +98,7 @@ final class PreviewMouse {
             return;
         }
         gizmo = handles().orElse(null);
-        handle = gizmo == null || pressed != Button.LEFT ? null : pick(gizmo, x, y).orElse(null);
+        handle = gizmo == null || pressed != LightDrag.ROTATE ? null : pick(gizmo, x, y).orElse(null);
         if (handle != null) {
             gesture = new Object();
             return;
@@ -114,7 +112,7 @@ final class PreviewMouse {
         boolean again = hits.contains(selected);
         next = again ? hits.get((hits.indexOf(selected) + 1) % hits.size()) : null;
         begin = again ? selected : hits.getFirst();
-        button = alt ? Button.MIDDLE : pressed;
+        by = pressed;
         gesture = new Object();
         model.selectLight(begin.name());
     }
@@ -130,17 +128,12 @@ final class PreviewMouse {
             var to = new Viewport.Pixel(x, y);
             PreviewCamera view = model.previewCameraProperty().get();
             NodeGizmo taken = gizmo;
-            NodeGizmo.Handle by = handle;
-            model.edit(scene -> NodeEdits.placement(scene, taken.node().name(), _ -> taken.dragged(by, view, canvas, from, to)), gesture)
+            NodeGizmo.Handle at = handle;
+            model.edit(scene -> NodeEdits.placement(scene, taken.node().name(), _ -> taken.dragged(at, view, canvas, from, to)), gesture)
                     .ifPresent(model::say);
         } else if (begin != null) {
             PreviewCamera view = model.previewCameraProperty().get();
-            Light moved = switch (button) {
-                case LEFT -> LightManipulation.rotate(begin, view, canvas, right, -down);
-                case ORBIT -> LightManipulation.orbit(begin, view, canvas, right, -down);
-                case MIDDLE -> LightManipulation.dolly(begin, view, canvas, -down);
-                case RIGHT -> LightManipulation.translate(begin, view, canvas, right, -down);
-            };
+            Light moved = by.applied(begin, view, canvas, right, -down);
             model.edit(scene -> LightEdits.with(scene, begin.name(), _ -> moved), gesture).ifPresent(model::say);
         }
     }

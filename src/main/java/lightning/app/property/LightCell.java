@@ -41,7 +41,7 @@ final class LightCell extends NamedCell<RigRow> {
     LightCell(EditorModel model, ObservableSet<String> folded) {
         super(model, Command.RENAME_LIGHT, (old, typed) -> model.edit(scene -> LightEdits.rename(scene, old, typed)));
         bank = new BankRow(model, folded, () -> getListView().requestFocus());
-        LightDrag.between(this, model);
+        BankDrop.between(this, model);
         type.getStyleClass().add("light-type");
         chip.getStyleClass().add("light-chip");
         solo.setGraphic(new FontIcon(MaterialDesignA.ALPHA_S_CIRCLE));

@@ -2,8 +2,10 @@ package lightning.app.traced;
 
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
+import javafx.scene.layout.Background;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
+import javafx.scene.paint.Color;
 import lightning.app.model.EditorModel;
 import lightning.image.DisplayCurve;
 import lightning.image.FalseColor;
@@ -22,8 +24,8 @@ final class StopLegend extends HBox {
             int rgb = band.rgb();
             var label = new Label(band.stop() > 0 ? "+" + band.stop() : String.valueOf(band.stop()));
             boolean dark = (rgb >> 16 & 0xFF) + (rgb >> 8 & 0xFF) + (rgb & 0xFF) < DARK;
-            label.setStyle("-fx-background-color: #" + Integer.toHexString(0x1000000 | rgb).substring(1) + "; -fx-text-fill: "
-                    + (dark ? "white" : "black") + "; -fx-padding: 2 6 2 6; -fx-min-width: 28; -fx-alignment: center;");
+            label.getStyleClass().add(dark ? "dark-stop" : "stop");
+            label.setBackground(Background.fill(Color.rgb(rgb >> 16 & 0xFF, rgb >> 8 & 0xFF, rgb & 0xFF)));
             getChildren().add(label);
         }
         visibleProperty().bind(model.viewProperty().map(view -> view.curve() == DisplayCurve.FALSE));

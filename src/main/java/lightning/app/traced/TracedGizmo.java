@@ -9,13 +9,14 @@ import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Pane;
-import javafx.scene.paint.Color;
 import javafx.scene.shape.Rectangle;
 import lightning.app.model.EditorModel;
+import lightning.app.model.GizmoPaint;
+import lightning.app.model.Grip;
 import lightning.app.widget.PictureView;
+import lightning.edit.LightDrag;
 import lightning.edit.LightEdits;
 import lightning.edit.LightGizmo;
-import lightning.edit.LightManipulation;
 import lightning.edit.NodeEdits;
 import lightning.edit.NodeGizmo;
 import lightning.edit.PreviewCamera;
@@ -28,11 +29,6 @@ import lightning.scene.Light;
  * dragged as in the preview. G hides them in both.
  */
 final class TracedGizmo extends Pane {
-    private static final Color SELECTED = Color.web("#FFD60A");
-    private static final Color EDGE = Color.gray(0, 0.65);
-    private static final List<Color> AXES = List.of(Color.web("#FF6B5E"), Color.web("#7ADB5C"), Color.web("#5CA8FF"));
-    private static final double LINE = 1.25;
-    private static final double EDGE_LINE = 3;
     private static final int RING_SIDES = 48;
     static final double TOLERANCE = 8;
 
@@ -45,7 +41,7 @@ final class TracedGizmo extends Pane {
     /** What a press took. */
     private sealed interface Taken {}
 
-    private record OfLight(Light begin, MouseEvent press) implements Taken {}
+    private record OfLight(Light begin, LightDrag by) implements Taken {}
 
     private record OfHandle(NodeGizmo gizmo, NodeGizmo.Handle handle) implements Taken {}
 
@@ -106,7 +102,7 @@ final class TracedGizmo extends Pane {
         Optional<NodeGizmo> gizmo = e.getButton() == MouseButton.PRIMARY ? handles() : Optional.empty();
         Optional<Taken> taken = gizmo.flatMap(g -> g.pick(view(), viewport(), at, TOLERANCE).map(h -> new OfHandle(g, h)));
         if (taken.isEmpty()) {
-            taken = light().filter(g -> g.distance(view(), viewport(), at) <= TOLERANCE).map(_ -> new OfLight(model.selectedLight(), e));
+            taken = light().filter(g -> g.distance(view(), viewport(), at) <= TOLERANCE).map(_ -> new OfLight(model.selectedLight(), Grip.of(e)));
         }
         drag = taken.map(t -> new Drag(t, at)).orElse(null);
         return drag != null;
@@ -126,27 +122,14 @@ final class TracedGizmo extends Pane {
                         drag)
                         .ifPresent(model::say);
             }
-            case OfLight(Light begin, MouseEvent press) -> {
-                Light moved = moved(begin, press, to.x() - drag.from().x(), drag.from().y() - to.y());
+            case OfLight(Light begin, LightDrag by) -> {
+                Light moved = by.applied(begin, view(), viewport(), to.x() - drag.from().x(), drag.from().y() - to.y());
                 Optional<Snap> snap = e.isShiftDown() && !moved.equals(begin) ? Optional.of(Snap.of(begin, moved, view(), viewport()))
                         : Optional.empty();
                 model.edit(scene -> LightEdits.with(scene, begin.name(), _ -> snap.map(Snap::light).orElse(moved)), drag)
                         .ifPresentOrElse(model::say, () -> snap.ifPresent(s -> model.say("Snapped: " + s.told())));
             }
         }
-    }
-
-    private Light moved(Light begin, MouseEvent press, double right, double up) {
-        PreviewCamera view = view();
-        Viewport shown = viewport();
-        if (press.getButton() == MouseButton.SECONDARY) {
-            return LightManipulation.translate(begin, view, shown, right, up);
-        }
-        if (press.getButton() == MouseButton.MIDDLE || press.isAltDown()) {
-            return LightManipulation.dolly(begin, view, shown, up);
-        }
-        return press.isShortcutDown() ? LightManipulation.orbit(begin, view, shown, right, up)
-                : LightManipulation.rotate(begin, view, shown, right, up);
     }
 
     /** Whether something is dragged. */
@@ -164,7 +147,7 @@ final class TracedGizmo extends Pane {
         switch (drag.taken()) {
             case OfHandle(NodeGizmo gizmo, NodeGizmo.Handle _) -> model
                     .edit(scene -> NodeEdits.placement(scene, gizmo.node().name(), _ -> gizmo.node().placement()), drag);
-            case OfLight(Light begin, MouseEvent _) -> model.edit(scene -> LightEdits.with(scene, begin.name(), _ -> begin), drag);
+            case OfLight(Light begin, LightDrag _) -> model.edit(scene -> LightEdits.with(scene, begin.name(), _ -> begin), drag);
         }
         release();
     }
@@ -178,50 +161,35 @@ final class TracedGizmo extends Pane {
         if (!picture.isHover() && drag == null && !placer.isDragging()) {
             return;
         }
+        Bounds place = picture.placeProperty().getValue();
+        g.save();
+        g.translate(place.getMinX(), place.getMinY());
         if (!picture.isEmpty()) {
             placer.mark(viewport()).ifPresent(mark -> ring(g, mark));
         }
-        light().ifPresent(gizmo -> lines(g, gizmo.strokes(view(), viewport()), SELECTED, LINE));
-        handles().ifPresent(gizmo -> gizmo.handles().forEach(h -> lines(g, NodeGizmo.strokes(h, view(), viewport()), switch (h.act()) {
-            case MOVE, TURN -> AXES.get(h.axis());
-            case SCALE, FREE -> SELECTED;
-        }, 2 * LINE)));
+        light().ifPresent(gizmo -> GizmoPaint.wires(g, gizmo.strokes(view(), viewport()), GizmoPaint.SELECTED));
+        handles().ifPresent(gizmo -> GizmoPaint.handles(g, gizmo, view(), viewport(), GizmoPaint.EDGE_LINE));
+        g.restore();
     }
 
     /** The ring about where a light was placed, and how far the light is from there. */
-    private void ring(GraphicsContext g, LightPlacer.Mark mark) {
+    private static void ring(GraphicsContext g, LightPlacer.Mark mark) {
         List<LightGizmo.Stroke> strokes = new ArrayList<>();
         for (int i = 0; i < RING_SIDES; i++) {
             strokes.add(new LightGizmo.Stroke(onRing(mark.middle(), i), onRing(mark.middle(), i + 1)));
         }
-        lines(g, strokes, SELECTED, 2 * LINE);
-        Bounds place = picture.placeProperty().getValue();
-        double x = mark.middle().x() + place.getMinX() + LightPlacer.RING + 6;
-        double y = mark.middle().y() + place.getMinY() + 4;
-        g.setLineWidth(EDGE_LINE);
-        g.setStroke(EDGE);
+        GizmoPaint.mark(g, strokes);
+        double x = mark.middle().x() + LightPlacer.RING + 6;
+        double y = mark.middle().y() + 4;
+        g.setLineWidth(GizmoPaint.EDGE_LINE);
+        g.setStroke(GizmoPaint.EDGE);
         g.strokeText(Snap.number(mark.distance()), x, y);
-        g.setFill(SELECTED);
+        g.setFill(GizmoPaint.SELECTED);
         g.fillText(Snap.number(mark.distance()), x, y);
     }
 
     private static Viewport.Pixel onRing(Viewport.Pixel middle, int i) {
         double angle = 2 * Math.PI * i / RING_SIDES;
         return new Viewport.Pixel(middle.x() + LightPlacer.RING * Math.cos(angle), middle.y() + LightPlacer.RING * Math.sin(angle));
-    }
-
-    private void lines(GraphicsContext g, List<LightGizmo.Stroke> strokes, Color color, double width) {
-        Bounds place = picture.placeProperty().getValue();
-        g.beginPath();
-        for (LightGizmo.Stroke s : strokes) {
-            g.moveTo(s.from().x() + place.getMinX(), s.from().y() + place.getMinY());
-            g.lineTo(s.to().x() + place.getMinX(), s.to().y() + place.getMinY());
-        }
-        g.setStroke(EDGE);
-        g.setLineWidth(EDGE_LINE);
-        g.stroke();
-        g.setStroke(color);
-        g.setLineWidth(width);
-        g.stroke();
     }
 }

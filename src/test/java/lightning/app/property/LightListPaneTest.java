@@ -203,9 +203,9 @@ class LightListPaneTest {
     @Test
     void lightDroppedOnABank_joinsIt(FxRobot robot) {
         robot.interact(() -> model.run(Command.NEW_BANK));
-        robot.interact(() -> LightDrag.drop("sun", "bank", model));
+        robot.interact(() -> BankDrop.drop("sun", "bank", model));
         assertThat(names(robot)).containsExactly("fill", "bank", "key", "sun");
-        robot.interact(() -> LightDrag.drop("key", "", model));
+        robot.interact(() -> BankDrop.drop("key", "", model));
         assertThat(names(robot)).containsExactly("key", "fill", "bank", "sun");
     }
 

@@ -10,11 +10,11 @@ import lightning.app.model.EditorModel;
 import lightning.edit.BankEdits;
 
 /** Drags a light from its line to that of a bank or of a light in one, which it joins; anywhere else it leaves its bank. */
-final class LightDrag {
+final class BankDrop {
     private static final DataFormat LIGHT = new DataFormat("application/x-lightning-light");
     private static final PseudoClass OVER = PseudoClass.getPseudoClass("drop");
 
-    private LightDrag() {}
+    private BankDrop() {}
 
     static void between(LightCell cell, EditorModel model) {
         cell.setOnDragDetected(event -> {
