@@ -130,12 +130,13 @@ public final class LightEdits {
         });
     }
 
-    /** Puts a light like this one, with a free name, behind it. */
+    /** Puts a light like this one, with a free name, behind it and a little beside it. */
     public static Change duplicate(Scene scene, String name) {
         return Change.of(() -> {
             Light light = light(scene, name);
             List<Light> lights = new ArrayList<>(scene.lights());
-            lights.add(lights.indexOf(light) + 1, light.withName(freeName(scene, name)));
+            lights.add(lights.indexOf(light) + 1,
+                    light.withName(freeName(scene, name)).withPosition(Beside.of(scene, light.position())));
             return scene.withLights(lights);
         });
     }

@@ -4,9 +4,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.UnaryOperator;
-import lightning.math.Vec3;
 import lightning.scene.Group;
-import lightning.scene.Limits;
 import lightning.scene.Node;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
@@ -19,8 +17,6 @@ public final class NodeEdits {
     private static final int LONGEST_STEM = Limits.MAX_NAME - 7;
     /** More numbers than a scene has names. */
     private static final int NUMBERS = 1 << 22;
-    /** How far beside its original a copy stands, as a share of the way from the camera to what it looks at. */
-    private static final double BESIDE = 0.1;
 
     private NodeEdits() {}
 
@@ -60,7 +56,7 @@ public final class NodeEdits {
         return Change.of(() -> {
             Node original = node(scene, name);
             Node copy = copy(original, scene, new HashSet<>());
-            return scene.replacing(name, List.of(original, copy.withPlacement(moved(copy.placement(), new Vec3(beside(scene), 0, 0)))));
+            return scene.replacing(name, List.of(original, copy.withPlacement(beside(scene, copy.placement()))));
         });
     }
 
@@ -69,15 +65,8 @@ public final class NodeEdits {
         return freeName(scene, name, Set.of());
     }
 
-    private static Placement moved(Placement placement, Vec3 way) {
-        return new Placement(placement.at().plus(way), placement.rotate(), placement.scale());
-    }
-
-    /** A length of one digit. */
-    private static double beside(Scene scene) {
-        double length = BESIDE * PreviewCamera.of(scene).distance();
-        double digit = Math.pow(10, Math.floor(Math.log10(length)));
-        return Math.max(digit * Math.rint(length / digit), Limits.MIN_SCALE);
+    private static Placement beside(Scene scene, Placement original) {
+        return new Placement(Beside.of(scene, original.at()), original.rotate(), original.scale());
     }
 
     private static Node copy(Node node, Scene scene, Set<String> given) {

@@ -92,11 +92,16 @@ class LightEditsTest {
     }
 
     @Test
-    void duplicate_standsBehindItsOriginalAndIsLikeIt() {
+    void duplicate_standsBesideItsOriginalAndIsElseLikeIt() {
         Scene doubled = Desk.done(LightEdits.duplicate(scene, "key"));
         assertThat(Desk.names(doubled)).containsExactly("key", "key2", "fill", "sun");
-        assertThat(Desk.light(doubled, "key2").withName("key")).isEqualTo(Desk.light(scene, "key"));
-        assertThat(Desk.names(Desk.done(LightEdits.duplicate(doubled, "key2")))).contains("key3");
+        Light key = Desk.light(scene, "key");
+        Light copy = Desk.light(doubled, "key2");
+        assertThat(copy.withName("key").withPosition(key.position())).isEqualTo(key);
+        Vec3 way = new Vec3(Beside.length(scene), 0, 0);
+        assertThat(copy.position()).isEqualTo(key.position().plus(way));
+        Scene tripled = Desk.done(LightEdits.duplicate(doubled, "key2"));
+        assertThat(Desk.light(tripled, "key3").position()).isEqualTo(copy.position().plus(way));
     }
 
     @Test

@@ -2,6 +2,7 @@ package lightning.app.model;
 
 import java.util.function.BiFunction;
 import lightning.edit.BankEdits;
+import lightning.edit.Beside;
 import lightning.edit.Change;
 import lightning.edit.Command;
 import lightning.edit.LightEdits;
@@ -9,6 +10,7 @@ import lightning.edit.Workbench;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.text.Decimal;
 
 /** The commands that ask nothing before they are done. */
 final class LightActions {
@@ -53,8 +55,16 @@ final class LightActions {
 
     /** The copy stands behind its original, and is selected. */
     private void duplicate() {
-        int place = model.lights().indexOf(model.selectedLight());
-        edit(LightEdits::duplicate);
-        model.selectLight(model.lights().get(Math.min(place + 1, model.lights().size() - 1)).name());
+        Light original = model.selectedLight();
+        model.edit(scene -> LightEdits.duplicate(scene, original.name())).ifPresentOrElse(model::say, () -> {
+            String copy = model.lights().get(model.lights().indexOf(original) + 1).name();
+            model.selectLight(copy);
+            tellBeside(model, copy, original.name());
+        });
+    }
+
+    /** Tells where a copy stands. */
+    static void tellBeside(EditorModel model, String copy, String original) {
+        model.say(copy + " stands " + Decimal.text(Beside.length(model.scene())) + " beside " + original + ", along x");
     }
 }

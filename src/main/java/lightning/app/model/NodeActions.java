@@ -21,6 +21,10 @@ final class NodeActions {
     private static void duplicate(EditorModel model, Node original) {
         Scene before = model.scene();
         model.edit(scene -> NodeEdits.duplicate(scene, original.name())).ifPresentOrElse(model::say,
-                () -> model.selectNode(NodeEdits.copyOf(before, original.name())));
+                () -> {
+                    String copy = NodeEdits.copyOf(before, original.name());
+                    model.selectNode(copy);
+                    LightActions.tellBeside(model, copy, original.name());
+                });
     }
 }

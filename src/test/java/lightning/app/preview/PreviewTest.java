@@ -60,9 +60,14 @@ class PreviewTest extends EditorDesk {
         assertThat(model().selectedLight().name()).isEqualTo("lamp");
     }
 
+    private void addStage2AtStage() {
+        model().edit(scene -> LightEdits.duplicate(scene, "stage"));
+        model().edit(scene -> LightEdits.with(scene, "stage2", l -> l.withPosition(light("stage").position())));
+    }
+
     @Test
     void clicksOnGizmosAtOnePlace_selectOneAfterTheOther() {
-        robot.interact(() -> model().edit(scene -> LightEdits.duplicate(scene, "stage")));
+        robot.interact(this::addStage2AtStage);
         Point2D place = inPreview(light("stage").position());
         robot.clickOn(place);
         String first = model().selectedLight().name();
@@ -75,7 +80,7 @@ class PreviewTest extends EditorDesk {
     @Test
     void dragOfTheSelectedLight_keepsItWhereOthersLieOverIt() {
         robot.interact(() -> {
-            model().edit(scene -> LightEdits.duplicate(scene, "stage"));
+            addStage2AtStage();
             model().selectLight("stage2");
         });
         Light other = light("stage");

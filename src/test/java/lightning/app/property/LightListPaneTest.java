@@ -18,6 +18,7 @@ import lightning.app.JavaFxNeeds;
 import lightning.app.OnStage;
 import lightning.app.OpenEditor;
 import lightning.app.model.EditorModel;
+import lightning.math.Vec3;
 import lightning.edit.Command;
 import lightning.edit.LightEdits;
 import lightning.scene.LightType;
@@ -84,6 +85,8 @@ class LightListPaneTest {
         robot.clickOn("#duplicate-light");
         assertThat(names(robot)).containsExactly("key", "key2", "fill", "sun");
         assertThat(model.selectedLight().name()).isEqualTo("key2");
+        assertThat(model.selectedLight().position()).isEqualTo(new Vec3(3.9, 5, 2));
+        assertThat(model.messageProperty().get()).isEqualTo("key2 stands 0.9 beside key, along x");
     }
 
     @Test
