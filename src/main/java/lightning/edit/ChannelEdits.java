@@ -5,6 +5,7 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.BiFunction;
 import java.util.stream.IntStream;
@@ -83,6 +84,15 @@ public final class ChannelEdits {
             lights.add(lights.indexOf(next), moved.withBank(next.bank()));
             return scene.withLights(lights);
         });
+    }
+
+    /**
+     * Puts a bank to another place in the order of the banks, which is that of the file.
+     *
+     * @param before the bank that it stands before then; empty for the last place
+     */
+    public static Change moveBank(Scene scene, String bank, Optional<String> before) {
+        return Change.of(() -> scene.withRig(scene.rig().withBankBefore(bank, before)));
     }
 
     /**

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Collectors;
@@ -19,11 +20,15 @@ import lightning.work.Progress;
  * Which lights matter to a picture, from what is kept of it. A light's share is composed; what the picture is without a light is rendered as any edit is,
  * which only composes, but for finer samples where the light threw an edge.
  *
- * @param lights one for each light of the scene, in its order
+ * @param lights      one for each light of the scene, in its order
+ * @param environment of the environment with what is seen of it, where the scene has one; its shares are what the picture loses without it
  * @param idle   lights that shine, and of which no pixel is displayed in another colour while all of them are off
  * @param without what is another in the picture without all of these
  */
-public record Contributions(List<Contribution> lights, List<String> idle, Contribution.Change without) {
+public record Contributions(List<Contribution> lights, Optional<Contribution> environment, List<String> idle, Contribution.Change without) {
+
+    /** What the environment is called among lights. */
+    public static final String ENVIRONMENT = "environment";
 
     /**
      * A part of a picture.
@@ -79,6 +84,7 @@ public record Contributions(List<Contribution> lights, List<String> idle, Contri
                 lights.add(new Contribution(one.name(), true, part(all.luminance(share), light), part(region.luminance(share), inRegion),
                         without(renderer, Set.of(one.name()), scene, picture, view, silent)));
             }
+            Optional<Contribution> environment = environment(renderer, cache, view, region, silent);
             List<Contribution> idle = new ArrayList<>(lights.stream().filter(c -> c.shines() && c.without().isUnseen())
                     .sorted(Comparator.comparingDouble(Contribution::picture)).toList());
             Contribution.Change together = Contribution.Change.NONE;
@@ -94,8 +100,27 @@ public record Contributions(List<Contribution> lights, List<String> idle, Contri
                 together = Contribution.Change.NONE;
             }
             progress.tiles(total, total);
-            return new Contributions(List.copyOf(lights), idle.stream().map(Contribution::light).toList(), together);
+            return new Contributions(List.copyOf(lights), environment, idle.stream().map(Contribution::light).toList(), together);
         }
+    }
+
+    private static Optional<Contribution> environment(Renderer renderer, PixelCache cache, ViewTransform view, Region region,
+            Progress progress) {
+        Scene scene = cache.scene();
+        Film picture = cache.film();
+        if (scene.world().environment().isEmpty()) {
+            return Optional.empty();
+        }
+        renderer.restore(cache);
+        renderer.render(scene.withWorld(scene.world().withIntensity(0)), progress);
+        Film without = renderer.film();
+        return Optional.of(new Contribution(ENVIRONMENT, scene.world().intensity() > 0, lost(Region.all(picture), picture, without),
+                lost(region, picture, without), Contribution.Change.between(picture, without, view)));
+    }
+
+    private static double lost(Region region, Film picture, Film without) {
+        double light = region.luminance(picture);
+        return part(light - region.luminance(without), light);
     }
 
     private static double part(double share, double of) {

@@ -162,6 +162,21 @@ public final class Rig {
     }
 
     /**
+     * This rig with a bank at another place among the banks.
+     *
+     * @param before the bank that it stands before then; empty for the last place
+     * @throws IllegalArgumentException if no bank has one of these names
+     */
+    public Rig withBankBefore(String bank, Optional<String> before) {
+        List<Bank> all = new ArrayList<>(banks);
+        Bank moved = all.get(bankPlace(bank));
+        int place = before.map(this::bankPlace).orElse(all.size());
+        all.add(place, moved);
+        all.remove(bankPlace(bank) + (place <= bankPlace(bank) ? 1 : 0));
+        return of(lights, all);
+    }
+
+    /**
      * This rig with a bank of another name; its lights follow.
      *
      * @throws IllegalArgumentException if there is no such bank, or if the new name is taken

@@ -114,6 +114,13 @@ public final class SceneChange {
                 parts.add(joined(old.get().name(), changes));
             }
         }
+        if (!names(before.banks(), after).equals(names(after.banks(), before))) {
+            parts.add("order of banks");
+        }
+    }
+
+    private static List<String> names(List<Bank> banks, Rig among) {
+        return banks.stream().map(Bank::name).filter(name -> among.bank(name).isPresent()).toList();
     }
 
     private String of(Light before, Light after) {

@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
 import lightning.jen.JenReader;
@@ -17,7 +19,10 @@ import lightning.sample.Session;
 import lightning.sample.StudioScene;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Panorama;
 import lightning.scene.Scene;
+import lightning.scene.Sky;
+import lightning.scene.World;
 import lightning.shading.ReferenceTracer;
 import lightning.work.Progress;
 import net.jqwik.api.Arbitrary;
@@ -105,5 +110,27 @@ class ContributionsTest {
         Contributions found = of(scene, new Contributions.Region(0, 0, 1, 1));
         assertThat(found.lights()).allMatch(one -> one.without().isUnseen() && !one.without().isNone());
         assertThat(found.idle()).containsExactly("b");
+    }
+
+    @Test
+    void environment_hasWhatIsLostWithoutIt() {
+        Scene scene = StudioScene.of(LightType.POINT);
+        float[] rgb = new float[3 * 8 * 4];
+        Arrays.fill(rgb, 0.5f);
+        World around = scene.world().withAmbience(0).withEnvironment(Optional.of(new Panorama("sky.hdr", new Sky(8, 4, rgb)))).withLamps(6);
+        Scene lit = scene.withWorld(around);
+        Contribution environment = of(lit, new Contributions.Region(0, 0, 5, 5)).environment().orElseThrow();
+        Film picture = new ReferenceTracer(lit).trace();
+        Film without = new ReferenceTracer(scene.withWorld(around.withIntensity(0))).trace();
+        assertThat(environment.light()).isEqualTo("environment");
+        assertThat(environment.shines()).isTrue();
+        assertThat(environment.without()).isEqualTo(Contribution.Change.between(picture, without, ViewTransform.DEFAULT));
+        Film alone = new ReferenceTracer(Contributions.off(lit, scene.lights().stream().map(Light::name).toList())).trace();
+        assertThat(environment.picture()).isCloseTo(luminance(alone) / luminance(picture), within(1e-5));
+        assertThat(of(scene, new Contributions.Region(0, 0, 5, 5)).environment()).isEmpty();
+    }
+
+    private static double luminance(Film film) {
+        return Contributions.Region.all(film).luminance(film);
     }
 }

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import javafx.animation.PauseTransition;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.scene.control.Button;
@@ -128,7 +129,7 @@ public final class ContributionPane extends VBox {
         table.setRowFactory(_ -> {
             TableRow<Contribution> row = new TableRow<>();
             row.setOnMouseClicked(_ -> {
-                if (row.getItem() != null) {
+                if (row.getItem() != null && model.scene().light(row.getItem().light()).isPresent()) {
                     model.selectLight(row.getItem().light());
                 }
             });
@@ -206,7 +207,7 @@ public final class ContributionPane extends VBox {
         shown = answer.contributions();
         shownOf = answer.scene();
         List<TableColumn<Contribution, ?>> order = List.copyOf(table.getSortOrder());
-        table.getItems().setAll(shown.lights());
+        table.getItems().setAll(Stream.concat(shown.lights().stream(), shown.environment().stream()).toList());
         table.getSortOrder().setAll(order);
         table.sort();
         int idle = shown.idle().size();
@@ -249,6 +250,7 @@ public final class ContributionPane extends VBox {
         for (int l = 0; l < shares.scene().lights().size(); l++) {
             parts.put(shares.scene().lights().get(l).name(), all > 0 ? SmallShares.brightness(shares.light(l)) / all : 0);
         }
+        parts.put(Contributions.ENVIRONMENT, all > 0 ? SmallShares.brightness(shares.environment()) / all : 0);
         return parts;
     }
 

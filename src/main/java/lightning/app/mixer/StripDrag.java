@@ -50,10 +50,10 @@ final class StripDrag {
     }
 
     private void drag(MouseEvent e) {
-        if (pressed != null && pressed.channel() instanceof Channel.OfLight && (dragging || Math.abs(e.getSceneX() - pressX) > CLICK)) {
+        if (pressed != null && !(pressed.channel() instanceof Channel.OfEnvironment) && (dragging || Math.abs(e.getSceneX() - pressX) > CLICK)) {
             dragging = true;
             pressed.setDragged(true);
-            Optional<Strip> next = next(e.getSceneX());
+            Optional<Strip> next = place(pressed.channel(), e.getSceneX());
             shown.get().forEach(s -> s.setDrop(next.isPresent() && s == next.get()));
         }
     }
@@ -61,6 +61,16 @@ final class StripDrag {
     /** The strip that a dragged one would come before; empty at the end. */
     private Optional<Strip> next(double x) {
         return shown.get().stream().filter(s -> s.localToScene(s.getBoundsInLocal()).getCenterX() > x).findFirst();
+    }
+
+    /** Where it would be dropped: a bank comes before a bank, or behind all. */
+    private Optional<Strip> place(Channel dragged, double x) {
+        return dragged instanceof Channel.OfBank ? shown.get().stream().filter(s -> s.channel() instanceof Channel.OfBank)
+                .filter(s -> s.localToScene(s.getBoundsInLocal()).getCenterX() > x).findFirst() : next(x);
+    }
+
+    private static Optional<String> bank(Optional<Strip> strip) {
+        return strip.map(Strip::channel).map(Channel::title);
     }
 
     private void release(MouseEvent e) {
@@ -72,9 +82,13 @@ final class StripDrag {
         shown.get().forEach(s -> s.setDrop(false));
         strip.setDragged(false);
         if (dragging) {
-            Optional<Strip> next = next(e.getSceneX());
-            if (strip.channel() instanceof Channel.OfLight(String light) && (next.isEmpty() || next.get() != strip)) {
-                board.edit(scene -> drop(scene, light, next), null);
+            Optional<Strip> next = place(strip.channel(), e.getSceneX());
+            if (next.isEmpty() || next.get() != strip) {
+                board.edit(scene -> switch (strip.channel()) {
+                    case Channel.OfLight(String light) -> drop(scene, light, next);
+                    case Channel.OfBank(String bank) -> ChannelEdits.moveBank(scene, bank, bank(next));
+                    case Channel.OfEnvironment _ -> new Change.To(scene);
+                }, null);
             }
         } else if (e.isShiftDown()) {
             board.selectTo(strip.channel(), shown.get().stream().map(Strip::channel).toList());

@@ -44,7 +44,8 @@ final class PixelInspector implements AutoCloseable {
             explainer = explainer == null ? new PixelExplainer(about.scene(), about.geometry())
                     : explainer.forScene(about.scene(), about.geometry());
         }
-        PixelReport report = PixelReport.of(explainer.geometry(), explainer.pixel(question.x(), question.y()), question.x(), question.y());
+        PixelReport report = PixelReport.of(explainer.geometry(), explainer.pixel(question.x(), question.y()),
+                about.scene().lights().size(), question.x(), question.y());
         window.execute(() -> question.heard().accept(report));
     }
 

@@ -17,15 +17,19 @@ import lightning.trace.Geometry;
  * @param point  where it is in the scene; null for the background
  * @param normal of the surface there; null for the background
  * @param lights what each light does there, in the scene's order
+ * @param sky    what each lamp of the environment does there
  */
-record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<LightReport> lights) {
-    static PixelReport of(Geometry geometry, PointReport report, int x, int y) {
+record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<LightReport> lights,
+        List<LightReport> sky) {
+    /** @param own how many lights the scene has without those of its environment */
+    static PixelReport of(Geometry geometry, PointReport report, int own, int x, int y) {
         if (report.isBackground()) {
-            return new PixelReport(x, y, "", null, null, List.of());
+            return new PixelReport(x, y, "", null, null, List.of(), List.of());
         }
         var at = report.at();
         return new PixelReport(x, y, geometry.shape(at.primitive()).name(),
-                geometry.toScene(new Vec3(at.px(), at.py(), at.pz())), new Vec3(at.nx(), at.ny(), at.nz()), report.lights());
+                geometry.toScene(new Vec3(at.px(), at.py(), at.pz())), new Vec3(at.nx(), at.ny(), at.nz()), report.lights().subList(0, own),
+                report.lights().subList(own, report.lights().size()));
     }
 
     /** The light that brings the most to this pixel; empty where none brings anything. */
@@ -67,6 +71,11 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<Lig
         for (LightReport light : lights) {
             total += share(light);
         }
+        float around = 0;
+        for (LightReport lamp : sky) {
+            around += share(lamp);
+        }
+        total += around;
         List<String> lines = new ArrayList<>();
         for (LightReport light : lights) {
             lines.add(light.light().name() + "  " + switch (light.state()) {
@@ -75,10 +84,18 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<Lig
                 case OUTSIDE -> "outside the cone";
                 case UNLINKED -> "not linked";
                 case SHADOWED -> "shadowed";
-                case LIT -> Math.round(100 * share(light) / Math.max(total, Float.MIN_NORMAL)) + " %" + samples(light);
+                case LIT -> percent(share(light), total) + samples(light);
             });
         }
+        if (!sky.isEmpty()) {
+            long reaching = sky.stream().filter(lamp -> lamp.state() == LightReport.State.LIT).count();
+            lines.add("environment  " + percent(around, total) + ", " + reaching + " of " + sky.size() + " lamps");
+        }
         return lines;
+    }
+
+    private static String percent(float share, float total) {
+        return Math.round(100 * share / Math.max(total, Float.MIN_NORMAL)) + " %";
     }
 
     /** Of how many of its samples a light reaches the pixel, where that is not all of it. */

@@ -224,6 +224,25 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
+    void draggedHeadOfABank_putsItBeforeAnotherWithItsLights() {
+        robot.interact(() -> {
+            model().edit(scene -> BankEdits.add(scene, "sun"));
+            model().edit(scene -> BankEdits.add(scene, "stage"));
+        });
+        assertThat(strips()).containsExactly("lamp", "bank", "sun", "bank2", "stage");
+        Bounds to = head("bank").localToScreen(head("bank").getBoundsInLocal());
+        robot.moveTo(head("bank2")).press(MouseButton.PRIMARY).moveBy(-20, 0).moveTo(to.getMinX() + 2, to.getCenterY())
+                .release(MouseButton.PRIMARY);
+        assertThat(strips()).containsExactly("lamp", "bank2", "stage", "bank", "sun");
+        assertThat(model().situationProperty().get().undo()).hasValue("order of banks");
+        String text = model().document().text(model().scene());
+        assertThat(text.indexOf("bank bank2")).isPositive().isLessThan(text.indexOf("bank bank "));
+        assertPictureShowsTheScene();
+        click("undo");
+        assertThat(strips()).containsExactly("lamp", "bank", "sun", "bank2", "stage");
+    }
+
+    @Test
     void bank_hasAStripWhoseFaderIsItsMasterAndTakesLights() {
         robot.interact(() -> model().edit(scene -> BankEdits.add(scene, "stage")));
         assertThat(strips()).containsExactly("lamp", "sun", "bank", "stage");

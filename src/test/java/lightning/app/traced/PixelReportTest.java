@@ -1,0 +1,44 @@
+package lightning.app.traced;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import lightning.math.Vec3;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.shading.LightReport;
+import org.junit.jupiter.api.Test;
+
+/** What the card of a pixel says. */
+class PixelReportTest {
+    private static LightReport light(String name, LightReport.State state, float diffuse) {
+        return new LightReport(Light.of(name, LightType.DIRECTIONAL), state, -1, 1, 1, 1, 0, 0, 1,
+                new float[] {diffuse, diffuse, diffuse}, new float[3], new float[3]);
+    }
+
+    private static PixelReport report(List<LightReport> lights, List<LightReport> sky) {
+        return new PixelReport(3, 4, "ball", Vec3.ZERO, new Vec3(0, 1, 0), lights, sky);
+    }
+
+    @Test
+    void lampsOfTheEnvironment_areOneLine() {
+        List<LightReport> sky = new ArrayList<>();
+        IntStream.range(0, 48).forEach(i -> sky.add(light("environment " + i, i < 12 ? LightReport.State.LIT : LightReport.State.SHADOWED,
+                i < 12 ? 0.0625f : 0)));
+        var report = report(List.of(light("key", LightReport.State.LIT, 2.25f), light("rim", LightReport.State.AWAY, 0)), sky);
+        assertThat(report.lightLines()).containsExactly("key  75 %", "rim  facing away", "environment  25 %, 12 of 48 lamps");
+    }
+
+    @Test
+    void withoutAnEnvironment_nothingIsSaidOfIt() {
+        assertThat(report(List.of(light("key", LightReport.State.LIT, 1)), List.of()).lightLines()).containsExactly("key  100 %");
+    }
+
+    @Test
+    void strongestLight_isOneThatCanBeSelected() {
+        var report = report(List.of(light("key", LightReport.State.LIT, 0.1f)), List.of(light("environment 1", LightReport.State.LIT, 9)));
+        assertThat(report.strongest()).contains("key");
+    }
+}
