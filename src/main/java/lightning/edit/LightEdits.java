@@ -5,8 +5,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
-import lightning.jen.NameText;
-import lightning.jen.PropertyEdit;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Light;
@@ -35,11 +33,6 @@ public final class LightEdits {
     /** Any edit of one light that keeps its name. */
     public static Change with(Scene scene, String name, UnaryOperator<Light> edit) {
         return Change.of(() -> scene.withLight(edit.apply(light(scene, name))));
-    }
-
-    /** @param value as the scene file writes it, of what the scene holds: no file is read */
-    public static Change property(Scene scene, String name, LightAttribute<?> attribute, String value) {
-        return Change.of(() -> PropertyEdit.set(scene, NameText.of(name), attribute.name(), value));
     }
 
     /** @param color linear, 0…1000 per channel */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import lightning.scene.Group;
+import lightning.scene.Limits;
 import lightning.scene.Node;
 import lightning.scene.Placement;
 import lightning.scene.Scene;

@@ -163,7 +163,21 @@ public final class PropertyEdit {
 
     /** The value of a light's attribute as the file writes it, and as {@link #set(Scene, String, String, String)} reads it. */
     public static String text(Light light, LightAttribute<?> attribute) {
-        Value value = Blocks.LIGHT.values(light).get(attribute.name());
+        return text(Element.of(light), attribute.name());
+    }
+
+    /** The same of a material's property. */
+    public static String text(Material material, String property) {
+        return text(Element.of(material), property);
+    }
+
+    /** The same of a shape's or a group's. */
+    public static String text(Node node, String property) {
+        return text(Element.of(node), property);
+    }
+
+    private static String text(Element element, String property) {
+        Value value = element.values().get(property);
         return value == null || value instanceof Value.Absent ? NONE : value.text();
     }
 

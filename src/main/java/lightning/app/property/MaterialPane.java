@@ -120,6 +120,7 @@ final class MaterialPane extends VBox {
     private Node section(Section section) {
         List<Row> widgets = MaterialAttribute.ALL.stream().filter(a -> a.section() == section).flatMap(a -> rows(a).stream()).toList();
         rows.addAll(widgets);
+        widgets.forEach(row -> PropertyMenu.on(row.node(), model, new PropertyOwner.OfMaterial(model, row.attribute())));
         Node pane = Sections.section(Sections.title(section.name()), widgets.stream().map(Row::node).toArray(Node[]::new));
         parts.add(new Part(pane, widgets));
         return pane;

@@ -76,6 +76,7 @@ final class NodePane extends VBox {
         var field = new VectorField(property,
                 (v, gesture) -> model.edit(scene -> NodeEdits.placement(scene, shown, p -> with.on(p, v)), gesture));
         field.setId("shape-" + property);
+        PropertyMenu.on(field, model, new PropertyOwner.OfNode(model, property));
         return field;
     }
 
@@ -84,6 +85,7 @@ final class NodePane extends VBox {
         var widget = new ArrowWidget("About " + label, "rotate " + label, Gauge.of("rotate " + label, DEGREES, Measure.DEGREES,
                 (degrees, gesture) -> model.edit(scene -> NodeEdits.placement(scene, shown, p -> turned(p, axis, degrees)), gesture)));
         widget.setId("rotate-" + label);
+        PropertyMenu.on(widget, model, new PropertyOwner.OfNode(model, "rotate"));
         return widget;
     }
 

@@ -107,7 +107,7 @@ public final class PropertyPane extends VBox {
     }
 
     private <N extends Node> N withMenu(N widget, LightAttribute<?> attribute) {
-        PropertyMenu.on(widget, model, attribute);
+        PropertyMenu.on(widget, model, new PropertyOwner.OfLight(model, attribute));
         return widget;
     }
 

@@ -20,6 +20,7 @@ import lightning.edit.Command;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
@@ -60,6 +61,37 @@ class MaterialPaneTest extends EditorDesk {
         var image = new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB);
         image.setRGB(0, 0, 0xff8000);
         ImageIO.write(image, "png", Files.createDirectories(folder.resolve("textures")).resolve(name).toFile());
+    }
+
+    private void chooseProperty(String widget, String item) {
+        robot.rightClickOn(widget);
+        waitFor("the menu is open", () -> robot.lookup(item).tryQuery().isPresent());
+        robot.clickOn(item);
+    }
+
+    @Test
+    void copiedProperty_isPastedToAnotherMaterialAndReset() {
+        robot.interact(() -> model().materials().choose("matt"));
+        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        chooseProperty("#shininess .label", "Copy Shininess");
+        robot.interact(() -> model().materials().choose("mirror"));
+        chooseProperty("#shininess .label", "Paste Shininess '20'");
+        assertThat(material("mirror").shininess()).isEqualTo(20);
+        assertThat(model().situationProperty().get().undo()).hasValueSatisfying(step -> assertThat(step).contains("mirror: shininess"));
+        chooseProperty("#shininess .label", "Reset Shininess");
+        assertThat(material("mirror").shininess()).isEqualTo(MaterialAttribute.SHININESS.initial());
+        assertGoShowsTheScene();
+    }
+
+    @Test
+    void copiedPlaceOfAShape_isPastedToAnother() {
+        robot.interact(() -> model().selectNode("ball"));
+        chooseProperty("#shape-at .label", "Copy Position");
+        robot.interact(() -> model().selectNode("floor"));
+        chooseProperty("#shape-at .label", "Paste Position '0 1 0'");
+        assertThat(model().scene().stage().node("floor").orElseThrow().placement().at()).isEqualTo(new Vec3(0, 1, 0));
+        chooseProperty("#shape-at .label", "Reset Position");
+        assertThat(model().scene().stage().node("floor").orElseThrow().placement().at()).isEqualTo(Vec3.ZERO);
     }
 
     @Test
