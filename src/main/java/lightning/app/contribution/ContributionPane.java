@@ -110,6 +110,7 @@ public final class ContributionPane extends VBox {
 
     private void fillTable() {
         table.setId("contribution-table");
+        table.setAccessibleText("lights and what they give");
         table.setPlaceholder(new Label("No lights"));
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
         table.getColumns().setAll(List.of(

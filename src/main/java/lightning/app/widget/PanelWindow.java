@@ -33,8 +33,9 @@ public final class PanelWindow extends Stage {
                 event.consume();
             }
         });
-        Looks.dress(content);
         setScene(content);
+        // The theme may have changed while it was closed.
+        setOnShowing(_ -> Looks.dress(content));
         setOnShown(_ -> {
             // Over the properties, so that the traced picture can be seen.
             setX(Math.max(owner.getX(), owner.getX() + owner.getWidth() - getWidth() - MARGIN));
