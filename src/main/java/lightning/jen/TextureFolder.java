@@ -12,7 +12,7 @@ import lightning.text.Quote;
 /** Finds the textures of one scene: beside its file or in {@code textures/} ({@link FileFolders}). Each file is decoded once. */
 final class TextureFolder {
     static final String NAME = "textures";
-    private static final Pattern PICTURE = Pattern.compile(".+\\.(png|jpe?g)", Pattern.CASE_INSENSITIVE);
+    static final Pattern PICTURE = Pattern.compile(".+\\.(png|jpe?g)", Pattern.CASE_INSENSITIVE);
 
     private final FileFolders folders;
     private final Map<Decoded, Texture> decoded = new HashMap<>();

@@ -43,6 +43,11 @@ public interface FilePrompt {
         return scene(folder);
     }
 
+    /** A picture for a texture to read. */
+    default Optional<Path> texture(Path folder) {
+        return scene(folder);
+    }
+
     /** The system's own windows. */
     static FilePrompt of(Window owner) {
         var scenes = new FileChooser.ExtensionFilter("Scenes (*.jen)", "*.jen");
@@ -70,6 +75,12 @@ public interface FilePrompt {
             @Override
             public Optional<Path> table(Path folder) {
                 return path(chooser("Color Table", folder, tables), c -> c.showOpenDialog(owner));
+            }
+
+            @Override
+            public Optional<Path> texture(Path folder) {
+                var pictures = new FileChooser.ExtensionFilter("PNG, JPEG", "*.png", "*.jpg", "*.jpeg");
+                return path(chooser("Choose Texture", folder, pictures), c -> c.showOpenDialog(owner));
             }
 
             @Override

@@ -23,6 +23,8 @@ final class FileMenu extends MenuButton {
     private final Command command;
     private final Function<Path, List<String>> names;
     private final Consumer<String> chosen;
+    /** What asks for a file from elsewhere; empty where none can be brought. */
+    private Optional<Runnable> browse = Optional.empty();
 
     /**
      * @param command what choosing one does
@@ -38,6 +40,12 @@ final class FileMenu extends MenuButton {
         this.names = names;
         this.chosen = chosen;
         setOnShowing(_ -> fill());
+        offer(List.of());
+    }
+
+    /** Offers to bring a file from elsewhere. */
+    void setBrowse(Runnable asks) {
+        browse = Optional.of(asks);
         offer(List.of());
     }
 
@@ -58,6 +66,7 @@ final class FileMenu extends MenuButton {
     private void offer(List<Found> names) {
         List<MenuItem> items = new ArrayList<>();
         items.add(item("None", ""));
+        browse.ifPresent(asks -> items.add(CommandItems.of(model).value(command, "Browse…", asks)));
         items.add(new SeparatorMenuItem());
         names.forEach(found -> {
             MenuItem item = item(found.name(), found.name());

@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.Optional;
 import javafx.css.PseudoClass;
 import javafx.scene.control.Label;
-import javafx.scene.control.MenuButton;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
@@ -20,12 +19,14 @@ import lightning.edit.Change;
 import lightning.edit.Command;
 import lightning.edit.MaterialEdits;
 import lightning.edit.Steps;
+import lightning.jen.PictureCopy;
 import lightning.jen.PropertyEdit;
 import lightning.scene.Kind;
 import lightning.scene.Limits;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.TextureMap;
+import lightning.text.Quote;
 
 /**
  * A picture that a material has: typed as the scene file names it, or taken from those that lie beside the scene, and how
@@ -38,12 +39,14 @@ final class TexturePart extends VBox {
     private final MaterialAttribute<Optional<TextureMap>> attribute;
     private final Optional<String> missing;
     private final TextField file = new TextField();
-    private final MenuButton found;
+    private final FileMenu found;
     private final Label refusal = new Label();
     private final ArrowWidget repeatU;
     private final ArrowWidget repeatV;
     private final Obstacle obstacle;
     private Material shown;
+    /** A picture that was chosen, whose name another has; null where there is none. */
+    private Path asked;
 
     TexturePart(EditorModel model, MaterialAttribute<Optional<TextureMap>> attribute) {
         this.model = model;
@@ -68,6 +71,7 @@ final class TexturePart extends VBox {
         });
         HBox.setHgrow(file, Priority.ALWAYS);
         found = new FileMenu(model, "Choose", Command.CHOOSE_TEXTURE, PropertyEdit::textures, this::set);
+        found.setBrowse(() -> model.materials().browse().ifPresent(this::bring));
         found.setId(title + "-found");
         found.setAccessibleText("Choose a picture: " + title);
         found.setMinWidth(USE_PREF_SIZE);
@@ -168,6 +172,24 @@ final class TexturePart extends VBox {
         Path folder = FileMenu.folder(model);
         model.files().beside(() -> MaterialEdits.picture(scene, material, attribute, wanted, folder), read -> take(material, read),
                 why -> mark(Sentence.of(why)));
+    }
+
+    /** Copies a picture from elsewhere to where the scene finds it; over another one only if it is chosen twice. */
+    private void bring(Path picture) {
+        String material = shown.name();
+        Path folder = FileMenu.folder(model);
+        boolean overwrite = picture.equals(asked);
+        model.files().beside(() -> PictureCopy.bring(picture, folder, overwrite), outcome -> {
+            asked = outcome instanceof PictureCopy.Taken ? picture : null;
+            if (!shown.name().equals(material)) {
+                return;
+            }
+            switch (outcome) {
+                case PictureCopy.Brought(String name) -> set(name);
+                case PictureCopy.Taken(String name) ->
+                    mark("Another picture " + Quote.of(name) + " is among the textures: choose it again to write over it");
+            }
+        }, why -> mark(Sentence.of(why)));
     }
 
     private void take(String material, Change read) {

@@ -236,7 +236,7 @@ class MixerPaneTest extends EditorDesk {
         assertThat(strips()).containsExactly("lamp", "bank2", "stage", "bank", "sun");
         assertThat(model().situationProperty().get().undo()).hasValue("order of banks");
         String text = model().document().text(model().scene());
-        assertThat(text.indexOf("bank bank2")).isPositive().isLessThan(text.indexOf("bank bank "));
+        assertThat(text.indexOf("\nbank bank2")).isPositive().isLessThan(text.indexOf("\nbank bank "));
         assertPictureShowsTheScene();
         click("undo");
         assertThat(strips()).containsExactly("lamp", "bank", "sun", "bank2", "stage");

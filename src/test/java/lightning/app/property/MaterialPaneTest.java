@@ -5,7 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import javafx.scene.control.ComboBox;
+import java.util.stream.Stream;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.Node;
+import javafx.geometry.Bounds;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.TabPane;
@@ -63,8 +68,23 @@ class MaterialPaneTest extends EditorDesk {
         ImageIO.write(image, "png", Files.createDirectories(folder.resolve("textures")).resolve(name).toFile());
     }
 
+    /** What is farther down is scrolled to first. */
+    private void scrollTo(String widget) {
+        robot.interact(() -> {
+            Node node = robot.lookup(widget).query();
+            ScrollPane pane = (ScrollPane) Stream.iterate(node, Node::getParent).filter(ScrollPane.class::isInstance).findFirst()
+                    .orElseThrow();
+            pane.layout();
+            Bounds at = pane.getContent().sceneToLocal(node.localToScene(node.getBoundsInLocal()));
+            double room = pane.getViewportBounds().getHeight();
+            pane.setVvalue(Math.clamp((at.getCenterY() - room / 2) / (pane.getContent().getBoundsInLocal().getHeight() - room), 0, 1));
+            pane.layout();
+        });
+    }
+
     private void chooseProperty(String widget, String item) {
-        robot.rightClickOn(widget);
+        scrollTo(widget);
+        robot.rightClickOn(widget + " .label");
         waitFor("the menu is open", () -> robot.lookup(item).tryQuery().isPresent());
         robot.clickOn(item);
     }
@@ -73,24 +93,60 @@ class MaterialPaneTest extends EditorDesk {
     void copiedProperty_isPastedToAnotherMaterialAndReset() {
         robot.interact(() -> model().materials().choose("matt"));
         robot.interact(() -> model().materials().inFrontProperty().set(true));
-        chooseProperty("#shininess .label", "Copy Shininess");
+        chooseProperty("#shininess", "Copy Shininess");
         robot.interact(() -> model().materials().choose("mirror"));
-        chooseProperty("#shininess .label", "Paste Shininess '20'");
+        chooseProperty("#shininess", "Paste Shininess '20'");
         assertThat(material("mirror").shininess()).isEqualTo(20);
         assertThat(model().situationProperty().get().undo()).hasValueSatisfying(step -> assertThat(step).contains("mirror: shininess"));
-        chooseProperty("#shininess .label", "Reset Shininess");
+        chooseProperty("#shininess", "Reset Shininess");
         assertThat(material("mirror").shininess()).isEqualTo(MaterialAttribute.SHININESS.initial());
+        assertGoShowsTheScene();
+    }
+
+    private Path elsewhere(int rgb) throws IOException {
+        var image = new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, rgb);
+        Path file = Files.createDirectories(folder.resolve("elsewhere/deep")).resolve("tiles.png");
+        ImageIO.write(image, "png", file.toFile());
+        return file;
+    }
+
+    private void browse() {
+        scrollTo("#texture-found");
+        robot.clickOn("#texture-found");
+        waitFor("the menu is open", () -> robot.lookup("Browse…").tryQuery().isPresent());
+        robot.clickOn("Browse…");
+    }
+
+    @Test
+    void browsedPicture_comesToTheTexturesAndOverAnotherOnlyWhenChosenTwice() throws IOException {
+        robot.interact(() -> model().materials().choose("matt"));
+        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        answer = elsewhere(0xff8000);
+        browse();
+        waitFor("the picture is there", () -> material("matt").texture().isPresent());
+        assertThat(material("matt").texture().orElseThrow().file()).isEqualTo("tiles.png");
+        Path copy = folder.resolve("textures/tiles.png");
+        assertThat(copy).hasSameBinaryContentAs(answer);
+        byte[] first = Files.readAllBytes(copy);
+        elsewhere(0x0080ff);
+        browse();
+        waitFor("it asks", () -> text("texture-refusal").contains("choose it again to write over it"));
+        assertThat(copy).hasBinaryContent(first);
+        browse();
+        waitFor("it is written over", () -> text("texture-refusal").isEmpty());
+        assertThat(copy).hasSameBinaryContentAs(answer);
         assertGoShowsTheScene();
     }
 
     @Test
     void copiedPlaceOfAShape_isPastedToAnother() {
         robot.interact(() -> model().selectNode("ball"));
-        chooseProperty("#shape-at .label", "Copy Position");
+        chooseProperty("#shape-at", "Copy Position");
         robot.interact(() -> model().selectNode("floor"));
-        chooseProperty("#shape-at .label", "Paste Position '0 1 0'");
+        chooseProperty("#shape-at", "Paste Position '0 1 0'");
         assertThat(model().scene().stage().node("floor").orElseThrow().placement().at()).isEqualTo(new Vec3(0, 1, 0));
-        chooseProperty("#shape-at .label", "Reset Position");
+        chooseProperty("#shape-at", "Reset Position");
         assertThat(model().scene().stage().node("floor").orElseThrow().placement().at()).isEqualTo(Vec3.ZERO);
     }
 
