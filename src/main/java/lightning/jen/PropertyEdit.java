@@ -161,6 +161,11 @@ public final class PropertyEdit {
         return new TextureFolder(folder).names();
     }
 
+    /** What stands for a material where a property is set. */
+    public static String target(Material material) {
+        return MATERIAL + NameText.of(material.name());
+    }
+
     /** The value of a light's attribute as the file writes it, and as {@link #set(Scene, String, String, String)} reads it. */
     public static String text(Light light, LightAttribute<?> attribute) {
         return text(Element.of(light), attribute.name());

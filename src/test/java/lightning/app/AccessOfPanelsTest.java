@@ -70,9 +70,11 @@ class AccessOfPanelsTest extends EditorDesk {
         List<String> found = new ArrayList<>();
         for (Command command : PANELS) {
             Window window = open(command);
-            robot.interact(() -> controls(window).stream().filter(n -> !isNamed(n)).map(n -> command + ": no name of " + n).forEach(found::add));
+            robot.interact(
+                    () -> controls(window).stream().filter(n -> !isNamed(n)).map(n -> command + ": no name of " + n).forEach(found::add));
             Set<Node> wanted = controls(window).stream().filter(n -> !n.isDisabled())
-                    .filter(n -> !(n instanceof ToggleButton t) || t.getToggleGroup() == null || t.isSelected()).collect(Collectors.toSet());
+                    .filter(n -> !(n instanceof ToggleButton t) || t.getToggleGroup() == null || t.isSelected())
+                    .collect(Collectors.toSet());
             Set<Node> reached = new HashSet<>();
             for (int i = 0; i < MANY && !reached.containsAll(wanted); i++) {
                 reached.add(window.getScene().getFocusOwner());

@@ -119,8 +119,10 @@ class ShotRenderCommandTest {
     @Test
     @EnabledIf("canRunJobs")
     void jobTemplate_runsWhereOpenJdIsInstalled() throws Exception {
-        Path program = Files.writeString(folder.resolve("program"), "#!/bin/sh\nexec '" + Path.of(System.getProperty("java.home"), "bin", "java")
-                + "' --add-modules jdk.incubator.vector -cp '" + System.getProperty("java.class.path") + "' lightning.Main \"$@\"\n");
+        Path program = Files.writeString(folder.resolve("program"),
+                "#!/bin/sh\nexec '" + Path.of(System.getProperty("java.home"), "bin", "java")
+                        + "' --add-modules jdk.incubator.vector -cp '" + System.getProperty("java.class.path")
+                        + "' lightning.Main \"$@\"\n");
         Files.setPosixFilePermissions(program, PosixFilePermissions.fromString("rwx------"));
         Path log = folder.resolve("log");
         Process jobs = new ProcessBuilder("openjd", "run", "docs/shot.openjd.json", "--step", "Render", "-p", "Scene=" + scene, "-p",

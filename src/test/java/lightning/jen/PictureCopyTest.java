@@ -19,7 +19,7 @@ class PictureCopyTest {
 
     @BeforeEach
     void folders() throws IOException {
-        scene = Files.createDirectories(root.toRealPath().resolve("project/scene"));
+        scene = Files.createDirectories(root.toRealPath().resolve("a/b/project/scene"));
         elsewhere = Files.createDirectories(root.toRealPath().resolve("elsewhere"));
     }
 

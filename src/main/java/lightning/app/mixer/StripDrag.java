@@ -50,7 +50,8 @@ final class StripDrag {
     }
 
     private void drag(MouseEvent e) {
-        if (pressed != null && !(pressed.channel() instanceof Channel.OfEnvironment) && (dragging || Math.abs(e.getSceneX() - pressX) > CLICK)) {
+        if (pressed != null && !(pressed.channel() instanceof Channel.OfEnvironment)
+                && (dragging || Math.abs(e.getSceneX() - pressX) > CLICK)) {
             dragging = true;
             pressed.setDragged(true);
             Optional<Strip> next = place(pressed.channel(), e.getSceneX());

@@ -16,7 +16,6 @@ import lightning.scene.Node;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 
-
 /** One property of what is selected, in the words of the scene file. */
 sealed interface PropertyOwner {
     /** As the scene file calls it. */
@@ -90,7 +89,7 @@ sealed interface PropertyOwner {
 
         @Override
         public String target() {
-            return "material " + NameText.of(model.materials().material().name());
+            return PropertyEdit.target(model.materials().material());
         }
 
         @Override

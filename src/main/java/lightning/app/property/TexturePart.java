@@ -187,7 +187,7 @@ final class TexturePart extends VBox {
             switch (outcome) {
                 case PictureCopy.Brought(String name) -> set(name);
                 case PictureCopy.Taken(String name) ->
-                    mark("Another picture " + Quote.of(name) + " is among the textures: choose it again to write over it");
+                        mark("Another picture " + Quote.of(name) + " is among the textures: choose it again to write over it");
             }
         }, why -> mark(Sentence.of(why)));
     }

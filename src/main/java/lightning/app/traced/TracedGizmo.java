@@ -102,7 +102,8 @@ final class TracedGizmo extends Pane {
         Optional<NodeGizmo> gizmo = e.getButton() == MouseButton.PRIMARY ? handles() : Optional.empty();
         Optional<Taken> taken = gizmo.flatMap(g -> g.pick(view(), viewport(), at, TOLERANCE).map(h -> new OfHandle(g, h)));
         if (taken.isEmpty()) {
-            taken = light().filter(g -> g.distance(view(), viewport(), at) <= TOLERANCE).map(_ -> new OfLight(model.selectedLight(), Grip.of(e)));
+            taken = light().filter(g -> g.distance(view(), viewport(), at) <= TOLERANCE)
+                    .map(_ -> new OfLight(model.selectedLight(), Grip.of(e)));
         }
         drag = taken.map(t -> new Drag(t, at)).orElse(null);
         return drag != null;

@@ -62,7 +62,8 @@ public final class Contrast {
                 double ratio = ratio(over(fill, opacity, b), b);
                 if (ratio < wanted) {
                     found.add(String.format(Locale.ROOT, "%.2f: %s on %s, %s in %s", ratio, over(fill, opacity, b), b,
-                            text instanceof FontIcon icon ? String.valueOf(icon.getIconCode()) : "\"" + text.getText() + "\"", named(text)));
+                            text instanceof FontIcon icon ? String.valueOf(icon.getIconCode()) : "\"" + text.getText() + "\"",
+                            named(text)));
                 }
             });
         }
