@@ -62,7 +62,7 @@ final class Architecture {
             row("fulltrace", "scene effects image trace shading engine engine.choice work"),
             row("warmup", "scene image trace engine engine.choice fulltrace work"),
             row("cache", "scene image trace shading"),
-            row("relight.plan", "math scene image trace shading cache"),
+            row("relight.plan", "text math scene image trace shading cache"),
             row("relight.tile", "scene effects image trace shading engine engine.choice cache work relight.plan"),
             row("relight", "math column scene effects image trace shading engine cache work relight.plan relight.tile"),
             row("layer", ENGINE + " exr file"),

@@ -17,6 +17,7 @@ import lightning.relight.plan.Accuracy;
 import lightning.relight.plan.Reflections;
 import lightning.relight.tile.Options;
 import lightning.shading.SeenScenes;
+import lightning.text.Texts;
 import lightning.trace.Geometry;
 import lightning.work.Progress;
 import lightning.work.Workers;
@@ -48,12 +49,13 @@ public record Promise(SeenScenes scenes, ViewEffects view, double bound) {
 
     /** {@code exact}, or {@code off by at most 1.2e-06}; and whether the mirrors are older. */
     public String text() {
-        return (bound == 0 ? "exact" : "off by at most " + number(bound)) + (isStale() ? ", reflections of an older light" : "");
+        return (bound == 0 ? Texts.of("exact") : Texts.of("off by at most {0}", number(bound)))
+                + (isStale() ? Texts.of(", reflections of an older light") : "");
     }
 
     /** The {@link #text} of the promise for an update, and whether that computed contributions anew. */
     public String text(Update update) {
-        return text() + (update.refreshed() ? ", refreshed" : "");
+        return text() + (update.refreshed() ? Texts.of(", refreshed") : "");
     }
 
     /** By how much values differ at most, linear: two digits, rounded up. */

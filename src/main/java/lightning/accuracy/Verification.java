@@ -1,9 +1,9 @@
 package lightning.accuracy;
 
-import java.util.Locale;
 import java.util.OptionalDouble;
 import lightning.image.Difference;
 import lightning.image.Film;
+import lightning.text.Texts;
 
 /**
  * A picture beside full traces of what it shows.
@@ -30,19 +30,23 @@ public record Verification(Promise promise, Film picture, Film full, Difference 
 
     /** The verdict in a sentence, {@code Verified: equal to a full trace in every bit}, for people and for scripts. */
     public String text() {
-        String trace = promise.isStale() ? "a full trace whose mirrors show an older light" : "a full trace";
-        String verdict = promised.isNone() ? "equal to " + trace + " in every bit"
-                : count(promised.values(), "value") + " in " + count(promised.pixels(), "pixel")
-                        + (promised.values() == 1 ? " differs from " : " differ from ") + trace
-                        + ", by at most " + Promise.number(promised.maxAbsolute()) + " where "
-                        + (promise.bound() == 0 ? "no bit may differ" : Promise.number(promise.bound()) + " is promised");
-        String mirrors = !promise.isStale() ? "" : current.isNone() ? "; and to one with current mirrors"
-                : String.format(Locale.ROOT, "; %s would change with current mirrors, by at most %s, PSNR %.1f dB",
-                        count(current.pixels(), "pixel"), Promise.number(current.maxAbsolute()), current.displayPsnr());
-        return (isKept() ? "Verified: " : "NOT KEPT: ") + verdict + mirrors;
+        String trace = promise.isStale() ? Texts.of("a full trace whose mirrors show an older light") : Texts.of("a full trace");
+        String verdict = promised.isNone() ? Texts.of("equal to {0} in every bit", trace)
+                : Texts.count(promised.values(), "{0} in {1} differs from {2}, by at most {3} where {4}",
+                        "{0} in {1} differ from {2}, by at most {3} where {4}", values(promised.values()), pixels(promised.pixels()), trace,
+                        Promise.number(promised.maxAbsolute()), promise.bound() == 0 ? Texts.of("no bit may differ")
+                                : Texts.of("{0} is promised", Promise.number(promise.bound())));
+        String mirrors = !promise.isStale() ? "" : current.isNone() ? Texts.of("; and to one with current mirrors")
+                : String.format(Texts.locale(), Texts.of("; %s would change with current mirrors, by at most %s, PSNR %.1f dB"),
+                        pixels(current.pixels()), Promise.number(current.maxAbsolute()), current.displayPsnr());
+        return (isKept() ? Texts.of("Verified: ") : Texts.of("NOT KEPT: ")) + verdict + mirrors;
     }
 
-    private static String count(long n, String what) {
-        return String.format(Locale.ROOT, n == 1 ? "%,d %s" : "%,d %ss", n, what);
+    private static String values(long n) {
+        return String.format(Texts.locale(), Texts.count(n, "%,d value", "%,d values"), n);
+    }
+
+    private static String pixels(long n) {
+        return String.format(Texts.locale(), Texts.count(n, "%,d pixel", "%,d pixels"), n);
     }
 }

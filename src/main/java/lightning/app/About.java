@@ -1,14 +1,15 @@
 package lightning.app;
 
 import lightning.app.command.Notices;
+import lightning.text.Texts;
 
 /** What the program is, for the Help menu. */
 final class About {
     private About() {}
 
     static void show(Notices notices) {
-        notices.text("Lightning", "Relights ray-traced scenes exactly, in a fraction of a full trace.\n\n"
+        notices.text("Lightning", Texts.of("Relights ray-traced scenes exactly, in a fraction of a full trace.\n\n"
                 + "It traces a scene once, keeps what every pixel needs, and after an edit of a light computes only what "
-                + "changed. After \u201cLightning\u201d, Brown University CS-98-09, 1998.");
+                + "changed. After \u201cLightning\u201d, Brown University CS-98-09, 1998."));
     }
 }

@@ -13,6 +13,7 @@ import lightning.edit.DiskNews;
 import lightning.edit.DiskWatch;
 import lightning.edit.OpenDocument;
 import lightning.edit.Presence;
+import lightning.text.Texts;
 
 /**
  * A line above the canvases that is there while others have changed the open scene's file, taken it away or have it open
@@ -24,11 +25,11 @@ final class DiskBar extends HBox implements AutoCloseable {
     private final EditorModel model;
     private final DiskWatch watch;
     private final Label text = new Label();
-    private final Button reload = button("Reload", "disk-reload");
+    private final Button reload = button(Texts.of("Reload"), "disk-reload");
     private final Obstacle reloading = new Obstacle(this, reload);
-    private final Button keep = button("Keep Mine", "disk-keep");
-    private final Button compare = button("Compare…", "disk-compare");
-    private final Button read = button("Hide", "disk-read");
+    private final Button keep = button(Texts.of("Keep Mine"), "disk-keep");
+    private final Button compare = button(Texts.of("Compare…"), "disk-compare");
+    private final Button read = button(Texts.of("Hide"), "disk-read");
     /** What the artist has read. */
     private DiskNews dismissed;
 
@@ -102,12 +103,13 @@ final class DiskBar extends HBox implements AutoCloseable {
 
     private static String sentence(String name, DiskNews news) {
         if (news.isChanged()) {
-            return name + " was changed by another program.";
+            return Texts.of("{0} was changed by another program.", name);
         }
         if (news.isGone()) {
-            return name + " is no longer where it was; Save Scene writes it again.";
+            return Texts.of("{0} is no longer where it was; Save Scene writes it again.", name);
         }
-        return news.elsewhere() ? name + " is open in another editor of yours too. Each asks before it overwrites the other's work."
+        return news.elsewhere()
+                ? Texts.of("{0} is open in another editor of yours too. Each asks before it overwrites the other's work.", name)
                 : "";
     }
 

@@ -12,12 +12,14 @@ import lightning.app.command.Notices;
 import lightning.app.model.EditorModel;
 import lightning.app.model.Preferences;
 import lightning.app.model.PreviewLook;
+import lightning.app.model.Speech;
 import lightning.app.widget.Looks;
 import lightning.edit.Command;
 import lightning.edit.FileThread;
 import lightning.edit.Recovery;
 import lightning.image.ViewTransform;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /** The editor of one document in one window, from opening to closing. */
 public final class Editor implements AutoCloseable {
@@ -89,14 +91,14 @@ public final class Editor implements AutoCloseable {
                 thread.inTurn(() -> {
                     found.delete();
                     return found;
-                }, _ -> {}, why -> notices.failed("The edits could not be discarded", why));
+                }, _ -> {}, why -> notices.failed(Texts.of("The edits could not be discarded"), why));
             }
         }
     }
 
     /** Says that a scene could not be opened, and goes on when it was read. */
     void failed(Path file, Exception why) {
-        notices.failedAndRead(Quote.path(file) + " could not be opened", why);
+        notices.failedAndRead(Texts.of("{0} could not be opened", Quote.path(file)), why);
     }
 
     private void closeWindow() {
@@ -117,6 +119,7 @@ public final class Editor implements AutoCloseable {
         preferences.set("width", stage.getScene().getWidth());
         preferences.set("height", stage.getScene().getHeight());
         preferences.set("theme", Looks.worn().name());
+        Speech.remember(preferences);
         preferences.set("curve", model.viewProperty().get().curve().name());
         model.previewLook().remember(preferences);
         model.keys().remember(preferences);

@@ -15,6 +15,7 @@ import javafx.scene.layout.VBox;
 import lightning.app.model.Arrangement;
 import lightning.app.model.Arrangement.Canvases;
 import lightning.app.widget.PaneHeader;
+import lightning.text.Texts;
 
 /**
  * The places of the editor's panes. Each holds what says that the scene is being read, until its pane comes: the traced picture
@@ -42,8 +43,8 @@ final class EditorFrame extends BorderPane {
     EditorFrame(Path file) {
         setId("opening");
         getStyleClass().add("editor");
-        String reading = "Reading " + file.getFileName() + " …";
-        canvases = new SplitPane(note("Ray traced", reading), note("Preview", reading));
+        String reading = Texts.of("Reading {0} …", file.getFileName());
+        canvases = new SplitPane(note(Texts.of("Ray traced"), reading), note(Texts.of("Preview"), reading));
         side = new SplitPane(sideNote(reading));
         side.setOrientation(Orientation.VERTICAL);
         all = new SplitPane(canvases, side);
@@ -74,7 +75,7 @@ final class EditorFrame extends BorderPane {
         var note = new Label(text);
         note.getStyleClass().add("pane-note");
         VBox.setMargin(note, NOTE);
-        var side = new VBox(new PaneHeader("Lights"), note);
+        var side = new VBox(new PaneHeader(Texts.of("Lights")), note);
         side.getStyleClass().add("lights");
         return side;
     }

@@ -12,11 +12,13 @@ import lightning.app.command.SizeMenu;
 import lightning.app.model.Arrangement.Canvases;
 import lightning.app.model.EditorModel;
 import lightning.app.model.Precision;
+import lightning.app.model.Speech;
 import lightning.app.preview.PreviewItems;
 import lightning.app.traced.SamplingMenu;
 import lightning.app.traced.ViewItems;
 import lightning.app.widget.Looks;
 import lightning.edit.Command;
+import lightning.text.Texts;
 
 /** Every command in a menu, with its key. */
 final class EditorMenu extends MenuBar {
@@ -30,25 +32,27 @@ final class EditorMenu extends MenuBar {
     EditorMenu(EditorModel model, FileActions files) {
         this.model = model;
         items = CommandItems.ofBar(model);
-        Menu file = menu("File", Command.NEW_SCENE, Command.LOAD_FILE, Command.RELOAD, LINE, Command.SAVE_SCENE, Command.SAVE_SCENE_AS,
+        Menu file = menu(Texts.of("File"), Command.NEW_SCENE, Command.LOAD_FILE, Command.RELOAD, LINE, Command.SAVE_SCENE,
+                Command.SAVE_SCENE_AS,
                 Command.SAVE_IMAGE,
                 LINE, Command.QUIT);
         file.getItems().add(2, recent(files));
         file.getItems().add(file.getItems().size() - 2, export(files));
-        Menu edit = menu("Edit", Command.UNDO, Command.REDO, LINE, Command.UNDO_LIGHT, Command.REDO_LIGHT, Command.HISTORY_PANEL, LINE,
+        Menu edit = menu(Texts.of("Edit"), Command.UNDO, Command.REDO, LINE, Command.UNDO_LIGHT, Command.REDO_LIGHT, Command.HISTORY_PANEL,
+                LINE,
                 Command.COPY_SETTINGS,
                 Command.PASTE_SETTINGS, LINE, Command.PICK_MATERIAL);
-        Menu light = menu("Light", Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, LINE, Command.NEW_BANK,
+        Menu light = menu(Texts.of("Light"), Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, LINE, Command.NEW_BANK,
                 Command.DELETE_BANK, LINE, Command.RENAME_LIGHT,
                 Command.SWITCH_ON, Command.SOLO, Command.LOOK_THROUGH_LIGHT, LINE, Command.AIM, Command.PLACE_HIGHLIGHT,
                 Command.PLACE_DIFFUSE, Command.PLACE_RIM, Command.PLACE_SHADOW, LINE, Command.MIXER, Command.CONTRIBUTIONS, Command.CUES,
                 LINE, Command.LOAD_RIG, Command.ADD_RIG,
                 Command.SAVE_RIG, LINE, Command.MAKE_ANIMATION);
-        Menu shape = menu("Shape", Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, LINE, Command.SHOW_SHAPE);
-        Menu render = menu("Render", Command.GO, Command.LIVE, Command.UPDATE_REFLECTIONS, Command.VERIFY, Command.CANCEL, LINE,
+        Menu shape = menu(Texts.of("Shape"), Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, LINE, Command.SHOW_SHAPE);
+        Menu render = menu(Texts.of("Render"), Command.GO, Command.LIVE, Command.UPDATE_REFLECTIONS, Command.VERIFY, Command.CANCEL, LINE,
                 Command.UPDATES_PANEL, Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, LINE);
         render.getItems().addAll(accuracy(), sizes(), SamplingMenu.of(model, items));
-        getMenus().setAll(file, edit, light, shape, render, view(), menu("Help", Command.PALETTE, Command.KEYS, Command.ABOUT));
+        getMenus().setAll(file, edit, light, shape, render, view(), menu(Texts.of("Help"), Command.PALETTE, Command.KEYS, Command.ABOUT));
     }
 
     private Menu menu(String title, Command... commands) {
@@ -80,13 +84,14 @@ final class EditorMenu extends MenuBar {
         var light = new SimpleBooleanProperty(Looks.worn() == Looks.LIGHT);
         light.addListener((_, _, on) -> (on ? Looks.LIGHT : Looks.DARK).wear());
         model.setSwitch(Command.LIGHT_THEME, light);
-        Menu view = menu("View", Command.ONLY_SELECTED, Command.SCOPES);
-        view.getItems().add(new Menu("Show the Picture", null, ViewItems.of(model, items).toArray(MenuItem[]::new)));
+        Menu view = menu(Texts.of("View"), Command.ONLY_SELECTED, Command.SCOPES);
+        view.getItems().add(new Menu(Texts.of("Show the Picture"), null, ViewItems.of(model, items).toArray(MenuItem[]::new)));
         add(view, LINE, Command.TRACED_FIT, Command.TRACED_ONE_TO_ONE, Command.TRACED_ZOOM_IN, Command.TRACED_ZOOM_OUT, Command.REGION,
                 LINE, Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z, Command.VIEW_ALL, LINE);
         view.getItems().addAll(PreviewItems.of(model, items));
         view.getItems().addAll(new SeparatorMenuItem(), canvases());
         add(view, Command.HIDE_PANELS, Command.FULL_SCREEN, LINE, Command.LIGHT_THEME);
+        view.getItems().add(languages());
         return view;
     }
 
@@ -96,6 +101,19 @@ final class EditorMenu extends MenuBar {
         for (Canvases value : Canvases.values()) {
             menu.getItems().add(items.choice(Command.ARRANGEMENT, "canvases-" + value.name(), value.toString(), chosen.map(c -> c == value),
                     () -> chosen.set(value)));
+        }
+        return menu;
+    }
+
+    private Menu languages() {
+        Menu menu = items.menu(Command.LANGUAGE);
+        var chosen = Speech.chosenProperty();
+        for (Speech value : Speech.values()) {
+            menu.getItems()
+                    .add(items.choice(Command.LANGUAGE, "language-" + value.name(), value.toString(), chosen.map(c -> c == value), () -> {
+                        chosen.set(value);
+                        model.say(Texts.of("The editor speaks it from its next start on"));
+                    }));
         }
         return menu;
     }

@@ -25,6 +25,7 @@ import lightning.app.traced.SamplingMenu;
 import lightning.edit.Command;
 import lightning.edit.Dial;
 import lightning.scene.Limits;
+import lightning.text.Texts;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
 
@@ -50,7 +51,7 @@ final class EditorToolBar extends ToolBar {
         go.button().getStyleClass().add("accent");
         getItems().addAll(go, CommandButton.titled(model, Command.LIVE));
         add(Command.UPDATE_REFLECTIONS, Command.CANCEL, Command.VERIFY);
-        getItems().addAll(gap(), precision(), size(), labelled("Depth", depth()), gap());
+        getItems().addAll(gap(), precision(), size(), labelled(Texts.of("Depth"), depth()), gap());
         add(Command.MAKE_ANIMATION, Command.ACCURACY_PANEL, Command.EFFECTS_PANEL);
     }
 
@@ -81,10 +82,10 @@ final class EditorToolBar extends ToolBar {
         choice.valueProperty().bindBidirectional(model.precisionProperty());
         choice.setPrefWidth(widest(choice) + ARROW);
         choice.setMinWidth(Region.USE_PREF_SIZE);
-        choice.setAccessibleText("Accuracy");
+        choice.setAccessibleText(Texts.of("Accuracy"));
         var tooltip = new Tooltip();
         choice.setTooltip(tooltip);
-        choice.valueProperty().subscribe(p -> tooltip.setText("Accuracy: " + p + "\n" + p.explanation() + "."));
+        choice.valueProperty().subscribe(p -> tooltip.setText(Texts.of("Accuracy: {0}\n{1}.", p, p.explanation())));
         return choice;
     }
 
@@ -100,9 +101,9 @@ final class EditorToolBar extends ToolBar {
     private MenuButton size() {
         var sizes = new MenuButton("", new FontIcon(MaterialDesignR.RESIZE));
         sizes.setId("traced-sizes");
-        sizes.setAccessibleText("Size and anti-aliasing of the traced picture");
-        sizes.setTooltip(new Tooltip("Size and anti-aliasing of the traced picture\nAnother size traces it anew; "
-                + "other anti-aliasing is an edit, and Go computes what is missing."));
+        sizes.setAccessibleText(Texts.of("Size and anti-aliasing of the traced picture"));
+        sizes.setTooltip(new Tooltip(Texts.of("Size and anti-aliasing of the traced picture\nAnother size traces it anew; "
+                + "other anti-aliasing is an edit, and Go computes what is missing.")));
         CommandItems items = CommandItems.of(model);
         sizes.getItems().setAll(SizeMenu.ofPicture(model, items));
         sizes.getItems().addAll(new SeparatorMenuItem(), SamplingMenu.of(model, items));
@@ -113,8 +114,8 @@ final class EditorToolBar extends ToolBar {
     private Spinner<Integer> depth() {
         var depth = new Spinner<Integer>(0, Limits.MAX_DEPTH, 0);
         depth.setId("depth");
-        depth.setAccessibleText("Recursion depth of mirrors");
-        depth.setTooltip(new Tooltip("Recursion depth\nHow many mirror bounces are followed, 0 to " + Limits.MAX_DEPTH + "."));
+        depth.setAccessibleText(Texts.of("Recursion depth of mirrors"));
+        depth.setTooltip(new Tooltip(Texts.of("Recursion depth\nHow many mirror bounces are followed, 0 to {0}.", Limits.MAX_DEPTH)));
         model.sceneProperty().subscribe(s -> depth.getValueFactory().setValue(s.picture().depth()));
         depth.valueProperty().subscribe(v -> {
             if (v != model.scene().picture().depth()) {

@@ -24,6 +24,7 @@ import lightning.app.preview.PreviewPane;
 import lightning.app.property.ListTabs;
 import lightning.app.property.SidePane;
 import lightning.edit.Command;
+import lightning.text.Texts;
 
 /** Everything inside the editor's frame: traced picture, preview, and beside them the lights and their properties. */
 public final class EditorWindow implements AutoCloseable {
@@ -68,7 +69,7 @@ public final class EditorWindow implements AutoCloseable {
         if (!fullScreen.isBound()) {
             // Escape cancels and ends what is asked.
             stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
-            stage.setFullScreenExitHint("F11 leaves the full screen");
+            stage.setFullScreenExitHint(Texts.of("F11 leaves the full screen"));
             fullScreen.bind(stage.fullScreenProperty());
         }
         stage.setFullScreen(!stage.isFullScreen());

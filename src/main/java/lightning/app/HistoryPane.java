@@ -17,6 +17,7 @@ import lightning.app.model.EditorModel;
 import lightning.app.widget.WhileSeen;
 import lightning.edit.History;
 import lightning.edit.Situation;
+import lightning.text.Texts;
 
 /**
  * All edits as a list, the first at the top: a click goes to what was after that edit. What is undone is dimmed. The document's, or those
@@ -27,8 +28,8 @@ final class HistoryPane extends VBox {
 
     private final EditorModel model;
     private final ListView<Row> list = new ListView<>();
-    private final ToggleButton document = new ToggleButton("Document");
-    private final ToggleButton light = new ToggleButton("Selected light");
+    private final ToggleButton document = new ToggleButton(Texts.of("Document"));
+    private final ToggleButton light = new ToggleButton(Texts.of("Selected light"));
     private final Label about = new Label();
 
     /** @param done how many steps are done there */
@@ -56,7 +57,7 @@ final class HistoryPane extends VBox {
         var head = new HBox(8, document, light, about);
         head.getStyleClass().add("history-head");
         list.setId("history-list");
-        list.setAccessibleText("edits");
+        list.setAccessibleText(Texts.of("edits"));
         list.getStyleClass().add("edge-to-edge");
         list.setCellFactory(_ -> new Cell());
         list.addEventHandler(KeyEvent.KEY_PRESSED, e -> {
@@ -79,10 +80,11 @@ final class HistoryPane extends VBox {
         long id = now.selected().map(l -> history.id(l.name())).orElse(-1L);
         List<String> steps = isOfLight() ? history.lightSteps(id) : history.steps();
         int position = isOfLight() ? history.lightPosition(id) : history.position();
-        String name = now.selected().map(l -> l.name()).orElse("no light is selected");
+        String name = now.selected().map(l -> l.name()).orElse(Texts.of("no light is selected"));
         about.setText(isOfLight() ? name : "");
         List<Row> rows = IntStream.rangeClosed(0, steps.size())
-                .mapToObj(i -> new Row(i, i == 0 ? isOfLight() ? "As it first was" : "As it was opened" : steps.get(i - 1), i > position))
+                .mapToObj(i -> new Row(i,
+                        i == 0 ? isOfLight() ? Texts.of("As it first was") : Texts.of("As it was opened") : steps.get(i - 1), i > position))
                 .toList();
         if (!list.getItems().equals(rows)) {
             list.getItems().setAll(rows);
@@ -96,7 +98,7 @@ final class HistoryPane extends VBox {
             return;
         }
         if (model.isAnimating()) {
-            model.say("An animation is open; close it first");
+            model.say(Texts.of("An animation is open; close it first"));
         } else if (row.done() == list.getItems().stream().filter(r -> !r.undone()).count() - 1) {
             return;
         } else if (isOfLight()) {

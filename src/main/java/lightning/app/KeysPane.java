@@ -11,6 +11,7 @@ import javafx.scene.layout.Region;
 import lightning.app.command.KeyButton;
 import lightning.app.model.EditorModel;
 import lightning.edit.Command;
+import lightning.text.Texts;
 
 /** What mouse and keyboard do, as a table; the keys of commands can be changed in it. */
 final class KeysPane extends GridPane {
@@ -18,47 +19,48 @@ final class KeysPane extends GridPane {
     private record Row(String what, String mouse, String keys) {}
 
     private static final List<Row> LIGHTS = List.of(
-            new Row("Select a light", "click", "[  and  ]"),
-            new Row("Rotate it", "left drag", "arrows"),
-            new Row("Carry it about what it aims at", "Ctrl + left drag", ""),
-            new Row("Move it in the viewing plane", "right drag", "Ctrl + arrows"),
-            new Row("Move it along the view; up is away", "middle drag, or Alt + drag", "Page Up, Page Down"));
+            new Row(Texts.key("Select a light"), Texts.key("click"), Texts.key("[  and  ]")),
+            new Row(Texts.key("Rotate it"), Texts.key("left drag"), Texts.key("arrows")),
+            new Row(Texts.key("Carry it about what it aims at"), Texts.key("Ctrl + left drag"), ""),
+            new Row(Texts.key("Move it in the viewing plane"), Texts.key("right drag"), Texts.key("Ctrl + arrows")),
+            new Row(Texts.key("Move it along the view; up is away"), Texts.key("middle drag, or Alt + drag"),
+                    Texts.key("Page Up, Page Down")));
     private static final List<Row> CAMERA = List.of(
-            new Row("Zoom", "Shift + drag that begins upright", "Shift + up, down"),
-            new Row("Pan", "Shift + drag that begins sideways", "Shift + left, right"),
-            new Row("Turn the scene", "Shift + drag from near the edge", "Shift + Ctrl + arrows"),
-            new Row("Along the x axis, from above, the scene's camera", "X, −Y, −Z", "X, Y, Z"),
-            new Row("All lights in view", "All", "A"),
-            new Row("Through the selected light, and back", "the eye", "L"),
-            new Row("Hide the gizmos, and show them again", "the crossed cone", "G"));
+            new Row(Texts.key("Zoom"), Texts.key("Shift + drag that begins upright"), Texts.key("Shift + up, down")),
+            new Row(Texts.key("Pan"), Texts.key("Shift + drag that begins sideways"), Texts.key("Shift + left, right")),
+            new Row(Texts.key("Turn the scene"), Texts.key("Shift + drag from near the edge"), Texts.key("Shift + Ctrl + arrows")),
+            new Row(Texts.key("Along the x axis, from above, the scene's camera"), "X, −Y, −Z", "X, Y, Z"),
+            new Row(Texts.key("All lights in view"), Texts.key("All"), "A"),
+            new Row(Texts.key("Through the selected light, and back"), Texts.key("the eye"), "L"),
+            new Row(Texts.key("Hide the gizmos, and show them again"), Texts.key("the crossed cone"), "G"));
     private static final List<Row> PICTURE = List.of(
-            new Row("What a pixel is made of", "hover", ""),
-            new Row("Select the light that matters most there", "click", ""),
-            new Row("A menu with the shape's material, here or in the preview", "right click", ""),
-            new Row("Zoom", "wheel", ""),
-            new Row("Move the picture", "middle drag, or Space and drag", ""),
-            new Row("Turn, carry, move the selected light or shape", "as in the preview", ""),
-            new Row("What a light does, with a tool of the menu Light", "click, or drag", ""),
-            new Row("Take a light that was placed nearer or farther", "drag of its ring", ""),
-            new Row("Snap to round places, angles, distances", "Shift in a drag", ""),
-            new Row("Give a drag up", "", "Esc"));
+            new Row(Texts.key("What a pixel is made of"), Texts.key("hover"), ""),
+            new Row(Texts.key("Select the light that matters most there"), Texts.key("click"), ""),
+            new Row(Texts.key("A menu with the shape's material, here or in the preview"), Texts.key("right click"), ""),
+            new Row(Texts.key("Zoom"), Texts.key("wheel"), ""),
+            new Row(Texts.key("Move the picture"), Texts.key("middle drag, or Space and drag"), ""),
+            new Row(Texts.key("Turn, carry, move the selected light or shape"), Texts.key("as in the preview"), ""),
+            new Row(Texts.key("What a light does, with a tool of the menu Light"), Texts.key("click, or drag"), ""),
+            new Row(Texts.key("Take a light that was placed nearer or farther"), Texts.key("drag of its ring"), ""),
+            new Row(Texts.key("Snap to round places, angles, distances"), Texts.key("Shift in a drag"), ""),
+            new Row(Texts.key("Give a drag up"), "", Texts.key("Esc")));
     private static final List<Row> LIST = List.of(
-            new Row("Rename the selected light", "double click", "F2"),
-            new Row("Switch it on or off", "the bulb", "Space"),
-            new Row("Let it shine alone", "S", "S"),
-            new Row("Delete it", "", "Delete"));
+            new Row(Texts.key("Rename the selected light"), Texts.key("double click"), "F2"),
+            new Row(Texts.key("Switch it on or off"), Texts.key("the bulb"), Texts.key("Space")),
+            new Row(Texts.key("Let it shine alone"), "S", "S"),
+            new Row(Texts.key("Delete it"), "", Texts.key("Delete")));
     private static final List<Row> SHAPES = List.of(
-            new Row("Select a shape, or its group", "click, or right click", ""),
-            new Row("Move, turn, scale it", "left drag of an arrow, a ring, the square", ""),
-            new Row("Hide it, and show it again", "the eye", "H"),
-            new Row("Duplicate it", "", "Ctrl + D"),
-            new Row("Rename it, in the list", "double click", "F2"),
-            new Row("Delete it", "", "Delete"));
+            new Row(Texts.key("Select a shape, or its group"), Texts.key("click, or right click"), ""),
+            new Row(Texts.key("Move, turn, scale it"), Texts.key("left drag of an arrow, a ring, the square"), ""),
+            new Row(Texts.key("Hide it, and show it again"), Texts.key("the eye"), "H"),
+            new Row(Texts.key("Duplicate it"), "", Texts.key("Ctrl + D")),
+            new Row(Texts.key("Rename it, in the list"), Texts.key("double click"), "F2"),
+            new Row(Texts.key("Delete it"), "", Texts.key("Delete")));
     private static final List<Row> NUMBERS = List.of(
-            new Row("One step more or less", "click the arrow's upper or lower half", "up, down"),
-            new Row("Ten steps", "the same with Ctrl", "Page Up, Page Down"),
-            new Row("A tenth of a step", "the same with Shift", "Shift + up, down"),
-            new Row("Bring the old value back", "", "Escape"));
+            new Row(Texts.key("One step more or less"), Texts.key("click the arrow's upper or lower half"), Texts.key("up, down")),
+            new Row(Texts.key("Ten steps"), Texts.key("the same with Ctrl"), Texts.key("Page Up, Page Down")),
+            new Row(Texts.key("A tenth of a step"), Texts.key("the same with Shift"), Texts.key("Shift + up, down")),
+            new Row(Texts.key("Bring the old value back"), "", Texts.key("Escape")));
 
     /** What is told of a key that is pressed, pixels wide. */
     private static final double TOLD = 300;
@@ -67,18 +69,19 @@ final class KeysPane extends GridPane {
         setId("keys");
         // It has the keyboard first: else the window would open scrolled to the first key that can be changed.
         setFocusTraversable(true);
-        setAccessibleText("Mouse and keyboard");
+        setAccessibleText(Texts.of("Mouse and keyboard"));
         getStyleClass().add("keys");
         var text = new ColumnConstraints();
         text.setHgrow(Priority.ALWAYS);
         getColumnConstraints().setAll(text, new ColumnConstraints(), new ColumnConstraints());
-        section("Lights, in the preview", LIGHTS);
-        section("The preview's camera", CAMERA);
-        section("The traced picture", PICTURE);
-        section("The list of lights", LIST);
-        section("Shapes, in their list and in the preview", SHAPES);
-        section("Numbers", NUMBERS);
-        addRow(getRowCount(), label("Commands", "keys-title"), label("Click a key to change it", "caption"), resetAll(model));
+        section(Texts.of("Lights, in the preview"), LIGHTS);
+        section(Texts.of("The preview's camera"), CAMERA);
+        section(Texts.of("The traced picture"), PICTURE);
+        section(Texts.of("The list of lights"), LIST);
+        section(Texts.of("Shapes, in their list and in the preview"), SHAPES);
+        section(Texts.of("Numbers"), NUMBERS);
+        addRow(getRowCount(), label(Texts.of("Commands"), "keys-title"), label(Texts.of("Click a key to change it"), "caption"),
+                resetAll(model));
         Stream.of(Command.values()).filter(model::isDone).forEach(c -> {
             var what = label(c.plainTitle(), "keys-what");
             var told = label("", "keys-how");
@@ -89,7 +92,7 @@ final class KeysPane extends GridPane {
     }
 
     private static Button resetAll(EditorModel model) {
-        var reset = new Button("Reset All Keys");
+        var reset = new Button(Texts.of("Reset All Keys"));
         reset.setId("reset-keys");
         reset.getStyleClass().add("small");
         reset.setOnAction(_ -> model.keys().reset());
@@ -98,9 +101,10 @@ final class KeysPane extends GridPane {
     }
 
     private void section(String title, List<Row> rows) {
-        addRow(getRowCount(), label(title, "keys-title"), label("Mouse", "caption"), label("Keys", "caption"));
+        addRow(getRowCount(), label(title, "keys-title"), label(Texts.of("Mouse"), "caption"), label(Texts.of("Keys"), "caption"));
         for (Row row : rows) {
-            addRow(getRowCount(), label(row.what(), "keys-what"), label(row.mouse(), "keys-how"), label(row.keys(), "keys-how"));
+            addRow(getRowCount(), label(Texts.of(row.what()), "keys-what"), label(Texts.of(row.mouse()), "keys-how"),
+                    label(Texts.of(row.keys()), "keys-how"));
         }
     }
 

@@ -16,6 +16,7 @@ import javafx.stage.Stage;
 import lightning.app.command.FilePrompt;
 import lightning.app.model.Preferences;
 import lightning.app.model.Sentence;
+import lightning.app.model.Speech;
 import lightning.app.widget.Looks;
 import lightning.edit.FileThread;
 import lightning.edit.Recovery;
@@ -78,6 +79,7 @@ public class LightningApp extends Application {
     @Override
     public void init() {
         preferences = new Preferences(Folders.data(), thread);
+        Speech.begin(preferences);
     }
 
     @Override

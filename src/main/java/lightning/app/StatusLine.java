@@ -11,6 +11,7 @@ import lightning.app.model.Sentence;
 import lightning.app.model.StatusText;
 import lightning.edit.Command;
 import lightning.edit.loop.RenderState;
+import lightning.text.Texts;
 
 /** What the picture is and how long it took, in a few words that open all that is known of it; and what the artist should read next. */
 final class StatusLine extends HBox {
@@ -31,7 +32,7 @@ final class StatusLine extends HBox {
         status.setTooltip(whole);
         status.setMnemonicParsing(false);
         status.getStyleClass().add("status-button");
-        status.setAccessibleText("What the last update did");
+        status.setAccessibleText(Texts.of("What the last update did"));
         status.setOnAction(_ -> model.run(Command.UPDATES_PANEL));
         var gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
@@ -47,8 +48,8 @@ final class StatusLine extends HBox {
     private void update() {
         RenderState state = model.renderingProperty().get();
         status.setText(text(state));
-        status.setAccessibleText(status.getText().isEmpty() ? "What the last update did" : status.getText());
-        String click = "\nA click shows what the last updates did.";
+        status.setAccessibleText(status.getText().isEmpty() ? Texts.of("What the last update did") : status.getText());
+        String click = Texts.of("\nA click shows what the last updates did.");
         whole.setText((state.frame() == null ? status.getText() : StatusText.of(state.frame(), state.saving())) + click);
     }
 
@@ -57,10 +58,10 @@ final class StatusLine extends HBox {
             return Sentence.of(state.problem());
         }
         if (model.situationProperty().get().inWork().isPresent() && state.plan() != null && state.frame() == null) {
-            return "Tracing " + model.document().name() + " …";
+            return Texts.of("Tracing {0} …", model.document().name());
         }
         if (state.cancelled()) {
-            return "Cancelled";
+            return Texts.of("Cancelled");
         }
         if (state.verification() != null) {
             return StatusText.of(state.verification(), state.frame());

@@ -12,6 +12,7 @@ import javafx.scene.layout.VBox;
 import lightning.app.model.EditorModel;
 import lightning.app.model.StatusText;
 import lightning.app.model.UpdateLog.Entry;
+import lightning.text.Texts;
 
 /** What the last updates did: plan, rows, rays, time, and what the picture is; the latest at the top. */
 final class UpdatesPane extends VBox {
@@ -24,18 +25,18 @@ final class UpdatesPane extends VBox {
         setId("updates");
         getStyleClass().add("history");
         table.setId("updates-table");
-        table.setAccessibleText("updates");
+        table.setAccessibleText(Texts.of("updates"));
         table.getStyleClass().add("dense");
-        table.setPlaceholder(new Label("No picture yet"));
+        table.setPlaceholder(new Label(Texts.of("No picture yet")));
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_ALL_COLUMNS);
-        text("At", 84, e -> CLOCK.format(e.at()));
-        text("What was done", 230, e -> e.update().plan().text());
-        number("Rows", e -> StatusText.number(e.update().rowsTouched()));
-        number("Shadow rays", e -> StatusText.number(e.update().rays().shadow()));
-        number("All rays", e -> StatusText.number(e.update().rays().all()));
-        number("Time", e -> StatusText.time(e.update().milliseconds()));
-        number("Saved", e -> e.saving().map(s -> StatusText.saving(s.percent() / 100)).orElse("–"));
-        text("Picture", 110, e -> e.finished() ? e.promise() : "without finer samples yet");
+        text(Texts.of("At"), 84, e -> CLOCK.format(e.at()));
+        text(Texts.of("What was done"), 230, e -> e.update().plan().text());
+        number(Texts.of("Rows"), e -> StatusText.number(e.update().rowsTouched()));
+        number(Texts.of("Shadow rays"), e -> StatusText.number(e.update().rays().shadow()));
+        number(Texts.of("All rays"), e -> StatusText.number(e.update().rays().all()));
+        number(Texts.of("Time"), e -> StatusText.time(e.update().milliseconds()));
+        number(Texts.of("Saved"), e -> e.saving().map(s -> StatusText.saving(s.percent() / 100)).orElse("–"));
+        text(Texts.of("Picture"), 110, e -> e.finished() ? e.promise() : Texts.of("without finer samples yet"));
         table.setItems(model.updates().entries());
         whole.setId("updates-whole");
         whole.getStyleClass().add("about-lines");

@@ -4,6 +4,7 @@ import java.util.function.UnaryOperator;
 import lightning.scene.Bank;
 import lightning.scene.Scene;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /** The edits of banks of lights. Each is refused if there is no bank, or no light, of the name given. */
 public final class BankEdits {
@@ -20,7 +21,7 @@ public final class BankEdits {
      * @throws IllegalArgumentException if there is none
      */
     static Bank bank(Scene scene, String name) {
-        return scene.rig().bank(name).orElseThrow(() -> new IllegalArgumentException("there is no bank " + Quote.of(name)));
+        return scene.rig().bank(name).orElseThrow(() -> new IllegalArgumentException(Texts.of("there is no bank {0}", Quote.of(name))));
     }
 
     /** Puts a light into a bank, out of the one that it was in. */

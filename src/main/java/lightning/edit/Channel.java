@@ -10,6 +10,7 @@ import lightning.scene.Light;
 import lightning.scene.Limits;
 import lightning.scene.Rig;
 import lightning.scene.Scene;
+import lightning.text.Texts;
 
 /** What one strip of the light mixer sets: a light, a bank of lights, or the environment. */
 public sealed interface Channel {
@@ -45,7 +46,7 @@ public sealed interface Channel {
         return switch (this) {
             case OfLight(String name) -> name;
             case OfBank(String name) -> name;
-            case OfEnvironment _ -> "environment";
+            case OfEnvironment _ -> Texts.of("environment");
         };
     }
 

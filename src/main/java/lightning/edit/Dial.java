@@ -14,6 +14,7 @@ import lightning.scene.Quantity;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.text.Measure;
+import lightning.text.Texts;
 
 /**
  * One number that an arrow widget or a slider of the property editor turns (paper §3.2, Figure 5): of the selected
@@ -87,7 +88,8 @@ public final class Dial {
         String title = label.isEmpty() ? attribute.title()
                 : quantity.form() == Quantity.Form.COLOR ? label : attribute.title() + " " + label;
         return new Dial(title, label.isEmpty() ? title : label, quantity, attribute.unit(), false,
-                (_, selected) -> selected.isEmpty() ? Optional.of("no light is selected") : attribute.obstacle(selected.get().type()),
+                (_, selected) -> selected.isEmpty() ? Optional.of(Texts.of("no light is selected"))
+                        : attribute.obstacle(selected.get().type()),
                 (scene, light) -> quantity.number(attribute.of(LightEdits.light(scene, light)), index),
                 (scene, light, value) -> {
                     Light before = LightEdits.light(scene, light);

@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.SceneChange;
+import lightning.text.Texts;
 
 /**
  * Unlimited undo and redo: one history for the document and one for each light alone (paper §3.4).
@@ -153,7 +154,8 @@ public final class History {
     public Change goToOfLight(long id, int position) {
         int from = lightPosition(id);
         if (position < 0 || position > lightSteps(id).size() || position == from) {
-            return new Change.Refused("there is nothing to " + (position > from ? "redo" : "undo") + " of this light");
+            return new Change.Refused(position > from ? Texts.of("there is nothing to redo of this light")
+                    : Texts.of("there is nothing to undo of this light"));
         }
         return Change.of(() -> {
             DocumentState moved = state;
@@ -162,7 +164,8 @@ public final class History {
             }
             String name = light(id).orElseThrow().name();
             undone.clear();
-            push(moved, null, name + ": " + Math.abs(position - from) + (position < from ? " undone" : " redone") + " of it alone");
+            push(moved, null, position < from ? Texts.of("{0}: {1} undone of it alone", name, from - position)
+                    : Texts.of("{0}: {1} redone of it alone", name, position - from));
             return moved.scene();
         });
     }
@@ -191,12 +194,13 @@ public final class History {
 
     private Change moveLight(long id, boolean back, Optional<String> label) {
         if (label.isEmpty()) {
-            return new Change.Refused("there is nothing to " + (back ? "undo" : "redo") + " of this light");
+            return new Change.Refused(back ? Texts.of("there is nothing to undo of this light")
+                    : Texts.of("there is nothing to redo of this light"));
         }
         return Change.of(() -> {
             DocumentState moved = state.moved(id, back);
             undone.clear();
-            push(moved, null, (back ? "undo " : "redo ") + label.get());
+            push(moved, null, back ? Texts.of("undo {0}", label.get()) : Texts.of("redo {0}", label.get()));
             return moved.scene();
         });
     }

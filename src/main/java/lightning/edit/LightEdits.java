@@ -13,6 +13,7 @@ import lightning.scene.LightType;
 import lightning.scene.Limits;
 import lightning.scene.Scene;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /** The edits of lights that are more than one {@link Dial}. Each is refused if there is no light of the name given. */
 public final class LightEdits {
@@ -27,7 +28,7 @@ public final class LightEdits {
      * @throws IllegalArgumentException if there is none
      */
     public static Light light(Scene scene, String name) {
-        return scene.light(name).orElseThrow(() -> new IllegalArgumentException("there is no light " + Quote.of(name)));
+        return scene.light(name).orElseThrow(() -> new IllegalArgumentException(Texts.of("there is no light {0}", Quote.of(name))));
     }
 
     /** Any edit of one light that keeps its name. */

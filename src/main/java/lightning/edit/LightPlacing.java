@@ -3,6 +3,7 @@ package lightning.edit;
 import lightning.math.Vec3;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
+import lightning.text.Texts;
 
 /**
  * Places a light by what it does in the picture, at a point that the artist shows. Where it has a direction it is turned to shine there.
@@ -72,14 +73,14 @@ public record LightPlacing(Light begin, Act act, double distance) {
             case Act.Rim() -> {
                 Vec3 along = view.minus(normal.times(view.dot(normal)));
                 if (!(along.length() >= LEAST_SLOPE)) {
-                    throw new IllegalArgumentException("the surface faces the eye there; a rim is where it turns away");
+                    throw new IllegalArgumentException(Texts.of("the surface faces the eye there; a rim is where it turns away"));
                 }
                 yield shiningFrom(point, along.normalized(), distance);
             }
             case Act.Shadow(Vec3 thrower) -> {
                 Vec3 way = thrower.minus(point);
                 if (!(way.maxAbs() >= NEAREST)) {
-                    throw new IllegalArgumentException("the shadow falls on what throws it");
+                    throw new IllegalArgumentException(Texts.of("the shadow falls on what throws it"));
                 }
                 yield shiningFrom(point, way.normalized(), distance > way.length() ? distance : 2 * way.length());
             }
@@ -108,7 +109,7 @@ public record LightPlacing(Light begin, Act act, double distance) {
         });
         Vec3 way = point.minus(begin.position());
         if (!(way.maxAbs() >= 1e-12)) {
-            throw new IllegalArgumentException("the light stands at the point that it should aim at");
+            throw new IllegalArgumentException(Texts.of("the light stands at the point that it should aim at"));
         }
         return begin.withDirection(way);
     }

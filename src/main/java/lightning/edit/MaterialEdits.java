@@ -10,6 +10,7 @@ import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.TextureMap;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /**
  * The edits of materials. Each is refused if there is no material of the name given, or if a value is out of its range.
@@ -31,7 +32,7 @@ public final class MaterialEdits {
     private static Material material(Scene scene, String name) {
         Material material = scene.materialsByName().get(name);
         if (material == null) {
-            throw new IllegalArgumentException("there is no material " + Quote.of(name));
+            throw new IllegalArgumentException(Texts.of("there is no material {0}", Quote.of(name)));
         }
         return material;
     }
@@ -65,7 +66,7 @@ public final class MaterialEdits {
     public static Change repeat(Scene scene, String name, double u, double v) {
         return with(scene, name, m -> {
             TextureMap map = m.texture().orElseThrow(() -> new IllegalArgumentException(
-                    "material " + Quote.of(name) + ": repeat needs a texture, found none"));
+                    Texts.of("material {0}: repeat needs a texture, found none", Quote.of(name))));
             return m.withTexture(Optional.of(new TextureMap(map.file(), u, v, map.image())));
         });
     }

@@ -11,6 +11,7 @@ import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /** The edits of shapes and groups. Each is refused if there is none of the name given. */
 public final class NodeEdits {
@@ -22,7 +23,7 @@ public final class NodeEdits {
     private NodeEdits() {}
 
     private static Node node(Scene scene, String name) {
-        return scene.stage().node(name).orElseThrow(() -> new IllegalArgumentException("there is no shape " + Quote.of(name)));
+        return scene.stage().node(name).orElseThrow(() -> new IllegalArgumentException(Texts.of("there is no shape {0}", Quote.of(name))));
     }
 
     /** Any edit of one shape or group that keeps its name. */

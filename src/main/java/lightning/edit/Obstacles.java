@@ -5,13 +5,14 @@ import java.util.function.Function;
 import lightning.scene.LightAttribute;
 import lightning.scene.Limits;
 import lightning.scene.VisiblePart;
+import lightning.text.Texts;
 
 /** Why commands have nothing to do: each a clause without a full stop, or empty where nothing is in the way. */
 final class Obstacles {
     /** There is always something to do. */
     static final Function<Situation, Optional<String>> NONE = _ -> Optional.empty();
 
-    private static final String NO_PICTURE = "there is no picture yet";
+    private static final String NO_PICTURE = Texts.key("there is no picture yet");
 
     private Obstacles() {}
 
@@ -22,60 +23,60 @@ final class Obstacles {
 
     /** The same, with an obstacle of its own. */
     static Function<Situation, Optional<String>> alone(Function<Situation, Optional<String>> own) {
-        return s -> s.animating() ? Optional.of("an animation is open; close it first") : own.apply(s);
+        return s -> s.animating() ? Optional.of(Texts.of("an animation is open; close it first")) : own.apply(s);
     }
 
     static Optional<String> noPicture(Situation s) {
-        return unless(s.rendered().isPresent(), NO_PICTURE);
+        return unless(s.rendered().isPresent(), Texts.of(NO_PICTURE));
     }
 
     static Optional<String> notPlain(Situation s) {
-        return unless(s.plain(), "the view does not show the whole picture");
+        return unless(s.plain(), Texts.of("the view does not show the whole picture"));
     }
 
     static Optional<String> nothingRuns(Situation s) {
-        return unless(s.inWork().isPresent() || s.verifying() || s.reading(), "nothing is running");
+        return unless(s.inWork().isPresent() || s.verifying() || s.reading(), Texts.of("nothing is running"));
     }
 
     static Optional<String> asOnDisk(Situation s) {
-        return unless(s.dirty() || s.changedOnDisk(), "the scene is as it is on disk");
+        return unless(s.dirty() || s.changedOnDisk(), Texts.of("the scene is as it is on disk"));
     }
 
     static Optional<String> saved(Situation s) {
-        return unless(s.dirty(), "there is nothing to save");
+        return unless(s.dirty(), Texts.of("there is nothing to save"));
     }
 
     static Optional<String> nothingToUndo(Situation s) {
-        return unless(s.undo().isPresent(), "there is nothing to undo");
+        return unless(s.undo().isPresent(), Texts.of("there is nothing to undo"));
     }
 
     static Optional<String> nothingToRedo(Situation s) {
-        return unless(s.redo().isPresent(), "there is nothing to redo");
+        return unless(s.redo().isPresent(), Texts.of("there is nothing to redo"));
     }
 
     static Optional<String> nothingToUndoOfLight(Situation s) {
-        return ofLight(s, s.undoLight().isPresent(), "there is nothing to undo of this light");
+        return ofLight(s, s.undoLight().isPresent(), Texts.of("there is nothing to undo of this light"));
     }
 
     static Optional<String> nothingToRedoOfLight(Situation s) {
-        return ofLight(s, s.redoLight().isPresent(), "there is nothing to redo of this light");
+        return ofLight(s, s.redoLight().isPresent(), Texts.of("there is nothing to redo of this light"));
     }
 
     static Optional<String> noLight(Situation s) {
-        return unless(s.selected().isPresent(), "no light is selected");
+        return unless(s.selected().isPresent(), Texts.of("no light is selected"));
     }
 
     static Optional<String> noShape(Situation s) {
-        return unless(s.node().isPresent(), "no shape is selected");
+        return unless(s.node().isPresent(), Texts.of("no shape is selected"));
     }
 
     static Optional<String> noShapeOrNoRoom(Situation s) {
         return noShape(s).or(() -> unless(s.scene().stage().shapeCount() < Limits.MAX_SHAPES,
-                "a scene has at most " + Limits.MAX_SHAPES + " shapes"));
+                Texts.of("a scene has at most {0} shapes", Limits.MAX_SHAPES)));
     }
 
     static Optional<String> nothingCopied(Situation s) {
-        return ofLight(s, s.copied().isPresent(), "no settings were copied");
+        return ofLight(s, s.copied().isPresent(), Texts.of("no settings were copied"));
     }
 
     static Optional<String> noDirection(Situation s) {
@@ -83,16 +84,17 @@ final class Obstacles {
     }
 
     static Optional<String> noRoom(Situation s) {
-        return unless(s.scene().lights().size() < Limits.MAX_LIGHTS, "a scene has at most " + Limits.MAX_LIGHTS + " lights");
+        return unless(s.scene().lights().size() < Limits.MAX_LIGHTS, Texts.of("a scene has at most {0} lights", Limits.MAX_LIGHTS));
     }
 
     static Optional<String> noBank(Situation s) {
-        return noLight(s).or(() -> unless(!s.selected().orElseThrow().bank().isEmpty(), "the light is in no bank"));
+        return noLight(s).or(() -> unless(!s.selected().orElseThrow().bank().isEmpty(), Texts.of("the light is in no bank")));
     }
 
     static Optional<String> noLightOrNoBankMore(Situation s) {
         return noLight(s)
-                .or(() -> unless(s.scene().rig().banks().size() < Limits.MAX_BANKS, "a scene has at most " + Limits.MAX_BANKS + " banks"));
+                .or(() -> unless(s.scene().rig().banks().size() < Limits.MAX_BANKS,
+                        Texts.of("a scene has at most {0} banks", Limits.MAX_BANKS)));
     }
 
     static Optional<String> noLightOrNoRoom(Situation s) {
@@ -100,29 +102,30 @@ final class Obstacles {
     }
 
     static Optional<String> nothingToAnimate(Situation s) {
-        return ofLight(s, !s.isPending(), s.rendered().isEmpty() ? NO_PICTURE : "the picture does not show the last edits; press Go first");
+        return ofLight(s, !s.isPending(),
+                s.rendered().isEmpty() ? Texts.of(NO_PICTURE) : Texts.of("the picture does not show the last edits; press Go first"));
     }
 
     static Optional<String> oneSample(Situation s) {
-        return unless(s.scene().picture().sampling().isFine(), "every pixel has one sample");
+        return unless(s.scene().picture().sampling().isFine(), Texts.of("every pixel has one sample"));
     }
 
     static Optional<String> nothingToRender(Situation s) {
         if (!s.isPending() && !s.lacksSamples()) {
-            return Optional.of("nothing was edited since the last Go");
+            return Optional.of(Texts.of("nothing was edited since the last Go"));
         }
         boolean comes = s.inWork().filter(scene -> VisiblePart.same(scene, s.scene())).isPresent();
-        return unless(!comes, "the scene is being rendered");
+        return unless(!comes, Texts.of("the scene is being rendered"));
     }
 
     static Optional<String> mirrorsAreCurrent(Situation s) {
         if (s.rendered().isEmpty() || s.mirrored().isEmpty()) {
-            return Optional.of(NO_PICTURE);
+            return Optional.of(Texts.of(NO_PICTURE));
         }
         if (VisiblePart.same(s.rendered().get(), s.mirrored().get())) {
-            return Optional.of("the mirrors show the picture's lights already");
+            return Optional.of(Texts.of("the mirrors show the picture's lights already"));
         }
-        return unless(s.mirrorsRemark().isPresent(), "nothing in the picture mirrors");
+        return unless(s.mirrorsRemark().isPresent(), Texts.of("nothing in the picture mirrors"));
     }
 
     private static Optional<String> ofLight(Situation s, boolean possible, String obstacle) {

@@ -12,6 +12,7 @@ import lightning.jen.JenDocument;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
 import lightning.scene.Scene;
+import lightning.text.Texts;
 
 /**
  * A scene on its way to a file: what the document held when it was to be saved, whatever is edited meanwhile.
@@ -43,7 +44,7 @@ record SceneWriting(SavedScene from, Scene scene, Path target, Set<Consent> allo
         try {
             JenReader.read(text.text(), target.toString(), target.toAbsolutePath().getParent());
         } catch (JenException e) {
-            throw new IOException("the scene cannot be read from there: " + e.problems().getFirst(), e);
+            throw new IOException(Texts.of("the scene cannot be read from there: {0}", e.problems().getFirst()), e);
         }
         Set<Consent> more = EnumSet.of(Consent.OVERWRITE_CHANGED);
         more.addAll(allowed);

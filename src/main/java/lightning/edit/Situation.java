@@ -9,6 +9,7 @@ import lightning.scene.Node;
 import lightning.scene.Scene;
 import lightning.scene.VisiblePart;
 import lightning.shading.SeenScenes;
+import lightning.text.Texts;
 
 /**
  * Everything that decides which commands have something to do.
@@ -99,8 +100,8 @@ public record Situation(Scene scene, Optional<Frame> frame, Optional<Scene> inWo
         if (frame.isEmpty()) {
             return Optional.empty();
         }
-        return isPending() ? Optional.of("the picture does not show the edits since the last Go")
-                : lacksSamples() ? Optional.of("the picture lacks the finer samples of its edges") : Optional.empty();
+        return isPending() ? Optional.of(Texts.of("the picture does not show the edits since the last Go"))
+                : lacksSamples() ? Optional.of(Texts.of("the picture lacks the finer samples of its edges")) : Optional.empty();
     }
 
     /** Whether the traced picture is one of pixels' centres, that finer samples are still to follow. */
@@ -118,7 +119,8 @@ public record Situation(Scene scene, Optional<Frame> frame, Optional<Scene> inWo
             return Optional.empty();
         }
         boolean dark = shown.lights().stream().noneMatch(shown::shines);
-        return Optional.of(dark ? "No light shines here; the mirrors still show those of before" : "The mirrors are older than the lights");
+        return Optional.of(dark ? Texts.of("No light shines here; the mirrors still show those of before")
+                : Texts.of("The mirrors are older than the lights"));
     }
 
     Optional<LightType> type() {

@@ -7,6 +7,7 @@ import lightning.math.Transform;
 import lightning.math.Vec3;
 import lightning.scene.Light;
 import lightning.text.Decimal;
+import lightning.text.Texts;
 
 /**
  * Rounds what a drag makes of a light: places to a grid, directions to whole steps of angle, distances to two digits.
@@ -41,7 +42,7 @@ public record Snap(Light light, String told) {
         double step = step(begin.position(), view, canvas);
         Vec3 at = grid(dragged.position(), step);
         return new Snap(dragged.withPosition(at),
-                "at " + number(at.x()) + " " + number(at.y()) + " " + number(at.z()) + ", grid " + number(step));
+                Texts.of("at {0} {1} {2}, grid {3}", number(at.x()), number(at.y()), number(at.z()), number(step)));
     }
 
     /** A light whose direction is rounded. */
@@ -96,7 +97,7 @@ public record Snap(Light light, String told) {
     }
 
     private static String angles(Vec3 v) {
-        return "azimuth " + number(azimuth(v)) + "°, elevation " + number(elevation(v)) + "°";
+        return Texts.of("azimuth {0}°, elevation {1}°", number(azimuth(v)), number(elevation(v)));
     }
 
     /** A distance, &gt; 0, in two digits. */

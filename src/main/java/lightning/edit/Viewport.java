@@ -1,6 +1,7 @@
 package lightning.edit;
 
 import lightning.math.Vec3;
+import lightning.text.Texts;
 
 /**
  * The size of a picture on the screen, pixels, and where the points of a scene fall on it.
@@ -11,7 +12,7 @@ import lightning.math.Vec3;
 public record Viewport(double width, double height) {
     public Viewport {
         if (!(width >= 1 && height >= 1)) {
-            throw new IllegalArgumentException("a canvas is at least 1 × 1 pixel, was " + width + " × " + height);
+            throw new IllegalArgumentException(Texts.of("a canvas is at least 1 × 1 pixel, was {0} × {1}", width, height));
         }
     }
 

@@ -13,6 +13,7 @@ import java.util.function.BiFunction;
 import java.util.function.Function;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.text.Texts;
 
 /**
  * The attributes of lights, each described here and nowhere else, in the order in which a file writes them. What a light does
@@ -141,7 +142,7 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
 
     /** Why it does nothing for a light of this type: a clause; empty where it acts. */
     public Optional<String> obstacle(LightType type) {
-        return acts(type) ? Optional.empty() : Optional.of("a " + TYPE.kind().text(type) + " light has no " + title());
+        return acts(type) ? Optional.empty() : Optional.of(Texts.of("a {0} light has no {1}", TYPE.kind().text(type), Texts.of(title())));
     }
 
     /** Whether a light takes it over from another whose settings it is given: all but where it is and whether it shines. */

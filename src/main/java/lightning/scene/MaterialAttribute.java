@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import lightning.math.Rgb;
+import lightning.text.Texts;
 
 /** The attributes of materials, each described here and nowhere else, in the order in which a file writes them. */
 public final class MaterialAttribute<V> extends Attribute<Material, V> {
@@ -128,7 +129,8 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
 
     /** Why a material of this model does not have it: a clause; empty where it acts. */
     public Optional<String> obstacle(SurfaceModel of) {
-        return acts(of) ? Optional.empty() : Optional.of("a material of model " + MODEL.kind().text(of) + " has no " + title());
+        return acts(of) ? Optional.empty()
+                : Optional.of(Texts.of("a material of model {0} has no {1}", MODEL.kind().text(of), Texts.of(title())));
     }
 
     /**

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import lightning.math.Vec3;
+import lightning.text.Texts;
 
 /** Says what changed from one scene to another: {@code key: intensity 1 → 1.2}. */
 public final class SceneChange {
@@ -22,8 +23,12 @@ public final class SceneChange {
             return !before.equals(after);
         }
 
+        String name() {
+            return Texts.of(title);
+        }
+
         String text() {
-            return title + " " + before + " → " + after;
+            return name() + " " + before + " → " + after;
         }
     }
 
@@ -56,14 +61,14 @@ public final class SceneChange {
         }
         if (!before.picture().equals(after.picture())) {
             change(Picture.DEPTH, before.picture(), after.picture()).ifPresent(this::add);
-            add(new Change("anti-aliasing", sampling(before), sampling(after)));
-            add(new Change("size", size(before), size(after)));
+            add(new Change(Texts.key("anti-aliasing"), sampling(before), sampling(after)));
+            add(new Change(Texts.key("size"), size(before), size(after)));
         }
         boolean known = materials(before, after) & nodes(before, after);
         boolean other = !known || !before.withPicture(after.picture()).hasSameView(after)
                 || !before.world().background().equals(after.world().background());
         if (other || parts.isEmpty()) {
-            parts.add("the scene");
+            parts.add(Texts.of("the scene"));
         }
         return String.join(", ", parts);
     }
@@ -75,14 +80,14 @@ public final class SceneChange {
     }
 
     private void lights(LightMatch match) {
-        match.gone().forEach(i -> parts.add("delete " + match.before().get(i).name()));
+        match.gone().forEach(i -> parts.add(Texts.of("delete {0}", match.before().get(i).name())));
         boolean ordered = true;
         int last = -1;
         for (int i = 0; i < match.after().size(); i++) {
             Light after = match.after().get(i);
             int origin = match.origin(i);
             if (origin < 0) {
-                parts.add("add " + after.name() + (brief ? "" : ", " + LightAttribute.TYPE.text(after)));
+                parts.add(Texts.of("add {0}", after.name()) + (brief ? "" : ", " + LightAttribute.TYPE.text(after)));
             } else if (!match.before().get(origin).equals(after)) {
                 parts.add(of(match.before().get(origin), after));
             }
@@ -90,7 +95,7 @@ public final class SceneChange {
             last = Math.max(last, origin);
         }
         if (!ordered) {
-            parts.add("order of lights");
+            parts.add(Texts.of("order of lights"));
         }
     }
 
@@ -99,7 +104,7 @@ public final class SceneChange {
         boolean renames = before.banks().size() == after.banks().size();
         for (Bank bank : before.banks()) {
             if (!renames && after.bank(bank.name()).isEmpty()) {
-                parts.add("delete " + bank.name());
+                parts.add(Texts.of("delete {0}", bank.name()));
             }
         }
         for (int i = 0; i < after.banks().size(); i++) {
@@ -107,9 +112,9 @@ public final class SceneChange {
             Optional<Bank> old = before.bank(bank.name()).or(renames ? () -> Optional.of(before.banks().get(after.banks().indexOf(bank)))
                     : Optional::empty);
             if (old.isEmpty()) {
-                parts.add("add " + bank.name());
+                parts.add(Texts.of("add {0}", bank.name()));
             } else if (!old.get().equals(bank)) {
-                List<Change> changes = new ArrayList<>(List.of(new Change("name", old.get().name(), bank.name())));
+                List<Change> changes = new ArrayList<>(List.of(new Change(Texts.key("name"), old.get().name(), bank.name())));
                 changes.addAll(changes(Bank.ATTRIBUTES, old.get(), bank));
                 parts.add(joined(old.get().name(), changes));
             }
@@ -124,7 +129,7 @@ public final class SceneChange {
     }
 
     private String of(Light before, Light after) {
-        List<Change> changes = new ArrayList<>(List.of(new Change("name", before.name(), after.name())));
+        List<Change> changes = new ArrayList<>(List.of(new Change(Texts.key("name"), before.name(), after.name())));
         changes.addAll(changes(LightAttribute.ALL, before, after));
         return joined(before.name(), changes);
     }
@@ -174,7 +179,7 @@ public final class SceneChange {
             if (end == endNow) {
                 known = node(from.get(i), to.get(i), changed);
             } else {
-                changed.add(i < endNow ? "add " + to.get(i).name() : "delete " + from.get(i).name());
+                changed.add(i < endNow ? Texts.of("add {0}", to.get(i).name()) : Texts.of("delete {0}", from.get(i).name()));
             }
         }
         return known;
@@ -203,16 +208,16 @@ public final class SceneChange {
     private static List<Change> changes(Node a, Node b) {
         List<Change> changes = new ArrayList<>();
         if (!a.name().equals(b.name())) {
-            changes.add(new Change("name", a.name(), b.name()));
+            changes.add(new Change(Texts.key("name"), a.name(), b.name()));
         }
         if (a instanceof Shape s && b instanceof Shape t && !s.material().equals(t.material())) {
-            changes.add(new Change("material", s.material(), t.material()));
+            changes.add(new Change(Texts.key("material"), s.material(), t.material()));
         }
-        change("at", a.placement().at(), b.placement().at(), changes);
-        change("rotate", a.placement().rotate(), b.placement().rotate(), changes);
-        change("scale", a.placement().scale(), b.placement().scale(), changes);
+        change(Texts.key("at"), a.placement().at(), b.placement().at(), changes);
+        change(Texts.key("rotate"), a.placement().rotate(), b.placement().rotate(), changes);
+        change(Texts.key("scale"), a.placement().scale(), b.placement().scale(), changes);
         if (a.visible() != b.visible()) {
-            changes.add(new Change("visible", a.visible() ? "yes" : "no", b.visible() ? "yes" : "no"));
+            changes.add(new Change(Texts.key("visible"), a.visible() ? "yes" : "no", b.visible() ? "yes" : "no"));
         }
         return changes;
     }
@@ -251,8 +256,8 @@ public final class SceneChange {
 
     private String joined(String name, List<Change> all) {
         List<Change> changes = all.stream().filter(Change::shows).toList();
-        return name + ": " + (changes.isEmpty() ? "a little"
-                : changes.stream().map(brief && changes.size() > 1 ? Change::title : Change::text).collect(Collectors.joining(", ")));
+        return name + ": " + (changes.isEmpty() ? Texts.of("a little")
+                : changes.stream().map(brief && changes.size() > 1 ? Change::name : Change::text).collect(Collectors.joining(", ")));
     }
 
     private static String size(Scene scene) {

@@ -7,6 +7,7 @@ import java.util.function.Predicate;
 import lightning.math.Rgb;
 import lightning.math.Transform;
 import lightning.math.Vec3;
+import lightning.text.Texts;
 
 /**
  * What surrounds the shapes.
@@ -93,7 +94,7 @@ public record World(double ambience, Rgb background, Optional<Panorama> environm
     /** Why a value of an attribute does nothing in this world: a clause; empty where it acts. */
     public Optional<String> obstacle(Attribute<World, ?> attribute) {
         boolean ofEnvironment = attribute == ROTATION || attribute == INTENSITY || attribute == LAMPS || attribute == SOFTNESS;
-        return ofEnvironment && environment.isEmpty() ? Optional.of("the scene has no environment") : Optional.empty();
+        return ofEnvironment && environment.isEmpty() ? Optional.of(Texts.of("the scene has no environment")) : Optional.empty();
     }
 
     /**

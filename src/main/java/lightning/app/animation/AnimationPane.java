@@ -21,6 +21,7 @@ import lightning.app.widget.Obstacle;
 import lightning.edit.motion.MotionExport;
 import lightning.edit.motion.MotionPath;
 import lightning.text.Quote;
+import lightning.text.Texts;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
@@ -37,9 +38,9 @@ final class AnimationPane extends VBox {
     private final Motion motion;
     private final PathAsk ask;
     private final String sceneName;
-    private final WholeNumber resolution = new WholeNumber("resolution", "Resolution: preview frames from key to key",
+    private final WholeNumber resolution = new WholeNumber("resolution", Texts.of("Resolution: preview frames from key to key"),
             "resolution", MotionPath.MAX_EVERY, MotionPath.DEFAULT_EVERY);
-    private final WholeNumber pictures = new WholeNumber("pictures", "Pictures to export", "the number of pictures",
+    private final WholeNumber pictures = new WholeNumber("pictures", Texts.of("Pictures to export"), Texts.of("the number of pictures"),
             MotionExport.MAX_PICTURES, 1);
     private final Slider scrub = new Slider(0, 1, 0);
     private final Label status = new Label();
@@ -61,12 +62,12 @@ final class AnimationPane extends VBox {
         status.getStyleClass().add("status");
         status.setWrapText(true);
         bar.setMaxWidth(Double.MAX_VALUE);
-        bar.setAccessibleText("export progress");
+        bar.setAccessibleText(Texts.of("export progress"));
         bar.setVisible(false);
         getChildren().addAll(transport(), scrub(), resolution.widget(), pictures.widget(), files(), bar, status,
                 bottom(close));
         obstacles.add(() -> pictures.widget().setObstacle(needsPath()));
-        obstacles.add(() -> resolution.widget().setObstacle(unless(!is(Motion.State.RECORDING), "it is recording")));
+        obstacles.add(() -> resolution.widget().setObstacle(unless(!is(Motion.State.RECORDING), Texts.of("it is recording"))));
         motion.stateProperty().subscribe(this::tell);
         motion.frameProperty().subscribe(_ -> showFrame());
         motion.pathProperty().subscribe(this::showPath);
@@ -74,17 +75,18 @@ final class AnimationPane extends VBox {
 
     private HBox transport() {
         return tools(
-                button("record", "Record", MaterialDesignR.RECORD, "Records position and direction while you move the light",
-                        () -> motion.record(resolution.get()), () -> unless(!is(Motion.State.RECORDING), "it is recording")),
-                button("stop", "Stop", MaterialDesignS.STOP, "Stops recording or playing", motion::stop,
-                        () -> unless(!is(Motion.State.RESTING), "nothing is recording or playing")),
-                button("play", "Play", MaterialDesignP.PLAY, "Renders the picture again and again as the light moves",
-                        motion::play, () -> is(Motion.State.PLAYING) ? Optional.of("it is playing") : needsPath()));
+                button("record", Texts.of("Record"), MaterialDesignR.RECORD,
+                        Texts.of("Records position and direction while you move the light"),
+                        () -> motion.record(resolution.get()), () -> unless(!is(Motion.State.RECORDING), Texts.of("it is recording"))),
+                button("stop", Texts.of("Stop"), MaterialDesignS.STOP, Texts.of("Stops recording or playing"), motion::stop,
+                        () -> unless(!is(Motion.State.RESTING), Texts.of("nothing is recording or playing"))),
+                button("play", Texts.of("Play"), MaterialDesignP.PLAY, Texts.of("Renders the picture again and again as the light moves"),
+                        motion::play, () -> is(Motion.State.PLAYING) ? Optional.of(Texts.of("it is playing")) : needsPath()));
     }
 
     private Node scrub() {
         scrub.setId("scrub");
-        scrub.setAccessibleText("frame");
+        scrub.setAccessibleText(Texts.of("frame"));
         scrub.setBlockIncrement(1);
         scrub.valueProperty().addListener((_, _, now) -> {
             if (!showing) {
@@ -92,26 +94,30 @@ final class AnimationPane extends VBox {
                 motion.show((int) Math.rint(now.doubleValue()));
             }
         });
-        return explained(scrub, "The frame that is shown", this::needsPath);
+        return explained(scrub, Texts.of("The frame that is shown"), this::needsPath);
     }
 
     private HBox files() {
         return tools(
-                button("save-animation", "Save…", MaterialDesignC.CONTENT_SAVE_OUTLINE, "Save Animation: the path as a text file",
+                button("save-animation", Texts.of("Save…"), MaterialDesignC.CONTENT_SAVE_OUTLINE,
+                        Texts.of("Save Animation: the path as a text file"),
                         this::save, this::needsPath),
-                button("load-animation", "Load…", MaterialDesignF.FOLDER_OPEN_OUTLINE, "Load Animation: a path from a file",
+                button("load-animation", Texts.of("Load…"), MaterialDesignF.FOLDER_OPEN_OUTLINE,
+                        Texts.of("Load Animation: a path from a file"),
                         this::load, Optional::empty),
-                button("export", "Export…", MaterialDesignI.IMAGE_MULTIPLE_OUTLINE, "Writes numbered PNG pictures to a folder",
-                        this::export, () -> export != null ? Optional.of("an export is running") : needsPath()),
-                button("cancel-export", "Cancel", MaterialDesignC.CANCEL, "Stops the export; finished pictures stay",
-                        () -> export.cancel(false), () -> unless(export != null, "no export is running")));
+                button("export", Texts.of("Export…"), MaterialDesignI.IMAGE_MULTIPLE_OUTLINE,
+                        Texts.of("Writes numbered PNG pictures to a folder"),
+                        this::export, () -> export != null ? Optional.of(Texts.of("an export is running")) : needsPath()),
+                button("cancel-export", Texts.of("Cancel"), MaterialDesignC.CANCEL, Texts.of("Stops the export; finished pictures stay"),
+                        () -> export.cancel(false), () -> unless(export != null, Texts.of("no export is running"))));
     }
 
     private HBox bottom(Runnable close) {
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
-        return tools(gap, button("close-animation", "Close", MaterialDesignC.CLOSE, "Restores the scene as it was before",
-                close, Optional::empty));
+        return tools(gap,
+                button("close-animation", Texts.of("Close"), MaterialDesignC.CLOSE, Texts.of("Restores the scene as it was before"),
+                        close, Optional::empty));
     }
 
     private static HBox tools(Node... nodes) {
@@ -140,8 +146,8 @@ final class AnimationPane extends VBox {
     }
 
     private Optional<String> needsPath() {
-        return is(Motion.State.RECORDING) ? Optional.of("it is recording")
-                : unless(motion.path().isPresent(), "nothing is recorded or loaded yet");
+        return is(Motion.State.RECORDING) ? Optional.of(Texts.of("it is recording"))
+                : unless(motion.path().isPresent(), Texts.of("nothing is recorded or loaded yet"));
     }
 
     private static Optional<String> unless(boolean possible, String reason) {
@@ -151,10 +157,10 @@ final class AnimationPane extends VBox {
     private void tell(Motion.State now) {
         obstacles.forEach(Runnable::run);
         status.setText(switch (now) {
-            case RECORDING -> "Move " + motion.light() + " in the preview, then press Stop.";
-            case PLAYING -> "Playing";
-            case RESTING -> motion.path().map(p -> p.keys().size() + " keys over " + p.frames() + " frames")
-                    .orElse("Press Record, then move " + motion.light() + " in the preview.");
+            case RECORDING -> Texts.of("Move {0} in the preview, then press Stop.", motion.light());
+            case PLAYING -> Texts.of("Playing");
+            case RESTING -> motion.path().map(p -> Texts.of("{0} keys over {1} frames", p.keys().size(), p.frames()))
+                    .orElse(Texts.of("Press Record, then move {0} in the preview.", motion.light()));
         });
     }
 
@@ -171,7 +177,7 @@ final class AnimationPane extends VBox {
 
     private void showFrame() {
         switch (motion.state()) {
-            case RECORDING -> status.setText("Recording: " + motion.recorded() + " frames");
+            case RECORDING -> status.setText(Texts.of("Recording: {0} frames", motion.recorded()));
             case PLAYING, RESTING -> {
                 showing = true;
                 scrub.setValue(motion.frameProperty().get());
@@ -181,21 +187,21 @@ final class AnimationPane extends VBox {
     }
 
     private void save() {
-        ask.fileToSave("Save Animation", sceneName + "." + EXTENSION, EXTENSION).ifPresent(file -> {
-            status.setText("Saving …");
-            motion.save(file, () -> status.setText("Saved to " + Quote.path(file)),
-                    why -> status.setText("Not saved: " + Sentence.of(why)));
+        ask.fileToSave(Texts.of("Save Animation"), sceneName + "." + EXTENSION, EXTENSION).ifPresent(file -> {
+            status.setText(Texts.of("Saving …"));
+            motion.save(file, () -> status.setText(Texts.of("Saved to {0}", Quote.path(file))),
+                    why -> status.setText(Texts.of("Not saved: {0}", Sentence.of(why))));
         });
     }
 
     private void load() {
-        ask.fileToOpen("Load Animation", EXTENSION).ifPresent(file -> {
-            motion.load(file, why -> status.setText("Not loaded: " + Sentence.of(why)));
+        ask.fileToOpen(Texts.of("Load Animation"), EXTENSION).ifPresent(file -> {
+            motion.load(file, why -> status.setText(Texts.of("Not loaded: {0}", Sentence.of(why))));
         });
     }
 
     private void export() {
-        ask.folder("Export pictures to").ifPresent(folder -> {
+        ask.folder(Texts.of("Export pictures to")).ifPresent(folder -> {
             motion.stop();
             ExportTask task = new ExportTask(motion.export(pictures.get()), folder, sceneName);
             export = task;
@@ -211,7 +217,7 @@ final class AnimationPane extends VBox {
     /** The last pictures of an export that was cancelled are told of after its end. */
     private void exported(ExportTask task, int written) {
         if (export == task) {
-            status.setText("Exporting: " + written + " of " + task.pictures());
+            status.setText(Texts.of("Exporting: {0} of {1}", written, task.pictures()));
         }
     }
 
@@ -220,9 +226,9 @@ final class AnimationPane extends VBox {
             case READY, SCHEDULED, RUNNING -> {
                 return;
             }
-            case SUCCEEDED -> status.setText("Exported " + task.pictures() + " pictures to " + task.folder());
-            case CANCELLED -> status.setText("Export cancelled after " + task.getValue() + " of " + task.pictures() + " pictures");
-            case FAILED -> status.setText("Export failed: " + task.getException().getMessage());
+            case SUCCEEDED -> status.setText(Texts.of("Exported {0} pictures to {1}", task.pictures(), task.folder()));
+            case CANCELLED -> status.setText(Texts.of("Export cancelled after {0} of {1} pictures", task.getValue(), task.pictures()));
+            case FAILED -> status.setText(Texts.of("Export failed: {0}", task.getException().getMessage()));
         }
         export = null;
         bar.progressProperty().unbind();

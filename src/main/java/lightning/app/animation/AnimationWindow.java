@@ -11,6 +11,7 @@ import lightning.app.command.PathAsk;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.Looks;
 import lightning.app.widget.OnScreen;
+import lightning.text.Texts;
 
 /** Records and plays the way of the light that is selected when it opens (paper §3.7). */
 public final class AnimationWindow extends Stage {
@@ -25,7 +26,7 @@ public final class AnimationWindow extends Stage {
     AnimationWindow(EditorModel model, Window owner, PathAsk ask) {
         initOwner(owner);
         Motion motion = new Motion(model);
-        setTitle("Animation of " + motion.light());
+        setTitle(Texts.of("Animation of {0}", motion.light()));
         String name = model.document().name().replaceFirst("\\.[^.]*$", "") + "-" + motion.light();
         AnimationPane pane = new AnimationPane(motion, name, ask, this::close);
         Scene content = new Scene(pane);

@@ -5,6 +5,7 @@ import lightning.app.widget.ArrowWidget;
 import lightning.app.widget.Gauge;
 import lightning.edit.Steps;
 import lightning.scene.Limits;
+import lightning.text.Texts;
 
 /** A whole number from 1 that belongs to a window and no document. */
 final class WholeNumber {
@@ -20,7 +21,7 @@ final class WholeNumber {
                 return Optional.of(e.getMessage());
             }
             if (wanted != Math.rint(wanted)) {
-                return Optional.of(title + " must be a whole number, was " + Limits.text(wanted));
+                return Optional.of(Texts.of("{0} must be a whole number, was {1}", title, Limits.text(wanted)));
             }
             set((int) wanted);
             return Optional.empty();

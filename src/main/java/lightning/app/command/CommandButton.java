@@ -9,6 +9,7 @@ import javafx.scene.layout.StackPane;
 import javafx.util.Duration;
 import lightning.app.model.EditorModel;
 import lightning.edit.Command;
+import lightning.text.Texts;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /**
@@ -93,6 +94,6 @@ public final class CommandButton extends StackPane {
      */
     static String help(Command command, String key, String obstacle) {
         String does = command.plainTitle() + (key.isEmpty() ? "" : "  (" + key + ")") + "\n" + command.help() + ".";
-        return obstacle.isEmpty() ? does : does + "\nNot now: " + obstacle + ".";
+        return obstacle.isEmpty() ? does : Texts.of("{0}\nNot now: {1}.", does, obstacle);
     }
 }

@@ -19,6 +19,7 @@ import javafx.stage.StageStyle;
 import javafx.stage.Window;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.Looks;
+import lightning.text.Texts;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /** All commands by a few letters of their names: Enter does the first that fits, and one that has nothing to do says why. */
@@ -38,17 +39,17 @@ public final class CommandPalette extends Stage {
         this.model = model;
         all = Offer.all(bar, model);
         initOwner(owner);
-        setTitle("Find Command");
+        setTitle(Texts.of("Find Command"));
         query.setId("palette-query");
-        query.setAccessibleText("Letters of a command's name");
-        query.setPromptText("Letters of a command's name");
+        query.setAccessibleText(Texts.of("Letters of a command's name"));
+        query.setPromptText(Texts.of("Letters of a command's name"));
         query.textProperty().subscribe(this::search);
         query.addEventFilter(KeyEvent.KEY_PRESSED, this::press);
         found.setId("palette-found");
-        found.setAccessibleText("commands");
+        found.setAccessibleText(Texts.of("commands"));
         found.setFocusTraversable(false);
         found.getStyleClass().add("edge-to-edge");
-        found.setPlaceholder(new Label("No command has these letters"));
+        found.setPlaceholder(new Label(Texts.of("No command has these letters")));
         found.setCellFactory(_ -> new Row());
         found.getSelectionModel().selectedItemProperty().subscribe(this::tell);
         VBox.setVgrow(found, Priority.ALWAYS);
@@ -83,7 +84,8 @@ public final class CommandPalette extends Stage {
     }
 
     private void tell(Offer offer) {
-        about.setText(offer == null ? "" : offer.command().help() + "." + offer.reason().map(r -> "\nNot now: " + r + ".").orElse("\n"));
+        about.setText(
+                offer == null ? "" : offer.command().help() + "." + offer.reason().map(r -> Texts.of("\nNot now: {0}.", r)).orElse("\n"));
     }
 
     private void press(KeyEvent e) {
@@ -144,7 +146,7 @@ public final class CommandPalette extends Stage {
                 key.setText(model.keys().text(offer.command()));
                 key.setVisible(!key.getText().isEmpty());
                 row.setOpacity(offer.reason().isEmpty() ? 1 : 0.5);
-                setAccessibleText(offer.title() + offer.reason().map(r -> ", not now: " + r).orElse(""));
+                setAccessibleText(offer.title() + offer.reason().map(r -> Texts.of(", not now: {0}", r)).orElse(""));
             }
         }
     }

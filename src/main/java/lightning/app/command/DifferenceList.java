@@ -8,6 +8,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.edit.TextDifference;
+import lightning.text.Texts;
 
 /** Two texts side by side; lines that differ are marked and coloured. */
 final class DifferenceList extends VBox {
@@ -23,12 +24,12 @@ final class DifferenceList extends VBox {
         getStyleClass().add("differences");
         var list = new ListView<TextDifference.Row>();
         list.setId("differences");
-        list.setAccessibleText("The lines of both texts");
+        list.setAccessibleText(Texts.of("The lines of both texts"));
         list.getItems().setAll(rows);
         list.setCellFactory(_ -> new RowCell());
         list.setPrefSize(WIDTH, HEIGHT);
         VBox.setVgrow(list, Priority.ALWAYS);
-        var titles = new HBox(GAP, half(new Label("The open scene")), half(new Label("The file on disk")));
+        var titles = new HBox(GAP, half(new Label(Texts.of("The open scene"))), half(new Label(Texts.of("The file on disk"))));
         getChildren().addAll(titles, list);
         int first = 0;
         while (first < rows.size() && rows.get(first).isSame()) {

@@ -1,12 +1,14 @@
 package lightning.app.command;
 
+import lightning.text.Texts;
+
 /** What a picture can be exported as. */
 enum ExportKind {
-    LAYERS_HALF("Layers as OpenEXR, Half…", ".exr", 16, true),
-    LAYERS_FLOAT("Layers as OpenEXR, 32 Bits…", ".exr", 32, true),
-    EXR("Picture as OpenEXR, 32 Bits…", ".exr", 32, false),
-    HDR("Picture as Radiance HDR…", ".hdr", 8, false),
-    PNG("Picture as PNG, 16 Bits…", ".png", 16, false);
+    LAYERS_HALF(Texts.key("Layers as OpenEXR, Half…"), ".exr", 16, true),
+    LAYERS_FLOAT(Texts.key("Layers as OpenEXR, 32 Bits…"), ".exr", 32, true),
+    EXR(Texts.key("Picture as OpenEXR, 32 Bits…"), ".exr", 32, false),
+    HDR(Texts.key("Picture as Radiance HDR…"), ".hdr", 8, false),
+    PNG(Texts.key("Picture as PNG, 16 Bits…"), ".png", 16, false);
 
     private final String title;
     private final String ending;
@@ -22,7 +24,7 @@ enum ExportKind {
 
     /** As a menu has it. */
     String title() {
-        return title;
+        return Texts.of(title);
     }
 
     String ending() {

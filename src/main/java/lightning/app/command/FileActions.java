@@ -24,6 +24,7 @@ import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
 import lightning.scene.Scene;
 import lightning.text.Quote;
+import lightning.text.Texts;
 import lightning.work.Workers;
 
 /** The commands about files. Files are read and written beside the window's thread. */
@@ -109,7 +110,7 @@ public final class FileActions {
                     }
                 });
             }
-        }, why -> notices.failed(Quote.path(file.getFileName()) + " could not be imported", why));
+        }, why -> notices.failed(Texts.of("{0} could not be imported", Quote.path(file.getFileName())), why));
     }
 
     /** What was read of a file of another program, and what it looks like in all units, where it does not say which are right. */
@@ -137,9 +138,9 @@ public final class FileActions {
         read(file, () -> {
             made.write();
             int kinds = made.notes().size();
-            String told = "Imported " + Quote.path(file.getFileName())
-                    + (kinds == 0 ? "" : "; " + kinds + (kinds == 1 ? " kind of thing is" : " kinds of things are")
-                            + " left out or not the same: " + String.join(", ", made.notes().keySet().stream().sorted().toList()));
+            String told = Texts.of("Imported {0}", Quote.path(file.getFileName())) + (kinds == 0 ? "" : Texts.count(kinds,
+                    "; {0} kind of thing is left out or not the same: {1}", "; {0} kinds of things are left out or not the same: {1}",
+                    kinds, String.join(", ", made.notes().keySet().stream().sorted().toList())));
             model.files().window().execute(() -> model.say(told));
             return OpenDocument.open(made.to());
         });
@@ -162,7 +163,7 @@ public final class FileActions {
         model.files().beside(work, read -> whileWanted(file, () -> then.accept(read)),
                 why -> whileWanted(file, () -> {
                     model.say("");
-                    notices.failed(Quote.path(file.getFileName()) + " could not be opened", why);
+                    notices.failed(Texts.of("{0} could not be opened", Quote.path(file.getFileName())), why);
                 }));
     }
 
@@ -182,7 +183,7 @@ public final class FileActions {
     /** Opens what a crash left unsaved, which is deleted where the artist does not want it. */
     public void recover(Recovery.Found found) {
         model.files().beside(() -> OpenDocument.recover(found), recovered -> model.recover(found, recovered),
-                why -> notices.failed("The edits could not be recovered", why));
+                why -> notices.failed(Texts.of("The edits could not be recovered"), why));
     }
 
     /**
@@ -206,8 +207,8 @@ public final class FileActions {
 
     private void reload() {
         String name = model.document().name();
-        model.workbench().reload(failure -> failure.ifPresentOrElse(why -> notices.failed(name + " could not be reloaded", why),
-                () -> model.say("Reloaded; Undo brings the edits back")));
+        model.workbench().reload(failure -> failure.ifPresentOrElse(why -> notices.failed(Texts.of("{0} could not be reloaded", name), why),
+                () -> model.say(Texts.of("Reloaded; Undo brings the edits back"))));
     }
 
     /** Shows the open scene beside its file, which somebody else changed, and asks which it shall be. */
@@ -218,7 +219,7 @@ public final class FileActions {
     private void saved() {
         preferences.opened(model.document().file());
         listRecent();
-        model.say("Saved " + model.document().name());
+        model.say(Texts.of("Saved {0}", model.document().name()));
     }
 
     private void saveImage() {
@@ -248,14 +249,16 @@ public final class FileActions {
 
     private void write(Path file, Frame frame) {
         ViewTransform view = model.viewProperty().get().ofPicture();
-        model.say("Saving " + Quote.path(file.getFileName()) + " …");
+        model.say(Texts.of("Saving {0} …", Quote.path(file.getFileName())));
         model.files().inTurn(() -> {
             PictureFile.write(file, frame.film(), view);
             return file;
-        }, _ -> model.say("Saved " + Quote.path(file.getFileName()) + (PictureFile.isShown(file) && !view.equals(ViewTransform.DEFAULT)
-                ? " (" + view.text() + ")" : "")), why -> {
+        }, _ -> model.say(
+                Texts.of("Saved {0}{1}", Quote.path(file.getFileName()), PictureFile.isShown(file) && !view.equals(ViewTransform.DEFAULT)
+                        ? " (" + view.text() + ")" : "")),
+                why -> {
                     model.say("");
-                    notices.failed("The picture could not be saved", why);
+                    notices.failed(Texts.of("The picture could not be saved"), why);
                 });
     }
 
@@ -274,6 +277,6 @@ public final class FileActions {
     public List<MenuItem> recentItems() {
         List<MenuItem> items = recent.stream()
                 .map(file -> CommandItems.of(model).value(Command.LOAD_RECENT, Quote.path(file), () -> load(file))).toList();
-        return items.isEmpty() ? List.of(CommandItems.nothing(Command.LOAD_RECENT, "None yet")) : items;
+        return items.isEmpty() ? List.of(CommandItems.nothing(Command.LOAD_RECENT, Texts.of("None yet"))) : items;
     }
 }

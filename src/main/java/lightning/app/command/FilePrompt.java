@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import javafx.stage.FileChooser;
 import javafx.stage.Window;
 import lightning.exchange.Importer;
+import lightning.text.Texts;
 
 /** Asks which file. */
 public interface FilePrompt {
@@ -51,41 +52,41 @@ public interface FilePrompt {
     /** The system's own windows. */
     static FilePrompt of(Window owner) {
         var scenes = new FileChooser.ExtensionFilter("Scenes (*.jen)", "*.jen");
-        var files = new FileChooser.ExtensionFilter("Scenes, glTF, OBJ, PLY, NFF",
+        var files = new FileChooser.ExtensionFilter(Texts.of("Scenes, glTF, OBJ, PLY, NFF"),
                 Stream.concat(Stream.of(".jen"), Importer.ENDINGS.stream()).map(ending -> "*" + ending).toList());
         var tables = new FileChooser.ExtensionFilter("Tables (*.cube)", "*.cube");
         return new FilePrompt() {
             @Override
             public Optional<Path> scene(Path folder) {
-                return path(chooser("Load File", folder, files), c -> c.showOpenDialog(owner));
+                return path(chooser(Texts.of("Load File"), folder, files), c -> c.showOpenDialog(owner));
             }
 
             @Override
             public Optional<Path> sceneToWrite(Path proposal) {
-                var chooser = chooser("Save Scene As", proposal.toAbsolutePath().getParent(), scenes);
+                var chooser = chooser(Texts.of("Save Scene As"), proposal.toAbsolutePath().getParent(), scenes);
                 chooser.setInitialFileName(proposal.getFileName().toString());
                 return path(chooser, c -> c.showSaveDialog(owner));
             }
 
             @Override
             public Optional<Path> rig(Path folder) {
-                return path(chooser("Load Light Rig", folder, scenes), c -> c.showOpenDialog(owner));
+                return path(chooser(Texts.of("Load Light Rig"), folder, scenes), c -> c.showOpenDialog(owner));
             }
 
             @Override
             public Optional<Path> table(Path folder) {
-                return path(chooser("Color Table", folder, tables), c -> c.showOpenDialog(owner));
+                return path(chooser(Texts.of("Color Table"), folder, tables), c -> c.showOpenDialog(owner));
             }
 
             @Override
             public Optional<Path> texture(Path folder) {
                 var pictures = new FileChooser.ExtensionFilter("PNG, JPEG", "*.png", "*.jpg", "*.jpeg");
-                return path(chooser("Choose Texture", folder, pictures), c -> c.showOpenDialog(owner));
+                return path(chooser(Texts.of("Choose Texture"), folder, pictures), c -> c.showOpenDialog(owner));
             }
 
             @Override
             public Optional<Path> rigToWrite(Path proposal) {
-                var chooser = chooser("Save Light Rig", proposal.toAbsolutePath().getParent(), scenes);
+                var chooser = chooser(Texts.of("Save Light Rig"), proposal.toAbsolutePath().getParent(), scenes);
                 chooser.setInitialFileName(proposal.getFileName().toString());
                 return path(chooser, c -> c.showSaveDialog(owner));
             }
@@ -93,7 +94,7 @@ public interface FilePrompt {
             @Override
             public Optional<Path> pictureToWrite(Path proposal) {
                 String name = proposal.getFileName().toString();
-                var chooser = chooser("Save Image", proposal.toAbsolutePath().getParent(),
+                var chooser = chooser(Texts.of("Save Image"), proposal.toAbsolutePath().getParent(),
                         PICTURES.stream().sorted(Comparator.comparing(kind -> !name.endsWith(kind.getExtensions().getFirst().substring(1))))
                                 .toArray(FileChooser.ExtensionFilter[]::new));
                 chooser.setInitialFileName(proposal.getFileName().toString());

@@ -11,6 +11,7 @@ import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 import lightning.app.model.Keys;
 import lightning.edit.Command;
+import lightning.text.Texts;
 
 /**
  * The key of a command. A click, and the next key is taken: at once where it is free, at a second press where another command has it.
@@ -34,7 +35,7 @@ public final class KeyButton extends Button {
         setId("key-" + command.id());
         getStyleClass().addAll("small", "key-button");
         setMinWidth(USE_PREF_SIZE);
-        setTooltip(new Tooltip("Click, then press another key.\nDelete: no key. Home: the program's own. Escape: as it was."));
+        setTooltip(new Tooltip(Texts.of("Click, then press another key.\nDelete: no key. Home: the program's own. Escape: as it was.")));
         setOnAction(_ -> listen());
         addEventFilter(KeyEvent.KEY_PRESSED, this::press);
         focusedProperty().subscribe(is -> {
@@ -48,7 +49,7 @@ public final class KeyButton extends Button {
     private void listen() {
         listening = true;
         asked = Optional.empty();
-        setText("press a key …");
+        setText(Texts.of("press a key …"));
         told.setText("");
     }
 
@@ -75,7 +76,7 @@ public final class KeyButton extends Button {
             told.setText(obstacle.get());
         } else if (owner.isPresent() && !asked.equals(Optional.of(key))) {
             asked = Optional.of(key);
-            told.setText(key.getDisplayText() + " is " + owner.get().plainTitle() + "'s: press again to take it");
+            told.setText(Texts.of("{0} is {1}'s: press again to take it", key.getDisplayText(), owner.get().plainTitle()));
         } else {
             set(Optional.of(key));
         }
@@ -96,8 +97,8 @@ public final class KeyButton extends Button {
     private void show() {
         if (!listening) {
             String key = keys.text(command);
-            setText(key.isEmpty() ? "none" : key);
-            setAccessibleText("Key of " + command.plainTitle() + ": " + getText());
+            setText(key.isEmpty() ? Texts.of("none") : key);
+            setAccessibleText(Texts.of("Key of {0}: {1}", command.plainTitle(), getText()));
             pseudoClassStateChanged(CHANGED, keys.isChanged(command));
         }
     }

@@ -14,6 +14,7 @@ import lightning.app.widget.PixelImage;
 import lightning.exchange.LightUnits;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
+import lightning.text.Texts;
 
 /** A button for each thing that the numbers of a file's lights may be, with the picture that it makes. */
 final class LightUnitCards extends VBox {
@@ -24,15 +25,16 @@ final class LightUnitCards extends VBox {
     /** @param then runs when one was chosen */
     LightUnitCards(Map<LightUnits, Film> pictures, Runnable then) {
         super(GAP);
-        var why = new Label("The file has numbers for its lights and does not say what they are: exporters write one or the other. "
-                + "Textures are left out in these pictures.");
+        var why =
+                new Label(Texts.of("The file has numbers for its lights and does not say what they are: exporters write one or the other. "
+                        + "Textures are left out in these pictures."));
         why.setWrapText(true);
         var cards = new HBox(GAP);
         pictures.forEach((units, film) -> {
             var card = new Button(title(units), new ImageView(image(film)));
             card.setId("units-" + units.name().toLowerCase(Locale.ROOT));
             card.setContentDisplay(ContentDisplay.TOP);
-            card.setAccessibleText("Take the numbers as " + units.words());
+            card.setAccessibleText(Texts.of("Take the numbers as {0}", units.words()));
             card.setOnAction(_ -> {
                 chosen = Optional.of(units);
                 then.run();
@@ -52,9 +54,9 @@ final class LightUnitCards extends VBox {
 
     private static String title(LightUnits units) {
         return switch (units) {
-            case CANDELA -> "Candela and lux, as the format says";
-            case UNITLESS -> "Watts per steradian (unitless)";
-            case WATTS -> "Watts";
+            case CANDELA -> Texts.of("Candela and lux, as the format says");
+            case UNITLESS -> Texts.of("Watts per steradian (unitless)");
+            case WATTS -> Texts.of("Watts");
         };
     }
 

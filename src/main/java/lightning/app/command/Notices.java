@@ -23,6 +23,7 @@ import lightning.image.Film;
 import lightning.jen.JenException;
 import lightning.jen.Problem;
 import lightning.text.Quote;
+import lightning.text.Texts;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
@@ -31,17 +32,17 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
 
 /** What the editor tells and asks in windows of their own. */
 public final class Notices {
-    static final ButtonType SAVE = new ButtonType("Save", ButtonData.YES);
-    static final ButtonType DISCARD = new ButtonType("Don't Save", ButtonData.NO);
-    static final ButtonType GO_FIRST = new ButtonType("Go First", ButtonData.NO);
-    static final ButtonType SAVE_AS_IT_IS = new ButtonType("Save As It Is", ButtonData.YES);
-    public static final ButtonType RECOVER = new ButtonType("Recover", ButtonData.YES);
-    public static final ButtonType FORGET = new ButtonType("Discard", ButtonData.NO);
-    static final ButtonType OVERWRITE = new ButtonType("Overwrite", ButtonData.YES);
-    static final ButtonType REPLACE = new ButtonType("Replace", ButtonData.YES);
-    static final ButtonType SAVE_AS = new ButtonType("Save As…", ButtonData.OTHER);
-    static final ButtonType RELOAD = new ButtonType("Take the File's", ButtonData.NO);
-    private static final ButtonType LATER = new ButtonType("Ask Later", ButtonData.CANCEL_CLOSE);
+    static final ButtonType SAVE = new ButtonType(Texts.of("Save"), ButtonData.YES);
+    static final ButtonType DISCARD = new ButtonType(Texts.of("Don't Save"), ButtonData.NO);
+    static final ButtonType GO_FIRST = new ButtonType(Texts.of("Go First"), ButtonData.NO);
+    static final ButtonType SAVE_AS_IT_IS = new ButtonType(Texts.of("Save As It Is"), ButtonData.YES);
+    public static final ButtonType RECOVER = new ButtonType(Texts.of("Recover"), ButtonData.YES);
+    public static final ButtonType FORGET = new ButtonType(Texts.of("Discard"), ButtonData.NO);
+    static final ButtonType OVERWRITE = new ButtonType(Texts.of("Overwrite"), ButtonData.YES);
+    static final ButtonType REPLACE = new ButtonType(Texts.of("Replace"), ButtonData.YES);
+    static final ButtonType SAVE_AS = new ButtonType(Texts.of("Save As…"), ButtonData.OTHER);
+    static final ButtonType RELOAD = new ButtonType(Texts.of("Take the File's"), ButtonData.NO);
+    private static final ButtonType LATER = new ButtonType(Texts.of("Ask Later"), ButtonData.CANCEL_CLOSE);
     private static final double WIDTH = 560;
     private static final double LIST_HEIGHT = 320;
     private static final double ROW_HEIGHT = 36;
@@ -73,7 +74,7 @@ public final class Notices {
         Alert alert = alert(Alert.AlertType.ERROR, what, "", ButtonType.CLOSE);
         var list = new ListView<Problem>();
         list.setId("problems");
-        list.setAccessibleText("What is wrong with the file");
+        list.setAccessibleText(Texts.of("What is wrong with the file"));
         list.getItems().setAll(problems);
         list.setCellFactory(_ -> new ProblemCell());
         list.setPrefSize(WIDTH, Math.min(LIST_HEIGHT, ROW_HEIGHT * (problems.size() + 1)));
@@ -82,26 +83,26 @@ public final class Notices {
     }
 
     Optional<ButtonType> unsaved(String name) {
-        return alert(Alert.AlertType.CONFIRMATION, "Save the changes of " + name + "?",
-                "The scene was edited since it was last saved.", SAVE, DISCARD, ButtonType.CANCEL).showAndWait();
+        return alert(Alert.AlertType.CONFIRMATION, Texts.of("Save the changes of {0}?", name),
+                Texts.of("The scene was edited since it was last saved."), SAVE, DISCARD, ButtonType.CANCEL).showAndWait();
     }
 
     /** @param remark why the picture is not what the artist may expect: a clause */
     Optional<ButtonType> pending(String remark) {
-        return alert(Alert.AlertType.CONFIRMATION, "Save the picture as it is?",
+        return alert(Alert.AlertType.CONFIRMATION, Texts.of("Save the picture as it is?"),
                 Character.toUpperCase(remark.charAt(0)) + remark.substring(1) + ".", SAVE_AS_IT_IS, GO_FIRST, ButtonType.CANCEL)
                 .showAndWait();
     }
 
     public Optional<ButtonType> recover(Recovery.Found found) {
-        return alert(Alert.AlertType.CONFIRMATION, "Recover unsaved edits of " + Quote.path(found.file().getFileName()) + "?",
-                "Lightning ended before they were saved to " + Quote.path(found.file()) + ".", RECOVER, FORGET, LATER)
+        return alert(Alert.AlertType.CONFIRMATION, Texts.of("Recover unsaved edits of {0}?", Quote.path(found.file().getFileName())),
+                Texts.of("Lightning ended before they were saved to {0}.", Quote.path(found.file())), RECOVER, FORGET, LATER)
                 .showAndWait();
     }
 
     /** @param both the open scene beside the file */
     Optional<ButtonType> changed(String name, Node both) {
-        Alert alert = alert(Alert.AlertType.CONFIRMATION, name + " was changed by another program",
+        Alert alert = alert(Alert.AlertType.CONFIRMATION, Texts.of("{0} was changed by another program", name),
                 "", OVERWRITE, SAVE_AS, RELOAD, ButtonType.CANCEL);
         alert.getDialogPane().setContent(both);
         alert.setResizable(true);
@@ -116,7 +117,8 @@ public final class Notices {
      */
     Optional<LightUnits> lightUnits(Path file, Map<LightUnits, Film> pictures) {
         Alert alert =
-                alert(Alert.AlertType.CONFIRMATION, "Which of these is " + Quote.path(file.getFileName()) + "?", "", ButtonType.CANCEL);
+                alert(Alert.AlertType.CONFIRMATION, Texts.of("Which of these is {0}?", Quote.path(file.getFileName())), "",
+                        ButtonType.CANCEL);
         var cards = new LightUnitCards(pictures, alert::close);
         alert.getDialogPane().setContent(cards);
         alert.showAndWait();
@@ -124,8 +126,8 @@ public final class Notices {
     }
 
     Optional<ButtonType> readOnly(Path file) {
-        return alert(Alert.AlertType.CONFIRMATION, "Replace " + Quote.path(file.getFileName()) + ", which is read-only?",
-                "Somebody wanted it to stay as it is. If you replace it, it is read-only again.", REPLACE, SAVE_AS,
+        return alert(Alert.AlertType.CONFIRMATION, Texts.of("Replace {0}, which is read-only?", Quote.path(file.getFileName())),
+                Texts.of("Somebody wanted it to stay as it is. If you replace it, it is read-only again."), REPLACE, SAVE_AS,
                 ButtonType.CANCEL).showAndWait();
     }
 
@@ -135,12 +137,13 @@ public final class Notices {
             if (!there || mayReplace(file)) {
                 then.run();
             }
-        }, why -> failed(Quote.path(file) + " could not be looked at", why));
+        }, why -> failed(Texts.of("{0} could not be looked at", Quote.path(file)), why));
     }
 
     private boolean mayReplace(Path file) {
-        return alert(Alert.AlertType.CONFIRMATION, "Replace " + Quote.path(file.getFileName()) + "?",
-                Quote.path(file) + " is there already.", REPLACE, ButtonType.CANCEL).showAndWait().filter(REPLACE::equals).isPresent();
+        return alert(Alert.AlertType.CONFIRMATION, Texts.of("Replace {0}?", Quote.path(file.getFileName())),
+                Texts.of("{0} is there already.", Quote.path(file)), REPLACE, ButtonType.CANCEL).showAndWait().filter(REPLACE::equals)
+                .isPresent();
     }
 
     public void text(String title, String text) {
@@ -174,7 +177,8 @@ public final class Notices {
             super.updateItem(problem, empty);
             setWrapText(true);
             setPrefWidth(0);
-            setText(empty || problem == null ? "" : "Line " + problem.line() + ", column " + problem.column() + ":  " + problem.message());
+            setText(empty || problem == null ? ""
+                    : Texts.of("Line {0}, column {1}:  {2}", problem.line(), problem.column(), problem.message()));
         }
     }
 }

@@ -13,6 +13,7 @@ import javafx.scene.control.MenuItem;
 import lightning.app.model.EditorModel;
 import lightning.edit.Command;
 import lightning.text.Fuzzy;
+import lightning.text.Texts;
 
 /**
  * One thing that the editor can do now, as the palette of commands lists it.
@@ -48,7 +49,7 @@ record Offer(Command command, String title, String place, Optional<String> reaso
     }
 
     private static Optional<String> reason(MenuItem item, Command command, EditorModel model) {
-        return item.isDisable() ? model.reason(command).or(() -> Optional.of("there is nothing to choose")) : Optional.empty();
+        return item.isDisable() ? model.reason(command).or(() -> Optional.of(Texts.of("there is nothing to choose"))) : Optional.empty();
     }
 
     /** Those that fit a few letters, the best first; all in their order for none. */

@@ -7,6 +7,7 @@ import java.util.function.Function;
 import javafx.stage.DirectoryChooser;
 import javafx.stage.FileChooser;
 import javafx.stage.Window;
+import lightning.text.Texts;
 
 /** Asks the artist where a file is or should be; empty where the question was cancelled. */
 public interface PathAsk {
@@ -64,7 +65,7 @@ public interface PathAsk {
         chooser.setTitle(title);
         chooser.setInitialDirectory(from.toFile());
         chooser.getExtensionFilters().addAll(new FileChooser.ExtensionFilter("*." + extension, "*." + extension),
-                new FileChooser.ExtensionFilter("All files", "*"));
+                new FileChooser.ExtensionFilter(Texts.of("All files"), "*"));
         return chooser;
     }
 }

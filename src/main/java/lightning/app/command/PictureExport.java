@@ -17,6 +17,7 @@ import lightning.layer.LayerFile;
 import lightning.relight.MemoryNeed;
 import lightning.relight.tile.Options;
 import lightning.text.Quote;
+import lightning.text.Texts;
 import lightning.work.Memory;
 import lightning.work.Workers;
 
@@ -56,7 +57,7 @@ final class PictureExport {
         PixelCache known = model.workbench().known().orElse(null);
         Frame frame = model.frame();
         if (model.reading() != null || known == null || frame == null) {
-            model.say("Nothing is exported while a file is read or a picture is begun");
+            model.say(Texts.of("Nothing is exported while a file is read or a picture is begun"));
             return;
         }
         ViewTransform view = model.viewProperty().get().ofPicture();
@@ -65,10 +66,10 @@ final class PictureExport {
         model.files().beside(() -> {
             write(kind, file, known, frame, view);
             return file;
-        }, _ -> end(file, "Exported " + name), why -> {
-            end(file, why instanceof CancellationException ? "Export of " + name + " cancelled" : "");
+        }, _ -> end(file, Texts.of("Exported {0}", name)), why -> {
+            end(file, why instanceof CancellationException ? Texts.of("Export of {0} cancelled", name) : "");
             if (!(why instanceof CancellationException)) {
-                notices.failed("The picture could not be exported", why);
+                notices.failed(Texts.of("The picture could not be exported"), why);
             }
         });
     }
@@ -80,7 +81,7 @@ final class PictureExport {
         }
         var layers = new LayerFile(known, Options.DEFAULT.engines(), kind.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT);
         try (var workers = new Workers(Workers.available())) {
-            layers.write(file, Memory.available() - MemoryNeed.of(known), workers, new ReadingLine(model, file, "Writing"));
+            layers.write(file, Memory.available() - MemoryNeed.of(known), workers, new ReadingLine(model, file, Texts.of("Writing")));
         }
     }
 

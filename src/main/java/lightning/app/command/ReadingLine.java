@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.concurrent.atomic.AtomicInteger;
 import lightning.app.model.EditorModel;
 import lightning.text.Quote;
+import lightning.text.Texts;
 import lightning.work.Progress;
 
 /** Tells in the status line how much of a file is read or written; stops that when nobody waits for it any more. Any thread may call. */
@@ -14,7 +15,7 @@ final class ReadingLine implements Progress {
     private final AtomicInteger told = new AtomicInteger(-1);
 
     ReadingLine(EditorModel model, Path file) {
-        this(model, file, "Reading");
+        this(model, file, Texts.of("Reading"));
     }
 
     /** @param what is done with it */

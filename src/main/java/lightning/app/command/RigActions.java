@@ -10,6 +10,7 @@ import lightning.edit.cue.Lighting;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /** The commands about light rigs as files. A rig is a scene file of lights and banks; any scene's lights can be taken too. */
 final class RigActions {
@@ -47,9 +48,10 @@ final class RigActions {
         model.files().inTurn(() -> Lighting.read(chosen.get(), folder, stage), lighting -> {
             if (document == model.document()) {
                 model.edit(scene -> edit.apply(lighting, scene)).ifPresentOrElse(model::say,
-                        () -> model.say("Lights of " + Quote.path(chosen.get().getFileName()) + ": " + lighting.rig().lights().size()));
+                        () -> model.say(
+                                Texts.of("Lights of {0}: {1}", Quote.path(chosen.get().getFileName()), lighting.rig().lights().size())));
             }
-        }, why -> notices.failed("The lights could not be read", why));
+        }, why -> notices.failed(Texts.of("The lights could not be read"), why));
     }
 
     private void save() {
@@ -66,13 +68,14 @@ final class RigActions {
 
     private void write(Path file) {
         if (file.toAbsolutePath().normalize().equals(model.document().file().toAbsolutePath().normalize())) {
-            model.say(Quote.path(file.getFileName()) + " is the open scene: lights alone in its place would lose its shapes");
+            model.say(Texts.of("{0} is the open scene: lights alone in its place would lose its shapes", Quote.path(file.getFileName())));
             return;
         }
         Lighting lighting = Lighting.of(model.scene());
         model.files().inTurn(() -> {
             lighting.write(file);
             return file;
-        }, _ -> model.say("Saved " + Quote.path(file.getFileName())), why -> notices.failed("The lights could not be saved", why));
+        }, _ -> model.say(Texts.of("Saved {0}", Quote.path(file.getFileName()))),
+                why -> notices.failed(Texts.of("The lights could not be saved"), why));
     }
 }

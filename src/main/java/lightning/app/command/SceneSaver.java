@@ -17,6 +17,7 @@ import lightning.file.ChangedFileException;
 import lightning.file.ReadOnlyFileException;
 import lightning.scene.Scene;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /** Saves the scene, and asks where something would be lost that the artist does not know of. */
 final class SceneSaver {
@@ -60,7 +61,7 @@ final class SceneSaver {
     }
 
     private void write(Path file, Set<Consent> allowed, Runnable then) {
-        model.say("Saving " + Quote.path(file.getFileName()) + " …");
+        model.say(Texts.of("Saving {0} …", Quote.path(file.getFileName())));
         model.workbench().saveAs(file, allowed, failure -> {
             model.say("");
             failure.ifPresentOrElse(why -> ask(file, allowed, why, then), () -> {
@@ -81,7 +82,7 @@ final class SceneSaver {
                     saveAs(then);
                 }
             }
-            case Throwable other -> notices.failed("The scene could not be saved", other);
+            case Throwable other -> notices.failed(Texts.of("The scene could not be saved"), other);
         }
     }
 
@@ -95,7 +96,7 @@ final class SceneSaver {
         Scene mine = document.scene();
         model.files().beside(() -> TextDifference.rows(document.text(mine), text(document.file())),
                 rows -> decide(notices.changed(document.name(), new DifferenceList(rows)).orElse(ButtonType.CANCEL), allowed, then),
-                why -> notices.failed(document.name() + " could not be read", why));
+                why -> notices.failed(Texts.of("{0} could not be read", document.name()), why));
     }
 
     private void decide(ButtonType answer, Set<Consent> allowed, Runnable then) {

@@ -5,6 +5,7 @@ import javafx.scene.control.ContextMenu;
 import lightning.app.model.EditorModel;
 import lightning.edit.Command;
 import lightning.edit.MaterialEdits;
+import lightning.text.Texts;
 
 /** What a right click on a shape offers, in the preview and in the traced picture. */
 public final class ShapeMenu {
@@ -20,11 +21,11 @@ public final class ShapeMenu {
         hide();
         MaterialEdits.ofShape(model.scene(), shape).ifPresent(material -> {
             CommandItems items = CommandItems.of(model);
-            menu.getItems().setAll(items.value(Command.EDIT_MATERIAL, "Edit Material " + material.name() + " of " + shape,
+            menu.getItems().setAll(items.value(Command.EDIT_MATERIAL, Texts.of("Edit Material {0} of {1}", material.name(), shape),
                     () -> model.materials().chooseOf(shape)));
-            menu.getItems().add(items.value(Command.SELECT_SHAPE, "Select " + shape, () -> model.selectNode(shape)));
+            menu.getItems().add(items.value(Command.SELECT_SHAPE, Texts.of("Select {0}", shape), () -> model.selectNode(shape)));
             model.scene().stage().around(shape).forEach(group -> menu.getItems().add(
-                    items.value(Command.SELECT_SHAPE, "Select Group " + group.name(), () -> model.selectNode(group.name()))));
+                    items.value(Command.SELECT_SHAPE, Texts.of("Select Group {0}", group.name()), () -> model.selectNode(group.name()))));
             menu.show(owner, x, y);
         });
     }

@@ -17,6 +17,7 @@ import lightning.edit.Command;
 import lightning.scene.Limits;
 import lightning.scene.Picture;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /** The sizes of the two canvases (paper §3.6). */
 public final class SizeMenu {
@@ -39,7 +40,7 @@ public final class SizeMenu {
                     () -> trace(model, size)));
         }
         all.add(new SeparatorMenuItem());
-        MenuItem other = items.value(Command.PICTURE_SIZE, "Other…", () -> other(model));
+        MenuItem other = items.value(Command.PICTURE_SIZE, Texts.of("Other…"), () -> other(model));
         other.setId("size-other");
         all.add(other);
         return all;
@@ -48,14 +49,14 @@ public final class SizeMenu {
     private static void other(EditorModel model) {
         ask(model.scene().picture().width() + " × " + model.scene().picture().height())
                 .ifPresent(typed -> parse(typed).ifPresentOrElse(size -> trace(model, size),
-                        () -> model.say("A size is two numbers as in 640 × 480, was " + Quote.of(typed.strip()))));
+                        () -> model.say(Texts.of("A size is two numbers as in 640 × 480, was {0}", Quote.of(typed.strip())))));
     }
 
     /** The size that the scene's file says. */
     private static MenuItem own(EditorModel model, CommandItems items) {
         MenuItem item = items.value(Command.PICTURE_SIZE, "", () -> trace(model, ofFile(model)));
         item.setId("size-own");
-        model.situationProperty().subscribe(_ -> item.setText("The scene's own, " + ofFile(model).title()));
+        model.situationProperty().subscribe(_ -> item.setText(Texts.of("The scene's own, {0}", ofFile(model).title())));
         return item;
     }
 
@@ -68,7 +69,7 @@ public final class SizeMenu {
     public static List<MenuItem> ofPreview(EditorModel model, ObjectProperty<CanvasSize> chosen) {
         CommandItems items = CommandItems.of(model, "preview-");
         return Stream.concat(Stream.of(CanvasSize.LIKE_PICTURE, CanvasSize.FREE), CanvasSize.FIXED.stream())
-                .map(size -> items.choice(Command.PREVIEW_SIZE, size.title(), size.title(), chosen.map(size::equals),
+                .map(size -> items.choice(Command.PREVIEW_SIZE, size.title(), Texts.of(size.title()), chosen.map(size::equals),
                         () -> chosen.set(size)))
                 .toList();
     }
@@ -80,10 +81,10 @@ public final class SizeMenu {
 
     private static Optional<String> ask(String now) {
         var dialog = new TextInputDialog(now);
-        dialog.setTitle("Size of the picture");
-        dialog.setHeaderText("Width × height in pixels, each 1 to " + Limits.MAX_SIZE);
+        dialog.setTitle(Texts.of("Size of the picture"));
+        dialog.setHeaderText(Texts.of("Width × height in pixels, each 1 to {0}", Limits.MAX_SIZE));
         dialog.setGraphic(null);
-        dialog.setContentText("Size");
+        dialog.setContentText(Texts.of("Size"));
         return dialog.showAndWait();
     }
 

@@ -11,6 +11,7 @@ import lightning.image.CubeReader;
 import lightning.image.CubeTable;
 import lightning.image.ViewTransform;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /** The table of colours that the view shows through: chosen by its file, kept from one run to the next. */
 public final class TableActions {
@@ -42,8 +43,8 @@ public final class TableActions {
             prompt.table(model.document().file().toAbsolutePath().getParent()).ifPresent(file -> model.files()
                     .beside(() -> CubeReader.read(file), table -> {
                         keep(Optional.of(table));
-                        model.say("Shown through " + Quote.path(file.getFileName()) + ", " + table.size());
-                    }, why -> notices.failed("The table could not be read", why)));
+                        model.say(Texts.of("Shown through {0}, {1}", Quote.path(file.getFileName()), table.size()));
+                    }, why -> notices.failed(Texts.of("The table could not be read"), why)));
         }
     }
 

@@ -2,7 +2,6 @@ package lightning.app.contribution;
 
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
@@ -38,6 +37,7 @@ import lightning.relight.Contributions;
 import lightning.relight.SmallShares;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
+import lightning.text.Texts;
 
 /**
  * Which lights matter: the share of each in the picture, in a part of it and in the pixel under the mouse, and what would be another
@@ -53,7 +53,7 @@ public final class ContributionPane extends VBox {
     private final TableView<Contribution> table = new TableView<>();
     private final Label summary = new Label("…");
     private final Label proof = new Label();
-    private final Label regionText = new Label("Region: the whole picture");
+    private final Label regionText = new Label(Texts.of("Region: the whole picture"));
     private final Obstacle nothingIdle;
     private final PauseTransition rest = new PauseTransition(REST);
     private Map<String, Double> pointed = Map.of();
@@ -75,22 +75,22 @@ public final class ContributionPane extends VBox {
         summary.setId("contribution-summary");
         summary.setMaxWidth(Double.MAX_VALUE);
         HBox.setHgrow(summary, Priority.ALWAYS);
-        var off = new Button("Switch Off");
+        var off = new Button(Texts.of("Switch Off"));
         off.setId("switch-off-idle");
         off.getStyleClass().add("accent");
         off.setMinWidth(Region.USE_PREF_SIZE);
         off.setOnAction(_ -> switchOff());
         var around = new StackPane(off);
-        nothingIdle = new Obstacle(around, off, "Switch off the lights that change no displayed pixel, in one step to undo");
-        nothingIdle.set(Optional.of("nothing is known yet"));
+        nothingIdle = new Obstacle(around, off, Texts.of("Switch off the lights that change no displayed pixel, in one step to undo"));
+        nothingIdle.set(Optional.of(Texts.of("nothing is known yet")));
         var head = new HBox(summary, around);
         head.getStyleClass().add("mixer-tools");
-        var pick = new Button("Region…");
+        var pick = new Button(Texts.of("Region…"));
         pick.setId("contribution-region");
-        pick.setTooltip(new Tooltip("Drag a frame in the traced picture"));
+        pick.setTooltip(new Tooltip(Texts.of("Drag a frame in the traced picture")));
         pick.setMinWidth(Region.USE_PREF_SIZE);
         pick.setOnAction(_ -> pickRegion());
-        var whole = new Button("Whole Picture");
+        var whole = new Button(Texts.of("Whole Picture"));
         whole.setId("contribution-whole");
         whole.setMinWidth(Region.USE_PREF_SIZE);
         whole.setOnAction(_ -> setRegion(Optional.empty()));
@@ -110,15 +110,15 @@ public final class ContributionPane extends VBox {
 
     private void fillTable() {
         table.setId("contribution-table");
-        table.setAccessibleText("lights and what they give");
-        table.setPlaceholder(new Label("No lights"));
+        table.setAccessibleText(Texts.of("lights and what they give"));
+        table.setPlaceholder(new Label(Texts.of("No lights")));
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
         table.getColumns().setAll(List.of(
-                column("Light", Contribution::light, Function.identity(), 130),
-                column("Picture", Contribution::picture, Percent::text, 80),
-                column("Region", Contribution::region, Percent::text, 80),
-                column("Pointer", c -> pointed.getOrDefault(c.light(), Double.NaN), p -> p.isNaN() ? "–" : Percent.text(p), 80),
-                column("Without it", c -> c.shines() ? c.without().shown() : -1L, Object::toString, 240)));
+                column(Texts.of("Light"), Contribution::light, Function.identity(), 130),
+                column(Texts.of("Picture"), Contribution::picture, Percent::text, 80),
+                column(Texts.of("Region"), Contribution::region, Percent::text, 80),
+                column(Texts.of("Pointer"), c -> pointed.getOrDefault(c.light(), Double.NaN), p -> p.isNaN() ? "–" : Percent.text(p), 80),
+                column(Texts.of("Without it"), c -> c.shines() ? c.without().shown() : -1L, Object::toString, 240)));
         ((TableColumn<Contribution, Long>) table.getColumns().get(4)).setCellFactory(_ -> new TableCell<>() {
             @Override
             protected void updateItem(Long item, boolean empty) {
@@ -156,9 +156,9 @@ public final class ContributionPane extends VBox {
     /** What the picture would be without a light. */
     static String without(Contribution of) {
         Contribution.Change change = of.without();
-        return !of.shines() ? "does not shine" : change.isNone() ? "equal in every bit"
-                : change.isUnseen() ? String.format(Locale.ROOT, "looks the same, off by %.1e at most", change.largest())
-                : String.format(Locale.ROOT, "%,d pixels change", change.shown());
+        return !of.shines() ? Texts.of("does not shine") : change.isNone() ? Texts.of("equal in every bit")
+                : change.isUnseen() ? String.format(Texts.locale(), Texts.of("looks the same, off by %.1e at most"), change.largest())
+                : String.format(Texts.locale(), Texts.of("%,d pixels change"), change.shown());
     }
 
     /** Follows the picture. */
@@ -188,7 +188,7 @@ public final class ContributionPane extends VBox {
     }
 
     private void again() {
-        summary.setText("Asking all lights …");
+        summary.setText(Texts.of("Asking all lights …"));
         feed.stop();
         rest.playFromStart();
     }
@@ -212,21 +212,23 @@ public final class ContributionPane extends VBox {
         table.getSortOrder().setAll(order);
         table.sort();
         int idle = shown.idle().size();
-        summary.setText(idle == 0 ? "Every light that shines changes some pixel"
-                : (idle == 1 ? "1 light changes" : idle + " lights together change") + " no displayed pixel: "
-                        + String.join(", ", shown.idle()));
-        nothingIdle.set(idle == 0 ? Optional.of("every light that shines changes some pixel") : Optional.empty());
+        summary.setText(idle == 0 ? Texts.of("Every light that shines changes some pixel")
+                : Texts.count(idle, "1 light changes no displayed pixel: {1}", "{0} lights together change no displayed pixel: {1}", idle,
+                        String.join(", ", shown.idle())));
+        nothingIdle.set(idle == 0 ? Optional.of(Texts.of("every light that shines changes some pixel")) : Optional.empty());
     }
 
     private void pickRegion() {
-        model.part().askProperty().set(new PicturePart.Ask("Drag a frame around what to ask about", part -> setRegion(Optional.of(part))));
+        model.part().askProperty()
+                .set(new PicturePart.Ask(Texts.of("Drag a frame around what to ask about"), part -> setRegion(Optional.of(part))));
     }
 
     private void setRegion(Optional<Contributions.Region> part) {
         region = part;
         regionText.setText(
-                "Region: " + part.map(r -> (r.right() - r.left()) + " × " + (r.bottom() - r.top()) + " pixels at " + r.left() + ", "
-                        + r.top()).orElse("the whole picture"));
+                Texts.of("Region: {0}", part
+                        .map(r -> Texts.of("{0} × {1} pixels at {2}, {3}", r.right() - r.left(), r.bottom() - r.top(), r.left(), r.top()))
+                        .orElse(Texts.of("the whole picture"))));
         again();
     }
 
@@ -258,14 +260,14 @@ public final class ContributionPane extends VBox {
     private void switchOff() {
         Frame frame = model.frame();
         if (shown == null || frame == null || !model.scene().rig().equals(shownOf.rig())) {
-            model.say("The scene was edited since; press Go first");
+            model.say(Texts.of("The scene was edited since; press Go first"));
             return;
         }
         List<String> idle = shown.idle();
         model.edit(scene -> Change.of(() -> Contributions.off(scene, idle))).ifPresentOrElse(model::say, () -> {
             wanted = new Proof(model.scene(), frame.film(), idle.size());
-            proof.setText("Switched off; comparing the new picture …");
-            nothingIdle.set(Optional.of("it is being compared"));
+            proof.setText(Texts.of("Switched off; comparing the new picture …"));
+            nothingIdle.set(Optional.of(Texts.of("it is being compared")));
             if (!model.liveProperty().get()) {
                 model.go();
             }
@@ -289,10 +291,11 @@ public final class ContributionPane extends VBox {
     }
 
     static String told(int lights, Contribution.Change change) {
-        String begin = "Switched off " + (lights == 1 ? "1 light" : lights + " lights") + ": ";
-        return begin + (change.isNone() ? "the new picture is equal to the old one in every bit."
-                : change.isUnseen() ? String.format(Locale.ROOT,
-                        "every pixel is displayed as before; %,d linear values differ, by %.2e at most.", change.values(), change.largest())
-                : String.format(Locale.ROOT, "%,d pixels are displayed in another colour.", change.shown()));
+        String begin = Texts.count(lights, "Switched off 1 light: ", "Switched off {0} lights: ", lights);
+        return begin + (change.isNone() ? Texts.of("the new picture is equal to the old one in every bit.")
+                : change.isUnseen() ? String.format(Texts.locale(),
+                        Texts.of("every pixel is displayed as before; %,d linear values differ, by %.2e at most."), change.values(),
+                        change.largest())
+                : String.format(Texts.locale(), Texts.of("%,d pixels are displayed in another colour."), change.shown()));
     }
 }

@@ -16,6 +16,7 @@ import lightning.app.widget.PixelImage;
 import lightning.edit.cue.Cue;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
+import lightning.text.Texts;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
 
@@ -50,13 +51,13 @@ final class CueCard extends VBox {
         frame.setMinSize(WIDTH, HEIGHT);
         frame.setMaxSize(WIDTH, HEIGHT);
         if (small == null) {
-            frame.getChildren().add(new Label("no picture"));
+            frame.getChildren().add(new Label(Texts.of("no picture")));
         } else {
             frame.getChildren().add(new ImageView(PixelImage.of(small.width, small.height, small.pixels)));
         }
         name.setId("cue-name-" + cue.name());
         name.setText(cue.name());
-        name.setAccessibleText("name of the cue " + cue.name());
+        name.setAccessibleText(Texts.of("name of the cue {0}", cue.name()));
         name.setOnAction(_ -> asked.rename(cue, name.getText().strip()));
         name.addEventHandler(KeyEvent.KEY_PRESSED, e -> {
             if (e.getCode() == KeyCode.ESCAPE && !name.getText().equals(cue.name())) {
@@ -69,22 +70,22 @@ final class CueCard extends VBox {
                 name.setText(cue.name());
             }
         });
-        var restore = new Button("Restore");
+        var restore = new Button(Texts.of("Restore"));
         restore.setId("cue-restore-" + cue.name());
-        restore.setTooltip(new Tooltip("Light the scene so; can be undone"));
+        restore.setTooltip(new Tooltip(Texts.of("Light the scene so; can be undone")));
         restore.setOnAction(_ -> asked.restore(cue));
         a.setId("cue-a-" + cue.name());
-        a.setTooltip(new Tooltip("Compare and blend from this cue"));
-        a.setAccessibleText(cue.name() + " as A");
+        a.setTooltip(new Tooltip(Texts.of("Compare and blend from this cue")));
+        a.setAccessibleText(Texts.of("{0} as A", cue.name()));
         a.setOnAction(_ -> asked.chooseA(cue));
         b.setId("cue-b-" + cue.name());
-        b.setTooltip(new Tooltip("Compare with and blend to this cue"));
-        b.setAccessibleText(cue.name() + " as B");
+        b.setTooltip(new Tooltip(Texts.of("Compare with and blend to this cue")));
+        b.setAccessibleText(Texts.of("{0} as B", cue.name()));
         b.setOnAction(_ -> asked.chooseB(cue));
         var remove = new Button("", new FontIcon(MaterialDesignT.TRASH_CAN_OUTLINE));
         remove.setId("cue-remove-" + cue.name());
-        remove.setAccessibleText("remove the cue " + cue.name());
-        remove.setTooltip(new Tooltip("Remove"));
+        remove.setAccessibleText(Texts.of("remove the cue {0}", cue.name()));
+        remove.setTooltip(new Tooltip(Texts.of("Remove")));
         remove.setOnAction(_ -> asked.remove(cue));
         for (var control : new ButtonBase[] {restore, a, b}) {
             control.setDisable(cue.lighting().isEmpty());

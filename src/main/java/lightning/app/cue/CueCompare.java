@@ -15,14 +15,15 @@ import lightning.image.Difference;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
+import lightning.text.Texts;
 
 /** The pictures of two cues: A over the left part of B, one or the other, or where they differ. */
 final class CueCompare extends BorderPane {
     /** How they are seen. */
     enum Way {
-        WIPE("Wipe", "A at the left, B at the right; drag in the picture"),
-        FLIP("Flip", "One picture at a time; a click in the picture shows the other"),
-        DIFFERENCE("Difference", "Where they differ, and how much: black where they are equal");
+        WIPE(Texts.key("Wipe"), Texts.key("A at the left, B at the right; drag in the picture")),
+        FLIP(Texts.key("Flip"), Texts.key("One picture at a time; a click in the picture shows the other")),
+        DIFFERENCE(Texts.key("Difference"), Texts.key("Where they differ, and how much: black where they are equal"));
 
         private final String title;
         private final String help;
@@ -48,9 +49,9 @@ final class CueCompare extends BorderPane {
         var group = new ToggleGroup();
         var ways = new HBox();
         for (Way one : Way.values()) {
-            var button = new ToggleButton(one.title);
-            button.setId("cue-" + one.title.toLowerCase(Locale.ROOT));
-            button.setTooltip(new Tooltip(one.help));
+            var button = new ToggleButton(Texts.of(one.title));
+            button.setId("cue-" + one.name().toLowerCase(Locale.ROOT));
+            button.setTooltip(new Tooltip(Texts.of(one.help)));
             button.setToggleGroup(group);
             button.setSelected(one == way);
             button.setOnAction(_ -> {
@@ -95,7 +96,7 @@ final class CueCompare extends BorderPane {
     private void show() {
         picture.wipe().setVisible(false);
         if (a.isEmpty() || b.isEmpty()) {
-            note.setText("Choose two cues, A and B, to compare their pictures");
+            note.setText(Texts.of("Choose two cues, A and B, to compare their pictures"));
             a.or(() -> b).ifPresentOrElse(this::pixels, picture::clear);
             return;
         }
@@ -103,8 +104,8 @@ final class CueCompare extends BorderPane {
         Film second = b.get();
         boolean alike = first.width() == second.width() && first.height() == second.height();
         note.setText(
-                alike ? "" : "The pictures differ in size: " + first.width() + " × " + first.height() + " and " + second.width() + " × "
-                        + second.height());
+                alike ? "" : Texts.of("The pictures differ in size: {0} × {1} and {2} × {3}", first.width(), first.height(), second.width(),
+                        second.height()));
         switch (way) {
             case WIPE -> {
                 pixels(second);
@@ -120,7 +121,8 @@ final class CueCompare extends BorderPane {
             case DIFFERENCE -> {
                 if (alike) {
                     pixels(DifferencePicture.of(first, second));
-                    note.setText(Difference.of(first, second).isNone() ? "The pictures are equal" : "Black is equal, pale differs most");
+                    note.setText(Difference.of(first, second).isNone() ? Texts.of("The pictures are equal")
+                            : Texts.of("Black is equal, pale differs most"));
                 } else {
                     pixels(second);
                 }

@@ -38,6 +38,7 @@ import lightning.image.ViewTransform;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /** The cues of the open scene: keeps how it is lit with its picture, restores, compares and blends. */
 public final class CuePane extends VBox {
@@ -48,7 +49,7 @@ public final class CuePane extends VBox {
     private final Obstacle cannotKeep;
     private final FlowPane gallery = new FlowPane();
     private final Label message = new Label();
-    private final Button back = new Button("Bring Back");
+    private final Button back = new Button(Texts.of("Bring Back"));
     private final CueCompare compare = new CueCompare();
     private final Slider blend = new Slider(0, PERCENT, 0);
     private final Obstacle cannotBlend;
@@ -69,16 +70,16 @@ public final class CuePane extends VBox {
         setId("cues");
         getStyleClass().add("cues");
         name.setId("cue-new-name");
-        name.setPromptText("Name of a new cue");
-        name.setAccessibleText("name of a new cue");
-        var keep = new Button("Keep Cue");
+        name.setPromptText(Texts.of("Name of a new cue"));
+        name.setAccessibleText(Texts.of("name of a new cue"));
+        var keep = new Button(Texts.of("Keep Cue"));
         keep.setId("cue-keep");
         keep.getStyleClass().add("accent");
         keep.setOnAction(_ -> keep());
         keep.setMinWidth(Region.USE_PREF_SIZE);
         name.setOnAction(_ -> keep.fire());
         var around = new StackPane(keep);
-        cannotKeep = new Obstacle(around, keep, "Keep how the scene is lit now, with its picture, in a folder beside the scene");
+        cannotKeep = new Obstacle(around, keep, Texts.of("Keep how the scene is lit now, with its picture, in a folder beside the scene"));
         message.setId("cue-message");
         message.getStyleClass().add("pane-note");
         message.setMaxWidth(Double.MAX_VALUE);
@@ -90,15 +91,15 @@ public final class CuePane extends VBox {
         var tools = new HBox(name, around, message, back);
         tools.getStyleClass().add("mixer-tools");
         blend.setId("cue-blend");
-        blend.setAccessibleText("blend from A to B, per cent");
-        blend.setTooltip(new Tooltip("Light the scene between A and B; each drag is one step to undo"));
+        blend.setAccessibleText(Texts.of("blend from A to B, per cent"));
+        blend.setTooltip(new Tooltip(Texts.of("Light the scene between A and B; each drag is one step to undo")));
         blend.setOnMousePressed(_ -> gesture = new Object());
         blend.setOnMouseReleased(_ -> gesture = null);
         blend.valueProperty().subscribe(v -> blendTo(v.doubleValue() / PERCENT));
         HBox.setHgrow(blend, Priority.ALWAYS);
         percent.setId("cue-percent");
         percent.setMinWidth(44);
-        var slide = new HBox(new Label("Blend  A"), blend, new Label("B"), percent);
+        var slide = new HBox(new Label(Texts.of("Blend  A")), blend, new Label("B"), percent);
         slide.getStyleClass().add("mixer-tools");
         cannotBlend = new Obstacle(slide, blend);
         gallery.getStyleClass().add("cue-gallery");
@@ -122,8 +123,8 @@ public final class CuePane extends VBox {
     }
 
     private static Optional<String> obstacle(Situation now) {
-        return now.animating() ? Optional.of("an animation is open; close it first")
-                : now.frame().isEmpty() ? Optional.of("there is no picture yet") : now.pendingRemark();
+        return now.animating() ? Optional.of(Texts.of("an animation is open; close it first"))
+                : now.frame().isEmpty() ? Optional.of(Texts.of("there is no picture yet")) : now.pendingRemark();
     }
 
     private CueFolder folder() {
@@ -163,7 +164,8 @@ public final class CuePane extends VBox {
         gallery.getChildren().setAll(cards.values());
         if (cues.isEmpty()) {
             var empty = new Label(
-                    "No cues yet. A cue keeps how the scene is lit now, with its picture, in " + folder().path().getFileName() + ".");
+                    Texts.of("No cues yet. A cue keeps how the scene is lit now, with its picture, in {0}.",
+                            folder().path().getFileName()));
             empty.getStyleClass().add("pane-note");
             gallery.getChildren().add(empty);
         }
@@ -182,7 +184,7 @@ public final class CuePane extends VBox {
         cards.forEach((of, card) -> card.show(of.equals(a), of.equals(b)));
         compare.show(cue(a).flatMap(Cue::picture), cue(b).flatMap(Cue::picture));
         boolean two = lighting(a).isPresent() && lighting(b).isPresent();
-        cannotBlend.set(two ? Optional.empty() : Optional.of("choose two cues, A and B"));
+        cannotBlend.set(two ? Optional.empty() : Optional.of(Texts.of("choose two cues, A and B")));
         showing = true;
         blend.setValue(0);
         percent.setText("0 %");
@@ -197,7 +199,7 @@ public final class CuePane extends VBox {
             return;
         }
         if (cue(of).isPresent()) {
-            say("There is a cue " + Quote.of(of) + " already; remove it first, or choose another name");
+            say(Texts.of("There is a cue {0} already; remove it first, or choose another name", Quote.of(of)));
             return;
         }
         CueFolder folder = folder();
@@ -209,7 +211,7 @@ public final class CuePane extends VBox {
             folder.keep(of, lighting, film, view);
             return of;
         }, kept -> {
-            say("Kept " + Quote.of(kept));
+            say(Texts.of("Kept {0}", Quote.of(kept)));
             name.clear();
             list();
         });
@@ -289,7 +291,7 @@ public final class CuePane extends VBox {
             }, gone -> {
                 removed = gone;
                 back.setVisible(true);
-                say("Removed " + Quote.of(gone));
+                say(Texts.of("Removed {0}", Quote.of(gone)));
                 list();
             });
         }

@@ -20,6 +20,7 @@ import lightning.edit.LastEdit;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
+import lightning.text.Texts;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
@@ -32,8 +33,8 @@ public final class AccuracyPane extends BorderPane {
     private final Label edit = new Label();
     private final Label note = new Label();
     private final MeasureBar bar = new MeasureBar("",
-            "Make the edit at each grade in the background, again and again, and compare");
-    private final ToggleButton difference = new ToggleButton("Difference");
+            Texts.of("Make the edit at each grade in the background, again and again, and compare"));
+    private final ToggleButton difference = new ToggleButton(Texts.of("Difference"));
     private final LadderTable table = new LadderTable();
     private final LadderPlot chart = new LadderPlot();
     private final PictureView picture = new PictureView();
@@ -67,7 +68,7 @@ public final class AccuracyPane extends BorderPane {
         setCenter(all);
         difference.setId("grade-difference");
         difference.setSelected(true);
-        difference.setAccessibleText("Show the difference from the full trace");
+        difference.setAccessibleText(Texts.of("Show the difference from the full trace"));
         difference.selectedProperty().subscribe(_ -> paint());
         table.getSelectionModel().selectedItemProperty().subscribe(_ -> paint());
         model.situationProperty().subscribe(_ -> update());
@@ -98,22 +99,23 @@ public final class AccuracyPane extends BorderPane {
 
     private void update() {
         Optional<LastEdit> last = last();
-        bar.setObstacle(last.isEmpty() ? Optional.of("there is no edit of a light yet that the picture could show") : Optional.empty());
-        edit.setText(bar.isBusy() ? "Measuring …" : title(last));
+        bar.setObstacle(
+                last.isEmpty() ? Optional.of(Texts.of("there is no edit of a light yet that the picture could show")) : Optional.empty());
+        edit.setText(bar.isBusy() ? Texts.of("Measuring …") : title(last));
     }
 
     private String title(Optional<LastEdit> last) {
         if (last.isPresent() && last.equals(told)) {
             return outcome;
         }
-        String what = last.map(e -> e.pending() ? "The edits that are not rendered yet" : "The edits of the last Go")
-                .orElse("Edit a light first.");
-        return ladder == null ? what : what + ". The table is still of: " + text(ladder);
+        String what = last.map(e -> e.pending() ? Texts.of("The edits that are not rendered yet") : Texts.of("The edits of the last Go"))
+                .orElse(Texts.of("Edit a light first."));
+        return ladder == null ? what : Texts.of("{0}. The table is still of: {1}", what, text(ladder));
     }
 
     private static String text(Ladder measured) {
-        return measured.rung(Grade.EXACT).update().plan().text() + " · " + measured.after().picture().width() + " × "
-                + measured.after().picture().height() + " pixels";
+        return Texts.of("{0} · {1} × {2} pixels", measured.rung(Grade.EXACT).update().plan().text(), measured.after().picture().width(),
+                measured.after().picture().height());
     }
 
     private void begin() {
@@ -134,7 +136,7 @@ public final class AccuracyPane extends BorderPane {
         table.show(measured);
         chart.show(measured);
         table.getSelectionModel().select(measured.rung(Grade.EXACT));
-        ended(text(measured) + (measured.warm() ? "" : ". The times did not come to rest, so no savings are told"));
+        ended(text(measured) + (measured.warm() ? "" : Texts.of(". The times did not come to rest, so no savings are told")));
     }
 
     private void ended(String text) {

@@ -1,7 +1,6 @@
 package lightning.app.measure;
 
 import java.util.List;
-import java.util.Locale;
 import javafx.geometry.Pos;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
@@ -10,6 +9,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import lightning.accuracy.EffectCost;
 import lightning.effects.Effect;
+import lightning.text.Texts;
 
 /** One effect: whether it is shown, what it costs where that was measured, and who calls for it. */
 final class EffectRow extends HBox {
@@ -25,7 +25,8 @@ final class EffectRow extends HBox {
     private final Label why = new Label();
 
     EffectRow(Effect effect) {
-        String title = Character.toUpperCase(effect.title().charAt(0)) + effect.title().substring(1);
+        String said = Texts.of(effect.title());
+        String title = Character.toUpperCase(said.charAt(0)) + said.substring(1);
         String id = effect.id();
         shown.setText(title);
         shown.setId("effect-" + id);
@@ -56,7 +57,7 @@ final class EffectRow extends HBox {
 
     /** The heads of the columns. */
     static EffectRow head(String title, String why) {
-        return new EffectRow(title, "First pass", "Update", "Memory", why);
+        return new EffectRow(title, Texts.of("First pass"), Texts.of("Update"), Texts.of("Memory"), why);
     }
 
     private static Label number() {
@@ -95,14 +96,14 @@ final class EffectRow extends HBox {
 
     /** @param noise a difference of so much or less may be none, milliseconds */
     static String milliseconds(double v, double noise) {
-        String text = String.format(Locale.ROOT, Math.abs(v) < UNIT / 100 ? "%.2f ms" : "%.0f ms", v + 0.0);
+        String text = String.format(Texts.locale(), Math.abs(v) < UNIT / 100 ? "%.2f ms" : "%.0f ms", v + 0.0);
         return (Math.abs(v) <= noise ? "≈ " : "") + (text.startsWith("-0.00") ? text.substring(1) : text).replace('-', '−');
     }
 
     static String bytes(long v) {
         double size = Math.abs((double) v);
-        String text = size < UNIT ? v + " B" : size < UNIT * UNIT ? String.format(Locale.ROOT, "%.1f kB", v / UNIT)
-                : String.format(Locale.ROOT, "%.1f MB", v / UNIT / UNIT);
+        String text = size < UNIT ? v + " B" : size < UNIT * UNIT ? String.format(Texts.locale(), "%.1f kB", v / UNIT)
+                : String.format(Texts.locale(), "%.1f MB", v / UNIT / UNIT);
         return text.replace('-', '−');
     }
 }

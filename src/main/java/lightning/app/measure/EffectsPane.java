@@ -28,6 +28,7 @@ import lightning.effects.Effects;
 import lightning.effects.ViewEffects;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
+import lightning.text.Texts;
 
 /**
  * The effects that the scene calls for, who calls for each, and what each costs, measured when the artist asks for it; one
@@ -42,7 +43,7 @@ public final class EffectsPane extends VBox {
     private final Label summary = new Label();
     private final Label outcome = new Label();
     private final MeasureBar bar = new MeasureBar("-effects",
-            "Render the scene and its last edit with and without each effect in the background, in turns");
+            Texts.of("Render the scene and its last edit with and without each effect in the background, in turns"));
     private final VBox used = new VBox();
     private final Label absent = new Label();
     private final VBox unused = new VBox();
@@ -69,7 +70,7 @@ public final class EffectsPane extends VBox {
         outcome.setId("effects-outcome");
         outcome.getStyleClass().add("pane-note");
         outcome.setWrapText(true);
-        outcome.setText("Measure tells what each effect costs in time and memory, and what the absence of the others saves.");
+        outcome.setText(Texts.of("Measure tells what each effect costs in time and memory, and what the absence of the others saves."));
         var heading = new VBox(summary, outcome);
         HBox.setHgrow(heading, Priority.ALWAYS);
         bar.setMinWidth(Region.USE_PREF_SIZE);
@@ -85,12 +86,12 @@ public final class EffectsPane extends VBox {
         scroll.getStyleClass().add("edge-to-edge");
         scroll.setFitToWidth(true);
         VBox.setVgrow(scroll, Priority.ALWAYS);
-        var all = new Button("Show All");
+        var all = new Button(Texts.of("Show All"));
         all.setId("show-all-effects");
         all.setMinWidth(Region.USE_PREF_SIZE);
         all.setOnAction(_ -> view.set(ViewEffects.ALL));
         var allBox = new StackPane(all);
-        nothingHidden = new Obstacle(allBox, all, "Show the picture with everything that the scene calls for");
+        nothingHidden = new Obstacle(allBox, all, Texts.of("Show the picture with everything that the scene calls for"));
         var bottom = new HBox(hint(), allBox);
         bottom.getStyleClass().add("effects-bottom");
         getChildren().addAll(head, scroll, bottom);
@@ -99,7 +100,7 @@ public final class EffectsPane extends VBox {
     }
 
     private static Node hint() {
-        var hint = new Label("A hidden effect is hidden from the view alone: Save Image and Verify take the picture itself.");
+        var hint = new Label(Texts.of("A hidden effect is hidden from the view alone: Save Image and Verify take the picture itself."));
         hint.getStyleClass().add("pane-note");
         hint.setWrapText(true);
         HBox.setHgrow(hint, Priority.ALWAYS);
@@ -109,13 +110,13 @@ public final class EffectsPane extends VBox {
 
     private void show(ViewEffects effects) {
         rows.forEach((effect, row) -> row.shown().setSelected(effects.shows(effect)));
-        nothingHidden.set(effects.showsAll() ? Optional.of("nothing is hidden") : Optional.empty());
+        nothingHidden.set(effects.showsAll() ? Optional.of(Texts.of("nothing is hidden")) : Optional.empty());
     }
 
     private void tell(Scene scene) {
         if (!scene.equals(told)) {
             told = scene;
-            bar.setObstacle(scene.lights().isEmpty() ? Optional.of("the scene has no light to edit") : Optional.empty());
+            bar.setObstacle(scene.lights().isEmpty() ? Optional.of(Texts.of("the scene has no light to edit")) : Optional.empty());
             list(scene);
             if (costs != null && !bar.isBusy()) {
                 tellOutcome();
@@ -124,7 +125,7 @@ public final class EffectsPane extends VBox {
     }
 
     private void tellOutcome() {
-        outcome.setText((model.scene().equals(costsOf) ? "" : "Before the last edits: ") + costsText);
+        outcome.setText((model.scene().equals(costsOf) ? "" : Texts.of("Before the last edits: ")) + costsText);
     }
 
     private void list(Scene scene) {
@@ -133,7 +134,7 @@ public final class EffectsPane extends VBox {
             row.setUse(effects.has(effect));
             row.setCallers(effects.why(effect));
         });
-        summary.setText(model.document().name() + " calls for " + effects.callers().size() + " of " + rows.size() + " effects");
+        summary.setText(Texts.of("{0} calls for {1} of {2} effects", model.document().name(), effects.callers().size(), rows.size()));
         // While a light is dragged, the rows stay where they are, and the keyboard with them.
         if (!effects.absent().equals(listed) || costs != listedCosts) {
             listed = effects.absent();
@@ -145,15 +146,15 @@ public final class EffectsPane extends VBox {
     private void arrange(Effects effects) {
         List<Node> inUse = new ArrayList<>(effects.callers().keySet().stream().map(rows::get).toList());
         List<Node> others = new ArrayList<>(effects.absent().stream().map(rows::get).toList());
-        absent.setText(others.isEmpty() || costs != null ? "" : "Not in the scene, and no work and memory spent on them: "
-                + String.join(", ", effects.absent().stream().map(Effect::title).toList()) + ".");
+        absent.setText(others.isEmpty() || costs != null ? "" : Texts.of("Not in the scene, and no work and memory spent on them: {0}.",
+                String.join(", ", effects.absent().stream().map(e -> Texts.of(e.title())).toList())));
         if (costs == null) {
             others.clear();
         } else {
             if (!others.isEmpty()) {
-                others.addFirst(EffectRow.head("Not in the scene, saves", ""));
+                others.addFirst(EffectRow.head(Texts.of("Not in the scene, saves"), ""));
             }
-            inUse.addFirst(EffectRow.head("In the scene", "Called for by"));
+            inUse.addFirst(EffectRow.head(Texts.of("In the scene"), Texts.of("Called for by")));
         }
         // A row must not be in two places at a time.
         used.getChildren().clear();
@@ -181,16 +182,16 @@ public final class EffectsPane extends VBox {
             bar.begin("lightning-effects",
                     progress -> EffectCosts.of(measured.before(), measured.after(), options, REPETITIONS, progress),
                     result -> finished(result, scene), outcome::setText);
-            outcome.setText("Measuring …");
+            outcome.setText(Texts.of("Measuring …"));
         });
     }
 
     private void finished(EffectCosts measured, Scene scene) {
         costs = measured;
         costsOf = scene;
-        costsText = "First pass " + StatusText.milliseconds(measured.first().median()) + " · update "
-                + StatusText.milliseconds(measured.update().median()) + " (" + measured.plan() + ") · "
-                + EffectRow.bytes(measured.bytes()) + ". ≈: within the noise";
+        costsText =
+                Texts.of("First pass {0} · update {1} ({2}) · {3}. ≈: within the noise", StatusText.milliseconds(measured.first().median()),
+                        StatusText.milliseconds(measured.update().median()), measured.plan(), EffectRow.bytes(measured.bytes()));
         tellOutcome();
         measured.effects().forEach(cost -> rows.get(cost.effect()).show(cost));
         list(model.scene());

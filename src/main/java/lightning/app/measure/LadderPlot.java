@@ -13,6 +13,7 @@ import javafx.scene.layout.Region;
 import javafx.util.converter.NumberStringConverter;
 import lightning.accuracy.Ladder;
 import lightning.accuracy.Rung;
+import lightning.text.Texts;
 
 /**
  * Error against time: each grade is a number, the one that it has in the table, and stands on its place. The best are low
@@ -27,9 +28,9 @@ final class LadderPlot extends ScatterChart<Number, Number> {
     private static final double RISE = -9;
 
     LadderPlot() {
-        super(axis("milliseconds"), axis("root mean square error, linear"));
+        super(axis("milliseconds"), axis(Texts.of("root mean square error, linear")));
         setId("ladder-chart");
-        setAccessibleText("Error of each grade against its time");
+        setAccessibleText(Texts.of("Error of each grade against its time"));
         setLegendVisible(false);
         setAnimated(false);
         getStyleClass().add("ladder-chart");

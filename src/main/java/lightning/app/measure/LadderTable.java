@@ -7,6 +7,7 @@ import javafx.scene.control.TableColumn;
 import javafx.scene.control.TableView;
 import lightning.accuracy.Ladder;
 import lightning.accuracy.Rung;
+import lightning.text.Texts;
 
 /** The grades of accuracy, a row each: time, saving and errors. */
 final class LadderTable extends TableView<Rung> {
@@ -18,16 +19,16 @@ final class LadderTable extends TableView<Rung> {
 
     LadderTable() {
         setId("ladder");
-        setAccessibleText("Grades of accuracy");
+        setAccessibleText(Texts.of("Grades of accuracy"));
         getStyleClass().add("dense");
-        setPlaceholder(new Label("Measure shows what each grade costs for the last edit, and how far it is off."));
+        setPlaceholder(new Label(Texts.of("Measure shows what each grade costs for the last edit, and how far it is off.")));
         setColumnResizePolicy(CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
         setFixedCellSize(ROW);
-        add("Grade", GRADE, r -> (r.grade().ordinal() + 1) + "  " + r.grade().label());
-        add("Time", NUMBER, RungText::time);
-        add("Of a full trace", NUMBER, r -> RungText.saving(ladder, r));
-        add("Largest error", NUMBER, r -> RungText.largest(r.error()));
-        add("Values off", NUMBER, r -> RungText.values(r.error()));
+        add(Texts.of("Grade"), GRADE, r -> (r.grade().ordinal() + 1) + "  " + r.grade().label());
+        add(Texts.of("Time"), NUMBER, RungText::time);
+        add(Texts.of("Of a full trace"), NUMBER, r -> RungText.saving(ladder, r));
+        add(Texts.of("Largest error"), NUMBER, r -> RungText.largest(r.error()));
+        add(Texts.of("Values off"), NUMBER, r -> RungText.values(r.error()));
         add("PSNR", NUMBER, r -> RungText.psnr(r.error()));
         add("SSIM", NUMBER, r -> RungText.ssim(r.error()));
     }

@@ -12,6 +12,7 @@ import javafx.scene.layout.StackPane;
 import lightning.app.model.Sentence;
 import lightning.app.widget.Obstacle;
 import lightning.app.widget.WhileSeen;
+import lightning.text.Texts;
 import lightning.work.Progress;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
@@ -21,8 +22,8 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
 final class MeasureBar extends HBox {
     private static final double SPACING = 8;
 
-    private final Button measure = new Button("Measure", new FontIcon(MaterialDesignT.TIMER_OUTLINE));
-    private final Button cancel = new Button("Cancel", new FontIcon(MaterialDesignS.STOP));
+    private final Button measure = new Button(Texts.of("Measure"), new FontIcon(MaterialDesignT.TIMER_OUTLINE));
+    private final Button cancel = new Button(Texts.of("Cancel"), new FontIcon(MaterialDesignS.STOP));
     private final ProgressBar bar = new ProgressBar(0);
     private final Obstacle measuring;
     private final Obstacle cancelling;
@@ -42,11 +43,11 @@ final class MeasureBar extends HBox {
         cancel.setId("cancel-measure" + suffix);
         cancel.setMinWidth(Region.USE_PREF_SIZE);
         cancel.setOnAction(_ -> stop());
-        bar.setAccessibleText("Progress of measuring");
+        bar.setAccessibleText(Texts.of("Progress of measuring"));
         var measureBox = new StackPane(measure);
         var cancelBox = new StackPane(cancel);
         measuring = new Obstacle(measureBox, measure, hint);
-        cancelling = new Obstacle(cancelBox, cancel, "Stop measuring");
+        cancelling = new Obstacle(cancelBox, cancel, Texts.of("Stop measuring"));
         getChildren().addAll(bar, measureBox, cancelBox);
         update();
         // Nothing is measured for a window that is closed.
@@ -87,7 +88,7 @@ final class MeasureBar extends HBox {
         });
         own.setOnCancelled(_ -> {
             over();
-            ended.accept("Cancelled");
+            ended.accept(Texts.of("Cancelled"));
         });
         bar.progressProperty().bind(own.progressProperty());
         own.begin();
@@ -101,8 +102,8 @@ final class MeasureBar extends HBox {
     }
 
     private void update() {
-        measuring.set(isBusy() ? Optional.of("it is being measured") : obstacle);
-        cancelling.set(isBusy() ? Optional.empty() : Optional.of("nothing is being measured"));
+        measuring.set(isBusy() ? Optional.of(Texts.of("it is being measured")) : obstacle);
+        cancelling.set(isBusy() ? Optional.empty() : Optional.of(Texts.of("nothing is being measured")));
         bar.setVisible(isBusy());
     }
 

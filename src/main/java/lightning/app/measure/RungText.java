@@ -1,11 +1,11 @@
 package lightning.app.measure;
 
-import java.util.Locale;
 import lightning.accuracy.Grade;
 import lightning.accuracy.Ladder;
 import lightning.accuracy.PictureError;
 import lightning.accuracy.Rung;
 import lightning.app.model.StatusText;
+import lightning.text.Texts;
 
 /** What a grade of the ladder costs and how far it is off, in the words of a table. */
 final class RungText {
@@ -22,24 +22,24 @@ final class RungText {
 
     /** The largest error of a value, linear. */
     static String largest(PictureError error) {
-        return error.values() == 0 ? "none" : String.format(Locale.ROOT, "%.2g", error.maxAbsolute());
+        return error.values() == 0 ? Texts.of("none") : String.format(Texts.locale(), "%.2g", error.maxAbsolute());
     }
 
     /** The share of values with other bits. */
     static String values(PictureError error) {
         if (error.values() == 0) {
-            return "none";
+            return Texts.of("none");
         }
         double percent = 100.0 * error.values() / error.of();
-        return percent < 0.1 ? "< 0.1 %" : String.format(Locale.ROOT, "%.1f %%", percent);
+        return percent < 0.1 ? "< 0.1 %" : String.format(Texts.locale(), "%.1f %%", percent);
     }
 
     /** As displayed in 8 bits. */
     static String psnr(PictureError error) {
-        return Double.isInfinite(error.displayPsnr()) ? "∞" : String.format(Locale.ROOT, "%.1f dB", error.displayPsnr());
+        return Double.isInfinite(error.displayPsnr()) ? "∞" : String.format(Texts.locale(), "%.1f dB", error.displayPsnr());
     }
 
     static String ssim(PictureError error) {
-        return error.ssim() == 1 ? "1" : String.format(Locale.ROOT, "%.4f", Math.min(error.ssim(), 0.9999));
+        return error.ssim() == 1 ? "1" : String.format(Texts.locale(), "%.4f", Math.min(error.ssim(), 0.9999));
     }
 }

@@ -1,6 +1,5 @@
 package lightning.app.measure;
 
-import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.atomic.AtomicBoolean;
 import javafx.scene.control.Label;
@@ -13,6 +12,7 @@ import lightning.app.widget.WhileSeen;
 import lightning.edit.loop.Frame;
 import lightning.image.Scopes;
 import lightning.image.ViewTransform;
+import lightning.text.Texts;
 import lightning.work.OwnThread;
 
 /** Histogram and waveform of the traced picture as it is shown, counted on a thread of its own; of many pictures the newest. */
@@ -23,8 +23,8 @@ public final class ScopesPane extends VBox {
     private final EditorModel model;
     private final ExecutorService thread = OwnThread.inTurn("lightning-scopes");
     private final AtomicBoolean asked = new AtomicBoolean();
-    private final ImageView histogram = view("histogram", "How many pixels have each code, red, green and blue");
-    private final ImageView waveform = view("waveform", "Which codes the pixels of each column have");
+    private final ImageView histogram = view("histogram", Texts.of("How many pixels have each code, red, green and blue"));
+    private final ImageView waveform = view("waveform", Texts.of("Which codes the pixels of each column have"));
     private final Label cut = new Label();
     private volatile Frame frame;
     private volatile ViewTransform shown = ViewTransform.DEFAULT;
@@ -34,7 +34,7 @@ public final class ScopesPane extends VBox {
         setId("scopes");
         getStyleClass().addAll("panel", "scopes");
         cut.setId("scopes-cut");
-        getChildren().setAll(new Label("Histogram"), histogram, cut, new Label("Waveform"), waveform);
+        getChildren().setAll(new Label(Texts.of("Histogram")), histogram, cut, new Label(Texts.of("Waveform")), waveform);
         WhileSeen.follow(this, this::follow);
     }
 
@@ -81,7 +81,7 @@ public final class ScopesPane extends VBox {
     private void show(Scopes scopes, int[] bars, int[] wave) {
         histogram.setImage(PixelImage.of(Scopes.CODES, HEIGHT, bars));
         waveform.setImage(PixelImage.of(scopes.columns(), Scopes.CODES, wave));
-        cut.setText(String.format(Locale.ROOT, "%.1f %% of a channel at black, %.1f %% at white", 100 * scopes.shareOf(0),
+        cut.setText(String.format(Texts.locale(), Texts.of("%.1f %% of a channel at black, %.1f %% at white"), 100 * scopes.shareOf(0),
                 100 * scopes.shareOf(Scopes.CODES - 1)));
     }
 }

@@ -15,6 +15,7 @@ import lightning.edit.Change;
 import lightning.edit.Channel;
 import lightning.edit.ChannelEdits;
 import lightning.scene.Scene;
+import lightning.text.Texts;
 
 /**
  * What the strips of the mixer have in common: which are selected, whether an edit of several is relative, and the edits. An
@@ -123,7 +124,8 @@ final class Board {
         }
         if (before == 0) {
             return told(
-                    Optional.of(channel.title() + " is dark, and no factor makes it brighter: choose Absolute, or begin at another strip"));
+                    Optional.of(Texts.of("{0} is dark, and no factor makes it brighter: choose Absolute, or begin at another strip",
+                            channel.title())));
         }
         return edit(scene -> ChannelEdits.scaled(scene, from, channels, intensity / before), gesture);
     }

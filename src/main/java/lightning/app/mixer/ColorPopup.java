@@ -16,6 +16,7 @@ import lightning.edit.Kelvin;
 import lightning.edit.Steps;
 import lightning.math.Rgb;
 import lightning.scene.Limits;
+import lightning.text.Texts;
 
 /** The colour of a strip, below its chip until the mouse goes elsewhere. All strips that are selected with it get the same. */
 final class ColorPopup {
@@ -31,7 +32,7 @@ final class ColorPopup {
         this.channel = channel;
         most = channel instanceof Channel.OfBank ? 1 : Limits.MAX_LIGHT_COLOR;
         sliders = channel instanceof Channel.OfBank
-                ? ColorSliders.ofSurface(channel.title(), "The gel, a factor of its lights' colours", 1, new Target())
+                ? ColorSliders.ofSurface(channel.title(), Texts.of("The gel, a factor of its lights' colours"), 1, new Target())
                 : new ColorSliders(new Target());
     }
 

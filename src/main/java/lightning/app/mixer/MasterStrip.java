@@ -8,6 +8,7 @@ import javafx.scene.layout.VBox;
 import lightning.app.widget.Gauge;
 import lightning.app.widget.NumberField;
 import lightning.edit.Steps;
+import lightning.text.Texts;
 
 /**
  * Makes all that shines brighter or darker. The scene keeps it in the lights' own intensities, so that the fader stands at 0 again
@@ -17,7 +18,7 @@ final class MasterStrip extends VBox {
     private static final double RANGE = 5;
 
     private final Board board;
-    private final Thumbnail thumbnail = new Thumbnail("master");
+    private final Thumbnail thumbnail = new Thumbnail(Texts.of("master"));
     private final Fader fader;
     private final NumberField stops;
 
@@ -25,16 +26,16 @@ final class MasterStrip extends VBox {
         this.board = board;
         setId("strip-master");
         getStyleClass().addAll("strip", "master-strip");
-        var name = new Label("Master");
+        var name = new Label(Texts.of("Master"));
         name.getStyleClass().add("strip-head");
-        fader = new Fader("master fader", RANGE, false, new Hand());
+        fader = new Fader(Texts.of("master fader"), RANGE, false, new Hand());
         fader.setId("fader-master");
-        stops = new NumberField("master stops", Gauge.of("stops", new Steps(0.1, -100, 100), board::master));
+        stops = new NumberField(Texts.of("master stops"), Gauge.of("stops", new Steps(0.1, -100, 100), board::master));
         stops.setId("stops-master");
-        stops.setTooltip(new Tooltip("Stops to add to all lights and the environment"));
+        stops.setTooltip(new Tooltip(Texts.of("Stops to add to all lights and the environment")));
         stops.show(0);
         VBox.setVgrow(fader, Priority.ALWAYS);
-        var note = new Label("stops, all lights");
+        var note = new Label(Texts.of("stops, all lights"));
         note.getStyleClass().add("part");
         getChildren().addAll(name, thumbnail, fader, stops, note);
     }

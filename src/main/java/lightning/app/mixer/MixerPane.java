@@ -25,6 +25,7 @@ import lightning.app.widget.WhileSeen;
 import lightning.edit.Channel;
 import lightning.edit.loop.Frame;
 import lightning.scene.Scene;
+import lightning.text.Texts;
 
 /**
  * The light mixer: a strip for each light, each bank and the environment, in the order of the scene, and a master. A click on a strip's
@@ -81,17 +82,17 @@ public final class MixerPane extends VBox {
 
     private Node tools() {
         search.setId("mixer-search");
-        search.setPromptText("Search");
-        search.setAccessibleText("search strips by name or type");
+        search.setPromptText(Texts.of("Search"));
+        search.setAccessibleText(Texts.of("search strips by name or type"));
         search.textProperty().subscribe(_ -> arrange());
         filter.setId("mixer-filter");
-        filter.setAccessibleText("which strips are shown");
+        filter.setAccessibleText(Texts.of("which strips are shown"));
         filter.getItems().setAll(StripFilter.values());
         filter.setValue(StripFilter.ALL);
         filter.valueProperty().subscribe(_ -> arrange());
         var mode = new ToggleGroup();
-        var relative = toggle("Relative", "Several strips change by the same factor", mode);
-        var absolute = toggle("Absolute", "Several strips get the same value", mode);
+        var relative = toggle(Texts.of("Relative"), Texts.of("Several strips change by the same factor"), mode);
+        var absolute = toggle(Texts.of("Absolute"), Texts.of("Several strips get the same value"), mode);
         relative.setSelected(true);
         mode.selectedToggleProperty().addListener((_, before, now) -> {
             if (now == null) {
@@ -181,6 +182,6 @@ public final class MixerPane extends VBox {
         if (!shown().equals(wanted)) {
             row.getChildren().setAll(wanted);
         }
-        count.setText(wanted.size() == strips.size() ? "" : wanted.size() + " of " + strips.size() + " strips");
+        count.setText(wanted.size() == strips.size() ? "" : Texts.of("{0} of {1} strips", wanted.size(), strips.size()));
     }
 }

@@ -20,6 +20,7 @@ import lightning.edit.Channel;
 import lightning.edit.ChannelEdits;
 import lightning.edit.Steps;
 import lightning.scene.Scene;
+import lightning.text.Texts;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
@@ -67,29 +68,30 @@ final class Strip extends VBox {
         head.getStyleClass().add("strip-head");
         head.setId("strip-head-" + id);
         head.getChildren().addAll(type, name);
-        fader = new Fader(id + " fader", RANGE, true, new Hand());
+        fader = new Fader(Texts.of("{0} fader", id), RANGE, true, new Hand());
         fader.setId("fader-" + id);
-        stops = new NumberField(id + " stops", Gauge.of("stops", new Steps(0.1, LEAST_STOPS, ChannelEdits.stops(channel.most())),
-                (v, gesture) -> set(ChannelEdits.ofStops(v), gesture)));
+        stops = new NumberField(Texts.of("{0} stops", id),
+                Gauge.of("stops", new Steps(0.1, LEAST_STOPS, ChannelEdits.stops(channel.most())),
+                        (v, gesture) -> set(ChannelEdits.ofStops(v), gesture)));
         stops.setId("stops-" + id);
         var around = row("stops", stops);
-        noStops = new Obstacle(around, stops, "Stops: 0 is intensity 1, one more is twice the light");
-        intensity = new NumberField(id + " intensity", Gauge.of("intensity", new Steps(0.1, 0, channel.most()), this::set));
+        noStops = new Obstacle(around, stops, Texts.of("Stops: 0 is intensity 1, one more is twice the light"));
+        intensity = new NumberField(Texts.of("{0} intensity", id), Gauge.of("intensity", new Steps(0.1, 0, channel.most()), this::set));
         intensity.setId("intensity-" + id);
-        intensity.setTooltip(new Tooltip("Intensity"));
+        intensity.setTooltip(new Tooltip(Texts.of("Intensity")));
         solo.setId("solo-" + id);
-        solo.setAccessibleText(id + " solo");
-        solo.setTooltip(new Tooltip("Solo: only lights that are solo shine"));
+        solo.setAccessibleText(Texts.of("{0} solo", id));
+        solo.setTooltip(new Tooltip(Texts.of("Solo: only lights that are solo shine")));
         solo.getStyleClass().add("solo");
         solo.setOnAction(_ -> switchSolo());
         mute.setId("mute-" + id);
-        mute.setAccessibleText(id + " mute");
-        mute.setTooltip(new Tooltip("Mute: switch it off"));
+        mute.setAccessibleText(Texts.of("{0} mute", id));
+        mute.setTooltip(new Tooltip(Texts.of("Mute: switch it off")));
         mute.getStyleClass().add("mute");
         mute.setOnAction(_ -> switchOn());
         color.setId("color-" + id);
-        color.setAccessibleText(id + " colour");
-        color.setTooltip(new Tooltip("Colour"));
+        color.setAccessibleText(Texts.of("{0} colour", id));
+        color.setTooltip(new Tooltip(Texts.of("Colour")));
         color.getStyleClass().add("color-chip");
         color.setOnAction(_ -> new ColorPopup(board, channel).show(color));
         var switches = new HBox(color, solo, mute);
@@ -175,7 +177,7 @@ final class Strip extends VBox {
         double inStops = ChannelEdits.stops(v);
         fader.show(inStops);
         intensity.show(v);
-        noStops.set(v == 0 ? Optional.of("the intensity is 0") : Optional.empty());
+        noStops.set(v == 0 ? Optional.of(Texts.of("the intensity is 0")) : Optional.empty());
         if (v == 0) {
             stops.showNothing();
         } else {
@@ -185,7 +187,8 @@ final class Strip extends VBox {
         mute.setSelected(!channel.isOn(scene));
         channel.color(scene).ifPresent(c -> color.setStyle("-fx-background-color: " + Paints.css(c) + ";"));
         pseudoClassStateChanged(DARK, !channel.shines(scene));
-        setAccessibleText(channel.title() + (channel.isOn(scene) ? "" : ", muted") + (channel.isSolo(scene) ? ", solo" : ""));
+        setAccessibleText(
+                channel.title() + (channel.isOn(scene) ? "" : Texts.of(", muted")) + (channel.isSolo(scene) ? Texts.of(", solo") : ""));
     }
 
     void show(Optional<SharePictures.One> one) {

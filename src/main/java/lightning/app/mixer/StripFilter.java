@@ -5,10 +5,12 @@ import lightning.app.widget.LightTypes;
 import lightning.edit.Channel;
 import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.text.Texts;
 
 /** Which strips of the board are seen. */
 enum StripFilter {
-    ALL("All"), SHINING("Shining"), DARK("Dark"), SOLO("Solo"), MUTED("Muted"), BANKS("Banks");
+    ALL(Texts.key("All")), SHINING(Texts.key("Shining")), DARK(Texts.key("Dark")), SOLO(Texts.key("Solo")), MUTED(Texts.key("Muted")),
+    BANKS(Texts.key("Banks"));
 
     private final String title;
 
@@ -18,7 +20,7 @@ enum StripFilter {
 
     @Override
     public String toString() {
-        return title;
+        return Texts.of(title);
     }
 
     boolean shows(Channel channel, Scene scene) {
@@ -36,7 +38,7 @@ enum StripFilter {
     static boolean finds(String words, Channel channel, Scene scene) {
         String all = channel.title() + switch (channel) {
             case Channel.OfLight(String name) -> scene.light(name).map(StripFilter::words).orElse("");
-            case Channel.OfBank _ -> " bank";
+            case Channel.OfBank _ -> Texts.of(" bank");
             case Channel.OfEnvironment _ -> "";
         };
         String text = all.toLowerCase(Locale.ROOT);

@@ -4,6 +4,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import lightning.text.Texts;
 
 /** How the window's room is given to the pictures, and to what stands around them. */
 public final class Arrangement {
@@ -12,8 +13,9 @@ public final class Arrangement {
 
     /** Which of the two pictures are seen, and how large. */
     public enum Canvases {
-        SIDE_BY_SIDE("Side by Side", 0.5), PICTURE_LARGE("Traced Picture Large", 0.72), PREVIEW_LARGE("Preview Large", 0.28),
-        PICTURE_ALONE("Traced Picture Alone", 1), PREVIEW_ALONE("Preview Alone", 0);
+        SIDE_BY_SIDE(Texts.key("Side by Side"), 0.5), PICTURE_LARGE(Texts.key("Traced Picture Large"), 0.72),
+        PREVIEW_LARGE(Texts.key("Preview Large"), 0.28),
+        PICTURE_ALONE(Texts.key("Traced Picture Alone"), 1), PREVIEW_ALONE(Texts.key("Preview Alone"), 0);
 
         private final String title;
         private final double share;
@@ -30,7 +32,7 @@ public final class Arrangement {
 
         @Override
         public String toString() {
-            return title;
+            return Texts.of(title);
         }
     }
 

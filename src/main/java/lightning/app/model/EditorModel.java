@@ -32,6 +32,7 @@ import lightning.image.ViewTransform;
 import lightning.scene.Light;
 import lightning.scene.Node;
 import lightning.scene.Scene;
+import lightning.text.Texts;
 
 /**
  * What the panes of the editor show and do: the open document, its traced picture, the selection, and the commands. All
@@ -76,7 +77,8 @@ public final class EditorModel implements AutoCloseable {
     public EditorModel(OpenDocument first, Recovery recovery, FileThread files) {
         this.files = files;
         workbench = new Workbench(first, precision.get().options(), recovery, files, this::refresh, this::hear, raster,
-                why -> window().execute(() -> say("The last edits could not be kept for the case of a crash: " + Sentence.of(why))));
+                why -> window()
+                        .execute(() -> say(Texts.of("The last edits could not be kept for the case of a crash: {0}", Sentence.of(why)))));
         LightActions.addTo(this);
         NodeActions.addTo(this);
         look = new PictureLook(this);
@@ -414,7 +416,7 @@ public final class EditorModel implements AutoCloseable {
 
     /** What is done with {@link #reading()}, as in "Reading". */
     public String fileWork() {
-        return writing ? "Writing" : "Reading";
+        return writing ? Texts.of("Writing") : Texts.of("Reading");
     }
 
     /** What is being read; null where nothing is. Any thread may ask. */

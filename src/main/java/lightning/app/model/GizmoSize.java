@@ -1,8 +1,10 @@
 package lightning.app.model;
 
+import lightning.text.Texts;
+
 /** How large the lights' wireframes are drawn. */
 public enum GizmoSize {
-    SMALL("Small", 0.6), NORMAL("Normal", 1), LARGE("Large", 1.6);
+    SMALL(Texts.key("Small"), 0.6), NORMAL(Texts.key("Normal"), 1), LARGE(Texts.key("Large"), 1.6);
 
     private final String title;
     private final double factor;
@@ -19,6 +21,6 @@ public enum GizmoSize {
 
     @Override
     public String toString() {
-        return title;
+        return Texts.of(title);
     }
 }

@@ -11,6 +11,7 @@ import javafx.scene.input.KeyCodeCombination;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 import lightning.edit.Command;
+import lightning.text.Texts;
 
 /** The keys of the commands: those that the program gives them, until the artist gives them others. No two have the same. */
 public final class Keys {
@@ -96,11 +97,13 @@ public final class Keys {
     public static Optional<String> obstacle(KeyCodeCombination key) {
         boolean held = key.getShortcut() == KeyCombination.ModifierValue.DOWN || key.getAlt() == KeyCombination.ModifierValue.DOWN;
         if (!held && !key.getCode().isFunctionKey()) {
-            return Optional.of(key.getDisplayText() + " alone types or moves; hold Ctrl or Alt with it, or take a function key");
+            return Optional
+                    .of(Texts.of("{0} alone types or moves; hold Ctrl or Alt with it, or take a function key", key.getDisplayText()));
         }
         boolean plain = key.getShift() == KeyCombination.ModifierValue.UP && key.getAlt() == KeyCombination.ModifierValue.UP;
         boolean text = key.getCode() == KeyCode.C || key.getCode() == KeyCode.V || key.getCode() == KeyCode.X || key.getCode() == KeyCode.A;
-        return plain && held && text ? Optional.of(key.getDisplayText() + " is for texts: it copies, pastes, cuts or selects all")
+        return plain && held && text
+                ? Optional.of(Texts.of("{0} is for texts: it copies, pastes, cuts or selects all", key.getDisplayText()))
                 : Optional.empty();
     }
 

@@ -11,6 +11,7 @@ import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 import lightning.text.Decimal;
+import lightning.text.Texts;
 
 /** The commands that ask nothing before they are done. */
 final class LightActions {
@@ -65,6 +66,6 @@ final class LightActions {
 
     /** Tells where a copy stands. */
     static void tellBeside(EditorModel model, String copy, String original) {
-        model.say(copy + " stands " + Decimal.text(Beside.length(model.scene())) + " beside " + original + ", along x");
+        model.say(Texts.of("{0} stands {1} beside {2}, along x", copy, Decimal.text(Beside.length(model.scene())), original));
     }
 }

@@ -15,6 +15,7 @@ import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /** Which material is being edited, and whether it is in front of the selected light's properties. */
 public final class MaterialChoice {
@@ -59,7 +60,7 @@ public final class MaterialChoice {
         MaterialEdits.ofShape(model.scene(), shape).ifPresentOrElse(m -> {
             choose(m.name());
             inFront.set(true);
-        }, () -> model.say("The scene has no shape " + Quote.of(shape) + " any more"));
+        }, () -> model.say(Texts.of("The scene has no shape {0} any more", Quote.of(shape))));
     }
 
     private void find() {

@@ -3,15 +3,17 @@ package lightning.app.model;
 import lightning.relight.plan.Accuracy;
 import lightning.relight.plan.Reflections;
 import lightning.relight.tile.Options;
+import lightning.text.Texts;
 
 /** What the artist chooses between speed and exactness. */
 public enum Precision {
-    EXACT("Exact", "Equal to a full trace in every bit of every pixel, mirrors too",
+    EXACT(Texts.key("Exact"), Texts.key("Equal to a full trace in every bit of every pixel, mirrors too"),
             Accuracy.EXACT, Reflections.CURRENT),
-    ON_DEMAND("As in 1998: mirrors on demand", "Equal to a full trace in every bit, but mirrors show older lights until Update Reflections",
+    ON_DEMAND(Texts.key("As in 1998: mirrors on demand"),
+            Texts.key("Equal to a full trace in every bit, but mirrors show older lights until Update Reflections"),
             Accuracy.EXACT, Reflections.STALE),
-    RATIO("As in 1998: ratio",
-            "The paper's own update, which multiplies what is stored, with an error bound that is shown; mirrors on demand",
+    RATIO(Texts.key("As in 1998: ratio"),
+            Texts.key("The paper's own update, which multiplies what is stored, with an error bound that is shown; mirrors on demand"),
             Accuracy.RATIO, Reflections.STALE);
 
     private final String title;
@@ -27,7 +29,7 @@ public enum Precision {
     }
 
     public String explanation() {
-        return explanation;
+        return Texts.of(explanation);
     }
 
     public Options options() {
@@ -36,6 +38,6 @@ public enum Precision {
 
     @Override
     public String toString() {
-        return title;
+        return Texts.of(title);
     }
 }

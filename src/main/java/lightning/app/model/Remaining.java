@@ -1,6 +1,6 @@
 package lightning.app.model;
 
-import java.util.Locale;
+import lightning.text.Texts;
 
 /** How long a work will still take, from how long it took so far; nothing while that would be a guess. */
 public final class Remaining {
@@ -26,15 +26,15 @@ public final class Remaining {
         }
         long took = now - since;
         return what.isEmpty() || took < FIRST || !(share >= LEAST_SHARE) || share >= 1 ? what
-                : what + " · " + text(took / SECOND * (1 - share) / share) + " left";
+                : Texts.of("{0} · {1} left", what, text(took / SECOND * (1 - share) / share));
     }
 
     /** Seconds as a person would say them: what follows is none. */
     private static String text(double seconds) {
         if (seconds < 10) {
-            return String.format(Locale.ROOT, "%.0f s", Math.max(1, Math.ceil(seconds)));
+            return String.format(Texts.locale(), "%.0f s", Math.max(1, Math.ceil(seconds)));
         }
-        return seconds < 90 ? String.format(Locale.ROOT, "%.0f s", Math.ceil(seconds / 5) * 5)
-                : String.format(Locale.ROOT, "%.0f min", Math.ceil(seconds / 60));
+        return seconds < 90 ? String.format(Texts.locale(), "%.0f s", Math.ceil(seconds / 5) * 5)
+                : String.format(Texts.locale(), "%.0f min", Math.ceil(seconds / 60));
     }
 }

@@ -1,6 +1,5 @@
 package lightning.app.model;
 
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import lightning.accuracy.Verification;
@@ -8,6 +7,7 @@ import lightning.accuracy.WarmSaving;
 import lightning.edit.loop.Frame;
 import lightning.relight.Update;
 import lightning.relight.plan.UpdatePlan;
+import lightning.text.Texts;
 
 /** What the status line tells of an update and of a verification: what accuracy costs. */
 public final class StatusText {
@@ -29,13 +29,13 @@ public final class StatusText {
      * @param promise what the picture is: {@code exact}
      */
     static String of(Update update, boolean finished, String promise, Optional<WarmSaving> saving) {
-        String text = update.plan().text() + " · " + number(update.rowsTouched()) + " rows touched · "
-                + number(update.rays().shadow()) + " shadow rays · " + milliseconds(update.milliseconds());
+        String text = Texts.of("{0} · {1} rows touched · {2} shadow rays · {3}", update.plan().text(), number(update.rowsTouched()),
+                number(update.rays().shadow()), milliseconds(update.milliseconds()));
         if (!finished) {
-            return text + " · without finer samples yet";
+            return Texts.of("{0} · without finer samples yet", text);
         }
         if (update.plan() instanceof UpdatePlan.Relight) {
-            text += saving.map(StatusText::saving).orElse(" (what it saves is being measured)");
+            text += saving.map(StatusText::saving).orElse(Texts.of(" (what it saves is being measured)"));
         }
         return text + " · " + promise;
     }
@@ -44,18 +44,18 @@ public final class StatusText {
     public static String brief(Frame frame) {
         Update update = frame.update();
         String time = time(update.milliseconds());
-        String what = update.plan() instanceof UpdatePlan.Relight ? time : "Traced in " + time;
-        return what + ", " + (frame.finished() ? frame.promise().text(update) : "without finer samples yet");
+        String what = update.plan() instanceof UpdatePlan.Relight ? time : Texts.of("Traced in {0}", time);
+        return what + ", " + (frame.finished() ? frame.promise().text(update) : Texts.of("without finer samples yet"));
     }
 
     private static String saving(WarmSaving measured) {
-        return " · made again " + milliseconds(measured.update().median()) + " of " + milliseconds(measured.full().median())
-                + " for a full trace · " + saving(measured.percent() / 100);
+        return Texts.of(" · made again {0} of {1} for a full trace · {2}", milliseconds(measured.update().median()),
+                milliseconds(measured.full().median()), saving(measured.percent() / 100));
     }
 
     public static String saving(double share) {
-        return share >= 0 ? String.format(Locale.ROOT, "%.1f %% saved", Math.floor(1000 * share) / 10)
-                : String.format(Locale.ROOT, "%.0f %% slower", -100 * share);
+        return share >= 0 ? String.format(Texts.locale(), Texts.of("%.1f %% saved"), Math.floor(1000 * share) / 10)
+                : String.format(Texts.locale(), Texts.of("%.0f %% slower"), -100 * share);
     }
 
     /**
@@ -65,22 +65,22 @@ public final class StatusText {
      * @param shown the picture shown; where the verdict is of another, it says so
      */
     public static String of(Verification verification, Frame shown) {
-        String which = shown != null && verification.speaksOf(shown.promise()) ? "" : "The picture before: ";
+        String which = shown != null && verification.speaksOf(shown.promise()) ? "" : Texts.of("The picture before: ");
         OptionalDouble full = verification.fullTraceMs();
-        return which + verification.text() + (full.isPresent() ? " (full trace " + milliseconds(full.getAsDouble()) + ")" : "");
+        return which + verification.text() + (full.isPresent() ? Texts.of(" (full trace {0})", milliseconds(full.getAsDouble())) : "");
     }
 
     public static String milliseconds(double v) {
-        return String.format(Locale.ROOT, v < 10 ? "%.1f ms" : "%.0f ms", v);
+        return String.format(Texts.locale(), v < 10 ? "%.1f ms" : "%.0f ms", v);
     }
 
     /** {@code 0.8 ms}, {@code 1.3 s}. */
     public static String time(double milliseconds) {
-        return milliseconds < 1000 ? milliseconds(milliseconds) : String.format(Locale.ROOT, "%.1f s", milliseconds / 1000);
+        return milliseconds < 1000 ? milliseconds(milliseconds) : String.format(Texts.locale(), "%.1f s", milliseconds / 1000);
     }
 
     /** {@code 5,021}. */
     public static String number(long v) {
-        return String.format(Locale.ROOT, "%,d", v);
+        return String.format(Texts.locale(), "%,d", v);
     }
 }

@@ -23,6 +23,7 @@ import lightning.app.widget.PixelImage;
 import lightning.edit.Situation;
 import lightning.edit.Viewport;
 import lightning.effects.ViewEffects;
+import lightning.text.Texts;
 
 /** The drawn preview with the lights' wireframes over it; takes the mouse and the keyboard. */
 public final class PreviewCanvas extends Region implements AutoCloseable {
@@ -52,7 +53,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         setId("preview-canvas");
         setFocusTraversable(true);
         setAccessibleRole(AccessibleRole.IMAGE_VIEW);
-        setAccessibleText("Preview of the scene with its lights");
+        setAccessibleText(Texts.of("Preview of the scene with its lights"));
         getChildren().addAll(image, gizmos);
         model.documentProperty().subscribe(_ -> opened = true);
         model.sceneProperty().subscribe(_ -> requestLayout());

@@ -12,6 +12,7 @@ import lightning.app.model.EditorModel;
 import lightning.app.widget.PaneHeader;
 import lightning.edit.Command;
 import lightning.edit.PreviewCamera;
+import lightning.text.Texts;
 
 /** The interactive preview: every light in real time, and the place where lights are taken by hand. */
 public final class PreviewPane extends BorderPane implements AutoCloseable {
@@ -27,7 +28,7 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         model.setAction(Command.VIEW_Y, () -> look(PreviewCamera.alongMinusY(model.scene())));
         model.setAction(Command.VIEW_Z, () -> look(PreviewCamera.of(model.scene())));
         model.setAction(Command.VIEW_ALL, canvas::frameLights);
-        var waiting = new Label("Drawing …");
+        var waiting = new Label(Texts.of("Drawing …"));
         waiting.getStyleClass().add("canvas-note");
         waiting.visibleProperty().bind(canvas.emptyProperty());
         waiting.setMouseTransparent(true);
@@ -35,7 +36,7 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         stage.getStyleClass().add("canvas");
         setTop(header());
         setCenter(stage);
-        var hint = new Label("Left: rotate · Ctrl: orbit · Middle or Alt: along the view · Right: in the plane · Shift: camera");
+        var hint = new Label(Texts.of("Left: rotate · Ctrl: orbit · Middle or Alt: along the view · Right: in the plane · Shift: camera"));
         hint.getStyleClass().add("pane-footer");
         hint.setMaxWidth(Double.MAX_VALUE);
         hint.setWrapText(true);
@@ -47,13 +48,13 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
     }
 
     private Node header() {
-        var sizes = new MenuButton(canvas.sizeProperty().get().title());
+        var sizes = new MenuButton(Texts.of(canvas.sizeProperty().get().title()));
         sizes.setId("preview-size");
         sizes.getStyleClass().add("flat");
-        sizes.setTooltip(new Tooltip("Size of the preview's canvas"));
+        sizes.setTooltip(new Tooltip(Texts.of("Size of the preview's canvas")));
         sizes.getItems().setAll(SizeMenu.ofPreview(model, canvas.sizeProperty()));
-        canvas.sizeProperty().subscribe(v -> sizes.setText(v.title()));
-        return new PaneHeader("Preview", sizes, CommandButton.view(model, Command.VIEW_ALL, "All"),
+        canvas.sizeProperty().subscribe(v -> sizes.setText(Texts.of(v.title())));
+        return new PaneHeader(Texts.of("Preview"), sizes, CommandButton.view(model, Command.VIEW_ALL, Texts.of("All")),
                 CommandButton.view(model, Command.VIEW_X, "X"), CommandButton.view(model, Command.VIEW_Y, "−Y"),
                 CommandButton.view(model, Command.VIEW_Z, "−Z"), CommandButton.view(model, Command.HIDE_GIZMOS),
                 CommandButton.view(model, Command.LOOK_THROUGH_LIGHT));

@@ -13,6 +13,7 @@ import lightning.app.widget.Paints;
 import lightning.edit.BankEdits;
 import lightning.scene.Bank;
 import lightning.scene.Limits;
+import lightning.text.Texts;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
@@ -67,20 +68,22 @@ final class BankRow extends HBox {
         shown = bank;
         boolean closed = folded.contains(bank.name());
         arrow.setIconCode(closed ? MaterialDesignC.CHEVRON_RIGHT : MaterialDesignC.CHEVRON_DOWN);
-        fold.setAccessibleText((closed ? "list the lights of " : "fold ") + bank.name());
+        fold.setAccessibleText((closed ? Texts.of("list the lights of ") : Texts.of("fold ")) + bank.name());
         gel.setStyle("-fx-background-color: " + Paints.css(bank.color()) + ";");
         name.setText(bank.name());
         master.setText(bank.intensity() == 1 ? "" : "× " + Limits.text(Math.rint(bank.intensity() * 100) / 100));
-        LightCell.describe(solo, bank.name() + " solo", "Show only the lights of banks and lights that are solo");
+        LightCell.describe(solo, Texts.of("{0} solo", bank.name()), Texts.of("Show only the lights of banks and lights that are solo"));
         bulb.setIconCode(LightTypes.bulb(bank.on()));
-        LightCell.describe(on, bank.name() + " on", bank.on() ? "Switch all of its lights off" : "Let its lights shine");
+        LightCell.describe(on, Texts.of("{0} on", bank.name()),
+                bank.on() ? Texts.of("Switch all of its lights off") : Texts.of("Let its lights shine"));
         solo.setSelected(bank.solo());
         on.setSelected(bank.on());
     }
 
     /** For screen readers. */
     String text() {
-        return shown.name() + ", bank of lights" + (shown.on() ? "" : ", off") + (shown.solo() ? ", solo" : "");
+        return Texts.of("{0}, bank of lights", shown.name()) + (shown.on() ? "" : Texts.of(", off"))
+                + (shown.solo() ? Texts.of(", solo") : "");
     }
 
     private void fold() {

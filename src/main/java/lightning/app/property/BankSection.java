@@ -23,10 +23,11 @@ import lightning.scene.Attribute;
 import lightning.scene.Bank;
 import lightning.scene.Light;
 import lightning.scene.Quantity;
+import lightning.text.Texts;
 
 /** Which bank the selected light belongs to, and that bank's master and gel. */
 final class BankSection extends VBox {
-    private static final Optional<String> NO_BANK = Optional.of("the light is in no bank");
+    private static final String NO_BANK = Texts.key("the light is in no bank");
 
     private final EditorModel model;
     private final ComboBox<String> bank = new ComboBox<>();
@@ -39,12 +40,12 @@ final class BankSection extends VBox {
         this.model = model;
         getStyleClass().add("section-content");
         bank.setId("light-bank");
-        bank.setAccessibleText("bank");
+        bank.setAccessibleText(Texts.of("bank"));
         bank.setMaxWidth(Double.MAX_VALUE);
         bank.setConverter(new StringConverter<>() {
             @Override
             public String toString(String name) {
-                return name == null ? "" : name.isEmpty() ? "none" : name;
+                return name == null ? "" : name.isEmpty() ? Texts.of("none") : name;
             }
 
             @Override
@@ -60,12 +61,12 @@ final class BankSection extends VBox {
             }
         });
         StackPane around = new StackPane(bank);
-        noLight = new Obstacle(around, bank, "The bank that the light belongs to");
-        master = new ArrowWidget("Master", "master", gauge("master", Bank.INTENSITY, (Double v, Double x) -> x));
+        noLight = new Obstacle(around, bank, Texts.of("The bank that the light belongs to"));
+        master = new ArrowWidget(Texts.of("Master"), "master", gauge("master", Bank.INTENSITY, (Double v, Double x) -> x));
         master.setId("master");
-        gel = ColorSliders.ofSurface("gel", "A factor of the colours of all its lights", 1, new Gel());
+        gel = ColorSliders.ofSurface("gel", Texts.of("A factor of the colours of all its lights"), 1, new Gel());
         gel.setId("gel");
-        getChildren().addAll(around, master, Sections.caption("Gel"), gel);
+        getChildren().addAll(around, master, Sections.caption(Texts.of("Gel")), gel);
         model.situationProperty().subscribe(this::show);
     }
 
@@ -79,8 +80,8 @@ final class BankSection extends VBox {
         }
         bank.setValue(light.map(Light::bank).orElse(null));
         showing = false;
-        noLight.set(light.isPresent() ? Optional.empty() : Optional.of("no light is selected"));
-        Optional<String> obstacle = of.isPresent() ? Optional.empty() : NO_BANK;
+        noLight.set(light.isPresent() ? Optional.empty() : Optional.of(Texts.of("no light is selected")));
+        Optional<String> obstacle = of.isPresent() ? Optional.empty() : Optional.of(Texts.of(NO_BANK));
         master.setObstacle(obstacle);
         gel.setObstacle(obstacle);
         of.ifPresentOrElse(b -> master.show(b.intensity()), master::showNothing);

@@ -13,6 +13,7 @@ import javafx.scene.control.SeparatorMenuItem;
 import lightning.app.command.CommandItems;
 import lightning.app.model.EditorModel;
 import lightning.edit.Command;
+import lightning.text.Texts;
 
 /** Offers the files of a kind that lie beside the scene, pictures with what they show, and none; what lies there is seen a moment after the menu opens. */
 final class FileMenu extends MenuButton {
@@ -65,8 +66,8 @@ final class FileMenu extends MenuButton {
 
     private void offer(List<Found> names) {
         List<MenuItem> items = new ArrayList<>();
-        items.add(item("None", ""));
-        browse.ifPresent(asks -> items.add(CommandItems.of(model).value(command, "Browse…", asks)));
+        items.add(item(Texts.of("None"), ""));
+        browse.ifPresent(asks -> items.add(CommandItems.of(model).value(command, Texts.of("Browse…"), asks)));
         items.add(new SeparatorMenuItem());
         names.forEach(found -> {
             MenuItem item = item(found.name(), found.name());

@@ -20,6 +20,7 @@ import lightning.scene.LightAttribute;
 import lightning.scene.Panorama;
 import lightning.scene.Scene;
 import lightning.scene.World;
+import lightning.text.Texts;
 
 /** What the selected light or the world has from a file: one of those that lie beside the scene. It is read on a thread of its own. */
 final class FilePart<F extends FromFile> extends StackPane {
@@ -48,12 +49,13 @@ final class FilePart<F extends FromFile> extends StackPane {
     private record OfLight<F extends FromFile>(LightAttribute<Optional<F>> attribute) implements Owner<F> {
         @Override
         public String text(Situation now) {
-            return now.selected().map(attribute::text).orElse("none");
+            return now.selected().map(attribute::text).map(Texts::of).orElse(Texts.of("none"));
         }
 
         @Override
         public Optional<String> obstacle(Situation now) {
-            return now.selected().isEmpty() ? Optional.of("no light is selected") : attribute.obstacle(now.selected().get().type());
+            return now.selected().isEmpty() ? Optional.of(Texts.of("no light is selected"))
+                    : attribute.obstacle(now.selected().get().type());
         }
 
         @Override
@@ -63,7 +65,7 @@ final class FilePart<F extends FromFile> extends StackPane {
 
         @Override
         public Scene copy(Scene from, Scene to, String who) {
-            Light light = to.light(who).orElseThrow(() -> new IllegalArgumentException("the light is gone"));
+            Light light = to.light(who).orElseThrow(() -> new IllegalArgumentException(Texts.of("the light is gone")));
             return to.withLight(attribute.copy(from.light(who).orElseThrow(), light));
         }
     }
@@ -93,9 +95,9 @@ final class FilePart<F extends FromFile> extends StackPane {
     private FilePart(EditorModel model, Owner<F> owner, Command command, Function<Path, List<String>> names, String help) {
         this.model = model;
         this.owner = owner;
-        choice = new FileMenu(model, "none", command, names, this::set);
+        choice = new FileMenu(model, Texts.of("none"), command, names, this::set);
         choice.setId(owner.attribute().name());
-        choice.setAccessibleText(owner.attribute().title());
+        choice.setAccessibleText(Texts.of(owner.attribute().title()));
         choice.setMaxWidth(Double.MAX_VALUE);
         getChildren().add(choice);
         obstacle = new Obstacle(this, choice, help);

@@ -1,6 +1,5 @@
 package lightning.app.property;
 
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import javafx.collections.ObservableSet;
@@ -17,6 +16,7 @@ import lightning.edit.Command;
 import lightning.edit.LightEdits;
 import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.text.Texts;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 
@@ -114,11 +114,11 @@ final class LightCell extends NamedCell<RigRow> {
             type.setIconCode(LightTypes.icon(light.type()));
             chip.setStyle("-fx-background-color: " + Paints.css(light.color()) + ";");
             name.setText(light.name());
-            describe(solo, light.name() + " solo", "Show only the lights that are solo");
+            describe(solo, Texts.of("{0} solo", light.name()), Texts.of("Show only the lights that are solo"));
             bulb.setIconCode(LightTypes.bulb(light.on()));
-            describe(on, light.name() + " on", light.on() ? "Switch off" : "Switch on");
-            setAccessibleText(light.name() + ", " + LightTypes.title(light.type()).toLowerCase(Locale.ROOT) + " light"
-                    + (light.on() ? "" : ", off") + (light.solo() ? ", solo" : ""));
+            describe(on, Texts.of("{0} on", light.name()), light.on() ? Texts.of("Switch off") : Texts.of("Switch on"));
+            setAccessibleText(light.name() + ", " + LightTypes.light(light.type())
+                    + (light.on() ? "" : Texts.of(", off")) + (light.solo() ? Texts.of(", solo") : ""));
         }
         shown = light;
         if (light != null) {

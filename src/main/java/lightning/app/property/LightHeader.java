@@ -22,6 +22,7 @@ import lightning.edit.LightEdits;
 import lightning.edit.Situation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.text.Texts;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /** The selected light's name, type and switches, and the commands that concern it alone. */
@@ -42,10 +43,10 @@ final class LightHeader extends VBox {
         getStyleClass().add("light-header");
         buildName();
         buildType();
-        StackPane onBox = toggle(on, "light-on", "On", "Whether the light shines", Command.SWITCH_ON);
-        StackPane soloBox = toggle(solo, "light-solo", "Solo", "Show only the lights that are solo", Command.SOLO);
-        HBox identity = row(surrounded(name, Command.RENAME_LIGHT, "The light's name"),
-                surrounded(type, Command.CHANGE_TYPE, "The light's type; all settings are kept"));
+        StackPane onBox = toggle(on, "light-on", Texts.of("On"), Texts.of("Whether the light shines"), Command.SWITCH_ON);
+        StackPane soloBox = toggle(solo, "light-solo", Texts.of("Solo"), Texts.of("Show only the lights that are solo"), Command.SOLO);
+        HBox identity = row(surrounded(name, Command.RENAME_LIGHT, Texts.of("The light's name")),
+                surrounded(type, Command.CHANGE_TYPE, Texts.of("The light's type; all settings are kept")));
         HBox.setHgrow(identity.getChildren().getFirst(), Priority.ALWAYS);
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
@@ -62,8 +63,8 @@ final class LightHeader extends VBox {
 
     private void buildName() {
         name.setId("light-name");
-        name.setPromptText("no light");
-        name.setAccessibleText("name");
+        name.setPromptText(Texts.of("no light"));
+        name.setAccessibleText(Texts.of("name"));
         name.setOnAction(_ -> rename());
         name.focusedProperty().addListener((_, wasFocused, _) -> {
             if (wasFocused) {
@@ -84,7 +85,7 @@ final class LightHeader extends VBox {
 
     private void buildType() {
         type.setId("light-type");
-        type.setAccessibleText("type");
+        type.setAccessibleText(Texts.of("type"));
         type.getItems().setAll(LightType.values());
         type.setConverter(LightTypes.CONVERTER);
         type.valueProperty().addListener((_, _, now) -> {

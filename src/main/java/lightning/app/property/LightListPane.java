@@ -28,6 +28,7 @@ import lightning.edit.LightEdits;
 import lightning.edit.Situation;
 import lightning.scene.LightType;
 import lightning.scene.Rig;
+import lightning.text.Texts;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
 
@@ -49,8 +50,8 @@ public final class LightListPane extends VBox {
         getStyleClass().add("lights");
         list.setId("light-list");
         list.getStyleClass().addAll("light-list", "edge-to-edge");
-        list.setAccessibleText("lights");
-        list.setPlaceholder(new Label("No lights. Add one above."));
+        list.setAccessibleText(Texts.of("lights"));
+        list.setPlaceholder(new Label(Texts.of("No lights. Add one above.")));
         list.setCellFactory(_ -> new LightCell(model, folded));
         folded.addListener((SetChangeListener<String>) _ -> show(model.situationProperty().get()));
         list.setContextMenu(menu());
@@ -63,7 +64,7 @@ public final class LightListPane extends VBox {
     }
 
     private HBox tools() {
-        MenuButton add = new MenuButton("Add Light", new FontIcon(MaterialDesignP.PLUS));
+        MenuButton add = new MenuButton(Texts.of("Add Light"), new FontIcon(MaterialDesignP.PLUS));
         add.setId("add-light");
         CommandItems items = CommandItems.of(model);
         for (LightType type : List.of(LightType.POINT, LightType.SPOT, LightType.DIRECTIONAL, LightType.RECT, LightType.DISC)) {
@@ -72,7 +73,7 @@ public final class LightListPane extends VBox {
             add.getItems().add(item);
         }
         StackPane around = new StackPane(add);
-        var obstacle = new Obstacle(around, add, "Add a light at the camera's upper right");
+        var obstacle = new Obstacle(around, add, Texts.of("Add a light at the camera's upper right"));
         model.situationProperty().subscribe(_ -> obstacle.set(model.reason(Command.ADD_LIGHT)));
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);

@@ -27,6 +27,7 @@ import lightning.scene.Links;
 import lightning.scene.Node;
 import lightning.scene.Shape;
 import lightning.scene.Stage;
+import lightning.text.Texts;
 
 /** Some links of the selected light: which shapes and groups, by check marks in a menu, and whether only those or all but those. */
 final class LinksPart extends StackPane {
@@ -43,7 +44,7 @@ final class LinksPart extends StackPane {
         this.model = model;
         this.attribute = attribute;
         choice.setId(attribute.name());
-        choice.setAccessibleText(attribute.title());
+        choice.setAccessibleText(Texts.of(attribute.title()));
         choice.setMaxWidth(Double.MAX_VALUE);
         choice.setMnemonicParsing(false);
         // A menu that has no item never opens.
@@ -55,8 +56,8 @@ final class LinksPart extends StackPane {
     }
 
     private void show(Situation now) {
-        choice.setText(now.selected().map(attribute::text).orElse("all"));
-        obstacle.set(now.selected().isEmpty() ? Optional.of("no light is selected") : Optional.empty());
+        choice.setText(now.selected().map(attribute::text).map(Texts::of).orElse(Texts.of("all")));
+        obstacle.set(now.selected().isEmpty() ? Optional.of(Texts.of("no light is selected")) : Optional.empty());
     }
 
     private void fill() {
@@ -65,8 +66,8 @@ final class LinksPart extends StackPane {
         if (light != null) {
             Links links = attribute.of(light);
             var modes = new ToggleGroup();
-            items.add(mode("All but the checked", false, links, modes));
-            items.add(mode("Only the checked", true, links, modes));
+            items.add(mode(Texts.of("All but the checked"), false, links, modes));
+            items.add(mode(Texts.of("Only the checked"), true, links, modes));
             items.add(new SeparatorMenuItem());
             offer(links, items);
         }
@@ -97,7 +98,7 @@ final class LinksPart extends StackPane {
         }
         int offered = offer(stage.nodes(), 0, links, open, items);
         if (offered < stage.shapeCount()) {
-            var more = new MenuItem("More can be named in the file");
+            var more = new MenuItem(Texts.of("More can be named in the file"));
             more.setDisable(true);
             items.add(more);
         }

@@ -3,7 +3,6 @@ package lightning.app.property;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
@@ -37,10 +36,11 @@ import lightning.scene.Quantity;
 import lightning.scene.Scene;
 import lightning.scene.SurfaceModel;
 import lightning.scene.TextureMap;
+import lightning.text.Texts;
 
 /** The property editor of a material: its colours, its shininess, its texture. All shapes that have it change together. */
 final class MaterialPane extends VBox {
-    private static final Optional<String> NO_MATERIAL = Optional.of("the scene has no shapes");
+    private static final String NO_MATERIAL = Texts.key("the scene has no shapes");
     private static final int NAMES_SHOWN = 4;
     /** Of shapes; takes some tens of microseconds. */
     private static final int WALKED_AT_ONCE = 1000;
@@ -88,10 +88,10 @@ final class MaterialPane extends VBox {
         setId("material");
         getStyleClass().add("properties");
         name.setId("material-name");
-        name.setAccessibleText("material");
+        name.setAccessibleText(Texts.of("material"));
         name.setMaxWidth(Double.MAX_VALUE);
         var named = new StackPane(name);
-        unnamed = new Obstacle(named, name, "The material that is edited, with all shapes that have it");
+        unnamed = new Obstacle(named, name, Texts.of("The material that is edited, with all shapes that have it"));
         HBox.setHgrow(named, Priority.ALWAYS);
         var row = new HBox(named, CommandButton.icon(model, Command.PICK_MATERIAL));
         row.getStyleClass().add("header-row");
@@ -157,17 +157,22 @@ final class MaterialPane extends VBox {
                 widget::revert);
     }
 
+    /** Of the words of a choice the one that is shown so. */
+    private static String word(Choice<?> choice, String shown) {
+        return choice.words().stream().filter(w -> Sections.title(w).equals(shown)).findFirst().orElseThrow();
+    }
+
     private <V> Row choice(MaterialAttribute<V> attribute, Choice<V> choice) {
         var box = new ComboBox<String>();
         box.setId(attribute.title());
-        box.setAccessibleText(attribute.title());
+        box.setAccessibleText(Texts.of(attribute.title()));
         box.setMaxWidth(Double.MAX_VALUE);
         choice.words().forEach(word -> box.getItems().add(Sections.title(word)));
         var around = new StackPane(box);
-        var obstacle = new Obstacle(around, box, attribute.help());
+        var obstacle = new Obstacle(around, box, Texts.of(attribute.help()));
         box.valueProperty().addListener((_, _, now) -> {
             if (!showing && now != null) {
-                model.edit(scene -> MaterialEdits.set(scene, shown, attribute, choice.value(now.toLowerCase(Locale.ROOT))), null);
+                model.edit(scene -> MaterialEdits.set(scene, shown, attribute, choice.value(word(choice, now))), null);
             }
         });
         Node node = attribute.section() == Section.MODEL ? around : named(Sections.title(attribute.title()), box, around);
@@ -205,7 +210,7 @@ final class MaterialPane extends VBox {
     }
 
     private void show(Material material) {
-        Optional<String> obstacle = material == null ? NO_MATERIAL : Optional.empty();
+        Optional<String> obstacle = material == null ? Optional.of(Texts.of(NO_MATERIAL)) : Optional.empty();
         rows.forEach(row -> row.obstacle().accept(obstacle));
         unnamed.set(obstacle);
         if (material == null) {
@@ -268,7 +273,8 @@ final class MaterialPane extends VBox {
 
     private void tell(List<String> shapes) {
         users.setText(
-                shapes.isEmpty() ? "No shape has it" : "On " + String.join(", ", shapes.subList(0, Math.min(NAMES_SHOWN, shapes.size())))
-                        + (shapes.size() > NAMES_SHOWN ? " and " + (shapes.size() - NAMES_SHOWN) + " more" : ""));
+                shapes.isEmpty() ? Texts.of("No shape has it")
+                        : Texts.of("On {0}", String.join(", ", shapes.subList(0, Math.min(NAMES_SHOWN, shapes.size()))))
+                                + (shapes.size() > NAMES_SHOWN ? Texts.of(" and {0} more", shapes.size() - NAMES_SHOWN) : ""));
     }
 }

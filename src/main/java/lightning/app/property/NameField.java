@@ -14,6 +14,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Pane;
 import javafx.scene.layout.Priority;
 import lightning.app.model.EditorModel;
+import lightning.text.Texts;
 
 /** Stands in place of a name in a row while another is typed, and says why that is refused. */
 final class NameField extends TextField {
@@ -39,7 +40,7 @@ final class NameField extends TextField {
         label.setMaxWidth(Double.MAX_VALUE);
         HBox.setHgrow(label, Priority.ALWAYS);
         HBox.setHgrow(this, Priority.ALWAYS);
-        setAccessibleText("new name");
+        setAccessibleText(Texts.of("new name"));
         setOnAction(_ -> rename());
         addEventFilter(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {

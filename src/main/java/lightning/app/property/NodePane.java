@@ -27,10 +27,11 @@ import lightning.scene.Node;
 import lightning.scene.Placement;
 import lightning.scene.Shape;
 import lightning.text.Measure;
+import lightning.text.Texts;
 
 /** The placement of the selected shape or group: where it stands, how it is turned, how large it is. */
 final class NodePane extends VBox {
-    private static final Optional<String> NO_SHAPE = Optional.of("no shape is selected");
+    private static final String NO_SHAPE = Texts.key("no shape is selected");
     private static final Steps DEGREES = new Steps(5, -Limits.MAX_ROTATION, Limits.MAX_ROTATION);
 
     private final EditorModel model;
@@ -60,9 +61,9 @@ final class NodePane extends VBox {
         var header = new VBox(row, about);
         header.getStyleClass().add("light-header");
         List<javafx.scene.Node> rotate = new ArrayList<>(turns);
-        ScrollPane scroll = Sections.scroll(header, Sections.section("Position", at),
-                Sections.section("Rotation", rotate.toArray(javafx.scene.Node[]::new)),
-                Sections.section("Scale", scale));
+        ScrollPane scroll = Sections.scroll(header, Sections.section(Texts.of("Position"), at),
+                Sections.section(Texts.of("Rotation"), rotate.toArray(javafx.scene.Node[]::new)),
+                Sections.section(Texts.of("Scale"), scale));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);
         model.situationProperty().subscribe(this::show);
@@ -82,7 +83,7 @@ final class NodePane extends VBox {
 
     private ArrowWidget turn(int axis) {
         String label = List.of("x", "y", "z").get(axis);
-        var widget = new ArrowWidget("About " + label, "rotate " + label, Gauge.of("rotate " + label, DEGREES, Measure.DEGREES,
+        var widget = new ArrowWidget(Texts.of("About {0}", label), "rotate " + label, Gauge.of("rotate " + label, DEGREES, Measure.DEGREES,
                 (degrees, gesture) -> model.edit(scene -> NodeEdits.placement(scene, shown, p -> turned(p, axis, degrees)), gesture)));
         widget.setId("rotate-" + label);
         PropertyMenu.on(widget, model, new PropertyOwner.OfNode(model, "rotate"));
@@ -99,7 +100,7 @@ final class NodePane extends VBox {
     }
 
     private void show(Situation now) {
-        Optional<String> obstacle = now.node().isEmpty() ? NO_SHAPE : Optional.empty();
+        Optional<String> obstacle = now.node().isEmpty() ? Optional.of(Texts.of(NO_SHAPE)) : Optional.empty();
         Stream.of(at, scale).forEach(f -> f.setObstacle(obstacle));
         turns.forEach(t -> t.setObstacle(obstacle));
         String selected = now.node().map(Node::name).orElse("");
@@ -116,9 +117,9 @@ final class NodePane extends VBox {
     private void show(Node node) {
         name.setText(node.name());
         about.setText(switch (node) {
-            case Group g -> "Group of " + g.children().size();
-            case Shape s -> Sections.title(OutlineCell.noun(s)) + " of material " + s.material();
-        } + (node.visible() ? "" : ", hidden"));
+            case Group g -> Texts.of("Group of {0}", g.children().size());
+            case Shape s -> Texts.of("{0} of material {1}", Sections.title(OutlineCell.noun(s)), s.material());
+        } + (node.visible() ? "" : Texts.of(", hidden")));
         at.show(node.placement().at());
         scale.show(node.placement().scale());
         Vec3 r = node.placement().rotate();
@@ -129,7 +130,7 @@ final class NodePane extends VBox {
 
     private void showNothing() {
         name.setText("");
-        about.setText("Click a shape in the preview or in the list of shapes");
+        about.setText(Texts.of("Click a shape in the preview or in the list of shapes"));
         at.showNothing();
         scale.showNothing();
         turns.forEach(ArrowWidget::showNothing);

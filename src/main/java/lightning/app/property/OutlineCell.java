@@ -14,6 +14,7 @@ import lightning.scene.Group;
 import lightning.scene.Node;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
+import lightning.text.Texts;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
@@ -92,19 +93,20 @@ final class OutlineCell extends NamedCell<OutlineRow> {
         if (node == shown) {
             return;
         }
-        fold.setAccessibleText("fold or unfold " + node.name());
+        fold.setAccessibleText(Texts.of("fold or unfold {0}", node.name()));
         kind.setIconCode(icon(node));
         name.setText(node.name());
         lid.setIconCode(node.visible() ? MaterialDesignE.EYE_OUTLINE : MaterialDesignE.EYE_OFF_OUTLINE);
-        LightCell.describe(eye, node.name() + " visible", node.visible() ? "Hide it: no picture, no shadow" : "Show it again");
+        LightCell.describe(eye, Texts.of("{0} visible", node.name()),
+                node.visible() ? Texts.of("Hide it: no picture, no shadow") : Texts.of("Show it again"));
         row.pseudoClassStateChanged(DARK, !node.visible());
-        setAccessibleText(node.name() + ", " + noun(node) + (node.visible() ? "" : ", hidden"));
+        setAccessibleText(node.name() + ", " + noun(node) + (node.visible() ? "" : Texts.of(", hidden")));
     }
 
     /** What it is, for people. */
     static String noun(Node node) {
         return switch (node) {
-            case Group _ -> "group";
+            case Group _ -> Texts.of("group");
             case Shape s -> s.solid().noun();
         };
     }

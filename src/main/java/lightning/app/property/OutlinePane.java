@@ -1,7 +1,6 @@
 package lightning.app.property;
 
 import java.util.HashSet;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import javafx.scene.control.ContextMenu;
@@ -24,6 +23,7 @@ import lightning.edit.Situation;
 import lightning.scene.Group;
 import lightning.scene.Node;
 import lightning.scene.Stage;
+import lightning.text.Texts;
 
 /**
  * The shapes and groups of the scene, groups folded at first. Cells are made for the lines in view alone. The keyboard: F2 renames,
@@ -45,8 +45,8 @@ final class OutlinePane extends VBox {
         getStyleClass().add("lights");
         list.setId("shape-list");
         list.getStyleClass().addAll("light-list", "shape-list", "edge-to-edge");
-        list.setAccessibleText("shapes and groups");
-        list.setPlaceholder(new Label("No shapes."));
+        list.setAccessibleText(Texts.of("shapes and groups"));
+        list.setPlaceholder(new Label(Texts.of("No shapes.")));
         list.setCellFactory(_ -> new OutlineCell(model, this));
         CommandItems items = CommandItems.of(model, "of-shape-");
         list.setContextMenu(new ContextMenu(items.item(Command.RENAME_SHAPE), items.item(Command.DUPLICATE_SHAPE),
@@ -153,7 +153,7 @@ final class OutlinePane extends VBox {
         listed = stage;
         OutlineRow.update(list.getItems(), stage, unfolded);
         int shapes = stage.shapeCount();
-        count.setText(shapes == 1 ? "1 shape" : String.format(Locale.ROOT, "%,d shapes", shapes));
+        count.setText(shapes == 1 ? Texts.of("1 shape") : String.format(Texts.locale(), Texts.of("%,d shapes"), shapes));
         showing = false;
     }
 

@@ -9,6 +9,7 @@ import lightning.app.command.CommandItems;
 import lightning.app.model.EditorModel;
 import lightning.edit.Command;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /**
  * The menu of one property of a light, a material or a shape: copy, paste, reset. What is copied is text, in the words of the scene file
@@ -39,10 +40,12 @@ final class PropertyMenu {
     private MenuItem[] items() {
         String title = Sections.title(property.title());
         String there = value(copied());
-        var copy = items.value(Command.COPY_PROPERTY, "Copy " + title, this::copy);
-        var paste = items.value(Command.PASTE_PROPERTY, "Paste " + title + (there.isEmpty() ? " (none is copied)" : " " + Quote.of(there)),
+        var copy = items.value(Command.COPY_PROPERTY, Texts.of("Copy {0}", title), this::copy);
+        var paste = items.value(Command.PASTE_PROPERTY,
+                Texts.of("Paste {0}", title) + (there.isEmpty() ? Texts.of(" (none is copied)") : " " + Quote.of(there)),
                 this::paste);
-        var reset = items.value(Command.RESET_PROPERTY, "Reset " + title, () -> model.edit(property::reset).ifPresent(model::say));
+        var reset =
+                items.value(Command.RESET_PROPERTY, Texts.of("Reset {0}", title), () -> model.edit(property::reset).ifPresent(model::say));
         boolean none = property.text().isEmpty();
         copy.setDisable(copy.isDisable() || none);
         paste.setDisable(paste.isDisable() || none || there.isEmpty());
@@ -65,7 +68,7 @@ final class PropertyMenu {
         var content = new ClipboardContent();
         content.putString(property.name() + " " + property.text().orElseThrow());
         Clipboard.getSystemClipboard().setContent(content);
-        model.say("Copied " + content.getString());
+        model.say(Texts.of("Copied {0}", content.getString()));
     }
 
     private void paste() {

@@ -28,10 +28,11 @@ import lightning.scene.LightAttribute;
 import lightning.scene.LightAttribute.Section;
 import lightning.scene.Links;
 import lightning.scene.Quantity;
+import lightning.text.Texts;
 
 /** The property editor of the selected light and the scene (paper §3.2, Figure 5). */
 public final class PropertyPane extends VBox {
-    private static final Optional<String> NO_LIGHT = Optional.of("no light is selected");
+    private static final String NO_LIGHT = Texts.key("no light is selected");
 
     private final EditorModel model;
     private final List<ArrowWidget> dials = new ArrayList<>();
@@ -57,14 +58,15 @@ public final class PropertyPane extends VBox {
         bank = new BankSection(model);
         ScrollPane scroll = Sections.scroll(Stream.of(Stream.of(header),
                 Stream.of(Section.COLOUR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE).map(this::section),
-                Stream.of(Sections.section("Links", Sections.caption("Shines on"),
-                        links(LightAttribute.ILLUMINATES, "The shapes and groups that the light shines on"),
-                        Sections.caption("Shadowed by"),
-                        links(LightAttribute.SHADOWED_BY, "The shapes and groups that throw shadows in its light")),
-                        Sections.section("Bank", bank),
-                        Sections.section("Scene", dial(Dial.AMBIENCE), Sections.caption("Environment"), FilePart.ofWorld(model,
-                                Command.CHOOSE_ENVIRONMENT, PropertyEdit::environments,
-                                "A picture of all that is far around, which lights the scene"),
+                Stream.of(Sections.section(Texts.of("Links"), Sections.caption(Texts.of("Shines on")),
+                        links(LightAttribute.ILLUMINATES, Texts.of("The shapes and groups that the light shines on")),
+                        Sections.caption(Texts.of("Shadowed by")),
+                        links(LightAttribute.SHADOWED_BY, Texts.of("The shapes and groups that throw shadows in its light"))),
+                        Sections.section(Texts.of("Bank"), bank),
+                        Sections.section(Texts.of("Scene"), dial(Dial.AMBIENCE), Sections.caption(Texts.of("Environment")),
+                                FilePart.ofWorld(model,
+                                        Command.CHOOSE_ENVIRONMENT, PropertyEdit::environments,
+                                        Texts.of("A picture of all that is far around, which lights the scene")),
                                 dial(Dial.ENVIRONMENT_INTENSITY), dial(Dial.ENVIRONMENT_ROTATION),
                                 dial(Dial.ENVIRONMENT_LAMPS), dial(Dial.ENVIRONMENT_SOFTNESS))))
                 .flatMap(s -> s)
@@ -93,10 +95,10 @@ public final class PropertyPane extends VBox {
             };
             case Kind.Projecting _ -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(FilePart.of(model,
                     LightAttribute.GOBO, Command.CHOOSE_GOBO, PropertyEdit::textures,
-                    "A picture that the light projects: black holds it back"), attribute));
+                    Texts.of("A picture that the light projects: black holds it back")), attribute));
             case Kind.Shining _ -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(FilePart.of(model,
                     LightAttribute.PROFILE, Command.CHOOSE_PROFILE, PropertyEdit::profiles,
-                    "How strongly the light shines in each direction, as an IES file tells"), attribute));
+                    Texts.of("How strongly the light shines in each direction, as an IES file tells")), attribute));
             case Choice<V> _,Kind.Linking _,Kind.Naming _,Kind.Surrounding _,Kind.Texturing _ ->
                     throw new IllegalStateException("there is no widget for " + attribute.title());
         };
@@ -143,7 +145,7 @@ public final class PropertyPane extends VBox {
             vectors.forEach(row -> row.field().revert());
             dials.forEach(ArrowWidget::revert);
         }
-        color.setObstacle(now.selected().isEmpty() ? NO_LIGHT : Optional.empty());
+        color.setObstacle(now.selected().isEmpty() ? Optional.of(Texts.of(NO_LIGHT)) : Optional.empty());
         now.selected().ifPresentOrElse(light -> color.show(light.color()), color::showNothing);
         vectors.forEach(row -> {
             row.field().setObstacle(obstacle(now, row.attribute()));
@@ -153,7 +155,7 @@ public final class PropertyPane extends VBox {
 
     /** A directional light has a place too: its gizmo stands there. */
     private static Optional<String> obstacle(Situation now, LightAttribute<?> attribute) {
-        return now.selected().isEmpty() ? NO_LIGHT
+        return now.selected().isEmpty() ? Optional.of(Texts.of(NO_LIGHT))
                 : attribute == LightAttribute.POSITION ? Optional.empty() : attribute.obstacle(now.selected().get().type());
     }
 }

@@ -6,6 +6,7 @@ import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.TitledPane;
 import javafx.scene.layout.VBox;
+import lightning.text.Texts;
 
 /** How properties are laid out: sections below each other, which can be folded and are scrolled. */
 final class Sections {
@@ -31,7 +32,8 @@ final class Sections {
 
     /** A word as it begins a label. */
     static String title(String word) {
-        return word.substring(0, 1).toUpperCase(Locale.ROOT) + word.substring(1).toLowerCase(Locale.ROOT);
+        String local = Texts.of(word.toLowerCase(Locale.ROOT));
+        return local.substring(0, 1).toUpperCase(Locale.ROOT) + local.substring(1);
     }
 
     static Label caption(String text) {

@@ -5,6 +5,7 @@ import javafx.scene.Node;
 import javafx.scene.control.Tab;
 import javafx.scene.control.TabPane;
 import lightning.app.model.EditorModel;
+import lightning.text.Texts;
 
 /** The properties of what the artist works on: the selected light, a material, or the selected shape. */
 public final class SidePane extends TabPane {
@@ -14,12 +15,12 @@ public final class SidePane extends TabPane {
 
     public SidePane(EditorModel model) {
         setId("side");
-        setAccessibleText("Properties");
+        setAccessibleText(Texts.of("Properties"));
         getStyleClass().addAll("dense", "side");
         setTabClosingPolicy(TabClosingPolicy.UNAVAILABLE);
-        Tab light = tab("Light", "light-tab", () -> new PropertyPane(model));
-        Tab material = tab("Material", "material-tab", () -> new MaterialPane(model));
-        Tab shape = tab("Shape", "shape-tab", () -> new NodePane(model));
+        Tab light = tab(Texts.of("Light"), "light-tab", () -> new PropertyPane(model));
+        Tab material = tab(Texts.of("Material"), "material-tab", () -> new MaterialPane(model));
+        Tab shape = tab(Texts.of("Shape"), "shape-tab", () -> new NodePane(model));
         getTabs().setAll(light, material, shape);
         var inFront = model.materials().inFrontProperty();
         inFront.subscribe(on -> show(on ? material : ofShape ? shape : light));

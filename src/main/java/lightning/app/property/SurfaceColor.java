@@ -12,13 +12,14 @@ import lightning.edit.Steps;
 import lightning.math.Rgb;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.Quantity;
+import lightning.text.Texts;
 
 /** A colour of the edited material. */
 record SurfaceColor<V>(EditorModel model, MaterialAttribute<V> attribute, Quantity<V> quantity) implements ColorSliders.Target {
 
     /** The sliders of the colour; whoever made them shows it. */
     ColorSliders sliders() {
-        var sliders = ColorSliders.ofSurface(attribute.title(), attribute.help(), quantity.max(), this);
+        var sliders = ColorSliders.ofSurface(attribute.title(), Texts.of(attribute.help()), quantity.max(), this);
         sliders.setId(attribute.title());
         return sliders;
     }

@@ -27,6 +27,7 @@ import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.TextureMap;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /**
  * A picture that a material has: typed as the scene file names it, or taken from those that lie beside the scene, and how
@@ -52,11 +53,11 @@ final class TexturePart extends VBox {
         this.model = model;
         this.attribute = attribute;
         String title = attribute.title();
-        missing = Optional.of("the material has no " + title);
+        missing = Optional.of(Texts.of("the material has no {0}", title));
         getStyleClass().add("texture-part");
         file.setId(title);
-        file.setAccessibleText(title + ": file name");
-        file.setPromptText("none");
+        file.setAccessibleText(Texts.of("{0}: file name", title));
+        file.setPromptText(Texts.of("none"));
         file.setOnAction(_ -> commit());
         file.focusedProperty().addListener((_, was, _) -> {
             if (was) {
@@ -70,10 +71,10 @@ final class TexturePart extends VBox {
             }
         });
         HBox.setHgrow(file, Priority.ALWAYS);
-        found = new FileMenu(model, "Choose", Command.CHOOSE_TEXTURE, PropertyEdit::textures, this::set);
+        found = new FileMenu(model, Texts.of("Choose"), Command.CHOOSE_TEXTURE, PropertyEdit::textures, this::set);
         found.setBrowse(() -> model.materials().browse().ifPresent(this::bring));
         found.setId(title + "-found");
-        found.setAccessibleText("Choose a picture: " + title);
+        found.setAccessibleText(Texts.of("Choose a picture: {0}", title));
         found.setMinWidth(USE_PREF_SIZE);
         refusal.setId(title + "-refusal");
         refusal.getStyleClass().add("refusal");
@@ -83,8 +84,10 @@ final class TexturePart extends VBox {
         var row = new HBox(file, found);
         row.getStyleClass().add("header-row");
         obstacle = new Obstacle(this, row);
-        repeatU = repeat(id("u"), "Repeat around", repeats("u"), (map, v) -> new TextureMap(map.file(), v, map.repeatV(), map.image()));
-        repeatV = repeat(id("v"), "Repeat along", repeats("v"), (map, v) -> new TextureMap(map.file(), map.repeatU(), v, map.image()));
+        repeatU = repeat(id("u"), Texts.of("Repeat around"), repeats("u"),
+                (map, v) -> new TextureMap(map.file(), v, map.repeatV(), map.image()));
+        repeatV = repeat(id("v"), Texts.of("Repeat along"), repeats("v"),
+                (map, v) -> new TextureMap(map.file(), map.repeatU(), v, map.image()));
         getChildren().addAll(row, refusal, repeatU, repeatV);
     }
 
@@ -187,7 +190,7 @@ final class TexturePart extends VBox {
             switch (outcome) {
                 case PictureCopy.Brought(String name) -> set(name);
                 case PictureCopy.Taken(String name) ->
-                        mark("Another picture " + Quote.of(name) + " is among the textures: choose it again to write over it");
+                        mark(Texts.of("Another picture {0} is among the textures: choose it again to write over it", Quote.of(name)));
             }
         }, why -> mark(Sentence.of(why)));
     }

@@ -8,6 +8,7 @@ import javafx.scene.layout.Region;
 import lightning.app.model.EditorModel;
 import lightning.image.DisplayCurve;
 import lightning.image.ViewTransform;
+import lightning.text.Texts;
 
 /** Which mark says what, while pixels that are cut off are marked. */
 final class ClippingLegend extends HBox {
@@ -16,8 +17,9 @@ final class ClippingLegend extends HBox {
         setMouseTransparent(true);
         setAlignment(Pos.CENTER);
         setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
-        setAccessibleText("Marks of pixels that are cut off");
-        getChildren().setAll(chip("brighter than white", ViewTransform.OVER_WHITE, "black"), chip("black", ViewTransform.BLACK, "white"));
+        setAccessibleText(Texts.of("Marks of pixels that are cut off"));
+        getChildren().setAll(chip(Texts.of("brighter than white"), ViewTransform.OVER_WHITE, "black"),
+                chip("black", ViewTransform.BLACK, "white"));
         visibleProperty().bind(model.viewProperty().map(view -> view.marked() && view.curve() != DisplayCurve.FALSE));
         managedProperty().bind(visibleProperty());
     }

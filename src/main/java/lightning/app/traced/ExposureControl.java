@@ -14,6 +14,7 @@ import lightning.app.widget.NumberField;
 import lightning.edit.Steps;
 import lightning.scene.Limits;
 import lightning.text.Measure;
+import lightning.text.Texts;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignB;
 
@@ -32,7 +33,7 @@ final class ExposureControl extends HBox {
     ExposureControl(EditorModel model) {
         this.model = model;
         slider.setId("exposure");
-        slider.setAccessibleText("Exposure");
+        slider.setAccessibleText(Texts.of("Exposure"));
         slider.setBlockIncrement(KEY_STOPS);
         slider.setMinWidth(TRACK);
         slider.setPrefWidth(TRACK);
@@ -47,9 +48,9 @@ final class ExposureControl extends HBox {
                 set(Math.rint(v.doubleValue() / STEPS.step()) / Math.rint(1 / STEPS.step()));
             }
         });
-        var stops = new NumberField("Exposure in stops", Gauge.of("exposure", STEPS, Measure.STOPS, (v, _) -> set(v)));
+        var stops = new NumberField(Texts.of("Exposure in stops"), Gauge.of("exposure", STEPS, Measure.STOPS, (v, _) -> set(v)));
         stops.setId("exposure-stops");
-        Tooltip.install(this, new Tooltip("Exposure of the view in stops; double-click for 0.\nNo part of the scene."));
+        Tooltip.install(this, new Tooltip(Texts.of("Exposure of the view in stops; double-click for 0.\nNo part of the scene.")));
         setAlignment(Pos.CENTER);
         setSpacing(4);
         getChildren().setAll(List.<Node>of(new FontIcon(MaterialDesignB.BRIGHTNESS_6), slider, stops));

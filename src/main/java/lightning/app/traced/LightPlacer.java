@@ -17,6 +17,7 @@ import lightning.edit.Viewport;
 import lightning.edit.loop.Frame;
 import lightning.math.Vec3;
 import lightning.scene.Light;
+import lightning.text.Texts;
 
 /**
  * Places the selected light by what it does in the traced picture: a press does it there, a drag goes on with it from surface to surface.
@@ -26,7 +27,7 @@ final class LightPlacer {
     /** The ring's radius, pixels. */
     static final double RING = 40;
 
-    private static final String NOTHING = "There is nothing there; click a shape";
+    private static final String NOTHING = Texts.key("There is nothing there; click a shape");
 
     private final EditorModel model;
     private final ReadOnlyStringWrapper prompt = new ReadOnlyStringWrapper("");
@@ -76,14 +77,16 @@ final class LightPlacer {
     /** Does the commands that place a light. */
     static LightPlacer of(EditorModel model) {
         var placer = new LightPlacer(model);
-        model.setAction(Command.AIM, () -> placer.take("Click where the light should shine to, or drag its pool", new Act.Pool()));
+        model.setAction(Command.AIM,
+                () -> placer.take(Texts.of("Click where the light should shine to, or drag its pool"), new Act.Pool()));
         model.setAction(Command.PLACE_HIGHLIGHT,
-                () -> placer.take("Click where the highlight should be, or drag it there", new Act.Highlight()));
+                () -> placer.take(Texts.of("Click where the highlight should be, or drag it there"), new Act.Highlight()));
         model.setAction(Command.PLACE_DIFFUSE,
-                () -> placer.take("Click what the light should shine straight onto, or drag", new Act.Diffuse()));
-        model.setAction(Command.PLACE_RIM, () -> placer.take("Click where the rim of light should begin, or drag", new Act.Rim()));
+                () -> placer.take(Texts.of("Click what the light should shine straight onto, or drag"), new Act.Diffuse()));
+        model.setAction(Command.PLACE_RIM,
+                () -> placer.take(Texts.of("Click where the rim of light should begin, or drag"), new Act.Rim()));
         model.setAction(Command.PLACE_SHADOW,
-                () -> placer.take(new Tool.Taking(), "Drag a shadow or what throws it, or click what throws it"));
+                () -> placer.take(new Tool.Taking(), Texts.of("Drag a shadow or what throws it, or click what throws it")));
         return placer;
     }
 
@@ -155,7 +158,7 @@ final class LightPlacer {
             boolean taken = mark(to.canvas()).filter(m -> Math.abs(m.middle().distance(to.at()) - RING) <= tolerance).isPresent();
             drag = taken ? new Drag.Farther(ring, to.at()) : null;
         } else if (before == null) {
-            model.say("No light is selected");
+            model.say(Texts.of("No light is selected"));
         } else if (frame != null) {
             ScenePicker picker = ScenePicker.of(frame.scene(), frame.geometry());
             to.on(picker).ifPresentOrElse(found -> {
@@ -167,7 +170,7 @@ final class LightPlacer {
                     }
                     case Tool.Taking() -> drag = new Drag.Shadow(before, found, picker);
                 }
-            }, () -> model.say(NOTHING));
+            }, () -> model.say(Texts.of(NOTHING)));
         }
         return drag != null;
     }
@@ -211,14 +214,15 @@ final class LightPlacer {
         refusal.ifPresentOrElse(model::say, () -> {
             ring = new Ring(placing, at, light);
             double distance = light.position().minus(at.point()).length();
-            model.say(snapped.map(s -> "Snapped: " + s).orElse(light.type().hasPosition() ? "Distance " + Snap.number(distance) : ""));
+            model.say(snapped.map(s -> Texts.of("Snapped: {0}", s))
+                    .orElse(light.type().hasPosition() ? Texts.of("Distance {0}", Snap.number(distance)) : ""));
         });
     }
 
     /** @param still whether the mouse has not moved since the press */
     void release(boolean still) {
         if (drag instanceof Drag.Shadow(Light _, ScenePicker.Found from, ScenePicker _) && still) {
-            take("Click where the shadow should fall, or drag it there", new Act.Shadow(from.point()));
+            take(Texts.of("Click where the shadow should fall, or drag it there"), new Act.Shadow(from.point()));
         } else {
             end();
         }

@@ -2,11 +2,11 @@ package lightning.app.traced;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import lightning.math.Vec3;
 import lightning.shading.LightReport;
 import lightning.shading.PointReport;
+import lightning.text.Texts;
 import lightning.trace.Geometry;
 
 /**
@@ -60,9 +60,9 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<Lig
      * @param values as {@link PixelValues} has them
      */
     String headline(String values) {
-        String place = x + ", " + y + "  " + (shape.isEmpty() ? "background" : shape) + "  " + values;
+        String place = x + ", " + y + "  " + (shape.isEmpty() ? Texts.of("background") : shape) + "  " + values;
         return normal == null ? place
-                : place + String.format(Locale.ROOT, "  normal %.2f %.2f %.2f", normal.x(), normal.y(), normal.z());
+                : place + String.format(Texts.locale(), Texts.of("  normal %.2f %.2f %.2f"), normal.x(), normal.y(), normal.z());
     }
 
     /** What each light does, as in {@code key 64 %}. */
@@ -79,17 +79,17 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<Lig
         List<String> lines = new ArrayList<>();
         for (LightReport light : lights) {
             lines.add(light.light().name() + "  " + switch (light.state()) {
-                case DARK -> "dark";
-                case AWAY -> "facing away";
-                case OUTSIDE -> "outside the cone";
-                case UNLINKED -> "not linked";
-                case SHADOWED -> "shadowed";
+                case DARK -> Texts.of("dark");
+                case AWAY -> Texts.of("facing away");
+                case OUTSIDE -> Texts.of("outside the cone");
+                case UNLINKED -> Texts.of("not linked");
+                case SHADOWED -> Texts.of("shadowed");
                 case LIT -> percent(share(light), total) + samples(light);
             });
         }
         if (!sky.isEmpty()) {
             long reaching = sky.stream().filter(lamp -> lamp.state() == LightReport.State.LIT).count();
-            lines.add("environment  " + percent(around, total) + ", " + reaching + " of " + sky.size() + " lamps");
+            lines.add(Texts.of("environment  {0}, {1} of {2} lamps", percent(around, total), reaching, sky.size()));
         }
         return lines;
     }
@@ -100,6 +100,6 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<Lig
 
     /** Of how many of its samples a light reaches the pixel, where that is not all of it. */
     private static String samples(LightReport light) {
-        return light.seen() == light.samples() ? "" : ", " + light.seen() + " of " + light.samples() + " samples";
+        return light.seen() == light.samples() ? "" : Texts.of(", {0} of {1} samples", light.seen(), light.samples());
     }
 }

@@ -1,9 +1,9 @@
 package lightning.app.traced;
 
-import java.util.Locale;
 import lightning.image.FalseColor;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
+import lightning.text.Texts;
 
 /** The numbers of a pixel: its linear red, green and blue, what the display gets of them, and how many stops from middle grey it is. */
 final class PixelValues {
@@ -19,8 +19,10 @@ final class PixelValues {
         int shown = view.ofPicture().pack(red, green, blue);
         double luminance = (0.2126 * red + 0.7152 * green + 0.0722 * blue) * view.gain();
         String stops =
-                luminance > 0 ? String.format(Locale.ROOT, "%+.1f stops", Math.log(luminance / FalseColor.MIDDLE) / Math.log(2)) : "black";
-        return String.format(Locale.ROOT, "%.3f %.3f %.3f → %d %d %d  %s", red, green, blue, shown >> 16 & 0xFF, shown >> 8 & 0xFF,
+                luminance > 0
+                        ? String.format(Texts.locale(), Texts.of("%+.1f stops"), Math.log(luminance / FalseColor.MIDDLE) / Math.log(2))
+                        : "black";
+        return String.format(Texts.locale(), "%.3f %.3f %.3f → %d %d %d  %s", red, green, blue, shown >> 16 & 0xFF, shown >> 8 & 0xFF,
                 shown & 0xFF, stops);
     }
 }

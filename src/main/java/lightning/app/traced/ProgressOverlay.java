@@ -13,6 +13,7 @@ import lightning.app.widget.Lasting;
 import lightning.edit.Command;
 import lightning.edit.Situation;
 import lightning.edit.loop.RenderState;
+import lightning.text.Texts;
 
 /** How far the picture or its verification is, with Cancel; not there for work too short to read it. */
 final class ProgressOverlay extends HBox {
@@ -33,7 +34,7 @@ final class ProgressOverlay extends HBox {
         setAlignment(Pos.CENTER);
         setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
         bar.setId("progress-bar");
-        bar.setAccessibleText("Progress of the picture");
+        bar.setAccessibleText(Texts.of("Progress of the picture"));
         var cancel = CommandButton.icon(model, Command.CANCEL);
         cancel.button().setId("cancel-progress");
         getChildren().addAll(what, bar, cancel);
@@ -46,8 +47,8 @@ final class ProgressOverlay extends HBox {
         Situation now = model.situationProperty().get();
         boolean rendering = now.inWork().isPresent();
         String what =
-                now.reading() ? model.fileWork() + " " + model.reading().getFileName() : rendering ? "Tracing"
-                        : now.verifying() ? "Verifying" : "";
+                now.reading() ? model.fileWork() + " " + model.reading().getFileName() : rendering ? Texts.of("Tracing")
+                        : now.verifying() ? Texts.of("Verifying") : "";
         double share = now.reading() ? ProgressBar.INDETERMINATE_PROGRESS : rendering ? state.progress()
                 : (double) state.checked() / state.toCheck();
         work.tell(remaining.tell(what, share, System.nanoTime()));

@@ -11,6 +11,7 @@ import lightning.edit.Command;
 import lightning.scene.Antialias;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
+import lightning.text.Texts;
 
 /** The choice of anti-aliasing: which pixels are made of several samples, and of how many. An edit that Go renders. */
 public final class SamplingMenu {
@@ -28,9 +29,10 @@ public final class SamplingMenu {
         }
         menu.getItems().add(new SeparatorMenuItem());
         for (int grid : GRIDS) {
-            menu.getItems().add(items.choice(Command.SAMPLES, "antialias-" + grid, grid + " × " + grid + " Samples in Such a Pixel",
-                    model.sceneProperty().map(s -> sampling(s).grid() == grid),
-                    () -> choose(model, now -> new Sampling(now.antialias(), grid))));
+            menu.getItems()
+                    .add(items.choice(Command.SAMPLES, "antialias-" + grid, Texts.of("{0} × {1} Samples in Such a Pixel", grid, grid),
+                            model.sceneProperty().map(s -> sampling(s).grid() == grid),
+                            () -> choose(model, now -> new Sampling(now.antialias(), grid))));
         }
         return menu;
     }
@@ -46,9 +48,9 @@ public final class SamplingMenu {
 
     private static String title(Antialias antialias) {
         return switch (antialias) {
-            case OFF -> "Off";
-            case EDGES -> "Edges";
-            case EVERY -> "Every Pixel";
+            case OFF -> Texts.of("Off");
+            case EDGES -> Texts.of("Edges");
+            case EVERY -> Texts.of("Every Pixel");
         };
     }
 

@@ -9,6 +9,7 @@ import javafx.scene.paint.Color;
 import lightning.app.model.EditorModel;
 import lightning.image.DisplayCurve;
 import lightning.image.FalseColor;
+import lightning.text.Texts;
 
 /** Which color stands for which stop, while the picture is shown in such colors. */
 final class StopLegend extends HBox {
@@ -19,7 +20,7 @@ final class StopLegend extends HBox {
         setMouseTransparent(true);
         setAlignment(Pos.CENTER);
         setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
-        setAccessibleText("Stops from middle grey, by color");
+        setAccessibleText(Texts.of("Stops from middle grey, by color"));
         for (FalseColor.Band band : FalseColor.bands()) {
             int rgb = band.rgb();
             var label = new Label(band.stop() > 0 ? "+" + band.stop() : String.valueOf(band.stop()));

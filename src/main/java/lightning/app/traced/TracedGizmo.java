@@ -23,6 +23,7 @@ import lightning.edit.PreviewCamera;
 import lightning.edit.Snap;
 import lightning.edit.Viewport;
 import lightning.scene.Light;
+import lightning.text.Texts;
 
 /**
  * The wireframe of the selected light, or the handles of the selected shape, over the traced picture while the mouse is there: taken and
@@ -128,7 +129,7 @@ final class TracedGizmo extends Pane {
                 Optional<Snap> snap = e.isShiftDown() && !moved.equals(begin) ? Optional.of(Snap.of(begin, moved, view(), viewport()))
                         : Optional.empty();
                 model.edit(scene -> LightEdits.with(scene, begin.name(), _ -> snap.map(Snap::light).orElse(moved)), drag)
-                        .ifPresentOrElse(model::say, () -> snap.ifPresent(s -> model.say("Snapped: " + s.told())));
+                        .ifPresentOrElse(model::say, () -> snap.ifPresent(s -> model.say(Texts.of("Snapped: {0}", s.told()))));
             }
         }
     }

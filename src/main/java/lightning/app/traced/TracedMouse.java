@@ -26,6 +26,7 @@ import lightning.edit.loop.Frame;
 import lightning.relight.Contributions;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
+import lightning.text.Texts;
 import lightning.trace.Geometry;
 
 /**
@@ -166,7 +167,8 @@ final class TracedMouse implements AutoCloseable {
     private void ask() {
         PicturePart.Ask part = model.part().askProperty().get();
         String place = placer.promptProperty().get();
-        prompt.set(pick != null ? wish : !place.isEmpty() ? place + ", Shift snaps" : region.get() ? "Drag a frame around what to trace"
+        prompt.set(pick != null ? wish : !place.isEmpty() ? Texts.of("{0}, Shift snaps", place)
+                : region.get() ? Texts.of("Drag a frame around what to trace")
                 : part != null ? part.hint() : "");
         picture.setCursor(hand ? Cursor.OPEN_HAND : prompt.get().isEmpty() ? Cursor.DEFAULT : Cursor.CROSSHAIR);
     }
@@ -311,7 +313,7 @@ final class TracedMouse implements AutoCloseable {
             if (pick == null) {
                 report.strongest().ifPresent(model::selectLight);
             } else if (report.point() == null) {
-                model.say("There is nothing there; click a shape");
+                model.say(Texts.of("There is nothing there; click a shape"));
             } else {
                 Consumer<PixelReport> picked = pick;
                 endPick();

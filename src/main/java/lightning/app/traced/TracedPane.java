@@ -32,6 +32,7 @@ import lightning.image.DifferencePicture;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
 import lightning.scene.VisiblePart;
+import lightning.text.Texts;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignE;
@@ -50,11 +51,11 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private final Label card = new Label();
     private final Label prompt = new Label();
     private final Label waiting = new Label();
-    private final ToggleButton difference = new ToggleButton("Difference");
+    private final ToggleButton difference = new ToggleButton(Texts.of("Difference"));
     private final ToggleButton compare = new ToggleButton("", new FontIcon(MaterialDesignC.COMPARE));
     private final StackPane compareBox = new StackPane(compare);
     private final Obstacle comparing =
-            new Obstacle(compareBox, compare, "Compare: the snapshot on the left, the picture on the right; drag to wipe");
+            new Obstacle(compareBox, compare, Texts.of("Compare: the snapshot on the left, the picture on the right; drag to wipe"));
     private final TracedMouse mouse;
     private TracedRaster.Pixels shown;
 
@@ -82,8 +83,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         model.setAction(Command.TRACED_ZOOM_IN, () -> picture.zoomBy(ZOOM));
         model.setAction(Command.TRACED_ZOOM_OUT, () -> picture.zoomBy(1 / ZOOM));
         model.setAction(Command.PICK_MATERIAL,
-                () -> mouse.pickNext("Click the shape whose material to edit", at -> model.materials().chooseOf(at.shape())));
-        mirrors.setTooltip(new Tooltip("As in 1998, mirrors are updated on demand.\nA click here does it, and F6."));
+                () -> mouse.pickNext(Texts.of("Click the shape whose material to edit"), at -> model.materials().chooseOf(at.shape())));
+        mirrors.setTooltip(new Tooltip(Texts.of("As in 1998, mirrors are updated on demand.\nA click here does it, and F6.")));
         mirrors.setOnMouseClicked(_ -> model.run(Command.UPDATE_REFLECTIONS));
         var badges = new VBox(pending, mirrors);
         badges.getStyleClass().add("badges");
@@ -92,7 +93,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         StackPane.setAlignment(badges, Pos.TOP_LEFT);
         StackPane.setMargin(badges, BADGES);
         look.getStyleClass().add("look-badge");
-        look.setTooltip(new Tooltip("A way of looking, no part of the scene.\nSave Image and Verify take the picture itself."));
+        look.setTooltip(new Tooltip(Texts.of("A way of looking, no part of the scene.\nSave Image and Verify take the picture itself.")));
         look.setMaxHeight(Region.USE_PREF_SIZE);
         StackPane.setAlignment(look, Pos.TOP_RIGHT);
         StackPane.setMargin(look, BADGES);
@@ -109,7 +110,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         prompt.setId("prompt");
         prompt.getStyleClass().add("prompt");
         prompt.setMouseTransparent(true);
-        prompt.textProperty().bind(mouse.promptProperty().map(p -> p.isEmpty() ? "" : p + "  ·  Esc ends"));
+        prompt.textProperty().bind(mouse.promptProperty().map(p -> p.isEmpty() ? "" : Texts.of("{0}  ·  Esc ends", p)));
         prompt.visibleProperty().bind(mouse.promptProperty().isNotEmpty());
         StackPane.setAlignment(prompt, Pos.TOP_CENTER);
         Node legend = new StopLegend(model);
@@ -138,15 +139,15 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private Node header() {
         var zoom = new HBox(CommandButton.icon(model, Command.TRACED_FIT), CommandButton.icon(model, Command.TRACED_ONE_TO_ONE));
         zoom.setAlignment(Pos.CENTER);
-        return new PaneHeader("Ray traced", difference, CommandButton.icon(model, Command.ONLY_SELECTED), snapshot(), compareBox,
+        return new PaneHeader(Texts.of("Ray traced"), difference, CommandButton.icon(model, Command.ONLY_SELECTED), snapshot(), compareBox,
                 new ExposureControl(model), viewMenu(), CommandButton.icon(model, Command.REGION), zoom);
     }
 
     private MenuButton viewMenu() {
         var menu = new MenuButton("", new FontIcon(MaterialDesignE.EYE_SETTINGS_OUTLINE));
         menu.setId("view-options");
-        menu.setAccessibleText("How the picture is shown");
-        menu.setTooltip(new Tooltip("How the picture is shown\nThe display's curve, and effects to hide. No part of the scene."));
+        menu.setAccessibleText(Texts.of("How the picture is shown"));
+        menu.setTooltip(new Tooltip(Texts.of("How the picture is shown\nThe display's curve, and effects to hide. No part of the scene.")));
         menu.getStyleClass().addAll("button-icon", "flat");
         menu.getItems().setAll(ViewItems.of(model, CommandItems.of(model, "view-")));
         return menu;
@@ -155,14 +156,14 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private Button snapshot() {
         var button = new Button("", new FontIcon(MaterialDesignC.CAMERA_OUTLINE));
         button.setId("snapshot");
-        button.setAccessibleText("Snapshot");
+        button.setAccessibleText(Texts.of("Snapshot"));
         button.getStyleClass().add("button-icon");
-        button.setTooltip(new Tooltip("Snapshot\nKeep this picture to compare later ones with."));
+        button.setTooltip(new Tooltip(Texts.of("Snapshot\nKeep this picture to compare later ones with.")));
         button.setOnAction(_ -> store());
         compare.setId("compare");
-        compare.setAccessibleText("Compare");
+        compare.setAccessibleText(Texts.of("Compare"));
         compare.getStyleClass().add("button-icon");
-        comparing.set(Optional.of("no snapshot is kept yet"));
+        comparing.set(Optional.of(Texts.of("no snapshot is kept yet")));
         compare.selectedProperty().subscribe(on -> {
             picture.wipe().setVisible(on);
             picture.requestLayout();
@@ -176,7 +177,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             picture.wipe().store(pixels.width(), pixels.height(), pixels.pixels());
             comparing.set(Optional.empty());
             picture.requestLayout();
-            model.say("Snapshot kept");
+            model.say(Texts.of("Snapshot kept"));
         }
     }
 
@@ -190,15 +191,16 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         Situation now = model.situationProperty().get();
         if (model.raster().isPatched() && mouse.patched() != null && now.rendered().isPresent()
                 && !VisiblePart.same(mouse.patched(), now.rendered().get())) {
-            return VisiblePart.same(mouse.patched(), now.scene()) ? "A region shows edits that the rest does not"
-                    : "A region shows other edits than the rest";
+            return VisiblePart.same(mouse.patched(), now.scene()) ? Texts.of("A region shows edits that the rest does not")
+                    : Texts.of("A region shows other edits than the rest");
         }
         // What is played is always on its way.
         boolean comes = now.animating() && now.inWork().isPresent();
         if (comes || now.pendingRemark().isEmpty()) {
             return "";
         }
-        return now.isPending() ? "Edits not yet rendered" : now.inWork().isPresent() ? "Finer samples follow" : "Without finer samples";
+        return now.isPending() ? Texts.of("Edits not yet rendered") : now.inWork().isPresent() ? Texts.of("Finer samples follow")
+                : Texts.of("Without finer samples");
     }
 
     /** What is said in the place of a picture that is not there yet. */
@@ -207,7 +209,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         if (state.problem() != null) {
             return Sentence.of(state.problem());
         }
-        return state.cancelled() ? "Cancelled. Go traces the picture." : "Tracing " + model.document().name() + " …";
+        return state.cancelled() ? Texts.of("Cancelled. Go traces the picture.") : Texts.of("Tracing {0} …", model.document().name());
     }
 
     private void mark() {
@@ -215,9 +217,10 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         pending.tell(remark());
         var frame = model.renderingProperty().get().frame();
         String shown = frame == null ? "" : frame.look().label();
-        look.tell(shown.isEmpty() ? "" : "View: " + shown);
+        look.tell(shown.isEmpty() ? "" : Texts.of("View: {0}", shown));
         boolean mirroring = frame != null && frame.look().effects().shows(Effect.REFLECTION);
-        mirrors.tell(mirroring ? model.situationProperty().get().mirrorsRemark().map(r -> r + ": Update Reflections").orElse("") : "");
+        mirrors.tell(mirroring ? model.situationProperty().get().mirrorsRemark().map(r -> Texts.of("{0}: Update Reflections", r)).orElse("")
+                : "");
         boolean verified = verified() != null;
         difference.setVisible(verified);
         difference.setManaged(verified);

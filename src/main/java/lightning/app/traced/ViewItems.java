@@ -8,6 +8,7 @@ import lightning.app.command.CommandItems;
 import lightning.app.model.EditorModel;
 import lightning.edit.Command;
 import lightning.image.DisplayCurve;
+import lightning.text.Texts;
 
 /** The choices of how the traced picture is looked at, none of which is a part of the scene. */
 public final class ViewItems {
@@ -27,7 +28,7 @@ public final class ViewItems {
 
     private static MenuItem curve(EditorModel model, CommandItems items, DisplayCurve curve) {
         var view = model.viewProperty();
-        return items.choice(Command.CURVE, curve.word(), curve.title(), view.map(v -> v.curve() == curve),
+        return items.choice(Command.CURVE, curve.word(), Texts.of(curve.title()), view.map(v -> v.curve() == curve),
                 () -> view.set(view.get().withCurve(curve)));
     }
 }

@@ -5,6 +5,7 @@ import javafx.scene.Cursor;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
+import lightning.text.Texts;
 
 /** The arrow of an {@link ArrowWidget}: drag it up or down, or click its upper or its lower half. */
 final class ArrowPad extends VBox {
@@ -14,7 +15,7 @@ final class ArrowPad extends VBox {
         setAccessibleRole(AccessibleRole.SPINNER);
         setAccessibleText(field.getAccessibleText());
         setCursor(Cursor.V_RESIZE);
-        Tooltip.install(this, new Tooltip("Drag up or down, or click a half; Shift finer, Ctrl coarser"));
+        Tooltip.install(this, new Tooltip(Texts.of("Drag up or down, or click a half; Shift finer, Ctrl coarser")));
         Scrub.by(this, gauge, field, Scrub.Way.UP, event -> field
                 .step((event.getY() < getHeight() / 2 ? 1 : -1) * Scrub.factor(event.isShiftDown(), event.isShortcutDown())));
     }

@@ -2,6 +2,7 @@ package lightning.app.widget;
 
 import java.util.List;
 import lightning.scene.Picture;
+import lightning.text.Texts;
 
 /**
  * The size of a canvas.
@@ -11,9 +12,9 @@ import lightning.scene.Picture;
  */
 public record CanvasSize(String title, int width, int height) {
     /** As large as there is room, in the shape of the traced picture. */
-    public static final CanvasSize LIKE_PICTURE = new CanvasSize("Picture's shape", 0, 0);
+    public static final CanvasSize LIKE_PICTURE = new CanvasSize(Texts.key("Picture's shape"), 0, 0);
     /** All the room there is. */
-    public static final CanvasSize FREE = new CanvasSize("Free", 0, 0);
+    public static final CanvasSize FREE = new CanvasSize(Texts.key("Free"), 0, 0);
 
     /** The paper's default first. */
     public static final List<CanvasSize> FIXED = List.of(of(200, 200), of(300, 300), of(400, 400), of(600, 600), of(320, 240),

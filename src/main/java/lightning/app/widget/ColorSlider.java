@@ -12,6 +12,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.math.Rgb;
+import lightning.text.Texts;
 
 /** A slider whose track shows the colours that it would give, with a field for values in full. */
 final class ColorSlider extends VBox {
@@ -51,7 +52,7 @@ final class ColorSlider extends VBox {
         this.scale = scale;
         field = new NumberField(title, gauge);
         slider = new Slider(scale.place().applyAsDouble(scale.min()), scale.place().applyAsDouble(scale.max()), 0);
-        slider.setAccessibleText(title + " slider");
+        slider.setAccessibleText(Texts.of("{0} slider", title));
         slider.setBlockIncrement((slider.getMax() - slider.getMin()) / KEYS_PER_TRACK);
         slider.getStyleClass().add("color-slider");
         HBox.setHgrow(slider, Priority.ALWAYS);

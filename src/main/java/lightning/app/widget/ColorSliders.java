@@ -1,7 +1,6 @@
 package lightning.app.widget;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import javafx.scene.Node;
@@ -19,14 +18,15 @@ import lightning.edit.Steps;
 import lightning.math.Rgb;
 import lightning.scene.Limits;
 import lightning.text.Measure;
+import lightning.text.Texts;
 
 /**
  * A colour as red, green and blue, as hue, saturation and value, and that of a light as a temperature too; and a well that
  * shows it.
  */
 public final class ColorSliders extends VBox {
-    private static final List<Preset> PRESETS = List.of(new Preset("Candle", 1900), new Preset("Tungsten", 3200),
-            new Preset("Daylight", 5600), new Preset("Shade", 8000));
+    private static final List<Preset> PRESETS = List.of(new Preset(Texts.key("Candle"), 1900), new Preset(Texts.key("Tungsten"), 3200),
+            new Preset(Texts.key("Daylight"), 5600), new Preset(Texts.key("Shade"), 8000));
 
     private final Target target;
     private final String prefix;
@@ -57,7 +57,7 @@ public final class ColorSliders extends VBox {
 
         /** A surface has none. */
         default Optional<String> temperature(double kelvin, Object gesture) {
-            return Optional.of("only a light has a colour temperature");
+            return Optional.of(Texts.of("only a light has a colour temperature"));
         }
     }
 
@@ -65,7 +65,7 @@ public final class ColorSliders extends VBox {
 
     /** The colour of a light. */
     public ColorSliders(Target target) {
-        this("", "The light's colour", Limits.MAX_LIGHT_COLOR, true, target);
+        this("", Texts.of("The light's colour"), Limits.MAX_LIGHT_COLOR, true, target);
     }
 
     /**
@@ -82,24 +82,24 @@ public final class ColorSliders extends VBox {
     private ColorSliders(String prefix, String help, double max, boolean ofLight, Target target) {
         this.target = target;
         this.prefix = prefix;
-        rgb = List.of(channel("R", prefix + "red", target.red()), channel("G", prefix + "green", target.green()),
-                channel("B", prefix + "blue", target.blue()));
+        rgb = List.of(channel("R", prefix + Texts.of("red"), target.red()), channel("G", prefix + Texts.of("green"), target.green()),
+                channel("B", prefix + Texts.of("blue"), target.blue()));
         square = new ColorSquare(this::setHsv);
         square.setAccessibleText(prefix + square.getAccessibleText());
         hsv = List.of(
-                hsv("H", prefix + "hue", new Steps(1, 0, 360), 360, (h, v) -> new Hsv(v, h.saturation(), h.value())),
-                hsv("S", prefix + "saturation", new Steps(0.1, 0, 1), 1, (h, v) -> new Hsv(h.hue(), v, h.value())),
-                hsv("V", prefix + "value", new Steps(0.1, 0, max), 1,
+                hsv("H", prefix + Texts.of("hue"), new Steps(1, 0, 360), 360, (h, v) -> new Hsv(v, h.saturation(), h.value())),
+                hsv("S", prefix + Texts.of("saturation"), new Steps(0.1, 0, 1), 1, (h, v) -> new Hsv(h.hue(), v, h.value())),
+                hsv("V", prefix + Texts.of("value"), new Steps(0.1, 0, max), 1,
                         (h, v) -> new Hsv(h.hue(), h.saturation(), v)));
         kelvin = new ColorSlider("K", "temperature",
                 new ColorSlider.Scale(Kelvin.MIN, Kelvin.MAX, Math::log, Math::exp),
                 Gauge.of("temperature", new Steps(100, Kelvin.MIN, Kelvin.MAX), Measure.KELVIN, target::temperature));
         well.getStyleClass().add("color-well");
-        well.setTooltip(new Tooltip(help + ".\nClick to pick another"));
+        well.setTooltip(new Tooltip(Texts.of("{0}.\nClick to pick another", help)));
         content.getStyleClass().add("color-content");
-        HBox head = new HBox(well, tab("RGB", "red, green, blue", rgb), tab("HSV", "hue, saturation, value", hsvTab()));
+        HBox head = new HBox(well, tab("RGB", Texts.of("red, green, blue"), rgb), tab("HSV", Texts.of("hue, saturation, value"), hsvTab()));
         if (ofLight) {
-            head.getChildren().add(tab("Kelvin", "colour temperature", List.of(kelvin, presets())));
+            head.getChildren().add(tab("Kelvin", Texts.of("colour temperature"), List.of(kelvin, presets())));
         }
         head.getStyleClass().add("color-head");
         well.setOnAction(_ -> {
@@ -138,7 +138,8 @@ public final class ColorSliders extends VBox {
     private void draw(Rgb color, Hsv h) {
         well.setStyle("-well-color: " + Paints.css(color) + ";");
         well.setAccessibleText(
-                prefix + String.format(Locale.ROOT, "colour: red %.3f, green %.3f, blue %.3f", color.r(), color.g(), color.b()));
+                prefix + String.format(Texts.locale(), Texts.of("colour: red %.3f, green %.3f, blue %.3f"), color.r(), color.g(),
+                        color.b()));
         rgb.get(0).show(color.r(), v -> new Rgb(v, color.g(), color.b()));
         rgb.get(1).show(color.g(), v -> new Rgb(color.r(), v, color.b()));
         rgb.get(2).show(color.b(), v -> new Rgb(color.r(), color.g(), v));
@@ -153,7 +154,7 @@ public final class ColorSliders extends VBox {
     public void showNothing() {
         drawn = null;
         well.setStyle("-well-color: transparent;");
-        well.setAccessibleText(prefix + "colour: none");
+        well.setAccessibleText(prefix + Texts.of("colour: none"));
         rgb.forEach(ColorSlider::showNothing);
         hsv.forEach(ColorSlider::showNothing);
         kelvin.showNothing();
@@ -208,7 +209,7 @@ public final class ColorSliders extends VBox {
         FlowPane presets = new FlowPane();
         presets.getStyleClass().add("presets");
         for (Preset preset : PRESETS) {
-            Button button = new Button(preset.name());
+            Button button = new Button(Texts.of(preset.name()));
             button.getStyleClass().add("small");
             button.setTooltip(new Tooltip(Limits.text(preset.kelvin()) + " K"));
             button.setOnAction(_ -> target.temperature(preset.kelvin(), null));
@@ -219,7 +220,7 @@ public final class ColorSliders extends VBox {
 
     private ToggleButton tab(String name, String title, List<? extends Node> nodes) {
         ToggleButton tab = new ToggleButton(name);
-        tab.setTooltip(new Tooltip("Colour as " + title));
+        tab.setTooltip(new Tooltip(Texts.of("Colour as {0}", title)));
         tab.setMaxWidth(Double.MAX_VALUE);
         HBox.setHgrow(tab, Priority.ALWAYS);
         tab.setToggleGroup(tabs);

@@ -1,6 +1,5 @@
 package lightning.app.widget;
 
-import java.util.Locale;
 import java.util.Optional;
 import javafx.scene.AccessibleRole;
 import javafx.scene.Cursor;
@@ -14,6 +13,7 @@ import javafx.scene.shape.Circle;
 import lightning.edit.Hsv;
 import lightning.image.ViewTransform;
 import lightning.math.Rgb;
+import lightning.text.Texts;
 
 /** All colours of one hue: saturation to the right, value upwards as the display brightens it. Drag, or use the arrow keys. */
 final class ColorSquare extends Region {
@@ -41,7 +41,7 @@ final class ColorSquare extends Region {
         this.setter = setter;
         getStyleClass().add("color-square");
         setAccessibleRole(AccessibleRole.SLIDER);
-        setAccessibleText("saturation and value");
+        setAccessibleText(Texts.of("saturation and value"));
         setFocusTraversable(true);
         setCursor(Cursor.CROSSHAIR);
         marker.getStyleClass().add("marker");
@@ -62,7 +62,7 @@ final class ColorSquare extends Region {
             drawnHue = color.hue();
             draw();
         }
-        setAccessibleHelp(String.format(Locale.ROOT, "saturation %.2f, value %.2f", color.saturation(), color.value()));
+        setAccessibleHelp(String.format(Texts.locale(), Texts.of("saturation %.2f, value %.2f"), color.saturation(), color.value()));
         requestLayout();
     }
 

@@ -3,6 +3,7 @@ package lightning.app.widget;
 import javafx.scene.Cursor;
 import javafx.scene.control.Label;
 import javafx.scene.control.Tooltip;
+import lightning.text.Texts;
 
 /** The name of a number beside its field, with the unit: dragged sideways it changes the number, a click goes into the field. */
 final class FieldLabel extends Label {
@@ -11,7 +12,8 @@ final class FieldLabel extends Label {
         setLabelFor(field);
         setCursor(Cursor.H_RESIZE);
         getStyleClass().add("field-label");
-        Tooltip.install(this, new Tooltip("Drag sideways; Shift finer, Ctrl coarser.\nThe field takes sums too: 0.3*2, +10%, 1/3"));
+        Tooltip.install(this,
+                new Tooltip(Texts.of("Drag sideways; Shift finer, Ctrl coarser.\nThe field takes sums too: 0.3*2, +10%, 1/3")));
         Scrub.by(this, gauge, field, Scrub.Way.RIGHT, _ -> {
             field.requestFocus();
             field.selectAll();

@@ -3,6 +3,7 @@ package lightning.app.widget;
 import java.util.Locale;
 import javafx.util.StringConverter;
 import lightning.scene.LightType;
+import lightning.text.Texts;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignL;
@@ -27,11 +28,22 @@ public final class LightTypes {
 
     public static String title(LightType type) {
         return switch (type) {
-            case POINT -> "Point";
-            case SPOT -> "Spot";
-            case DIRECTIONAL -> "Directional";
-            case RECT -> "Rectangle";
-            case DISC -> "Disc";
+            case POINT -> Texts.of("Point");
+            case SPOT -> Texts.of("Spot");
+            case DIRECTIONAL -> Texts.of("Directional");
+            case RECT -> Texts.of("Rectangle");
+            case DISC -> Texts.of("Disc");
+        };
+    }
+
+    /** Within a sentence: {@code spot light}. */
+    public static String light(LightType type) {
+        return switch (type) {
+            case POINT -> Texts.of("point light");
+            case SPOT -> Texts.of("spot light");
+            case DIRECTIONAL -> Texts.of("directional light");
+            case RECT -> Texts.of("rectangle light");
+            case DISC -> Texts.of("disc light");
         };
     }
 

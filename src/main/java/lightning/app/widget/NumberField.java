@@ -13,6 +13,8 @@ import javafx.scene.input.KeyEvent;
 import javafx.scene.input.ScrollEvent;
 import lightning.scene.Limits;
 import lightning.text.Expression;
+import lightning.text.Language;
+import lightning.text.Texts;
 
 /**
  * A number as text, or a sum that makes one ({@link Expression}). Enter or leaving the field sets it, Escape brings back what was
@@ -36,7 +38,7 @@ public final class NumberField extends TextField {
     /** @param title for people, and for screen readers */
     public NumberField(String title, Gauge gauge) {
         this.gauge = gauge;
-        setAccessibleText(title);
+        setAccessibleText(Texts.of(title));
         setPrefColumnCount(COLUMNS);
         setAlignment(Pos.CENTER_RIGHT);
         getStyleClass().add("number-field");
@@ -115,10 +117,15 @@ public final class NumberField extends TextField {
 
     /** Sets what the text says; returns why that was refused. */
     private Optional<String> typed() {
-        return switch (Expression.read(getText(), value, gauge.measure())) {
+        return switch (Expression.read(withPoint(getText()), value, gauge.measure())) {
             case Expression.Value(double v) -> gauge.set(v, null);
-            case Expression.Wrong(String reason) -> Optional.of(gauge.title() + " " + reason);
+            case Expression.Wrong(String reason) -> Optional.of(Texts.of(gauge.title()) + " " + reason);
         };
+    }
+
+    /** A comma is the German point; English has none in a number. */
+    private static String withPoint(String text) {
+        return Texts.language() == Language.GERMAN ? text.replace(',', '.') : text;
     }
 
     private boolean isExact() {

@@ -11,6 +11,7 @@ import javafx.scene.layout.VBox;
 import lightning.edit.Steps;
 import lightning.math.Vec3;
 import lightning.scene.Limits;
+import lightning.text.Texts;
 
 /** A place or a direction as three numbers. */
 public final class VectorField extends VBox {
@@ -39,7 +40,7 @@ public final class VectorField extends VBox {
     }
 
     private void axis(String axis, String title, Gauge.Setter setter) {
-        String name = title + " " + axis;
+        String name = Texts.of(title) + " " + axis;
         Gauge gauge = Gauge.of(name, STEPS, setter);
         NumberField field = new NumberField(name, gauge);
         HBox.setHgrow(field, Priority.ALWAYS);

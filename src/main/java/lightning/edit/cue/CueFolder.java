@@ -16,6 +16,7 @@ import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
 import lightning.scene.Stage;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /**
  * The cues of a scene: the folder {@code NAME.cues} beside {@code NAME.jen}, with two files for each, its lights as blocks of a scene file and
@@ -50,15 +51,15 @@ public final class CueFolder {
     /** Why a cue cannot have a name: a clause; empty where it can. */
     public static Optional<String> refusal(String name) {
         if (name.isBlank()) {
-            return Optional.of("a cue needs a name");
+            return Optional.of(Texts.of("a cue needs a name"));
         }
         if (name.length() > LONGEST) {
-            return Optional.of("the name of a cue may have " + LONGEST + " characters, this has " + name.length());
+            return Optional.of(Texts.of("the name of a cue may have {0} characters, this has {1}", LONGEST, name.length()));
         }
         Optional<String> unfit = name.chars().filter(c -> UNFIT.indexOf(c) >= 0 || Character.isISOControl(c)).boxed().findFirst()
-                .map(c -> "the name of a cue is that of a file, which cannot have " + Quote.of(Character.toString(c)));
+                .map(c -> Texts.of("the name of a cue is that of a file, which cannot have {0}", Quote.of(Character.toString(c))));
         return unfit.or(() -> name.startsWith(".") || name.endsWith(".") || !name.equals(name.strip())
-                ? Optional.of("the name of a cue begins and ends with neither a space nor a full stop, " + Quote.of(name) + " does")
+                ? Optional.of(Texts.of("the name of a cue begins and ends with neither a space nor a full stop, {0} does", Quote.of(name)))
                 : Optional.empty());
     }
 
@@ -94,7 +95,7 @@ public final class CueFolder {
             check(file);
             lighting = Optional.of(Lighting.read(file, scene.getParent(), stage));
         } catch (IOException e) {
-            problem = e.getMessage() == null ? Quote.path(file) + " cannot be read" : e.getMessage();
+            problem = e.getMessage() == null ? Texts.of("{0} cannot be read", Quote.path(file)) : e.getMessage();
         }
         return new Cue(name, file, lighting, problem, picture(file(name, PICTURE)));
     }
@@ -115,7 +116,7 @@ public final class CueFolder {
     /** No link leads out of the scene's folder. */
     private void check(Path file) throws IOException {
         if (!file.toRealPath().startsWith(scene.getParent().toRealPath())) {
-            throw new IOException(Quote.path(file) + ": leads out of the scene's folder");
+            throw new IOException(Texts.of("{0}: leads out of the scene's folder", Quote.path(file)));
         }
     }
 
@@ -160,7 +161,7 @@ public final class CueFolder {
         check(folder);
         for (String ending : List.of(LIGHTS, PICTURE)) {
             if (Files.exists(file(to, ending))) {
-                throw new FileAlreadyExistsException(file(to, ending).toString(), null, "is there already");
+                throw new FileAlreadyExistsException(file(to, ending).toString(), null, Texts.of("is there already"));
             }
         }
         if (Files.exists(file(from, PICTURE))) {
@@ -187,7 +188,7 @@ public final class CueFolder {
     public void bringBack(String name) throws IOException {
         check(folder);
         if (has(name)) {
-            throw new FileAlreadyExistsException(file(name, LIGHTS).toString(), null, "is there already");
+            throw new FileAlreadyExistsException(file(name, LIGHTS).toString(), null, Texts.of("is there already"));
         }
         for (String ending : List.of(PICTURE, LIGHTS)) {
             if (Files.exists(file(name, ending + ".gone"))) {

@@ -20,6 +20,7 @@ import lightning.scene.Rig;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 import lightning.scene.World;
+import lightning.text.Texts;
 
 /**
  * All that lights a scene, without its shapes and its camera.
@@ -60,7 +61,7 @@ public record Lighting(World world, Rig rig) {
                 more = LightEdits.add(more, light.withBank(names.get(light.bank()))).or(more);
             }
             if (more.lights().size() < scene.lights().size() + rig.lights().size()) {
-                throw new IllegalArgumentException("the scene has no room for " + rig.lights().size() + " lights more");
+                throw new IllegalArgumentException(Texts.of("the scene has no room for {0} lights more", rig.lights().size()));
             }
             return more;
         });

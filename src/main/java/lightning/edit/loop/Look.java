@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.effects.Effect;
 import lightning.effects.ViewEffects;
+import lightning.text.Texts;
 
 /**
  * What of the traced picture is shown: a state of looking, no part of the scene, that saving and verifying know nothing of.
@@ -31,14 +32,14 @@ public record Look(Optional<String> light, ViewEffects effects) {
     /** What is shown, as a label of the picture: {@code Only key, no shadows}; empty for the picture itself. */
     public String label() {
         List<String> parts = new ArrayList<>();
-        light.ifPresent(name -> parts.add("only " + name));
+        light.ifPresent(name -> parts.add(Texts.of("only {0}", name)));
         for (Effect effect : Effect.ALL) {
             if (!effects.shows(effect)) {
-                parts.add("no " + effect.title());
+                parts.add(Texts.of("no {0}", Texts.of(effect.title())));
             }
         }
         if (!effects.litTextures()) {
-            parts.add("glowing textures");
+            parts.add(Texts.of("glowing textures"));
         }
         String text = String.join(", ", parts);
         return text.isEmpty() ? "" : Character.toUpperCase(text.charAt(0)) + text.substring(1);

@@ -13,6 +13,7 @@ import lightning.shading.ConeChange;
 import lightning.shading.IntensityRatio;
 import lightning.shading.Lamp;
 import lightning.shading.Luminaire;
+import lightning.text.Texts;
 import lightning.trace.Geometry;
 import lightning.trace.MaterialTable;
 import lightning.trace.ShapeChange;
@@ -42,25 +43,25 @@ public final class Dispatcher {
      */
     public static UpdatePlan plan(PixelCache cache, Scene wanted, Geometry geometry, boolean mirrors, Accuracy accuracy) {
         if (cache == null) {
-            return new UpdatePlan.FirstPass("no picture yet");
+            return new UpdatePlan.FirstPass(Texts.key("no picture yet"));
         }
         Scene known = cache.scene();
         if (known.picture().width() != wanted.picture().width() || known.picture().height() != wanted.picture().height()) {
-            return new UpdatePlan.FirstPass("another size");
+            return new UpdatePlan.FirstPass(Texts.key("another size"));
         }
         boolean resampled = !known.picture().sampling().samplesLike(wanted.picture().sampling());
         // Where rays are followed from what mirrors nothing, edges cannot be looked for in the levels that are known.
         if (resampled && (hasNoCentres(known) || hasNoCentres(wanted) || cache.geometry().mirrors() != MaterialTable.MIRRORS)) {
-            return new UpdatePlan.FirstPass("other samples");
+            return new UpdatePlan.FirstPass(Texts.key("other samples"));
         }
         if (!known.camera().equals(wanted.camera())) {
-            return new UpdatePlan.FirstPass("another camera");
+            return new UpdatePlan.FirstPass(Texts.key("another camera"));
         }
         ShapeChange shapes = cache.geometry().serves(wanted) ? ShapeChange.NONE
                 : geometry != null ? cache.geometry().changeTo(geometry) : cache.geometry().changeTo(wanted);
         boolean reshaped = shapes != ShapeChange.NONE;
         if (!shapes.keepsAny() || reshaped && resampled) {
-            return new UpdatePlan.FirstPass("other shapes");
+            return new UpdatePlan.FirstPass(Texts.key("other shapes"));
         }
         int depthFrom = known.picture().depth();
         int depthTo = wanted.picture().depth();
@@ -73,7 +74,7 @@ public final class Dispatcher {
         LevelPlan mirrored = refresh ? level(cache.mirroredGeometry(), cache.mirroredScene(), cache.mirroredLights(), wanted,
                 materials, shapes, accuracy) : null;
         if (resampled && !(top.materials().mirrors().isEmpty() && mirrored.materials().mirrors().isEmpty())) {
-            return new UpdatePlan.FirstPass("other samples and mirrors");
+            return new UpdatePlan.FirstPass(Texts.key("other samples and mirrors"));
         }
         return new UpdatePlan.Relight(top, mirrored, depthFrom, depthTo, resampled, shapes);
     }

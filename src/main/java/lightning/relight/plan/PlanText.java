@@ -2,6 +2,7 @@ package lightning.relight.plan;
 
 import java.util.ArrayList;
 import java.util.List;
+import lightning.text.Texts;
 
 /** Puts a plan into words. */
 final class PlanText {
@@ -13,24 +14,24 @@ final class PlanText {
     static List<String> of(UpdatePlan.Relight plan) {
         List<String> steps = new ArrayList<>();
         for (String name : plan.top().dropped()) {
-            steps.add(name + ": delete");
+            steps.add(Texts.of("{0}: delete", name));
         }
         describe(plan.top().layers(), steps);
         steps.addAll(plan.top().materials().steps());
         if (!plan.shapes().isEmpty()) {
-            steps.add("shapes");
+            steps.add(Texts.of("shapes"));
         }
         if (plan.depthTo() != plan.depthFrom()) {
-            steps.add("depth " + plan.depthFrom() + " → " + plan.depthTo());
+            steps.add(Texts.of("depth {0} → {1}", plan.depthFrom(), plan.depthTo()));
         }
         if (plan.resampled()) {
-            steps.add("samples");
+            steps.add(Texts.of("samples"));
         }
         if (plan.mirrors() != null && plan.depthTo() > 0 && plan.mirrors().materials().materials().reflectiveCount() > 0) {
-            steps.add("reflections");
+            steps.add(Texts.of("reflections"));
         }
         if (steps.isEmpty()) {
-            steps.add("compose");
+            steps.add(Texts.of("compose"));
         }
         return steps;
     }
@@ -45,7 +46,7 @@ final class PlanText {
                 end++;
             }
             if (end - i >= MANY && !what.isEmpty()) {
-                steps.add(layers.get(i).light().name() + " to " + layers.get(end - 1).light().name() + ": " + what);
+                steps.add(Texts.of("{0} to {1}: {2}", layers.get(i).light().name(), layers.get(end - 1).light().name(), what));
             } else if (!what.isEmpty()) {
                 layers.subList(i, end).forEach(layer -> steps.add(layer.light().name() + ": " + what));
             }
@@ -56,26 +57,26 @@ final class PlanText {
     private static String words(LightUpdate update) {
         return switch (update) {
             case LightUpdate.Keep _ -> "";
-            case LightUpdate.Reweight _ -> "weight";
-            case LightUpdate.Refresh _ -> "refresh";
-            case LightUpdate.FullRecompute full -> full.added() ? "add" : "full recompute";
+            case LightUpdate.Reweight _ -> Texts.of("weight");
+            case LightUpdate.Refresh _ -> Texts.of("refresh");
+            case LightUpdate.FullRecompute full -> full.added() ? Texts.of("add") : Texts.of("full recompute");
             case LightUpdate.Partial partial -> {
                 List<String> parts = new ArrayList<>();
                 switch (partial.cone()) {
                     case NONE -> {}
-                    case ANGLE_REMOVE -> parts.add("angle remove");
-                    case ANGLE_ADD -> parts.add("angle add");
-                    case LINKS -> parts.add("links");
-                    case TURN -> parts.add("turn");
+                    case ANGLE_REMOVE -> parts.add(Texts.of("angle remove"));
+                    case ANGLE_ADD -> parts.add(Texts.of("angle add"));
+                    case LINKS -> parts.add(Texts.of("links"));
+                    case TURN -> parts.add(Texts.of("turn"));
                 }
                 if (partial.falloff()) {
-                    parts.add("falloff");
+                    parts.add(Texts.of("falloff"));
                 }
                 if (partial.shadows()) {
-                    parts.add("shadows");
+                    parts.add(Texts.of("shadows"));
                 }
                 if (partial.weight()) {
-                    parts.add("weight");
+                    parts.add(Texts.of("weight"));
                 }
                 yield String.join(" + ", parts);
             }

@@ -1,6 +1,7 @@
 package lightning.relight.plan;
 
 import java.util.List;
+import lightning.text.Texts;
 import lightning.trace.ShapeChange;
 
 /** What a renderer will do to get from the scene rendered last to the scene wanted. */
@@ -34,8 +35,8 @@ public sealed interface UpdatePlan {
     /** The plan in the words of the paper, one step a string. */
     default List<String> steps() {
         return switch (this) {
-            case Nothing _ -> List.of("nothing to do");
-            case FirstPass first -> List.of("first pass: " + first.reason());
+            case Nothing _ -> List.of(Texts.of("nothing to do"));
+            case FirstPass first -> List.of(Texts.of("first pass: {0}", Texts.of(first.reason())));
             case Relight relight -> PlanText.of(relight);
         };
     }
