@@ -9,12 +9,17 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.lang.ArchCondition;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.lang.CompositeArchRule;
+import com.tngtech.archunit.lang.ConditionEvents;
+import com.tngtech.archunit.lang.SimpleConditionEvent;
 import com.tngtech.archunit.library.GeneralCodingRules;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 
 /**
@@ -137,6 +142,26 @@ final class Architecture {
                 .should().resideInAnyPackage(ROWS.stream().map(Row::packageName).toArray(String[]::new))
                 .as("every class but lightning.Main and lightning.Training lives in a package that has a row in this test")
                 .allowEmptyShould(true);
+    }
+
+    /** A word means one thing: no class has the name of one in another package. */
+    static ArchRule classesHaveNamesOfTheirOwn() {
+        return classes().that().areTopLevelClasses().and(not(nameMatching(".*package-info"))).should(haveNamesOfTheirOwn())
+                .as("no two classes have one name");
+    }
+
+    private static ArchCondition<JavaClass> haveNamesOfTheirOwn() {
+        return new ArchCondition<>("have names of their own") {
+            private final Map<String, JavaClass> known = new HashMap<>();
+
+            @Override
+            public void check(JavaClass next, ConditionEvents events) {
+                JavaClass other = known.putIfAbsent(next.getSimpleName(), next);
+                if (other != null) {
+                    events.add(SimpleConditionEvent.violated(next, next.getName() + " has the name of " + other.getName()));
+                }
+            }
+        };
     }
 
     static ArchRule onlyAppSeesJavaFx() {

@@ -45,6 +45,11 @@ class ArchitectureTest {
     }
 
     @Test
+    void program_hasOneClassOfEachName() {
+        Architecture.classesHaveNamesOfTheirOwn().check(PROGRAM);
+    }
+
+    @Test
     void program_onlyAppSeesJavaFx() {
         Architecture.onlyAppSeesJavaFx().check(PROGRAM);
     }
@@ -57,6 +62,13 @@ class ArchitectureTest {
     @Test
     void program_referenceTracerKnowsNoFastCode() {
         Architecture.referenceTracerKnowsNoFastCode().check(PROGRAM);
+    }
+
+    @Test
+    void secondClassOfAName_isCaught() throws IOException {
+        assertCaught(Architecture.classesHaveNamesOfTheirOwn(), "no two classes have one name",
+                "package lightning.math; public class Thing {}",
+                "package lightning.scene; class Thing { int count; }");
     }
 
     @Test

@@ -5,7 +5,7 @@ import java.util.Collection;
 /** One of the columns that rows may have: a constant of the closed set that their class states. */
 public interface ColumnKind {
     /** What it holds for each row. */
-    Element element();
+    ElementType element();
 
     /** Its place in the set. */
     int ordinal();

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import lightning.mesh.Mesh;
 import lightning.mesh.MeshException;
-import lightning.mesh.Part;
+import lightning.mesh.NamedMesh;
 import lightning.mesh.file.MeshFiles;
 import lightning.text.Quote;
 import lightning.work.Progress;
@@ -20,7 +20,7 @@ final class MeshFolder {
     static final String NAME = "meshes";
 
     private final FileFolders folders;
-    private final Map<Path, List<Part>> read = new HashMap<>();
+    private final Map<Path, List<NamedMesh>> read = new HashMap<>();
     private final Map<Path, Mesh> joined = new HashMap<>();
     private long triangles;
 
@@ -41,7 +41,7 @@ final class MeshFolder {
     }
 
     private Mesh load(String file, String part, Path path) throws UnusableFileException, IOException, MeshException {
-        List<Part> parts = read.get(path);
+        List<NamedMesh> parts = read.get(path);
         if (parts == null) {
             parts = read(file, path);
             read.put(path, parts);
@@ -49,12 +49,12 @@ final class MeshFolder {
         return part.isEmpty() ? whole(path, parts) : named(file, part, parts);
     }
 
-    private List<Part> read(String file, Path path) throws UnusableFileException, IOException, MeshException {
+    private List<NamedMesh> read(String file, Path path) throws UnusableFileException, IOException, MeshException {
         if (read.size() == JenLimits.MESHES) {
             throw new UnusableFileException("a scene may have at most " + JenLimits.MESHES + " mesh files, found another, "
                     + Quote.of(file));
         }
-        List<Part> parts = MeshFiles.read(path, Progress.NONE);
+        List<NamedMesh> parts = MeshFiles.read(path, Progress.NONE);
         triangles += parts.stream().mapToLong(p -> p.mesh().triangleCount()).sum();
         if (triangles > JenLimits.TRIANGLES) {
             throw new UnusableFileException("mesh file " + Quote.of(file) + " is one too many: all meshes together must have at most "
@@ -63,25 +63,25 @@ final class MeshFolder {
         return parts;
     }
 
-    private Mesh whole(Path path, List<Part> parts) throws UnusableFileException {
+    private Mesh whole(Path path, List<NamedMesh> parts) throws UnusableFileException {
         if (parts.size() == 1) {
             return parts.getFirst().mesh();
         }
         Mesh known = joined.get(path);
         if (known == null) {
-            known = MeshUnion.of(parts.stream().map(Part::mesh).toList());
+            known = MeshUnion.of(parts.stream().map(NamedMesh::mesh).toList());
             joined.put(path, known);
         }
         return known;
     }
 
-    private static Mesh named(String file, String part, List<Part> parts) throws UnusableFileException {
-        for (Part p : parts) {
+    private static Mesh named(String file, String part, List<NamedMesh> parts) throws UnusableFileException {
+        for (NamedMesh p : parts) {
             if (p.name().equals(part)) {
                 return p.mesh();
             }
         }
         throw new UnusableFileException("mesh file " + Quote.of(file) + " has no part " + Quote.of(part)
-                + Nearest.hint(part, parts.stream().map(Part::name).toList()));
+                + Nearest.hint(part, parts.stream().map(NamedMesh::name).toList()));
     }
 }

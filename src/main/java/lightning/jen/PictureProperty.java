@@ -5,10 +5,10 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.scene.Attribute;
 import lightning.scene.Choice;
-import lightning.scene.Kind;
 import lightning.scene.LightAttribute;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.Quantity;
+import lightning.scene.ValueKind;
 
 /**
  * A property that names the file of a picture.
@@ -23,9 +23,10 @@ record PictureProperty(String name, Optional<String> repeat, boolean color) {
 
     private static Stream<PictureProperty> of(Attribute<?, ?> attribute) {
         return switch (attribute.kind()) {
-            case Kind.Texturing t -> Stream.of(new PictureProperty(attribute.name(), Optional.of(t.repeat()), t.color()));
-            case Kind.Projecting _ -> Stream.of(new PictureProperty(attribute.name(), Optional.empty(), true));
-            case Quantity<?> _,Choice<?> _,Kind.Linking _,Kind.Naming _,Kind.Shining _,Kind.Surrounding _ -> Stream.empty();
+            case ValueKind.Texturing t -> Stream.of(new PictureProperty(attribute.name(), Optional.of(t.repeat()), t.color()));
+            case ValueKind.Projecting _ -> Stream.of(new PictureProperty(attribute.name(), Optional.empty(), true));
+            case Quantity<?> _,Choice<?> _,ValueKind.Linking _,ValueKind.Naming _,ValueKind.Shining _,ValueKind.Surrounding _ ->
+                    Stream.empty();
         };
     }
 

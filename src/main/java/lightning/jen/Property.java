@@ -9,11 +9,11 @@ import java.util.function.Predicate;
 import lightning.scene.Attribute;
 import lightning.scene.Choice;
 import lightning.scene.FromFile;
-import lightning.scene.Kind;
 import lightning.scene.Limits;
 import lightning.scene.Links;
 import lightning.scene.Quantity;
 import lightning.scene.TextureMap;
+import lightning.scene.ValueKind;
 import lightning.text.Quote;
 
 /**
@@ -59,14 +59,14 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
                     t -> new Value.Numbers(n.split().apply(a.of(t)))));
             case Choice<V> c -> List.of(choice(a.name(), new Value.Word(c.text(a.initial())), c.words(),
                     t -> new Value.Word(c.text(a.of(t)))));
-            case Kind.Linking _ -> List.of(new Property<>(a.name(), Form.LINKS, List.of(), 0, 0,
+            case ValueKind.Linking _ -> List.of(new Property<>(a.name(), Form.LINKS, List.of(), 0, 0,
                     List.of(Value.ALL, Value.NONE, Value.ONLY, Value.EXCEPT), new Value.Linked((Links) a.initial()), a.unit(), false,
                     v -> {},
                     t -> new Value.Linked((Links) a.of(t))));
-            case Kind.Naming _ -> List.of(name(a.name(), new Value.Absent(), a.unit(), t -> named((String) a.of(t))));
-            case Kind.Filed<?> _ -> List.of(filed(a, a.unit(), t -> ((Optional<?>) a.of(t))
+            case ValueKind.Naming _ -> List.of(name(a.name(), new Value.Absent(), a.unit(), t -> named((String) a.of(t))));
+            case ValueKind.Filed<?> _ -> List.of(filed(a, a.unit(), t -> ((Optional<?>) a.of(t))
                     .<Value>map(held -> new Value.Quoted(((FromFile) held).file())).orElse(new Value.Absent())));
-            case Kind.Texturing k -> List.of(
+            case ValueKind.Texturing k -> List.of(
                     filed(a, "a PNG or JPEG file", t -> picture(a.of(t), map -> new Value.Quoted(map.file()))),
                     Property.<T>numbers(k.repeat(), List.of(" u", " v"), Value.of(1, 1), -Limits.MAX_REPEAT, Limits.MAX_REPEAT,
                             "times, needs a " + a.name(), t -> picture(a.of(t), map -> Value.of(map.repeatU(), map.repeatV())))

@@ -8,12 +8,12 @@ import lightning.math.Vec3;
 import lightning.scene.Attribute;
 import lightning.scene.Choice;
 import lightning.scene.Gobo;
-import lightning.scene.Kind;
 import lightning.scene.Panorama;
 import lightning.scene.Profile;
 import lightning.scene.Quantity;
 import lightning.scene.Solid;
 import lightning.scene.TextureMap;
+import lightning.scene.ValueKind;
 
 /**
  * All values of one block by property name, written or by default, in the types of the scene.
@@ -40,12 +40,12 @@ record Values(Map<String, Value> all, SceneFiles files) {
         return switch (attribute.kind()) {
             case Quantity<V> n -> n.join().apply(numbers(attribute.name()));
             case Choice<V> c -> c.value(word(attribute.name()));
-            case Kind.Linking _ -> unchecked(((Value.Linked) all.get(attribute.name())).links());
-            case Kind.Naming _ -> unchecked(all.get(attribute.name()) instanceof Value.Name(String name) ? name : "");
-            case Kind.Projecting _ -> unchecked(filed(attribute, file -> new Gobo(file, files.texture(file, true))));
-            case Kind.Shining _ -> unchecked(filed(attribute, file -> new Profile(file, files.profile(file))));
-            case Kind.Surrounding _ -> unchecked(filed(attribute, file -> new Panorama(file, files.sky(file))));
-            case Kind.Texturing t -> unchecked(filed(attribute, file -> picture(file, t)));
+            case ValueKind.Linking _ -> unchecked(((Value.Linked) all.get(attribute.name())).links());
+            case ValueKind.Naming _ -> unchecked(all.get(attribute.name()) instanceof Value.Name(String name) ? name : "");
+            case ValueKind.Projecting _ -> unchecked(filed(attribute, file -> new Gobo(file, files.texture(file, true))));
+            case ValueKind.Shining _ -> unchecked(filed(attribute, file -> new Profile(file, files.profile(file))));
+            case ValueKind.Surrounding _ -> unchecked(filed(attribute, file -> new Panorama(file, files.sky(file))));
+            case ValueKind.Texturing t -> unchecked(filed(attribute, file -> picture(file, t)));
         };
     }
 
@@ -53,7 +53,7 @@ record Values(Map<String, Value> all, SceneFiles files) {
         return all.get(attribute.name()) instanceof Value.Quoted(String file) ? Optional.of(read.apply(file)) : Optional.empty();
     }
 
-    private TextureMap picture(String file, Kind.Texturing as) {
+    private TextureMap picture(String file, ValueKind.Texturing as) {
         return new TextureMap(file, number(as.repeat(), 0), number(as.repeat(), 1), files.texture(file, as.color()));
     }
 

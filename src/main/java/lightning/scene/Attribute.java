@@ -13,7 +13,7 @@ import java.util.function.Function;
 public sealed class Attribute<T, V> permits LightAttribute, MaterialAttribute {
     private final String name;
     private final String title;
-    private final Kind<V> kind;
+    private final ValueKind<V> kind;
     private final V initial;
     private final String unit;
     private final Function<T, V> get;
@@ -25,7 +25,7 @@ public sealed class Attribute<T, V> permits LightAttribute, MaterialAttribute {
      * @param initial the value where a file does not say
      * @param unit    for the documents; empty where there is none
      */
-    Attribute(String name, String title, Kind<V> kind, V initial, String unit, Function<T, V> get, BiFunction<T, V, T> with) {
+    Attribute(String name, String title, ValueKind<V> kind, V initial, String unit, Function<T, V> get, BiFunction<T, V, T> with) {
         this.name = name;
         this.title = title;
         this.kind = kind;
@@ -43,7 +43,7 @@ public sealed class Attribute<T, V> permits LightAttribute, MaterialAttribute {
         return title;
     }
 
-    public final Kind<V> kind() {
+    public final ValueKind<V> kind() {
         return kind;
     }
 

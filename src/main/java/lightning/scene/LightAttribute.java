@@ -59,9 +59,9 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
     public static final LightAttribute<Double> FEATHER = of("feather", Quantity.number(0, Limits.MAX_FEATHER, 1), 0.0,
             "degrees inside the edge of a door", Light::feather, Light::withFeather, Section.CONE,
             Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
-    public static final LightAttribute<Optional<Gobo>> GOBO = of("gobo", new Kind.Projecting(), Optional.empty(), "a PNG or JPEG file",
+    public static final LightAttribute<Optional<Gobo>> GOBO = of("gobo", new ValueKind.Projecting(), Optional.empty(), "a PNG or JPEG file",
             Light::gobo, Light::withGobo, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
-    public static final LightAttribute<Optional<Profile>> PROFILE = of("profile", new Kind.Shining(), Optional.empty(), "an IES file",
+    public static final LightAttribute<Optional<Profile>> PROFILE = of("profile", new ValueKind.Shining(), Optional.empty(), "an IES file",
             Light::profile, Light::withProfile, Section.CONE, Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<Double> RADIUS = of("radius", Quantity.number(0, Limits.MAX_EXTENT, 0.1), Area.DEFAULT.radius(),
             "scene units", l -> l.area().radius(), (l, v) -> l.withArea(l.area().withRadius(v)), Section.AREA,
@@ -84,11 +84,12 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
             Section.SWITCHES, Map.of());
     public static final LightAttribute<Boolean> SOLO = of("solo", Choice.YES_OR_NO, false, "", Light::solo, Light::withSolo,
             Section.SWITCHES, Map.of());
-    public static final LightAttribute<String> BANK = of("bank", new Kind.Naming(), "", "the name of a bank", Light::bank, Light::withBank,
-            Section.SWITCHES, Map.of());
-    public static final LightAttribute<Links> ILLUMINATES = of("illuminates", new Kind.Linking(), Links.ALL, "shapes and groups",
+    public static final LightAttribute<String> BANK =
+            of("bank", new ValueKind.Naming(), "", "the name of a bank", Light::bank, Light::withBank,
+                    Section.SWITCHES, Map.of());
+    public static final LightAttribute<Links> ILLUMINATES = of("illuminates", new ValueKind.Linking(), Links.ALL, "shapes and groups",
             Light::illuminates, Light::withIlluminates, Section.LINKS, all(LightTerm.REACH));
-    public static final LightAttribute<Links> SHADOWED_BY = new LightAttribute<>("shadowed_by", "shadowed by", new Kind.Linking(),
+    public static final LightAttribute<Links> SHADOWED_BY = new LightAttribute<>("shadowed_by", "shadowed by", new ValueKind.Linking(),
             Links.ALL, "shapes and groups", Light::shadowedBy, Light::withShadowedBy, Section.LINKS, all(LightTerm.SHADOW));
 
     /** All of them. */
@@ -105,14 +106,14 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
      * @param terms what it changes of a light of each type that has it; none where it decides which others act, or
      *              whether any does
      */
-    private LightAttribute(String name, String title, Kind<V> kind, V initial, String unit, Function<Light, V> get,
+    private LightAttribute(String name, String title, ValueKind<V> kind, V initial, String unit, Function<Light, V> get,
             BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
         super(name, title, kind, initial, unit, get, with);
         this.section = section;
         this.terms = terms;
     }
 
-    private static <V> LightAttribute<V> of(String name, Kind<V> kind, V initial, String unit, Function<Light, V> get,
+    private static <V> LightAttribute<V> of(String name, ValueKind<V> kind, V initial, String unit, Function<Light, V> get,
             BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
         return new LightAttribute<>(name, name, kind, initial, unit, get, with, section, terms);
     }

@@ -36,16 +36,16 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
             SurfaceModel.METALLIC, Section.BASE,
             "What the surface scatters, or mirrors where it is a metal; times the texture where there is one");
     public static final MaterialAttribute<Optional<TextureMap>> TEXTURE =
-            new MaterialAttribute<>("texture", new Kind.Texturing("repeat", true),
+            new MaterialAttribute<>("texture", new ValueKind.Texturing("repeat", true),
                     Optional.empty(), "", Material::texture, Material::withTexture, MaterialTerm.TEXEL, null, Section.TEXTURE,
                     "The picture on the surface");
-    public static final MaterialAttribute<Optional<TextureMap>> BUMP = relief("bump", "bump", new Kind.Texturing("bump_repeat", false),
+    public static final MaterialAttribute<Optional<TextureMap>> BUMP = relief("bump", "bump", new ValueKind.Texturing("bump_repeat", false),
             Optional.empty(), "", Relief::bump, Relief::withBump, "A picture of heights: white is above black");
     public static final MaterialAttribute<Double> HEIGHT = relief("height", "height",
             Quantity.number(-Limits.MAX_HEIGHT, Limits.MAX_HEIGHT, 0.01), 0.05, "scene units, of white above black", Relief::height,
             Relief::withHeight, "How much higher the bump picture's white is than its black");
     public static final MaterialAttribute<Optional<TextureMap>> NORMALS = relief("normal_map", "normals",
-            new Kind.Texturing("normal_repeat", false), Optional.empty(), "", Relief::normals, Relief::withNormals,
+            new ValueKind.Texturing("normal_repeat", false), Optional.empty(), "", Relief::normals, Relief::withNormals,
             "A picture of normals, as glTF has them");
     public static final MaterialAttribute<Double> STRENGTH = relief("strength", "strength",
             Quantity.number(-Limits.MAX_STRENGTH, Limits.MAX_STRENGTH, 0.1), 1.0, "factor on how far normals lean", Relief::strength,
@@ -96,12 +96,12 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
     private final Section section;
     private final String help;
 
-    private MaterialAttribute(String name, Kind<V> kind, V initial, String unit, Function<Material, V> get,
+    private MaterialAttribute(String name, ValueKind<V> kind, V initial, String unit, Function<Material, V> get,
             BiFunction<Material, V, Material> with, MaterialTerm term, SurfaceModel model, Section section, String help) {
         this(name, name, kind, initial, unit, get, with, term, model, section, help);
     }
 
-    private MaterialAttribute(String name, String title, Kind<V> kind, V initial, String unit, Function<Material, V> get,
+    private MaterialAttribute(String name, String title, ValueKind<V> kind, V initial, String unit, Function<Material, V> get,
             BiFunction<Material, V, Material> with, MaterialTerm term, SurfaceModel model, Section section, String help) {
         super(name, title, kind, initial, unit, get, with);
         this.term = term;
@@ -143,13 +143,13 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
         return acts(of) ? value : initial();
     }
 
-    private static <V> MaterialAttribute<V> relief(String name, String title, Kind<V> kind, V initial, String unit,
+    private static <V> MaterialAttribute<V> relief(String name, String title, ValueKind<V> kind, V initial, String unit,
             Function<Relief, V> get, BiFunction<Relief, V, Relief> with, String help) {
         return new MaterialAttribute<>(name, title, kind, initial, unit, m -> get.apply(m.relief()),
                 (m, v) -> m.withRelief(with.apply(m.relief(), v)), MaterialTerm.NORMAL, null, Section.RELIEF, help);
     }
 
-    private static <V> MaterialAttribute<V> clarity(String name, String title, Kind<V> kind, V initial, String unit,
+    private static <V> MaterialAttribute<V> clarity(String name, String title, ValueKind<V> kind, V initial, String unit,
             Function<Clarity, V> get, BiFunction<Clarity, V, Clarity> with, MaterialTerm term, String help) {
         return new MaterialAttribute<>(name, title, kind, initial, unit, m -> get.apply(m.clarity()),
                 (m, v) -> m.withClarity(with.apply(m.clarity(), v)), term, null, Section.CLEAR, help);

@@ -23,7 +23,7 @@ import lightning.math.Vec3;
  * @param range  refuses a value with a number out of range, or whose numbers do not go together
  */
 public record Quantity<V>(Form form, List<String> labels, double min, double max, double step, boolean whole,
-        Function<V, List<Double>> split, Function<List<Double>, V> join, Range<V> range) implements Kind<V> {
+        Function<V, List<Double>> split, Function<List<Double>, V> join, Range<V> range) implements ValueKind<V> {
 
     private static final List<String> CHANNELS = List.of("red", "green", "blue");
     private static final List<String> AXES = List.of("x", "y", "z");

@@ -103,7 +103,7 @@ public sealed interface Solid {
         return attribute(type, "caps", Choice.YES_OR_NO, true, "", get, with);
     }
 
-    private static <S extends Canonical, V> Attribute<Canonical, V> attribute(Class<S> type, String name, Kind<V> kind, V initial,
+    private static <S extends Canonical, V> Attribute<Canonical, V> attribute(Class<S> type, String name, ValueKind<V> kind, V initial,
             String unit, Function<S, V> get, BiFunction<S, V, Canonical> with) {
         return new Attribute<>(name, name, kind, initial, unit, s -> get.apply(type.cast(s)), (s, v) -> with.apply(type.cast(s), v));
     }

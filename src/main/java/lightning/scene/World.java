@@ -27,7 +27,7 @@ public record World(double ambience, Rgb background, Optional<Panorama> environm
     public static final Attribute<World, Rgb> BACKGROUND = new Attribute<>("background", "background",
             Quantity.color(Limits.MAX_EMISSION), Rgb.BLACK, "linear red, green, blue", World::background, World::withBackground);
     public static final Attribute<World, Optional<Panorama>> ENVIRONMENT = new Attribute<>("environment", "environment",
-            new Kind.Surrounding(), Optional.empty(), "a Radiance HDR file", World::environment, World::withEnvironment);
+            new ValueKind.Surrounding(), Optional.empty(), "a Radiance HDR file", World::environment, World::withEnvironment);
     public static final Attribute<World, Double> ROTATION = new Attribute<>("rotation", "environment rotation",
             Quantity.number(-Limits.MAX_ROTATION, Limits.MAX_ROTATION, 5), 0.0, "degrees about y", World::rotation, World::withRotation);
     public static final Attribute<World, Double> INTENSITY = new Attribute<>("intensity", "environment intensity",

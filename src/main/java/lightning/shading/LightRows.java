@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Set;
 import lightning.column.ColumnKind;
 import lightning.column.ColumnSet;
-import lightning.column.Element;
+import lightning.column.ElementType;
 import lightning.scene.Light;
 
 /**
@@ -33,24 +33,24 @@ public final class LightRows implements LightLayer {
 
     /** All columns that there are: what makes, counts and splices layers knows no others. */
     public enum Column implements ColumnKind {
-        STATE(Element.BYTE, "states of the lights"),
-        COSINE(Element.FLOAT, "cosines"),
-        SPECULAR(Element.FLOAT, "specular terms"),
+        STATE(ElementType.BYTE, "states of the lights"),
+        COSINE(ElementType.FLOAT, "cosines"),
+        SPECULAR(ElementType.FLOAT, "specular terms"),
         /** Of a light over metallic materials. */
-        GRAZING(Element.FLOAT, "grazing terms"),
-        FALLOFF(Element.FLOAT, "falloffs"),
+        GRAZING(ElementType.FLOAT, "grazing terms"),
+        FALLOFF(ElementType.FLOAT, "falloffs"),
         /** Of a light that is larger than a point: to which of its samples 0…15, 16…31 and so on a row's ways are free. */
-        SEEN_0(Element.SHORT, "samples seen of soft lights"),
-        SEEN_1(Element.SHORT, "samples seen of soft lights"),
-        SEEN_2(Element.SHORT, "samples seen of soft lights"),
-        SEEN_3(Element.SHORT, "samples seen of soft lights");
+        SEEN_0(ElementType.SHORT, "samples seen of soft lights"),
+        SEEN_1(ElementType.SHORT, "samples seen of soft lights"),
+        SEEN_2(ElementType.SHORT, "samples seen of soft lights"),
+        SEEN_3(ElementType.SHORT, "samples seen of soft lights");
 
         static final List<Column> SEEN = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
 
-        private final Element element;
+        private final ElementType element;
         private final String title;
 
-        Column(Element element, String title) {
+        Column(ElementType element, String title) {
             this.element = element;
             this.title = title;
         }
@@ -61,7 +61,7 @@ public final class LightRows implements LightLayer {
         }
 
         @Override
-        public Element element() {
+        public ElementType element() {
             return element;
         }
     }

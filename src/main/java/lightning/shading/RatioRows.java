@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Set;
 import lightning.column.ColumnKind;
 import lightning.column.ColumnSet;
-import lightning.column.Element;
+import lightning.column.ElementType;
 import lightning.scene.Light;
 
 /**
@@ -16,34 +16,34 @@ import lightning.scene.Light;
 public final class RatioRows implements LightLayer {
     /** All columns that there are: what makes, counts and splices layers knows no others. */
     public enum Column implements ColumnKind {
-        STATE(Element.BYTE),
-        DIFFUSE_RED(Element.FLOAT),
-        DIFFUSE_GREEN(Element.FLOAT),
-        DIFFUSE_BLUE(Element.FLOAT),
-        SPECULAR_RED(Element.FLOAT),
-        SPECULAR_GREEN(Element.FLOAT),
-        SPECULAR_BLUE(Element.FLOAT),
-        GRAZING_RED(Element.FLOAT),
-        GRAZING_GREEN(Element.FLOAT),
-        GRAZING_BLUE(Element.FLOAT),
-        SEEN_0(Element.SHORT),
-        SEEN_1(Element.SHORT),
-        SEEN_2(Element.SHORT),
-        SEEN_3(Element.SHORT);
+        STATE(ElementType.BYTE),
+        DIFFUSE_RED(ElementType.FLOAT),
+        DIFFUSE_GREEN(ElementType.FLOAT),
+        DIFFUSE_BLUE(ElementType.FLOAT),
+        SPECULAR_RED(ElementType.FLOAT),
+        SPECULAR_GREEN(ElementType.FLOAT),
+        SPECULAR_BLUE(ElementType.FLOAT),
+        GRAZING_RED(ElementType.FLOAT),
+        GRAZING_GREEN(ElementType.FLOAT),
+        GRAZING_BLUE(ElementType.FLOAT),
+        SEEN_0(ElementType.SHORT),
+        SEEN_1(ElementType.SHORT),
+        SEEN_2(ElementType.SHORT),
+        SEEN_3(ElementType.SHORT);
 
         static final List<Column> DIFFUSE = List.of(DIFFUSE_RED, DIFFUSE_GREEN, DIFFUSE_BLUE);
         static final List<Column> SEEN = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
         static final List<Column> GRAZING = List.of(GRAZING_RED, GRAZING_GREEN, GRAZING_BLUE);
         static final List<Column> SPECULAR = List.of(SPECULAR_RED, SPECULAR_GREEN, SPECULAR_BLUE);
 
-        private final Element element;
+        private final ElementType element;
 
-        Column(Element element) {
+        Column(ElementType element) {
             this.element = element;
         }
 
         @Override
-        public Element element() {
+        public ElementType element() {
             return element;
         }
     }

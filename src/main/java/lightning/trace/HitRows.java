@@ -5,7 +5,7 @@ import java.util.EnumSet;
 import java.util.Set;
 import lightning.column.ColumnKind;
 import lightning.column.ColumnSet;
-import lightning.column.Element;
+import lightning.column.ElementType;
 import lightning.trace.tree.PointBox;
 
 /**
@@ -45,36 +45,36 @@ public final class HitRows {
 
     /** All columns that there are: what makes, counts, shares and splices rows knows no others. */
     public enum Column implements ColumnKind {
-        PX(Part.HIT, Element.FLOAT),
-        PY(Part.HIT, Element.FLOAT),
-        PZ(Part.HIT, Element.FLOAT),
-        NX(Part.HIT, Element.FLOAT),
-        NY(Part.HIT, Element.FLOAT),
-        NZ(Part.HIT, Element.FLOAT),
-        VX(Part.HIT, Element.FLOAT),
-        VY(Part.HIT, Element.FLOAT),
-        VZ(Part.HIT, Element.FLOAT),
-        TEXEL_RED(Part.TEXEL, Element.FLOAT),
-        TEXEL_GREEN(Part.TEXEL, Element.FLOAT),
-        TEXEL_BLUE(Part.TEXEL, Element.FLOAT),
-        PARENT(Part.HIT, Element.SHORT),
-        CODE(Part.CODE, Element.INT),
-        OWNER(Part.OWNER, Element.INT),
-        BEHIND_X(Part.CLEAR, Element.FLOAT),
-        BEHIND_Y(Part.CLEAR, Element.FLOAT),
-        BEHIND_Z(Part.CLEAR, Element.FLOAT),
-        INSIDE(Part.CLEAR, Element.FLOAT);
+        PX(Part.HIT, ElementType.FLOAT),
+        PY(Part.HIT, ElementType.FLOAT),
+        PZ(Part.HIT, ElementType.FLOAT),
+        NX(Part.HIT, ElementType.FLOAT),
+        NY(Part.HIT, ElementType.FLOAT),
+        NZ(Part.HIT, ElementType.FLOAT),
+        VX(Part.HIT, ElementType.FLOAT),
+        VY(Part.HIT, ElementType.FLOAT),
+        VZ(Part.HIT, ElementType.FLOAT),
+        TEXEL_RED(Part.TEXEL, ElementType.FLOAT),
+        TEXEL_GREEN(Part.TEXEL, ElementType.FLOAT),
+        TEXEL_BLUE(Part.TEXEL, ElementType.FLOAT),
+        PARENT(Part.HIT, ElementType.SHORT),
+        CODE(Part.CODE, ElementType.INT),
+        OWNER(Part.OWNER, ElementType.INT),
+        BEHIND_X(Part.CLEAR, ElementType.FLOAT),
+        BEHIND_Y(Part.CLEAR, ElementType.FLOAT),
+        BEHIND_Z(Part.CLEAR, ElementType.FLOAT),
+        INSIDE(Part.CLEAR, ElementType.FLOAT);
 
         private final Part part;
-        private final Element element;
+        private final ElementType element;
 
-        Column(Part part, Element element) {
+        Column(Part part, ElementType element) {
             this.part = part;
             this.element = element;
         }
 
         @Override
-        public Element element() {
+        public ElementType element() {
             return element;
         }
     }
@@ -219,7 +219,7 @@ public final class HitRows {
         for (int i = 0; i < count; i++) {
             of[parent[i]] = owner[i];
         }
-        int[] owners = new int[Element.INT.length(rows.count)];
+        int[] owners = new int[ElementType.INT.length(rows.count)];
         for (int i = 0; i < rows.count; i++) {
             owners[i] = of[rows.parent[i]];
         }
@@ -233,7 +233,7 @@ public final class HitRows {
 
     /** The length of a column of floats for {@code rows} rows: a multiple of 16. */
     public static int padded(int rows) {
-        return Element.FLOAT.length(rows);
+        return ElementType.FLOAT.length(rows);
     }
 
     /** The texels' red, green or blue for channel 0, 1, 2; null where the tile has none. */

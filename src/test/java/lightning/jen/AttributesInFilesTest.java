@@ -8,12 +8,12 @@ import java.util.Optional;
 import lightning.sample.AttributeArbitraries;
 import lightning.sample.AttributeArbitraries.Changed;
 import lightning.sample.StudioScene;
-import lightning.scene.Kind;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.Scene;
+import lightning.scene.ValueKind;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -32,7 +32,7 @@ class AttributesInFilesTest {
     /** Pictures on surfaces need a file: {@link TextureTest} has them. */
     @Provide
     Arbitrary<Changed<Material>> materials() {
-        return AttributeArbitraries.materials(MATT).filter(m -> !(m.attribute().kind() instanceof Kind.Texturing))
+        return AttributeArbitraries.materials(MATT).filter(m -> !(m.attribute().kind() instanceof ValueKind.Texturing))
                 .map(m -> new Changed<>(m.attribute(), plain(m.before()), plain(m.after())));
     }
 

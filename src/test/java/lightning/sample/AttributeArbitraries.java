@@ -4,13 +4,13 @@ import java.util.Collections;
 import java.util.List;
 import lightning.scene.Attribute;
 import lightning.scene.Choice;
-import lightning.scene.Kind;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.Links;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.Quantity;
+import lightning.scene.ValueKind;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -66,8 +66,8 @@ public final class AttributeArbitraries {
             case Quantity<V> q -> Arbitraries.frequencyOf(Tuple.of(6, numbers(q)), Tuple.of(1, known));
             case Choice<V> c -> Arbitraries.of(c.all());
             // Names of the studio's shapes and of others': what a scene lacks is linked to nothing.
-            case Kind.Linking _ -> LightArbitraries.links().map(AttributeArbitraries::cast);
-            case Kind.Filed<?> _,Kind.Naming _,Kind.Texturing _ -> known;
+            case ValueKind.Linking _ -> LightArbitraries.links().map(AttributeArbitraries::cast);
+            case ValueKind.Filed<?> _,ValueKind.Naming _,ValueKind.Texturing _ -> known;
         };
     }
 

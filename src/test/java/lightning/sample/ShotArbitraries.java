@@ -8,7 +8,7 @@ import lightning.scene.Attribute;
 import lightning.scene.Bank;
 import lightning.scene.Choice;
 import lightning.scene.Keying;
-import lightning.scene.Kind;
+import lightning.scene.ValueKind;
 import lightning.scene.Light;
 import lightning.scene.Quantity;
 import lightning.scene.Scene;
@@ -60,16 +60,16 @@ public final class ShotArbitraries {
                         }));
     }
 
-    private static Arbitrary<Passage> passages(Kind<?> kind) {
+    private static Arbitrary<Passage> passages(ValueKind<?> kind) {
         return kind.keying() == Keying.HOLDS ? Arbitraries.just(Passage.STEPPED) : Arbitraries.of(Passage.values());
     }
 
-    private static <V> Arbitrary<Setting> settings(Kind<V> kind) {
+    private static <V> Arbitrary<Setting> settings(ValueKind<V> kind) {
         return switch (kind) {
             case Quantity<V> q -> AttributeArbitraries.numbers(q).filter(v -> isAllowed(q, v))
                     .map(v -> new Setting.Numbers(q.split().apply(v)));
             case Choice<V> c -> Arbitraries.of(c.words()).map(Setting.Word::new);
-            case Kind.Filed<?> _,Kind.Linking _,Kind.Naming _,Kind.Texturing _ -> throw new IllegalArgumentException("no keys");
+            case ValueKind.Filed<?> _,ValueKind.Linking _,ValueKind.Naming _,ValueKind.Texturing _ -> throw new IllegalArgumentException("no keys");
         };
     }
 

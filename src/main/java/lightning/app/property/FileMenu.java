@@ -56,12 +56,12 @@ final class FileMenu extends MenuButton {
     }
 
     /** A file that is offered. */
-    private record Found(String name, Optional<Thumbnail> picture) {}
+    private record Found(String name, Optional<FileThumbnail> picture) {}
 
     private List<Found> found(Path folder) {
         List<String> all = names.apply(folder);
         return IntStream.range(0, all.size())
-                .mapToObj(i -> new Found(all.get(i), i < SMALL ? Thumbnail.of(folder, all.get(i)) : Optional.empty())).toList();
+                .mapToObj(i -> new Found(all.get(i), i < SMALL ? FileThumbnail.of(folder, all.get(i)) : Optional.empty())).toList();
     }
 
     private void offer(List<Found> names) {

@@ -28,7 +28,6 @@ import lightning.edit.Command;
 import lightning.edit.MaterialEdits;
 import lightning.edit.Steps;
 import lightning.scene.Choice;
-import lightning.scene.Kind;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.MaterialAttribute.Section;
@@ -37,6 +36,7 @@ import lightning.scene.Scene;
 import lightning.scene.SurfaceModel;
 import lightning.scene.TextureMap;
 import lightning.text.Texts;
+import lightning.scene.ValueKind;
 
 /** The property editor of a material: its colours, its shininess, its texture. All shapes that have it change together. */
 final class MaterialPane extends VBox {
@@ -133,9 +133,9 @@ final class MaterialPane extends VBox {
                 case EACH -> IntStream.range(0, q.labels().size()).mapToObj(i -> number(attribute, q, i)).toList();
                 case POSITION, DIRECTION -> throw new IllegalStateException("there is no widget for " + attribute.title());
             };
-            case Kind.Texturing _ -> List.of(picture(pictured(attribute)));
+            case ValueKind.Texturing _ -> List.of(picture(pictured(attribute)));
             case Choice<V> c -> List.of(choice(attribute, c));
-            case Kind.Filed<?> _,Kind.Linking _,Kind.Naming _ ->
+            case ValueKind.Filed<?> _,ValueKind.Linking _,ValueKind.Naming _ ->
                     throw new IllegalStateException("there is no widget for " + attribute.title());
         };
     }

@@ -22,13 +22,13 @@ import lightning.edit.Situation;
 import lightning.jen.PropertyEdit;
 import lightning.math.Vec3;
 import lightning.scene.Choice;
-import lightning.scene.Kind;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightAttribute.Section;
 import lightning.scene.Links;
 import lightning.scene.Quantity;
 import lightning.text.Texts;
+import lightning.scene.ValueKind;
 
 /** The property editor of the selected light and the scene (paper §3.2, Figure 5). */
 public final class PropertyPane extends VBox {
@@ -93,13 +93,13 @@ public final class PropertyPane extends VBox {
                         List.of(Sections.caption(Sections.title(attribute.title())), withMenu(vector(attribute, q), attribute));
                 case EACH -> Dial.of(attribute).stream().map(d -> withMenu(dial(d), attribute)).toList();
             };
-            case Kind.Projecting _ -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(FilePart.of(model,
+            case ValueKind.Projecting _ -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(FilePart.of(model,
                     LightAttribute.GOBO, Command.CHOOSE_GOBO, PropertyEdit::textures,
                     Texts.of("A picture that the light projects: black holds it back")), attribute));
-            case Kind.Shining _ -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(FilePart.of(model,
+            case ValueKind.Shining _ -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(FilePart.of(model,
                     LightAttribute.PROFILE, Command.CHOOSE_PROFILE, PropertyEdit::profiles,
                     Texts.of("How strongly the light shines in each direction, as an IES file tells")), attribute));
-            case Choice<V> _,Kind.Linking _,Kind.Naming _,Kind.Surrounding _,Kind.Texturing _ ->
+            case Choice<V> _,ValueKind.Linking _,ValueKind.Naming _,ValueKind.Surrounding _,ValueKind.Texturing _ ->
                     throw new IllegalStateException("there is no widget for " + attribute.title());
         };
     }

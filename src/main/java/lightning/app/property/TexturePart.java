@@ -21,13 +21,13 @@ import lightning.edit.MaterialEdits;
 import lightning.edit.Steps;
 import lightning.jen.PictureCopy;
 import lightning.jen.PropertyEdit;
-import lightning.scene.Kind;
 import lightning.scene.Limits;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.TextureMap;
 import lightning.text.Quote;
 import lightning.text.Texts;
+import lightning.scene.ValueKind;
 
 /**
  * A picture that a material has: typed as the scene file names it, or taken from those that lie beside the scene, and how
@@ -97,7 +97,7 @@ final class TexturePart extends VBox {
 
     /** As the scene file calls it. */
     private String repeats(String axis) {
-        return (attribute.kind() instanceof Kind.Texturing t ? t.repeat() : "repeat") + " " + axis;
+        return (attribute.kind() instanceof ValueKind.Texturing t ? t.repeat() : "repeat") + " " + axis;
     }
 
     private interface Repeat {

@@ -9,8 +9,8 @@ import lightning.gltf.GltfFile;
 import lightning.gltf.GltfMeshes;
 import lightning.mesh.ByteSource;
 import lightning.mesh.MeshException;
+import lightning.mesh.NamedMesh;
 import lightning.mesh.Notes;
-import lightning.mesh.Part;
 import lightning.mesh.obj.ObjReader;
 import lightning.mesh.ply.PlyReader;
 import lightning.nff.NffFile;
@@ -41,22 +41,23 @@ public final class MeshFiles {
      * @throws IOException           if it cannot be read, or is a folder, a pipe or a device
      * @throws CancellationException if {@code progress} asked to stop
      */
-    public static List<Part> read(Path file, Progress progress) throws IOException, MeshException {
+    public static List<NamedMesh> read(Path file, Progress progress) throws IOException, MeshException {
         try (ByteSource source = ByteSource.open(file, progress)) {
             return switch (MeshFormat.of(file, source)) {
-                case PLY -> List.of(new Part(ONLY_PART, PlyReader.read(source, new Notes())));
-                case OBJ -> ObjReader.read(source, new Notes()).parts().stream().map(part -> new Part(part.name(), part.mesh())).toList();
+                case PLY -> List.of(new NamedMesh(ONLY_PART, PlyReader.read(source, new Notes())));
+                case OBJ ->
+                        ObjReader.read(source, new Notes()).parts().stream().map(part -> new NamedMesh(part.name(), part.mesh())).toList();
                 case NFF -> polygons(NffReader.read(source, new Notes()), source);
                 case GLTF -> GltfMeshes.read(GltfFile.read(source, progress), new Notes()).stream()
-                        .map(part -> new Part(part.name(), part.triangles())).toList();
+                        .map(part -> new NamedMesh(part.name(), part.triangles())).toList();
             };
         }
     }
 
-    private static List<Part> polygons(NffFile file, ByteSource source) throws MeshException {
+    private static List<NamedMesh> polygons(NffFile file, ByteSource source) throws MeshException {
         if (file.meshes().isEmpty()) {
             throw source.problem("", "must have polygons or patches to be a mesh; import it as a scene");
         }
-        return file.meshes().stream().map(surface -> new Part(surface.name(), surface.mesh())).toList();
+        return file.meshes().stream().map(surface -> new NamedMesh(surface.name(), surface.mesh())).toList();
     }
 }

@@ -5,7 +5,7 @@ import java.util.List;
 import lightning.scene.Attribute;
 import lightning.scene.Choice;
 import lightning.scene.Keying;
-import lightning.scene.Kind;
+import lightning.scene.ValueKind;
 import lightning.scene.Quantity;
 import lightning.scene.Scene;
 
@@ -63,11 +63,11 @@ public record Track(Target target, String attribute, List<Key> keys) {
         }
     }
 
-    private <V> void check(Kind<V> kind, Setting setting) {
+    private <V> void check(ValueKind<V> kind, Setting setting) {
         boolean right = switch (kind) {
             case Quantity<V> n -> setting instanceof Setting.Numbers(List<Double> all) && all.size() == n.labels().size();
             case Choice<V> c -> setting instanceof Setting.Word(String text) && c.words().contains(text);
-            case Kind.Filed<?> _,Kind.Linking _,Kind.Naming _,Kind.Texturing _ -> false;
+            case ValueKind.Filed<?> _,ValueKind.Linking _,ValueKind.Naming _,ValueKind.Texturing _ -> false;
         };
         if (!right) {
             throw new IllegalArgumentException(target + ": " + attribute + " cannot be " + setting);
@@ -83,7 +83,7 @@ public record Track(Target target, String attribute, List<Key> keys) {
      *
      * @param kind the attribute's
      */
-    <V> V at(int frame, Kind<V> kind) {
+    <V> V at(int frame, ValueKind<V> kind) {
         int last = 0;
         int behind = keys.size();
         while (behind - last > 1) {
@@ -133,7 +133,7 @@ public record Track(Target target, String attribute, List<Key> keys) {
         return ((Setting.Numbers) keys.get(key).setting()).all();
     }
 
-    private static <V> V value(Kind<V> kind, Setting setting) {
+    private static <V> V value(ValueKind<V> kind, Setting setting) {
         return switch (setting) {
             case Setting.Numbers(List<Double> all) -> ((Quantity<V>) kind).join().apply(all);
             case Setting.Word(String text) -> ((Choice<V>) kind).value(text);

@@ -12,7 +12,7 @@ import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import lightning.gltf.Gltf;
 import lightning.mesh.MeshException;
-import lightning.mesh.Part;
+import lightning.mesh.NamedMesh;
 import lightning.mesh.ply.PlyText;
 import lightning.sample.Fuzz;
 import lightning.text.Visible;
@@ -150,9 +150,10 @@ class MeshFuzzTest {
             SplittableRandom random = Fuzz.random(i);
             Path file = Files.write(folder.resolve(name), Fuzz.mutated(pool, random, bits));
             try {
-                List<Part> parts = MeshFiles.read(file, Progress.NONE);
+                List<NamedMesh> parts = MeshFiles.read(file, Progress.NONE);
                 assertThat(parts).isNotEmpty();
-                assertThat(parts.stream().map(Part::name)).doesNotHaveDuplicates().allMatch(part -> !part.isBlank() && Visible.is(part));
+                assertThat(parts.stream().map(NamedMesh::name)).doesNotHaveDuplicates()
+                        .allMatch(part -> !part.isBlank() && Visible.is(part));
             } catch (MeshException e) {
                 assertThat(e.getMessage()).as("try " + i).startsWith(file + ": ").matches(Visible::is, "is visible").hasSizeLessThan(2000);
                 refusals.add(e.getMessage());

@@ -14,7 +14,7 @@ import lightning.scene.Camera;
 import lightning.scene.Choice;
 import lightning.scene.Group;
 import lightning.scene.Keying;
-import lightning.scene.Kind;
+import lightning.scene.ValueKind;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
@@ -235,12 +235,12 @@ class ShotTest {
     }
 
     @Provide
-    Arbitrary<Kind<?>> kinds() {
+    Arbitrary<ValueKind<?>> kinds() {
         return Arbitraries.of(LightAttribute.ALL).map(Attribute::kind);
     }
 
     @Property
-    void numbersAndWordsAlone_haveKeys(@ForAll("kinds") Kind<?> kind) {
+    void numbersAndWordsAlone_haveKeys(@ForAll("kinds") ValueKind<?> kind) {
         assertThat(kind.keying() == Keying.NONE).isEqualTo(!(kind instanceof Quantity<?> || kind instanceof Choice<?>));
     }
 
@@ -248,12 +248,12 @@ class ShotTest {
         return track.target().attributes(scene).stream().filter(a -> a.name().equals(track.attribute())).findFirst().orElseThrow();
     }
 
-    private static <V> Setting setting(Kind<V> kind, Track track, int frame) {
+    private static <V> Setting setting(ValueKind<V> kind, Track track, int frame) {
         V value = track.at(frame, kind);
         return switch (kind) {
             case Quantity<V> q -> new Setting.Numbers(q.split().apply(value));
             case Choice<V> w -> new Setting.Word(w.text(value));
-            case Kind.Filed<?> _,Kind.Linking _,Kind.Naming _,Kind.Texturing _ -> throw new AssertionError();
+            case ValueKind.Filed<?> _,ValueKind.Linking _,ValueKind.Naming _,ValueKind.Texturing _ -> throw new AssertionError();
         };
     }
 }

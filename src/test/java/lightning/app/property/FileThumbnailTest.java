@@ -10,7 +10,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class ThumbnailTest {
+class FileThumbnailTest {
     @TempDir
     private Path folder;
 
@@ -25,7 +25,7 @@ class ThumbnailTest {
     @Test
     void pictureOfTheTextures_isMadeSmallInItsShape() throws IOException {
         picture(folder.resolve("scene/textures/wide.png"), 800, 200);
-        Thumbnail small = Thumbnail.of(folder.resolve("scene"), "wide.png").orElseThrow();
+        FileThumbnail small = FileThumbnail.of(folder.resolve("scene"), "wide.png").orElseThrow();
         assertThat(small.width()).isEqualTo(40);
         assertThat(small.height()).isEqualTo(10);
         assertThat(small.pixels()[0]).isEqualTo(0xFF123456);
@@ -36,14 +36,14 @@ class ThumbnailTest {
         Path secret = picture(folder.resolve("secret.png"), 8, 8);
         Path scene = Files.createDirectories(folder.resolve("scene"));
         Files.createSymbolicLink(scene.resolve("link.png"), secret);
-        assertThat(Thumbnail.of(scene, "link.png")).isEmpty();
-        assertThat(Thumbnail.of(scene, "../secret.png")).isEmpty();
+        assertThat(FileThumbnail.of(scene, "link.png")).isEmpty();
+        assertThat(FileThumbnail.of(scene, "../secret.png")).isEmpty();
     }
 
     @Test
     void whatIsNoPicture_hasNone() throws IOException {
         Files.writeString(folder.resolve("text.png"), "no picture");
-        assertThat(Thumbnail.of(folder, "text.png")).isEmpty();
-        assertThat(Thumbnail.of(folder, "missing.png")).isEmpty();
+        assertThat(FileThumbnail.of(folder, "text.png")).isEmpty();
+        assertThat(FileThumbnail.of(folder, "missing.png")).isEmpty();
     }
 }

@@ -7,8 +7,8 @@ import java.util.Optional;
  *
  * @param <V> the type of a value
  */
-public sealed interface Kind<V>
-        permits Quantity, Choice, Kind.Filed, Kind.Linking, Kind.Naming, Kind.Texturing {
+public sealed interface ValueKind<V>
+        permits Quantity, Choice, ValueKind.Filed, ValueKind.Linking, ValueKind.Naming, ValueKind.Texturing {
 
     /**
      * Refuses a value that no scene may hold.
@@ -34,7 +34,7 @@ public sealed interface Kind<V>
     }
 
     /** The name of something in the scene, or none, which is empty. */
-    record Naming() implements Kind<String> {
+    record Naming() implements ValueKind<String> {
         @Override
         public void check(String what, String value) {
             if (!value.isEmpty()) {
@@ -54,7 +54,7 @@ public sealed interface Kind<V>
     }
 
     /** Some of the scene's shapes. */
-    record Linking() implements Kind<Links> {
+    record Linking() implements ValueKind<Links> {
         @Override
         public void check(String what, Links value) {
             // All links have checked themselves.
@@ -72,7 +72,7 @@ public sealed interface Kind<V>
     }
 
     /** What a file holds, or none. */
-    sealed interface Filed<F extends FromFile> extends Kind<Optional<F>> {
+    sealed interface Filed<F extends FromFile> extends ValueKind<Optional<F>> {
         @Override
         default void check(String what, Optional<F> value) {
             // Every file was checked when it was read.
@@ -104,7 +104,7 @@ public sealed interface Kind<V>
      * @param repeat what a file calls how often it repeats
      * @param color  whether its samples are colours; else they are numbers, which no curve bends
      */
-    record Texturing(String repeat, boolean color) implements Kind<Optional<TextureMap>> {
+    record Texturing(String repeat, boolean color) implements ValueKind<Optional<TextureMap>> {
         @Override
         public void check(String what, Optional<TextureMap> value) {
             // Every map has checked itself.

@@ -1,7 +1,7 @@
 package lightning.column;
 
 /** What a column holds for each row. */
-public enum Element {
+public enum ElementType {
     /** Read one by one: as many as there are rows. */
     BYTE(Byte.BYTES, 1),
     /** Of this and what follows a multiple of 16, so that lanes may run over the end. */
@@ -12,7 +12,7 @@ public enum Element {
     private final int bytes;
     private final int grain;
 
-    Element(int bytes, int grain) {
+    ElementType(int bytes, int grain) {
         this.bytes = bytes;
         this.grain = grain;
     }

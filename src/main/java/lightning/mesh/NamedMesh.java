@@ -5,4 +5,4 @@ package lightning.mesh;
  *
  * @param name not empty, shown in one line; unique in its file
  */
-public record Part(String name, Mesh mesh) {}
+public record NamedMesh(String name, Mesh mesh) {}

@@ -18,14 +18,14 @@ import lightning.app.widget.PixelImage;
  *
  * @param pixels {@code int[width * height]}, opaque 0xFFRRGGBB
  */
-record Thumbnail(int width, int height, int[] pixels) {
+record FileThumbnail(int width, int height, int[] pixels) {
     /** Of the longer side, pixels. */
     private static final int SIDE = 40;
     /** A larger picture is not looked at. */
     private static final long MOST_PIXELS = 1L << 26;
 
     /** Beside the window's thread: that of a file of a scene's folder or its textures; empty where it is none, lies elsewhere, or is too large. */
-    static Optional<Thumbnail> of(Path folder, String name) {
+    static Optional<FileThumbnail> of(Path folder, String name) {
         try {
             Path root = folder.toRealPath();
             for (Path path : Stream.of(folder.resolve(name), folder.resolve("textures").resolve(name)).toList()) {
@@ -39,7 +39,7 @@ record Thumbnail(int width, int height, int[] pixels) {
         return Optional.empty();
     }
 
-    private static Optional<Thumbnail> read(Path path) throws IOException {
+    private static Optional<FileThumbnail> read(Path path) throws IOException {
         try (ImageInputStream in = ImageIO.createImageInputStream(path.toFile())) {
             Iterator<ImageReader> readers = in == null ? Stream.<ImageReader>empty().iterator() : ImageIO.getImageReaders(in);
             if (!readers.hasNext()) {
@@ -55,7 +55,7 @@ record Thumbnail(int width, int height, int[] pixels) {
         }
     }
 
-    private static Thumbnail small(ImageReader reader) throws IOException {
+    private static FileThumbnail small(ImageReader reader) throws IOException {
         int step = Math.max(1, Math.max(reader.getWidth(0), reader.getHeight(0)) / SIDE);
         var some = reader.getDefaultReadParam();
         some.setSourceSubsampling(step, step, 0, 0);
@@ -64,7 +64,7 @@ record Thumbnail(int width, int height, int[] pixels) {
         for (int i = 0; i < pixels.length; i++) {
             pixels[i] |= 0xFF000000;
         }
-        return new Thumbnail(read.getWidth(), read.getHeight(), pixels);
+        return new FileThumbnail(read.getWidth(), read.getHeight(), pixels);
     }
 
     ImageView view() {
