@@ -33,13 +33,13 @@ public final class PaperCases {
 
     private final List<PaperCase> cases = new ArrayList<>();
     private final Scene scene;
-    private final Shot shot;
+    private final Framing framing;
     /** Which of the {@link #VALUES} values edits take. */
     private final int value;
 
     private PaperCases(Scene scene, int value) {
         this.scene = scene;
-        this.shot = Shot.of(scene.camera());
+        this.framing = Framing.of(scene.camera());
         this.value = value;
     }
 
@@ -72,21 +72,21 @@ public final class PaperCases {
                 l -> l.withAngle(Math.min(l.angle() * pick(1.5, 1.2, 1.8), Limits.MAX_ANGLE)));
         edit("dropoff", "Fig. 13", 95, LightType.SPOT, this::steeper);
         edit("position", "Fig. 15", 82, LightType.POINT,
-                l -> l.withPosition(pick(shot.point(0, -0.3, 2.1), shot.point(0.6, 0.3, 1.6), shot.point(-0.7, 0.6, 1.2))));
+                l -> l.withPosition(pick(framing.point(0, -0.3, 2.1), framing.point(0.6, 0.3, 1.6), framing.point(-0.7, 0.6, 1.2))));
         edit("direction", "Fig. 15", 83, LightType.DIRECTIONAL,
-                l -> l.withDirection(pick(shot.vector(1, -1, 0.7), shot.vector(-1, -1, 0.3), shot.vector(0.3, -1, -0.6))));
+                l -> l.withDirection(pick(framing.vector(1, -1, 0.7), framing.vector(-1, -1, 0.3), framing.vector(0.3, -1, -0.6))));
         edit("type", "Fig. 15", 82, pick(LightType.DIRECTIONAL, LightType.DIRECTIONAL, LightType.POINT), this::retyped);
         shining(TYPES[value]).ifPresent(l -> add("delete", "Fig. 17", 95, without(l)));
-        add("add", "Fig. 19", 71, with(Light.of(freshName(), TYPES[value]).withIntensity(0.3).withPosition(shot.point(-1, 2, 1))
-                .withDirection(shot.vector(0.8, -1, -0.8))));
+        add("add", "Fig. 19", 71, with(Light.of(freshName(), TYPES[value]).withIntensity(0.3).withPosition(framing.point(-1, 2, 1))
+                .withDirection(framing.vector(0.8, -1, -0.8))));
         add("ambience", "Fig. 21", 98, scene.withWorld(scene.world().withAmbience(
                 Math.min(scene.world().ambience() * pick(0.1, 0.5, 2.0), Limits.MAX_AMBIENCE))));
         edit("position-feet", "Fig. 23", 82, LightType.POINT,
-                l -> l.withPosition(pick(shot.point(0.2, -0.4, 1.2), shot.point(-0.3, -0.35, 1), shot.point(0.4, -0.45, 0.8))));
+                l -> l.withPosition(pick(framing.point(0.2, -0.4, 1.2), framing.point(-0.3, -0.35, 1), framing.point(0.4, -0.45, 0.8))));
         edit("composite-1", "Fig. 24", 98, LightType.POINT,
                 l -> faded(dimmed(l)).withColor(pick(new Rgb(0.4, 1, 0.5), new Rgb(1, 0.6, 0.4), new Rgb(0.5, 0.6, 1))));
         edit("composite-2", "Fig. 24", 82, LightType.SPOT,
-                l -> steeper(dimmed(aimed(l, pick(shot.point(0, 0.4, 0), shot.point(0.3, 0.2, 0), shot.point(-0.3, 0, 0.2)))
+                l -> steeper(dimmed(aimed(l, pick(framing.point(0, 0.4, 0), framing.point(0.3, 0.2, 0), framing.point(-0.3, 0, 0.2)))
                         .withAngle(l.angle() * pick(0.7, 0.85, 0.5)))));
     }
 
@@ -104,9 +104,9 @@ public final class PaperCases {
         add("depth-more", "", Double.NaN,
                 scene.withPicture(scene.picture().withDepth(Math.min(depth + 1 + value, Limits.MAX_DEPTH))));
         edit("spot-turned", "", Double.NaN, LightType.SPOT,
-                l -> aimed(l, pick(shot.point(0.4, 0, 0.3), shot.point(-0.3, 0.1, 0), shot.point(0, -0.2, 0.5))));
+                l -> aimed(l, pick(framing.point(0.4, 0, 0.3), framing.point(-0.3, 0.1, 0), framing.point(0, -0.2, 0.5))));
         edit("point-to-spot", "", Double.NaN, LightType.POINT,
-                l -> aimed(l, pick(shot.focus(), shot.point(0.3, 0, 0), shot.point(-0.3, 0.2, 0))).withType(LightType.SPOT));
+                l -> aimed(l, pick(framing.focus(), framing.point(0.3, 0, 0), framing.point(-0.3, 0.2, 0))).withType(LightType.SPOT));
     }
 
     @SafeVarargs
@@ -128,8 +128,8 @@ public final class PaperCases {
         double more = pick(1.0, 0.5, 2.0);
         return light.withAttenuation(a.equals(PRINTED_BEFORE)
                 ? new Attenuation(PRINTED_AFTER.constant(), more * PRINTED_AFTER.linear(), more * PRINTED_AFTER.quadratic())
-                : new Attenuation(a.constant(), within(a.linear() + more * 0.5 / shot.reach()),
-                        within(a.quadratic() + more * 0.5 / (shot.reach() * shot.reach()))));
+                : new Attenuation(a.constant(), within(a.linear() + more * 0.5 / framing.reach()),
+                        within(a.quadratic() + more * 0.5 / (framing.reach() * framing.reach()))));
     }
 
     private static double within(double attenuation) {
@@ -144,7 +144,7 @@ public final class PaperCases {
     /** A directional light that was never given a place gets one on its way to the focus. */
     private Light placed(Light light) {
         return light.withPosition(light.position().equals(Vec3.ZERO)
-                ? shot.focus().minus(light.direction().normalized().times(3 * shot.reach())) : light.position());
+                ? framing.focus().minus(light.direction().normalized().times(3 * framing.reach())) : light.position());
     }
 
     /** The light turned towards a point; as it is where it stands in that very point. */

@@ -27,10 +27,10 @@ final class ShapeCases {
      */
     static List<PaperCase> of(Scene scene, int value) {
         var builder = new ShapeCases(scene);
-        Shot shot = Shot.of(scene.camera());
+        Framing framing = Framing.of(scene.camera());
         scene.placedShapes().stream().filter(shape -> !(shape.shape().solid() instanceof Solid.Plane))
-                .sorted(Comparator.comparingDouble(shape -> middle(shape).minus(shot.focus()).length())).skip(value).findFirst()
-                .ifPresent(shape -> builder.edits(shape.shape(), shot.reach() / 10));
+                .sorted(Comparator.comparingDouble(shape -> middle(shape).minus(framing.focus()).length())).skip(value).findFirst()
+                .ifPresent(shape -> builder.edits(shape.shape(), framing.reach() / 10));
         return builder.cases;
     }
 

@@ -94,11 +94,11 @@ class PaperScenesTest {
     void birdsLights_standAtThePrintedValues() {
         Scene bird = SceneFiles.read("bird");
         Light point = first(bird, LightType.POINT);
-        Shot shot = Shot.of(bird.camera());
+        Framing framing = Framing.of(bird.camera());
 
         assertThat(point.attenuation()).isEqualTo(new Attenuation(0.1, 1, 0.1));
-        assertThat(point.position().minus(shot.focus()).dot(shot.right())).as("left of the bird").isNegative();
-        assertThat(point.position().minus(shot.focus()).dot(shot.up())).as("above the bird").isPositive();
+        assertThat(point.position().minus(framing.focus()).dot(framing.right())).as("left of the bird").isNegative();
+        assertThat(point.position().minus(framing.focus()).dot(framing.up())).as("above the bird").isPositive();
         assertThat(first(bird, LightType.DIRECTIONAL).color()).isEqualTo(Rgb.WHITE);
         assertThat(bird.world().ambience()).isEqualTo(1);
         assertThat(bird.picture().width()).isEqualTo(300);

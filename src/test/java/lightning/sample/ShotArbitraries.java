@@ -8,10 +8,10 @@ import lightning.scene.Attribute;
 import lightning.scene.Bank;
 import lightning.scene.Choice;
 import lightning.scene.Keying;
-import lightning.scene.ValueKind;
 import lightning.scene.Light;
 import lightning.scene.Quantity;
 import lightning.scene.Scene;
+import lightning.scene.ValueKind;
 import lightning.scene.shot.Key;
 import lightning.scene.shot.Passage;
 import lightning.scene.shot.Setting;
@@ -69,7 +69,8 @@ public final class ShotArbitraries {
             case Quantity<V> q -> AttributeArbitraries.numbers(q).filter(v -> isAllowed(q, v))
                     .map(v -> new Setting.Numbers(q.split().apply(v)));
             case Choice<V> c -> Arbitraries.of(c.words()).map(Setting.Word::new);
-            case ValueKind.Filed<?> _,ValueKind.Linking _,ValueKind.Naming _,ValueKind.Texturing _ -> throw new IllegalArgumentException("no keys");
+            case ValueKind.Filed<?> _,ValueKind.Linking _,ValueKind.Naming _,ValueKind.Texturing _ ->
+                    throw new IllegalArgumentException("no keys");
         };
     }
 

@@ -35,8 +35,8 @@ import lightning.scene.Quantity;
 import lightning.scene.Scene;
 import lightning.scene.SurfaceModel;
 import lightning.scene.TextureMap;
-import lightning.text.Texts;
 import lightning.scene.ValueKind;
+import lightning.text.Texts;
 
 /** The property editor of a material: its colours, its shininess, its texture. All shapes that have it change together. */
 final class MaterialPane extends VBox {

@@ -27,8 +27,8 @@ import lightning.scene.LightAttribute;
 import lightning.scene.LightAttribute.Section;
 import lightning.scene.Links;
 import lightning.scene.Quantity;
-import lightning.text.Texts;
 import lightning.scene.ValueKind;
+import lightning.text.Texts;
 
 /** The property editor of the selected light and the scene (paper §3.2, Figure 5). */
 public final class PropertyPane extends VBox {

@@ -25,9 +25,9 @@ import lightning.scene.Limits;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.TextureMap;
+import lightning.scene.ValueKind;
 import lightning.text.Quote;
 import lightning.text.Texts;
-import lightning.scene.ValueKind;
 
 /**
  * A picture that a material has: typed as the scene file names it, or taken from those that lie beside the scene, and how

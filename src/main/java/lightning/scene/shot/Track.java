@@ -5,9 +5,9 @@ import java.util.List;
 import lightning.scene.Attribute;
 import lightning.scene.Choice;
 import lightning.scene.Keying;
-import lightning.scene.ValueKind;
 import lightning.scene.Quantity;
 import lightning.scene.Scene;
+import lightning.scene.ValueKind;
 
 /**
  * The keys of one attribute of something.

@@ -13,14 +13,14 @@ import lightning.scene.Camera;
  * @param up    unit vector to its top
  * @param front unit vector out of the picture, towards the camera
  */
-record Shot(Vec3 focus, double reach, Vec3 right, Vec3 up, Vec3 front) {
+record Framing(Vec3 focus, double reach, Vec3 right, Vec3 up, Vec3 front) {
 
-    static Shot of(Camera camera) {
+    static Framing of(Camera camera) {
         Vec3 back = camera.from().minus(camera.to());
         Vec3 front = back.normalized();
         Vec3 right = camera.up().normalized().cross(front).normalized();
         double reach = back.length() * StrictMath.tan(StrictMath.toRadians(camera.fov() / 2));
-        return new Shot(camera.to(), reach, right, front.cross(right), front);
+        return new Framing(camera.to(), reach, right, front.cross(right), front);
     }
 
     /** The vector with these parts along right, up and front. */
