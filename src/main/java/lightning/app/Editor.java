@@ -12,7 +12,6 @@ import lightning.app.command.Notices;
 import lightning.app.model.EditorModel;
 import lightning.app.model.Preferences;
 import lightning.app.model.PreviewLook;
-import lightning.app.model.Speech;
 import lightning.app.widget.Looks;
 import lightning.edit.Command;
 import lightning.edit.FileThread;
@@ -109,7 +108,7 @@ public final class Editor implements AutoCloseable {
     private void keepChoices() {
         PreviewLook look = model.previewLook();
         for (Observable choice : List.of(model.precisionProperty(), model.viewProperty().map(ViewTransform::curve), look.glowingProperty(),
-                look.sizeProperty(), model.keys().changesProperty(), model.arrangement().canvasesProperty(),
+                look.sizeProperty(), model.keys().changesProperty(), model.arrangement().canvasesProperty(), model.speechProperty(),
                 model.switched(Command.LIGHT_THEME).orElseThrow())) {
             choice.addListener(_ -> remember());
         }
@@ -119,7 +118,7 @@ public final class Editor implements AutoCloseable {
         preferences.set("width", stage.getScene().getWidth());
         preferences.set("height", stage.getScene().getHeight());
         preferences.set("theme", Looks.worn().name());
-        Speech.remember(preferences);
+        model.speechProperty().get().remember(preferences);
         preferences.set("curve", model.viewProperty().get().curve().name());
         model.previewLook().remember(preferences);
         model.keys().remember(preferences);

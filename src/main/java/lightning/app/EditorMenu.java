@@ -107,7 +107,7 @@ final class EditorMenu extends MenuBar {
 
     private Menu languages() {
         Menu menu = items.menu(Command.LANGUAGE);
-        var chosen = Speech.chosenProperty();
+        var chosen = model.speechProperty();
         for (Speech value : Speech.values()) {
             menu.getItems()
                     .add(items.choice(Command.LANGUAGE, "language-" + value.name(), value.toString(), chosen.map(c -> c == value), () -> {

@@ -6,6 +6,7 @@ import lightning.app.command.TableActions;
 import lightning.app.model.EditorModel;
 import lightning.app.model.Precision;
 import lightning.app.model.Preferences;
+import lightning.app.model.Speech;
 import lightning.app.traced.TracedPane;
 import lightning.edit.FileThread;
 import lightning.edit.OpenDocument;
@@ -32,6 +33,7 @@ final class FirstSight implements AutoCloseable {
         model.previewLook().restore(preferences);
         model.keys().restore(preferences);
         model.arrangement().restore(preferences);
+        model.speechProperty().set(Speech.of(preferences));
         traced = new TracedPane(model);
         this.frame = frame;
         frame.showTraced(traced);

@@ -57,6 +57,7 @@ public final class EditorModel implements AutoCloseable {
     private final Keys keys = new Keys();
     private final UpdateLog updates = new UpdateLog();
     private final Arrangement arrangement = new Arrangement();
+    private final ObjectProperty<Speech> speech = new SimpleObjectProperty<>(Speech.SYSTEM);
     private final TracedRaster raster = new TracedRaster();
     private final FileThread files;
     private final Workbench workbench;
@@ -372,6 +373,11 @@ public final class EditorModel implements AutoCloseable {
     /** How the window's room is shared. */
     public Arrangement arrangement() {
         return arrangement;
+    }
+
+    /** What the editor speaks from its next start on; titles and labels that stand on the screen stay as they are. */
+    public ObjectProperty<Speech> speechProperty() {
+        return speech;
     }
 
     /** What the last updates of the picture did. */
