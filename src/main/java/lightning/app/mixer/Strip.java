@@ -74,7 +74,7 @@ final class Strip extends VBox {
                 Gauge.of("stops", new Steps(0.1, LEAST_STOPS, ChannelEdits.stops(channel.most())),
                         (v, gesture) -> set(ChannelEdits.ofStops(v), gesture)));
         stops.setId("stops-" + id);
-        var around = row("stops", stops);
+        var around = row(Texts.of("stops"), stops);
         noStops = new Obstacle(around, stops, Texts.of("Stops: 0 is intensity 1, one more is twice the light"));
         intensity = new NumberField(Texts.of("{0} intensity", id), Gauge.of("intensity", new Steps(0.1, 0, channel.most()), this::set));
         intensity.setId("intensity-" + id);
