@@ -2,7 +2,6 @@ package lightning.app.mixer;
 
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import javafx.scene.Node;
@@ -91,8 +90,8 @@ public final class MixerPane extends VBox {
         filter.setValue(StripFilter.ALL);
         filter.valueProperty().subscribe(_ -> arrange());
         var mode = new ToggleGroup();
-        var relative = toggle(Texts.of("Relative"), Texts.of("Several strips change by the same factor"), mode);
-        var absolute = toggle(Texts.of("Absolute"), Texts.of("Several strips get the same value"), mode);
+        var relative = toggle("relative", Texts.of("Relative"), Texts.of("Several strips change by the same factor"), mode);
+        var absolute = toggle("absolute", Texts.of("Absolute"), Texts.of("Several strips get the same value"), mode);
         relative.setSelected(true);
         mode.selectedToggleProperty().addListener((_, before, now) -> {
             if (now == null) {
@@ -114,9 +113,9 @@ public final class MixerPane extends VBox {
         return tools;
     }
 
-    private static ToggleButton toggle(String text, String help, ToggleGroup group) {
+    private static ToggleButton toggle(String id, String text, String help, ToggleGroup group) {
         var button = new ToggleButton(text);
-        button.setId("mixer-" + text.toLowerCase(Locale.ROOT));
+        button.setId("mixer-" + id);
         button.setTooltip(new Tooltip(help));
         button.setToggleGroup(group);
         button.setMinWidth(Region.USE_PREF_SIZE);
@@ -143,7 +142,8 @@ public final class MixerPane extends VBox {
             Map<Channel, Strip> before = new LinkedHashMap<>(strips);
             strips.clear();
             for (Channel channel : all) {
-                strips.put(channel, before.getOrDefault(channel, new Strip(board, channel)));
+                Strip strip = before.get(channel);
+                strips.put(channel, strip == null ? new Strip(board, channel) : strip);
             }
             board.set(board.selectedProperty().get().stream().filter(all::contains).toList());
             showPictures();
