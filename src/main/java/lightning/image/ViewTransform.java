@@ -173,10 +173,11 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeTa
     private void packEach(float[] red, float[] green, float[] blue, int left, int top, int width, int[] pixels) {
         int columns = Math.min(Film.TILE, width - left);
         int rows = Math.min(Film.TILE, pixels.length / width - top);
+        float gain = gain();
         for (int y = 0; y < rows; y++) {
             for (int x = 0; x < columns; x++) {
                 int i = y * Film.TILE + x;
-                pixels[(top + y) * width + left + x] = pack(red[i], green[i], blue[i]);
+                pixels[(top + y) * width + left + x] = shown(red[i] * gain, green[i] * gain, blue[i] * gain);
             }
         }
     }
@@ -184,9 +185,11 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeTa
     /** One pixel of linear values as it is displayed, opaque 0xFFRRGGBB. */
     public int pack(float red, float green, float blue) {
         float gain = gain();
-        float r = red * gain;
-        float g = green * gain;
-        float b = blue * gain;
+        return shown(red * gain, green * gain, blue * gain);
+    }
+
+    /** The pixel of values that have their exposure. */
+    private int shown(float r, float g, float b) {
         if (curve == DisplayCurve.FALSE) {
             return 0xFF000000 | FalseColor.of(r, g, b);
         }
