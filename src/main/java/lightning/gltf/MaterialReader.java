@@ -39,6 +39,11 @@ final class MaterialReader {
                 normals.get("scale").number(1), there, glass(extensions));
     }
 
+    /** KHR_materials_ior. */
+    private static double ior(Json extensions) throws MeshException {
+        return extensions.get("KHR_materials_ior").get("ior").number(1.5);
+    }
+
     /** KHR_materials_transmission with KHR_materials_ior and KHR_materials_volume. */
     private GltfMaterial.Glass glass(Json extensions) throws MeshException {
         Json transmission = extensions.get("KHR_materials_transmission");
@@ -46,7 +51,7 @@ final class MaterialReader {
         notes.add("transmissionTexture of materials", transmission.get("transmissionTexture").isThere() ? 1 : 0);
         double[] tint = volume.get("attenuationColor").numbers(1, 1, 1);
         return new GltfMaterial.Glass(transmission.get("transmissionFactor").number(0),
-                extensions.get("KHR_materials_ior").get("ior").number(1.5), volume.get("thicknessFactor").number(0) == 0,
+                ior(extensions), volume.get("thicknessFactor").number(0) == 0,
                 new Rgb(tint[0], tint[1], tint[2]), volume.get("attenuationDistance").number(Double.POSITIVE_INFINITY));
     }
 
@@ -56,7 +61,7 @@ final class MaterialReader {
     /** Appendix B of glTF 2.0; KHR_materials_ior; KHR_materials_specular, which caps what is tinted and then weakens all of it. */
     private Surface metallic(Json look, Json extensions) throws MeshException {
         double[] base = look.get("baseColorFactor").numbers(1, 1, 1, 1);
-        double ior = extensions.get("KHR_materials_ior").get("ior").number(1.5);
+        double ior = ior(extensions);
         Json specular = extensions.get("KHR_materials_specular");
         for (String picture : List.of("specularTexture", "specularColorTexture")) {
             notes.add(picture + " of materials", specular.get(picture).isThere() ? 1 : 0);

@@ -88,10 +88,7 @@ public final class MtlReader {
             notes.add("materials that are clearer in their middle");
             return number();
         }
-        if (text.length() == 0) {
-            throw text.problem("expected a number, found the end of the line");
-        }
-        return text.number("it");
+        return value();
     }
 
     /** A material of which not all lines are read. */
@@ -139,7 +136,13 @@ public final class MtlReader {
     }
 
     private double number() throws IOException, MeshException {
-        if (!text.word()) {
+        text.word();
+        return value();
+    }
+
+    /** The number that the word is which was found last. */
+    private double value() throws MeshException {
+        if (text.length() == 0) {
             throw text.problem("expected a number, found the end of the line");
         }
         return text.number("it");
