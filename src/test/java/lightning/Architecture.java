@@ -1,9 +1,12 @@
 package lightning;
 
 import static com.tngtech.archunit.base.DescribedPredicate.not;
+import static com.tngtech.archunit.core.domain.JavaCall.Predicates.target;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.assignableTo;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.nameMatching;
+import static com.tngtech.archunit.core.domain.properties.HasOwner.Predicates.With.owner;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 
@@ -168,6 +171,15 @@ final class Architecture {
         return noClasses().that(not(resideInAPackage(packageOf("app"))))
                 .should().dependOnClassesThat().resideInAnyPackage("javafx..", "com.sun.javafx..")
                 .as("only lightning.app sees JavaFX")
+                .allowEmptyShould(true);
+    }
+
+    /** Whatever a menu offers is made of a command. A menu within a menu and a line between items do nothing. */
+    static ArchRule onlyCommandItemsMakeItems() {
+        return noClasses().that(not(nameMatching("lightning\\.app\\.command\\.CommandItems")))
+                .should().callConstructorWhere(target(owner(assignableTo("javafx.scene.control.MenuItem")
+                        .and(not(nameMatching("javafx\\.scene\\.control\\.(Menu|SeparatorMenuItem)").forSubtype())))))
+                .as("only CommandItems makes items of menus")
                 .allowEmptyShould(true);
     }
 

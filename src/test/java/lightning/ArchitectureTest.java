@@ -65,6 +65,19 @@ class ArchitectureTest {
     }
 
     @Test
+    void program_menusHaveItemsOfCommandsOnly() {
+        Architecture.onlyCommandItemsMakeItems().check(PROGRAM);
+    }
+
+    @Test
+    void itemWithoutACommand_isCaught() throws IOException {
+        assertCaught(Architecture.onlyCommandItemsMakeItems(), "only CommandItems makes items of menus",
+                "package javafx.scene.control; public class MenuItem {}",
+                "package javafx.scene.control; public class RadioMenuItem extends MenuItem {}",
+                "package lightning.app.property; class Bad { Object item = new javafx.scene.control.RadioMenuItem(); }");
+    }
+
+    @Test
     void secondClassOfAName_isCaught() throws IOException {
         assertCaught(Architecture.classesHaveNamesOfTheirOwn(), "no two classes have one name",
                 "package lightning.math; public class Thing {}",

@@ -90,6 +90,10 @@ public enum Command {
             "mdi2c-chart-bell-curve", "",
             Obstacles.NONE),
 
+    LINK(Texts.key("Link Light and Shapes"),
+            Texts.key("Choose which shapes and groups the light shines on, and which throw shadows in its light"),
+            "mdi2l-link-variant", "", Obstacles::noLight),
+
     ADD_LIGHT(Texts.key("Add Light"), Texts.key("Add a light to the scene"), "mdi2l-lightbulb-on-outline", "Shortcut+L",
             Obstacles.alone(Obstacles::noRoom)),
     DUPLICATE_LIGHT(Texts.key("Duplicate Light"), Texts.key("Add a light like the selected one"), "mdi2c-content-duplicate", "Shortcut+D",

@@ -49,6 +49,10 @@ class MenusTest extends EditorDesk {
             bar.getMenus().forEach(menu -> collect(menu.getItems(), all));
         }
         if (node instanceof MenuButton button) {
+            // As its menu is filled when it opens.
+            if (button.getOnShowing() != null) {
+                button.getOnShowing().handle(null);
+            }
             collect(button.getItems(), all);
         }
         if (node instanceof Control control && control.getContextMenu() != null) {

@@ -1,8 +1,12 @@
 package lightning.app.command;
 
 import java.util.Optional;
+import java.util.function.Consumer;
 import javafx.beans.value.ObservableValue;
+import javafx.geometry.Insets;
+import javafx.scene.control.CheckBox;
 import javafx.scene.control.CheckMenuItem;
+import javafx.scene.control.CustomMenuItem;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.RadioMenuItem;
@@ -98,6 +102,38 @@ public final class CommandItems {
     public MenuItem lastingValue(Command command, String title, Runnable action) {
         MenuItem item = value(command, title, action);
         model.situationProperty().subscribe(now -> item.setDisable(!command.isEnabled(now)));
+        return item;
+    }
+
+    /** As {@link #value}, with a mark where it is the chosen one of several. */
+    public MenuItem mark(Command command, String title, boolean chosen, Runnable action) {
+        var item = new RadioMenuItem(title);
+        item.setMnemonicParsing(false);
+        value(item, command, action);
+        item.setSelected(chosen);
+        item.setDisable(!model.enabled(command));
+        return item;
+    }
+
+    /**
+     * As {@link #value}, a box to check in a menu that stays open, so that several can be checked one after the other.
+     *
+     * @param indent pixels before it
+     * @param check  hears whether it is checked
+     */
+    public MenuItem box(Command command, String title, boolean checked, double indent, Consumer<Boolean> check) {
+        var box = new CheckBox(title);
+        box.setMnemonicParsing(false);
+        box.setSelected(checked);
+        box.setPadding(new Insets(0, 0, 0, indent));
+        var item = new CustomMenuItem(box, false);
+        item.setUserData(command);
+        item.setDisable(!model.enabled(command));
+        box.setOnAction(_ -> {
+            if (model.enabled(command)) {
+                check.accept(box.isSelected());
+            }
+        });
         return item;
     }
 

@@ -3,21 +3,17 @@ package lightning.app.property;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
-import javafx.geometry.Insets;
-import javafx.scene.control.CheckBox;
-import javafx.scene.control.CustomMenuItem;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
-import javafx.scene.control.RadioMenuItem;
 import javafx.scene.control.SeparatorMenuItem;
-import javafx.scene.control.ToggleGroup;
 import javafx.scene.layout.StackPane;
+import lightning.app.command.CommandItems;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.Obstacle;
+import lightning.edit.Command;
 import lightning.edit.LightEdits;
 import lightning.edit.Situation;
 import lightning.scene.Group;
@@ -37,12 +33,14 @@ final class LinksPart extends StackPane {
 
     private final EditorModel model;
     private final LightAttribute<Links> attribute;
+    private final CommandItems make;
     private final MenuButton choice = new MenuButton();
     private final Obstacle obstacle;
 
     LinksPart(EditorModel model, LightAttribute<Links> attribute, String what) {
         this.model = model;
         this.attribute = attribute;
+        make = CommandItems.of(model);
         choice.setId(attribute.name());
         choice.setAccessibleText(Texts.of(attribute.title()));
         choice.setMaxWidth(Double.MAX_VALUE);
@@ -57,7 +55,7 @@ final class LinksPart extends StackPane {
 
     private void show(Situation now) {
         choice.setText(now.selected().map(attribute::text).map(Texts::of).orElse(Texts.of("all")));
-        obstacle.set(now.selected().isEmpty() ? Optional.of(Texts.of("no light is selected")) : Optional.empty());
+        obstacle.set(Command.LINK.obstacle(now));
     }
 
     private void fill() {
@@ -65,21 +63,16 @@ final class LinksPart extends StackPane {
         List<MenuItem> items = new ArrayList<>();
         if (light != null) {
             Links links = attribute.of(light);
-            var modes = new ToggleGroup();
-            items.add(mode(Texts.of("All but the checked"), false, links, modes));
-            items.add(mode(Texts.of("Only the checked"), true, links, modes));
+            items.add(mode(Texts.of("All but the checked"), false, links));
+            items.add(mode(Texts.of("Only the checked"), true, links));
             items.add(new SeparatorMenuItem());
             offer(links, items);
         }
         choice.getItems().setAll(items);
     }
 
-    private RadioMenuItem mode(String title, boolean only, Links links, ToggleGroup modes) {
-        var item = new RadioMenuItem(title);
-        item.setToggleGroup(modes);
-        item.setSelected(links.only() == only);
-        item.setOnAction(_ -> set(l -> new Links(only, l.names())));
-        return item;
+    private MenuItem mode(String title, boolean only, Links links) {
+        return make.mark(Command.LINK, title, links.only() == only, () -> set(l -> new Links(only, l.names())));
     }
 
     /** All of the scene itself comes first, then what is in groups, as far as whole groups find room. */
@@ -98,9 +91,7 @@ final class LinksPart extends StackPane {
         }
         int offered = offer(stage.nodes(), 0, links, open, items);
         if (offered < stage.shapeCount()) {
-            var more = new MenuItem(Texts.of("More can be named in the file"));
-            more.setDisable(true);
-            items.add(more);
+            items.add(CommandItems.nothing(Command.LINK, Texts.of("More can be named in the file")));
         }
     }
 
@@ -112,12 +103,8 @@ final class LinksPart extends StackPane {
     private int offer(List<Node> nodes, int depth, Links links, Set<String> open, List<MenuItem> items) {
         int shapes = 0;
         for (Node node : nodes.subList(0, Math.min(nodes.size(), MOST))) {
-            var box = new CheckBox(node.name());
-            box.setMnemonicParsing(false);
-            box.setSelected(links.names().contains(node.name()));
-            box.setPadding(new Insets(0, 0, 0, INDENT * depth));
-            box.setOnAction(_ -> set(l -> l.with(node.name(), box.isSelected())));
-            items.add(new CustomMenuItem(box, false));
+            items.add(make.box(Command.LINK, node.name(), links.names().contains(node.name()), INDENT * depth,
+                    checked -> set(l -> l.with(node.name(), checked))));
             shapes += switch (node) {
                 case Group g when open.contains(g.name()) -> offer(g.children(), depth + 1, links, open, items);
                 case Group _ -> 0;
