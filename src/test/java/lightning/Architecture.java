@@ -73,6 +73,7 @@ final class Architecture {
             row("relight.plan", "text math scene image trace shading cache"),
             row("relight.tile", "scene effects image trace shading engine engine.choice cache work relight.plan"),
             row("relight", "math column scene effects image trace shading engine cache work relight.plan relight.tile"),
+            row("shot", "text column scene scene.shot image trace shading engine cache work file relight.plan relight.tile relight"),
             row("layer", ENGINE + " exr file"),
             row("accuracy", ENGINE),
             row("edit.loop", ENGINE + " accuracy"),

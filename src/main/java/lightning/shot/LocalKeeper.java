@@ -1,0 +1,119 @@
+package lightning.shot;
+
+import java.util.ArrayDeque;
+import java.util.Optional;
+import lightning.cache.PixelCache;
+import lightning.image.Film;
+import lightning.relight.PictureTooLarge;
+import lightning.relight.Renderer;
+import lightning.relight.Update;
+import lightning.relight.plan.Accuracy;
+import lightning.relight.plan.Reflections;
+import lightning.relight.plan.UpdatePlan;
+import lightning.relight.tile.MirrorStorage;
+import lightning.relight.tile.Options;
+import lightning.scene.Scene;
+import lightning.trace.Geometry;
+import lightning.work.Progress;
+
+/** Holds frames in this process. */
+public final class LocalKeeper implements FrameKeeper {
+    private final Options options;
+    private final FrameShelf shelf;
+    /** Those that nobody works with. */
+    private final ArrayDeque<Renderer> free = new ArrayDeque<>();
+    /** Of the frame that was made last: most frames show the same shapes. */
+    private Geometry shapes;
+    private boolean closed;
+
+    /**
+     * @param options threads, engines, and the bytes that a frame may take while it is worked on; all frames are exact
+     * @param memory  bytes that frames may take which nobody works on
+     */
+    public LocalKeeper(Options options, long memory) {
+        this.options = options.withAccuracy(Accuracy.EXACT).withReflections(Reflections.CURRENT).withStorage(MirrorStorage.FULL_ROWS);
+        shelf = new FrameShelf(memory);
+    }
+
+    @Override
+    public FrameUpdate bring(int frame, Take take, Progress progress) {
+        long start = System.nanoTime();
+        Scene wanted = take.at(frame);
+        Renderer renderer = borrow();
+        try {
+            PixelCache kept = shelf.get(frame);
+            renderer.restore(kept);
+            renderer.share(kept == null ? shapes() : null);
+            Update update = render(renderer, wanted, progress);
+            shelf.put(frame, renderer.cache());
+            keepShapes(renderer.cache().geometry());
+            return new FrameUpdate(frame, update.plan() instanceof UpdatePlan.FirstPass, update.plan().text(), update.rays().all(),
+                    System.nanoTime() - start, renderer.film());
+        } finally {
+            renderer.forget();
+            giveBack(renderer);
+        }
+    }
+
+    /** What does not fit beside what is known of the frame begins without that. */
+    private static Update render(Renderer renderer, Scene scene, Progress progress) {
+        try {
+            return renderer.render(scene, progress);
+        } catch (PictureTooLarge e) {
+            if (!renderer.hasPicture()) {
+                throw e;
+            }
+            renderer.forget();
+            return renderer.render(scene, progress);
+        }
+    }
+
+    private synchronized Renderer borrow() {
+        return free.isEmpty() ? new Renderer(options) : free.pop();
+    }
+
+    private synchronized void giveBack(Renderer renderer) {
+        if (closed) {
+            renderer.close();
+        } else {
+            free.push(renderer);
+        }
+    }
+
+    private synchronized Geometry shapes() {
+        return shapes;
+    }
+
+    private synchronized void keepShapes(Geometry geometry) {
+        shapes = geometry;
+    }
+
+    @Override
+    public Optional<Film> film(int frame) {
+        return Optional.ofNullable(shelf.get(frame)).map(PixelCache::film);
+    }
+
+    @Override
+    public void focus(int frame) {
+        shelf.focus(frame);
+    }
+
+    @Override
+    public void forget(int frame) {
+        shelf.remove(frame);
+    }
+
+    @Override
+    public KeptBytes bytes() {
+        return shelf.bytes();
+    }
+
+    @Override
+    public synchronized void close() {
+        closed = true;
+        free.forEach(Renderer::close);
+        free.clear();
+        shelf.clear();
+        shapes = null;
+    }
+}

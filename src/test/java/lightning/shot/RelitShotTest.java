@@ -1,0 +1,98 @@
+package lightning.shot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.IntStream;
+import lightning.image.Film;
+import lightning.image.FilmAssert;
+import lightning.relight.tile.Options;
+import lightning.sample.Session;
+import lightning.sample.ShotArbitraries;
+import lightning.scene.Scene;
+import lightning.scene.shot.Shot;
+import lightning.scene.shot.ShotSuccession;
+import lightning.shading.ReferenceTracer;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.constraints.IntRange;
+
+/** Every frame has the bits of its reference trace, whatever edits came, and whatever was kept. */
+class RelitShotTest {
+    private static final int FRAMES = 3;
+
+    /** A session of edits, and keys over its first scene. */
+    record Story(Session session, Shot shot) {
+        /** The takes of the session: keys follow their scenes. */
+        List<Take> takes() {
+            List<Scene> scenes = session.scenes();
+            Take[] takes = new Take[scenes.size()];
+            takes[0] = new Take(scenes.getFirst(), shot);
+            for (int i = 1; i < takes.length; i++) {
+                takes[i] = new Take(scenes.get(i), new ShotSuccession(scenes.get(i - 1), scenes.get(i)).of(takes[i - 1].shot()));
+            }
+            return List.of(takes);
+        }
+    }
+
+    /** What was told last of each frame. */
+    private static final class Screen implements ShotListener {
+        final Map<Integer, Film> films = new ConcurrentHashMap<>();
+
+        @Override
+        public void updated(FrameUpdate update, FrameState state) {
+            films.put(update.frame(), update.film());
+        }
+    }
+
+    @Provide
+    Arbitrary<Story> stories() {
+        return Session.sessions().flatMap(s -> ShotArbitraries.shots(s.scenes().getFirst()).map(shot -> new Story(s, shot)));
+    }
+
+    @Provide
+    Arbitrary<Long> budgets() {
+        return Arbitraries.of(0L, 100_000L, 1_000_000L, Long.MAX_VALUE);
+    }
+
+    @Property(edgeCases = EdgeCasesMode.NONE, tries = 25)
+    void everyFrame_equalsItsReferenceAfterAllEdits(@ForAll("stories") Story story, @ForAll("budgets") long memory,
+            @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll @IntRange(min = 1, max = 15) int settles,
+            @ForAll @IntRange(max = ShotArbitraries.LAST - FRAMES) int first) throws InterruptedException {
+        var seen = new Screen();
+        var keeper = new LocalKeeper(Options.DEFAULT.withThreads(threads), memory);
+        try (RelitShot shot = RelitShot.of(first, first + FRAMES - 1, keeper, seen)) {
+            List<Take> takes = story.takes();
+            for (int i = 0; i < takes.size(); i++) {
+                shot.edit(takes.get(i));
+                shot.focus(first + i % FRAMES);
+                // Some edits come while frames of those before are under way.
+                if (i == takes.size() - 1 || (settles >> i % 4 & 1) == 1) {
+                    shot.awaitIdle();
+                    check(shot, takes.get(i), seen);
+                }
+            }
+        }
+    }
+
+    private static void check(RelitShot shot, Take take, Screen seen) {
+        for (int frame : IntStream.rangeClosed(shot.first(), shot.last()).toArray()) {
+            Scene wanted;
+            try {
+                wanted = take.at(frame);
+            } catch (IllegalArgumentException e) {
+                assertThat(shot.state(frame)).isEqualTo(FrameState.FAILED);
+                continue;
+            }
+            assertThat(shot.state(frame)).isEqualTo(FrameState.CURRENT);
+            FilmAssert.assertSameBits(seen.films.get(frame), new ReferenceTracer(wanted).trace(), "relit-shot");
+            shot.film(frame).ifPresent(film -> assertThat(film.sameBits(seen.films.get(frame))).isTrue());
+        }
+    }
+}
