@@ -75,9 +75,10 @@ final class Architecture {
             row("relight", "math column scene effects image trace shading engine cache work relight.plan relight.tile"),
             row("shot", "text column scene scene.shot image trace shading engine cache work file relight.plan relight.tile relight"),
             row("layer", ENGINE + " exr file"),
+            row("movie", ENGINE + " file"),
             row("accuracy", ENGINE),
             row("edit.loop", ENGINE + " accuracy"),
-            row("edit", ENGINE + " file jen accuracy edit.loop"),
+            row("edit", ENGINE + " file jen scene.shot accuracy edit.loop"),
             row("edit.cue", "text math file scene jen image edit"),
             row("edit.motion", ENGINE + " file scene.shot edit"),
             row("exchange", "text math file mesh mesh.ply mesh.obj gltf nff mesh.file scene jen image trace fulltrace work"),
@@ -88,17 +89,18 @@ final class Architecture {
             row("app.traced", DESK),
             row("app.preview", DESK),
             row("app.animation", DESK + " edit.motion"),
+            row("app.timeline", DESK + " movie"),
             row("app.measure", DESK),
             row("app.mixer", DESK),
             row("app.contribution", DESK),
             row("app.cue", DESK + " edit.cue"),
             row("app", DESK
-                    + " exchange edit.motion app.property app.traced app.preview app.animation app.measure app.mixer app.contribution edit.cue app.cue"),
+                    + " exchange movie edit.motion app.property app.traced app.preview app.animation app.timeline app.measure app.mixer app.contribution edit.cue app.cue"),
             row("pov", "math file mesh scene image"),
             row("bench.mesh", "mesh trace.solid trace.mesh"),
             row("bench", ENGINE + " file jen mesh trace.mesh accuracy pov bench.mesh"),
             row("bench.report", ENGINE + " file accuracy bench"),
-            row("cli", ENGINE + " file exr jen scene.shot hdr layer accuracy mesh exchange pov bench bench.report"));
+            row("cli", ENGINE + " file exr jen scene.shot hdr layer movie accuracy mesh exchange pov bench bench.report"));
 
     /** @param known the packages that it may import, beside itself */
     private record Row(String name, Set<String> known) {

@@ -1,36 +1,46 @@
 package lightning.cli;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
+import java.util.stream.IntStream;
+import lightning.file.SafeFile;
+import lightning.image.Film;
 import lightning.jen.JenDocument;
-import lightning.relight.PictureTooLarge;
-import lightning.relight.Renderer;
-import lightning.relight.Update;
+import lightning.movie.Ffmpeg;
+import lightning.movie.FrameFiles;
+import lightning.movie.FrameRun;
+import lightning.movie.MovieKind;
+import lightning.movie.MovieWriter;
 import lightning.relight.plan.Reflections;
 import lightning.relight.plan.UpdatePlan;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
-import lightning.warmup.LateWarmUp;
+import lightning.text.Decimal;
+import lightning.work.Memory;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** Renders the frames of a shot, one after the other. */
-@Command(name = "render", abbreviateSynopsis = true, header = "Render the frames of a shot as numbered pictures.",
+@Command(name = "render", abbreviateSynopsis = true, header = "Render the frames of a shot as numbered pictures or as a film.",
         description = {
             "Each picture is that of its frame's scene in every bit, whichever frame was rendered before it: where only lights changed",
             "since then, only they are computed anew. -o frames makes frames/SCENE-0001.png and so on, -o out/bird.exr makes",
             "out/bird-0001.exr. A picture appears whole or not at all; those that are finished stay when the command is cancelled, and",
-            "--resume goes on behind them."},
+            "--resume goes on behind them. -o bird.mp4 (.mov, .mkv, .webm) makes a film of the shot's frames per second, where the program",
+            "ffmpeg is installed."},
         footer = {
             "Examples:",
             "  lightning shot render scenes/dusk.jen -o frames",
-            "  lightning shot render scenes/dusk.jen --frames 1-24 -o frames --size 150x100 --resume"})
+            "  lightning shot render scenes/dusk.jen --frames 1-24 -o frames --size 150x100 --resume",
+            "  lightning shot render scenes/dusk.jen -o dusk.mp4 --view filmic"})
 final class ShotRenderCommand implements Callable<Integer> {
     private final Console console;
 
@@ -54,8 +64,15 @@ final class ShotRenderCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
+        Optional<MovieKind> movie = MovieKind.of(output.file());
         FrameFiles files = FrameFiles.of(output.file(), input.path());
-        output.checkKind(files.file(0));
+        if (movie.isEmpty()) {
+            output.checkKind(files.file(0));
+        } else if (resume) {
+            throw new BadInput("a film is made whole: --resume is for numbered pictures");
+        } else {
+            Ffmpeg.required();
+        }
         JenDocument document = input.read();
         Shot shot = document.shot().orElseThrow(() -> new BadInput(Console.text(
                 "%s: has no shot; docs/jen-format.md tells how a shot block says one", input.path())));
@@ -65,6 +82,10 @@ final class ShotRenderCommand implements Callable<Integer> {
         }
         Scene scene = picture.apply(document.scene());
         checkAll(shot, scene, range);
+        if (movie.isPresent()) {
+            film(shot, scene, range, movie.get());
+            return ExitCode.DONE;
+        }
         files.makeFolder();
         List<Integer> wanted = new ArrayList<>();
         for (int frame = range.first(); frame <= range.last(); frame++) {
@@ -102,38 +123,51 @@ final class ShotRenderCommand implements Callable<Integer> {
     }
 
     private void render(Shot shot, Scene scene, List<Integer> wanted, FrameFiles files) throws Exception {
-        Options options = Options.DEFAULT.withReflections(Reflections.CURRENT).withThreads(threads.count())
-                .withMemory(PictureOutput.memory(scene, files.file(0)));
+        Path one = files.file(0);
+        run(shot, scene, wanted, PictureOutput.memory(scene, one), (frame, film) -> {
+            output.write(film, files.file(frame));
+            return files.file(frame).toString();
+        });
+    }
+
+    /** All frames as a film, which appears whole or not at all. */
+    private void film(Shot shot, Scene scene, FrameRange range, MovieKind kind) throws Exception {
+        Ffmpeg ffmpeg = Ffmpeg.required();
+        PictureOutput.checkFile(output.file());
+        List<Integer> all = IntStream.rangeClosed(range.first(), range.last()).boxed().toList();
+        SafeFile.at(output.file()).writeByName(temporary -> {
+            try (var movie = new MovieWriter(ffmpeg, kind, shot.rate(), output.view(), temporary)) {
+                run(shot, scene, all, Memory.available() - MovieWriter.bytes(scene.picture()), (frame, film) -> {
+                    movie.add(film);
+                    return "frame " + frame;
+                });
+                movie.finish();
+            }
+        });
+        console.line("%s: %d frames, %s a second", output.file(), all.size(), Decimal.text(shot.rate()));
+    }
+
+    /** What is done with a frame. */
+    private interface Sink {
+        /** Takes a picture, which is written over afterwards; returns what it is called. */
+        String take(int frame, Film film) throws IOException;
+    }
+
+    private void run(Shot shot, Scene scene, List<Integer> wanted, long memory, Sink sink) throws IOException {
+        Options options = Options.DEFAULT.withReflections(Reflections.CURRENT).withThreads(threads.count()).withMemory(memory);
         double[] milliseconds = new double[2];
         int[] counts = new int[2];
-        try (var _ = new LateWarmUp(at(shot, scene, wanted.getFirst()));
-                Renderer renderer = new Renderer(options);
-                ProgressBar bar = new ProgressBar(console, "rendering")) {
-            for (int i = 0; i < wanted.size(); i++) {
-                int frame = wanted.get(i);
-                Update update = render(renderer, at(shot, scene, frame), bar);
-                output.write(renderer.film(), files.file(frame));
+        try (ProgressBar bar = new ProgressBar(console, "rendering")) {
+            FrameRun.render(wanted, frame -> shot.at(scene, frame), options, bar.silent(), (frame, film, update) -> {
+                String called = sink.take(frame, film);
                 int kind = update.plan() instanceof UpdatePlan.FirstPass ? 0 : 1;
                 milliseconds[kind] += update.milliseconds();
                 counts[kind]++;
                 bar.erase();
-                console.line("%s: %s, %.1f ms", files.file(frame), update.plan().text(), update.milliseconds());
-                bar.tiles(i + 1, wanted.size());
-            }
+                console.line("%s: %s, %.1f ms", called, update.plan().text(), update.milliseconds());
+                bar.tiles(counts[0] + counts[1], wanted.size());
+            });
         }
         console.line("%d frames traced in %.1f ms, %d relit in %.1f ms", counts[0], milliseconds[0], counts[1], milliseconds[1]);
-    }
-
-    /** A first pass that does not fit beside what is known of the frame before begins without that. */
-    private static Update render(Renderer renderer, Scene scene, ProgressBar bar) {
-        try {
-            return renderer.render(scene, bar.silent());
-        } catch (PictureTooLarge e) {
-            if (!renderer.hasPicture()) {
-                throw e;
-            }
-            renderer.forget();
-            return renderer.render(scene, bar.silent());
-        }
     }
 }

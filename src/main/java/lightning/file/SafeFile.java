@@ -50,6 +50,13 @@ public final class SafeFile {
         void writeTo(FileChannel file) throws IOException;
     }
 
+    /** Who writes what goes into the file by its name, as another program does. */
+    @FunctionalInterface
+    public interface ByName {
+        /** Writes everything into a file that is there and empty; its name ends in no kind of files. */
+        void writeTo(Path temporary) throws IOException;
+    }
+
     /** A file to write, new or in place of an old one that may be written. */
     public static SafeFile at(Path target) {
         return new SafeFile(target, false, false, null);
@@ -110,6 +117,17 @@ public final class SafeFile {
         put(content);
     }
 
+    /** The same for content that is written by the name of a file, which is another one until it is complete. */
+    public void writeByName(ByName content) throws IOException {
+        put((ByName) temporary -> {
+            Permissions.OWNER_ONLY.create(temporary);
+            content.writeTo(temporary);
+            try (FileChannel channel = FileChannel.open(temporary, StandardOpenOption.WRITE)) {
+                channel.force(true);
+            }
+        });
+    }
+
     private FileState put(Content content) throws IOException {
         return put((Anywhere) channel -> {
             var out = new BufferedOutputStream(new Unclosed(Channels.newOutputStream(channel)), 1 << 16);
@@ -119,12 +137,16 @@ public final class SafeFile {
     }
 
     private FileState put(Anywhere content) throws IOException {
+        return put((ByName) temporary -> fill(temporary, content));
+    }
+
+    private FileState put(ByName content) throws IOException {
         Path file = destination();
         TemporaryFile.removeLeftIn(file.getParent());
         Path temporary = TemporaryFile.in(file.getParent());
         try {
             Permissions wanted = ownerOnly ? Permissions.OWNER_ONLY : Permissions.replacing(file);
-            fill(temporary, content);
+            content.writeTo(temporary);
             wanted.giveTo(temporary);
             FileState written = FileState.look(temporary);
             if (known != null && known.isOverwrittenIn(file)) {

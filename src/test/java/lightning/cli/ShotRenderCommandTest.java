@@ -3,6 +3,7 @@ package lightning.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.File;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -11,6 +12,7 @@ import java.util.stream.Stream;
 import lightning.image.PictureFile;
 import lightning.jen.JenDocument;
 import lightning.jen.JenReader;
+import lightning.movie.Ffmpeg;
 import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -109,6 +111,23 @@ class ShotRenderCommandTest {
     @Test
     void unknownEnding_isRefused() {
         Cli.run("shot", "render", scene, "-o", folder.resolve("x.tiff")).isRefusedSaying(".tiff");
+    }
+
+    static boolean hasFfmpeg() {
+        return Ffmpeg.installed().isPresent();
+    }
+
+    @Test
+    @EnabledIf("hasFfmpeg")
+    void film_hasAllFramesOfTheShotAndNothingBeside() throws Exception {
+        Path out = Files.createDirectory(folder.resolve("out"));
+        Cli done = Cli.run("shot", "render", scene, "-o", out.resolve("b.mp4"), "--size", "31x20", "--view", "filmic").isDone();
+        assertThat(done.out()).contains("frame 7: ", "b.mp4: 5 frames, 24 a second");
+        assertThat(files("out")).containsExactly("b.mp4");
+        Process probe = new ProcessBuilder("ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                "stream=width,height,r_frame_rate,nb_read_frames", "-of", "csv=p=0", out.resolve("b.mp4").toString()).start();
+        assertThat(new String(probe.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip()).isEqualTo("32,20,24/1,5");
+        Cli.run("shot", "render", scene, "-o", out.resolve("b.mp4"), "--resume").isRefusedSaying("a film is made whole");
     }
 
     static boolean canRunJobs() {

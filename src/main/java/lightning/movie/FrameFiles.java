@@ -1,4 +1,4 @@
-package lightning.cli;
+package lightning.movie;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -11,12 +11,12 @@ import java.util.Locale;
  * @param name   what stands before the number
  * @param ending what stands behind it, with its point
  */
-record FrameFiles(Path folder, String name, String ending) {
+public record FrameFiles(Path folder, String name, String ending) {
     /**
      * @param output a file's name, which gets the numbers before its ending, or, without an ending, a folder for PNG files
      * @param scene  whose name the files in such a folder have
      */
-    static FrameFiles of(Path output, Path scene) {
+    public static FrameFiles of(Path output, Path scene) {
         String file = output.getFileName() == null ? "" : output.getFileName().toString();
         int point = file.lastIndexOf('.');
         if (point <= 0) {
@@ -29,12 +29,12 @@ record FrameFiles(Path folder, String name, String ending) {
     }
 
     /** The file of one frame; four digits at least. */
-    Path file(int frame) {
+    public Path file(int frame) {
         return folder.resolve(name + "-" + String.format(Locale.ROOT, "%04d", frame) + ending);
     }
 
     /** Makes the folder where it is missing; the one around it must be there. */
-    void makeFolder() throws IOException {
+    public void makeFolder() throws IOException {
         if (!folder.toString().isEmpty() && !Files.isDirectory(folder)) {
             Files.createDirectory(folder);
         }

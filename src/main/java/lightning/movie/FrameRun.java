@@ -1,0 +1,58 @@
+package lightning.movie;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.function.IntFunction;
+import lightning.image.Film;
+import lightning.relight.PictureTooLarge;
+import lightning.relight.Renderer;
+import lightning.relight.Update;
+import lightning.relight.tile.Options;
+import lightning.scene.Scene;
+import lightning.warmup.LateWarmUp;
+import lightning.work.Progress;
+
+/** Renders frames one after the other with one running renderer: each is relit from the one before as far as that is possible. */
+public final class FrameRun {
+    private FrameRun() {}
+
+    /** Hears of each frame that is there, before the next is begun. */
+    public interface Listener {
+        /** @param film written over afterwards */
+        void rendered(int frame, Film film, Update update) throws IOException;
+    }
+
+    /**
+     * Renders; waits until all frames are there.
+     *
+     * @param frames   at least one
+     * @param scene    of a frame
+     * @param progress hears of the tiles of each frame, and stops the work
+     * @throws IOException           if the listener does
+     * @throws PictureTooLarge       if a frame does not fit into memory even where nothing of the one before is kept
+     * @throws CancellationException if the progress asked for it
+     */
+    public static void render(List<Integer> frames, IntFunction<Scene> scene, Options options, Progress progress, Listener listener)
+            throws IOException {
+        try (var _ = new LateWarmUp(scene.apply(frames.getFirst())); var renderer = new Renderer(options)) {
+            for (int frame : frames) {
+                Update update = render(renderer, scene.apply(frame), progress);
+                listener.rendered(frame, renderer.film(), update);
+            }
+        }
+    }
+
+    /** A first pass that does not fit beside what is known of the frame before begins without that. */
+    private static Update render(Renderer renderer, Scene scene, Progress progress) {
+        try {
+            return renderer.render(scene, progress);
+        } catch (PictureTooLarge e) {
+            if (!renderer.hasPicture()) {
+                throw e;
+            }
+            renderer.forget();
+            return renderer.render(scene, progress);
+        }
+    }
+}
