@@ -2,6 +2,8 @@ package lightning.app;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Supplier;
+import javafx.beans.binding.BooleanExpression;
 import javafx.geometry.Insets;
 import javafx.geometry.Orientation;
 import javafx.scene.Node;
@@ -25,6 +27,9 @@ final class EditorFrame extends BorderPane {
     /** The share of the two pictures in the window's width. */
     private static final double CANVASES = 0.74;
     private static final double LIST = 0.36;
+    /** Of the timeline when it is first shown, pixels, and its most share of the height. */
+    private static final double TIMELINE = 200;
+    private static final double MOST_TIMELINE = 0.4;
     /** About what menu and tools take, and the line at the bottom, pixels: so that little moves when they come. */
     private static final double BARS = 72;
     private static final double LINE = 27;
@@ -32,10 +37,17 @@ final class EditorFrame extends BorderPane {
     private static final Insets NOTE = new Insets(6, 12, 6, 12);
 
     private final SplitPane canvases;
+    /** The pictures, and below them the timeline. */
+    private final SplitPane work;
     private final SplitPane side;
     private final SplitPane all;
     private Node traced;
     private Node preview;
+    private Node timeline;
+    /** Kept, since it is told only as long as somebody has it. */
+    private BooleanExpression timelineWanted;
+    /** Where the timeline begins; 0 before it was first shown. */
+    private double below;
     /** Where the border of the panels was before they were hidden. */
     private double border = CANVASES;
 
@@ -47,7 +59,9 @@ final class EditorFrame extends BorderPane {
         canvases = new SplitPane(note(Texts.of("Ray traced"), reading), note(Texts.of("Preview"), reading));
         side = new SplitPane(sideNote(reading));
         side.setOrientation(Orientation.VERTICAL);
-        all = new SplitPane(canvases, side);
+        work = new SplitPane(canvases);
+        work.setOrientation(Orientation.VERTICAL);
+        all = new SplitPane(work, side);
         all.setDividerPositions(CANVASES);
         SplitPane.setResizableWithParent(side, false);
         setTop(space(BARS));
@@ -94,6 +108,36 @@ final class EditorFrame extends BorderPane {
         side.setDividerPositions(LIST);
         setTop(bars);
         setBottom(status);
+    }
+
+    /** Shows the timeline below the pictures while it is wanted and the panels are not hidden; it is made when it first is. */
+    void addTimeline(Arrangement arrangement, Supplier<Node> made) {
+        var wanted = arrangement.timelineShownProperty().and(arrangement.panelsHiddenProperty().not());
+        timelineWanted = wanted;
+        wanted.subscribe(on -> {
+            if (on && timeline == null) {
+                timeline = made.get();
+                SplitPane.setResizableWithParent(timeline, false);
+            }
+            if (on && work.getItems().size() == 1) {
+                work.getItems().add(timeline);
+                if (below > 0) {
+                    work.setDividerPositions(below);
+                } else {
+                    work.heightProperty().subscribe(_ -> firstTimeline());
+                }
+            } else if (!on && work.getItems().size() == 2) {
+                below = work.getDividerPositions()[0];
+                work.getItems().remove(timeline);
+            }
+        });
+    }
+
+    private void firstTimeline() {
+        if (below == 0 && work.getHeight() > 0 && work.getItems().size() == 2) {
+            below = 1 - Math.min(MOST_TIMELINE, TIMELINE / work.getHeight());
+            work.setDividerPositions(below);
+        }
     }
 
     /** Gives the pictures their room, now and whenever it is wanted otherwise. */

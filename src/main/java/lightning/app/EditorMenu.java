@@ -49,10 +49,18 @@ final class EditorMenu extends MenuBar {
                 LINE, Command.LOAD_RIG, Command.ADD_RIG,
                 Command.SAVE_RIG, LINE, Command.MAKE_ANIMATION);
         Menu shape = menu(Texts.of("Shape"), Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, LINE, Command.SHOW_SHAPE);
+        Menu shot = menu(Texts.of("Shot"), Command.TIMELINE, LINE, Command.NEW_SHOT, Command.DELETE_SHOT, LINE, Command.PLAY_SHOT,
+                Command.FIRST_FRAME,
+                Command.PREVIOUS_FRAME, Command.NEXT_FRAME, Command.LAST_FRAME, Command.PREVIOUS_KEY, Command.NEXT_KEY, LINE,
+                Command.SET_KEY,
+                Command.DELETE_KEYS, Command.LINEAR_KEYS, Command.SMOOTH_KEYS, Command.STEPPED_KEYS, LINE, Command.WAY_TO_KEYS,
+                Command.KEYS_TO_WAY, LINE,
+                Command.EXPORT_SHOT);
         Menu render = menu(Texts.of("Render"), Command.GO, Command.LIVE, Command.UPDATE_REFLECTIONS, Command.VERIFY, Command.CANCEL, LINE,
                 Command.UPDATES_PANEL, Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, LINE);
         render.getItems().addAll(accuracy(), sizes(), SamplingMenu.of(model, items));
-        getMenus().setAll(file, edit, light, shape, render, view(), menu(Texts.of("Help"), Command.PALETTE, Command.KEYS, Command.ABOUT));
+        getMenus().setAll(file, edit, light, shape, shot, render, view(),
+                menu(Texts.of("Help"), Command.PALETTE, Command.KEYS, Command.ABOUT));
     }
 
     private Menu menu(String title, Command... commands) {

@@ -23,6 +23,9 @@ import lightning.app.model.EditorModel;
 import lightning.app.preview.PreviewPane;
 import lightning.app.property.ListTabs;
 import lightning.app.property.SidePane;
+import lightning.app.timeline.Playback;
+import lightning.app.timeline.ShotExportWindow;
+import lightning.app.timeline.TimelinePane;
 import lightning.edit.Command;
 import lightning.text.Texts;
 
@@ -43,8 +46,10 @@ public final class EditorWindow implements AutoCloseable {
         panels = new Panels(model, this::window);
         panels.addTo(model);
         model.setAction(Command.ABOUT, () -> About.show(notices));
-        model.setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, window()).show());
+        AnimationWindow.addTo(model, this::window);
         model.setSwitch(Command.FULL_SCREEN, fullScreen, this::switchFullScreen);
+        var playback = new Playback(model);
+        model.setAction(Command.EXPORT_SHOT, () -> new ShotExportWindow(model, window()).show());
         var menu = new EditorMenu(model, files);
         model.setAction(Command.PALETTE, () -> CommandPalette.open(window(), menu, model));
         var tools = new EditorToolBar(model);
@@ -53,6 +58,7 @@ public final class EditorWindow implements AutoCloseable {
         bars = new VBox(menu, tools);
         frame.fill(bars, preview, new ListTabs(model), new SidePane(model), new StatusLine(model));
         frame.follow(model.arrangement());
+        frame.addTimeline(model.arrangement(), () -> new TimelinePane(model, playback));
         frame.addEventFilter(KeyEvent.KEY_PRESSED, e -> {
             if (e.getCode() == KeyCode.TAB && !e.isShiftDown() && !e.isControlDown() && !e.isAltDown() && frame.isOverPictures()) {
                 model.run(Command.HIDE_PANELS);

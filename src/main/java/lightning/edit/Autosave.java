@@ -9,7 +9,7 @@ import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import lightning.jen.JenDocument;
-import lightning.scene.Scene;
+import lightning.scene.shot.AnimatedScene;
 import lightning.work.OwnThread;
 
 /**
@@ -29,7 +29,7 @@ public final class Autosave implements AutoCloseable {
     private final Set<Path> kept = new HashSet<>();
     private Work waiting;
 
-    private record Work(Path file, JenDocument saved, Scene scene) {}
+    private record Work(Path file, JenDocument saved, AnimatedScene content) {}
 
     /** @param trouble hears, on the autosave thread, why the last edits could not be kept, whatever it was */
     public Autosave(Recovery recovery, Duration delay, Consumer<Throwable> trouble) {
@@ -49,7 +49,7 @@ public final class Autosave implements AutoCloseable {
         if (waiting == null) {
             thread.schedule(this::write, delay.toMillis(), TimeUnit.MILLISECONDS);
         }
-        waiting = new Work(document.file(), document.savedText(), document.scene());
+        waiting = new Work(document.file(), document.savedText(), document.content());
         kept.add(document.file());
     }
 
@@ -73,7 +73,7 @@ public final class Autosave implements AutoCloseable {
             waiting = null;
         }
         if (work != null) {
-            attempt(() -> recovery.keep(work.file(), work.saved().with(work.scene()).text()));
+            attempt(() -> recovery.keep(work.file(), work.saved().with(work.content()).text()));
         }
     }
 

@@ -9,6 +9,9 @@ import java.util.stream.Stream;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.SceneChange;
+import lightning.scene.shot.AnimatedScene;
+import lightning.scene.shot.ShotChange;
+import lightning.scene.shot.Track;
 import lightning.text.Texts;
 
 /**
@@ -27,28 +30,44 @@ public final class History {
 
     /** A history that begins with a scene. */
     public History(Scene scene) {
-        state = DocumentState.first(scene, this::freshId);
+        this(AnimatedScene.of(scene));
     }
 
+    /** A history that begins with a scene and its shot. */
+    public History(AnimatedScene content) {
+        state = DocumentState.first(content, this::freshId);
+    }
+
+    /** The scene as it is where nothing has keys. */
     public Scene scene() {
         return state.scene();
     }
 
-    /** Makes a scene the current one, as a step of its own. An equal scene is no step. */
+    /** The scene with its shot. */
+    public AnimatedScene content() {
+        return state.content();
+    }
+
+    /** Makes a scene the current one, as a step of its own; keys follow what has them. An equal scene is no step. */
     public void edit(Scene edited) {
         edit(edited, null);
     }
 
+    /** The same in one step with all edits of the same gesture: see {@link #edit(AnimatedScene, Object)}. */
+    public void edit(Scene edited, Object gesture) {
+        edit(content().with(edited), gesture);
+    }
+
     /**
-     * Makes a scene the current one, in one step with all edits of the same gesture right before it. A gesture that ends
+     * Makes a scene and its shot the current ones, in one step with all edits of the same gesture right before it. A gesture that ends
      * where it began leaves no step.
      *
      * @param gesture any object that stands for one drag, told by identity; null for a step of its own
      */
-    public void edit(Scene edited, Object gesture) {
+    public void edit(AnimatedScene edited, Object gesture) {
         Step last = done.peek();
         boolean goesOn = gesture != null && last != null && last.gesture() == gesture && undone.isEmpty();
-        if (edited.equals(state.scene()) && !goesOn) {
+        if (edited.equals(state.content()) && !goesOn) {
             return;
         }
         DocumentState base = goesOn ? last.before() : state;
@@ -57,8 +76,8 @@ public final class History {
         }
         undone.clear();
         state = base;
-        if (!edited.equals(base.scene())) {
-            push(base.after(edited, this::freshId), gesture, SceneChange.summary(base.scene(), edited));
+        if (!edited.equals(base.content())) {
+            push(base.after(edited, this::freshId), gesture, ShotChange.summary(base.content(), edited));
         }
     }
 
@@ -126,14 +145,18 @@ public final class History {
         }
         Deque<String> all = new ArrayDeque<>();
         Light after = now.get();
+        List<Track> keys = DocumentState.keys(content(), after);
         for (LightTrack.Link l = state.track(id).past(); l != null; l = l.rest()) {
-            all.addFirst(SceneChange.summary(l.light(), after));
+            all.addFirst(summary(l.light(), l.keys(), after, keys));
             after = l.light();
+            keys = l.keys();
         }
         Light before = now.get();
+        keys = DocumentState.keys(content(), before);
         for (LightTrack.Link l = state.track(id).future(); l != null; l = l.rest()) {
-            all.addLast(SceneChange.summary(before, l.light()));
+            all.addLast(summary(before, keys, l.light(), l.keys()));
             before = l.light();
+            keys = l.keys();
         }
         return List.copyOf(all);
     }
@@ -173,13 +196,19 @@ public final class History {
     /** What {@link #undoLight} would take back; empty if there is nothing or no such light. */
     public Optional<String> undoLabel(long id) {
         return light(id).filter(_ -> state.track(id).past() != null)
-                .map(now -> SceneChange.summary(state.track(id).past().light(), now));
+                .map(now -> summary(state.track(id).past().light(), state.track(id).past().keys(), now,
+                        DocumentState.keys(content(), now)));
     }
 
     /** What {@link #redoLight} would do again; empty if there is nothing or no such light. */
     public Optional<String> redoLabel(long id) {
         return light(id).filter(_ -> state.track(id).future() != null)
-                .map(now -> SceneChange.summary(now, state.track(id).future().light()));
+                .map(now -> summary(now, DocumentState.keys(content(), now), state.track(id).future().light(),
+                        state.track(id).future().keys()));
+    }
+
+    private String summary(Light before, List<Track> oldKeys, Light after, List<Track> keys) {
+        return before.equals(after) ? ShotChange.summary(scene(), oldKeys, keys) : SceneChange.summary(before, after);
     }
 
     /** Takes back the last edit of one light alone; refused if there is none, or if its name of that time is taken. */

@@ -1,6 +1,8 @@
 package lightning.edit;
 
+import java.util.List;
 import lightning.scene.Light;
+import lightning.scene.shot.Track;
 
 /**
  * The history of one light alone, in chains that several states of the document share.
@@ -11,17 +13,18 @@ import lightning.scene.Light;
 record LightTrack(Link past, Link future) {
     static final LightTrack EMPTY = new LightTrack(null, null);
 
-    record Link(Light light, Link rest) {}
+    /** @param keys the light's own */
+    record Link(Light light, List<Track> keys, Link rest) {}
 
-    LightTrack edited(Light old) {
-        return new LightTrack(new Link(old, past), null);
+    LightTrack edited(Light old, List<Track> keys) {
+        return new LightTrack(new Link(old, keys, past), null);
     }
 
-    LightTrack undone(Light now) {
-        return new LightTrack(past.rest(), new Link(now, future));
+    LightTrack undone(Light now, List<Track> keys) {
+        return new LightTrack(past.rest(), new Link(now, keys, future));
     }
 
-    LightTrack redone(Light now) {
-        return new LightTrack(new Link(now, past), future.rest());
+    LightTrack redone(Light now, List<Track> keys) {
+        return new LightTrack(new Link(now, keys, past), future.rest());
     }
 }

@@ -5,6 +5,7 @@ import java.util.function.Function;
 import lightning.scene.LightAttribute;
 import lightning.scene.Limits;
 import lightning.scene.VisiblePart;
+import lightning.scene.shot.Target;
 import lightning.text.Texts;
 
 /** Why commands have nothing to do: each a clause without a full stop, or empty where nothing is in the way. */
@@ -104,6 +105,50 @@ final class Obstacles {
     static Optional<String> nothingToAnimate(Situation s) {
         return ofLight(s, !s.isPending(),
                 s.rendered().isEmpty() ? Texts.of(NO_PICTURE) : Texts.of("the picture does not show the last edits; press Go first"));
+    }
+
+    static Optional<String> hasShot(Situation s) {
+        return unless(s.moment().isEmpty(), Texts.of("the scene has a shot"));
+    }
+
+    static Optional<String> noShot(Situation s) {
+        return unless(s.moment().isPresent(), Texts.of("the scene has no shot"));
+    }
+
+    static Optional<String> atFirstFrame(Situation s) {
+        return noShot(s).or(() -> unless(s.moment().get().frame() > s.moment().get().shot().first(),
+                Texts.of("it is the first frame already")));
+    }
+
+    static Optional<String> atLastFrame(Situation s) {
+        return noShot(s)
+                .or(() -> unless(s.moment().get().frame() < s.moment().get().shot().last(), Texts.of("it is the last frame already")));
+    }
+
+    static Optional<String> noKeyBefore(Situation s) {
+        return noShot(s).or(() -> unless(s.moment().get().nearestKey(true).isPresent(), Texts.of("there is no key before this frame")));
+    }
+
+    static Optional<String> noKeyBehind(Situation s) {
+        return noShot(s).or(() -> unless(s.moment().get().nearestKey(false).isPresent(), Texts.of("there is no key behind this frame")));
+    }
+
+    static Optional<String> nothingWithKeys(Situation s) {
+        return noShot(s).or(() -> unless(s.moment().get().shot().tracks().stream().anyMatch(t -> s.isSelected(t.target())),
+                Texts.of("nothing of what is selected has keys; a right click on a property sets its first one")));
+    }
+
+    static Optional<String> noKeyChosen(Situation s) {
+        return noShot(s).or(() -> unless(s.chosenKeys() > 0, Texts.of("no key is chosen in the timeline")));
+    }
+
+    static Optional<String> noWay(Situation s) {
+        return unless(s.animating() && s.way(), Texts.of("no animation is open that has a way; Make Animation records one"));
+    }
+
+    static Optional<String> noWayInKeys(Situation s) {
+        return nothingToAnimate(s).or(() -> unless(s.moment().flatMap(m -> m.shot().track(Target.light(s.selected().orElseThrow().name()),
+                LightAttribute.POSITION.name())).isPresent(), Texts.of("the light has no keys of its place")));
     }
 
     static Optional<String> oneSample(Situation s) {

@@ -11,7 +11,7 @@ import lightning.file.SafeFile;
 import lightning.jen.JenDocument;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
-import lightning.scene.Scene;
+import lightning.scene.shot.AnimatedScene;
 import lightning.text.Texts;
 
 /**
@@ -20,7 +20,7 @@ import lightning.text.Texts;
  * @param from    what the document's file holds
  * @param allowed what may be lost in the target
  */
-record SceneWriting(SavedScene from, Scene scene, Path target, Set<Consent> allowed) {
+record SceneWriting(SavedScene from, AnimatedScene content, Path target, Set<Consent> allowed) {
     SceneWriting {
         allowed = Set.copyOf(allowed);
     }
@@ -34,7 +34,7 @@ record SceneWriting(SavedScene from, Scene scene, Path target, Set<Consent> allo
      *                               found from that folder
      */
     SavedScene write() throws IOException {
-        JenDocument text = from.document().with(scene);
+        JenDocument text = from.document().with(content);
         boolean own = target.toAbsolutePath().equals(from.file().toAbsolutePath());
         Path file = own ? from.file() : target;
         return new SavedScene(file, text.save(own ? Consent.to(file, from.state(), allowed) : elsewhere(text)), text);

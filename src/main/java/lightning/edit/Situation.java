@@ -8,6 +8,7 @@ import lightning.scene.LightType;
 import lightning.scene.Node;
 import lightning.scene.Scene;
 import lightning.scene.VisiblePart;
+import lightning.scene.shot.Target;
 import lightning.shading.SeenScenes;
 import lightning.text.Texts;
 
@@ -26,11 +27,14 @@ import lightning.text.Texts;
  * @param copied        the light whose settings were copied
  * @param animating     whether an animation is open
  * @param reading       whether a scene file is being read
+ * @param moment        the frame that is shown; empty where the scene has no shot
+ * @param chosenKeys    how many of its keys are chosen
+ * @param way           whether the open animation has a way
  */
 public record Situation(Scene scene, Optional<Frame> frame, Optional<Scene> inWork,
         boolean verifying, Optional<Light> selected, Optional<Node> node, Optional<String> undo, Optional<String> redo,
         Optional<String> undoLight, Optional<String> redoLight, boolean dirty, boolean changedOnDisk,
-        Optional<Light> copied, boolean animating, boolean reading) {
+        Optional<Light> copied, boolean animating, boolean reading, Optional<Moment> moment, int chosenKeys, boolean way) {
 
     /** The situation of a document with a picture, and nothing running, copied or animated. */
     public static Situation of(OpenDocument document, Optional<Frame> frame) {
@@ -40,39 +44,58 @@ public record Situation(Scene scene, Optional<Frame> frame, Optional<Scene> inWo
         return new Situation(document.scene(), frame, Optional.empty(), false,
                 selected, document.selection().node(document.scene()), history.undoLabel(), history.redoLabel(), history.undoLabel(id),
                 history.redoLabel(id),
-                document.isDirty(), document.isChangedOnDisk(), Optional.empty(), false, false);
+                document.isDirty(), document.isChangedOnDisk(), Optional.empty(), false, false, document.moment(), 0, false);
     }
 
     public Situation withInWork(Optional<Scene> v) {
         return new Situation(scene, frame, v, verifying, selected, node, undo, redo, undoLight, redoLight, dirty,
-                changedOnDisk, copied, animating, reading);
+                changedOnDisk, copied, animating, reading, moment, chosenKeys, way);
     }
 
     public Situation withVerifying(boolean v) {
         return new Situation(scene, frame, inWork, v, selected, node, undo, redo, undoLight, redoLight, dirty,
-                changedOnDisk, copied, animating, reading);
+                changedOnDisk, copied, animating, reading, moment, chosenKeys, way);
     }
 
     public Situation withCopied(Optional<Light> v) {
         return new Situation(scene, frame, inWork, verifying, selected, node, undo, redo, undoLight, redoLight, dirty,
-                changedOnDisk, v, animating, reading);
+                changedOnDisk, v, animating, reading, moment, chosenKeys, way);
     }
 
     public Situation withAnimating(boolean v) {
         return new Situation(scene, frame, inWork, verifying, selected, node, undo, redo, undoLight, redoLight, dirty,
-                changedOnDisk, copied, v, reading);
+                changedOnDisk, copied, v, reading, moment, chosenKeys, way);
     }
 
     public Situation withReading(boolean v) {
         return new Situation(scene, frame, inWork, verifying, selected, node, undo, redo, undoLight, redoLight, dirty, changedOnDisk,
-                copied,
-                animating, v);
+                copied, animating, v, moment, chosenKeys, way);
+    }
+
+    public Situation withWay(boolean v) {
+        return new Situation(scene, frame, inWork, verifying, selected, node, undo, redo, undoLight, redoLight, dirty, changedOnDisk,
+                copied, animating, reading, moment, chosenKeys, v);
+    }
+
+    public Situation withChosenKeys(int v) {
+        return new Situation(scene, frame, inWork, verifying, selected, node, undo, redo, undoLight, redoLight, dirty, changedOnDisk,
+                copied, animating, reading, moment, v, way);
+    }
+
+    /** Whether keys of it are what Set Key is for: the selected light's with its bank's, those of the selected shape or group, the camera's. */
+    public boolean isSelected(Target target) {
+        return switch (target.what()) {
+            case CAMERA -> true;
+            case LIGHT -> selected.filter(l -> l.name().equals(target.name())).isPresent();
+            case BANK -> selected.filter(l -> l.bank().equals(target.name())).isPresent();
+            case NODE -> node.filter(n -> n.name().equals(target.name())).isPresent();
+        };
     }
 
     /** The same of an open animation, which shows a scene of its own with the selected light, shape or group as it is there. */
     public Situation withStaged(Scene staged, Optional<Light> light, Optional<Node> other) {
         return new Situation(staged, frame, inWork, verifying, light, other, undo, redo, undoLight, redoLight, dirty, changedOnDisk,
-                copied, animating, reading);
+                copied, animating, reading, moment, chosenKeys, way);
     }
 
     /** What the traced picture shows; empty before the first. */

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.LongFunction;
+import java.util.function.Supplier;
 import lightning.cache.PixelCache;
 import lightning.edit.loop.Frame;
 import lightning.edit.loop.Look;
@@ -18,6 +19,7 @@ import lightning.relight.tile.Options;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.VisiblePart;
+import lightning.scene.shot.AnimatedScene;
 
 /**
  * Everything that an editor's window works on: the open document, its picture, and what renders and keeps it. All panes
@@ -43,6 +45,7 @@ public final class Workbench implements AutoCloseable {
     private boolean verifying;
     private boolean live;
     private boolean animating;
+    private boolean way;
 
     /**
      * @param document what is open first; it is rendered by {@link #go()}
@@ -67,7 +70,7 @@ public final class Workbench implements AutoCloseable {
         return document;
     }
 
-    /** The document's scene as it is now. */
+    /** The document's scene as it is at the frame that is shown. */
     public Scene scene() {
         return document.scene();
     }
@@ -117,7 +120,7 @@ public final class Workbench implements AutoCloseable {
     /** What decides which commands are enabled. */
     public Situation situation() {
         return Situation.of(document, frame()).withInWork(inWork).withVerifying(verifying).withCopied(copied)
-                .withAnimating(animating);
+                .withAnimating(animating).withWay(way);
     }
 
     /** Puts another document in place of the open one and renders it. The open one's unsaved edits are lost. */
@@ -131,6 +134,7 @@ public final class Workbench implements AutoCloseable {
         rendering = RenderState.NONE;
         previous = Optional.empty();
         animating = false;
+        way = false;
         autosave.changed(document);
         changed.run();
     }
@@ -153,6 +157,28 @@ public final class Workbench implements AutoCloseable {
             edited();
         }
         return refusal;
+    }
+
+    /** Makes an edit of the scene with its shot: see {@link OpenDocument#applyToAll}. */
+    public Optional<String> editAll(Supplier<AnimatedScene> edit, Object gesture) {
+        Scene before = scene();
+        Optional<String> refusal = document.applyToAll(edit, gesture);
+        if (refusal.isEmpty()) {
+            boolean same = scene().equals(before);
+            autosave.changed(document);
+            if (!same) {
+                renderIfLive();
+            }
+            changed.run();
+        }
+        return refusal;
+    }
+
+    /** Shows a frame of the shot, in the picture too; returns why it cannot be shown. */
+    public Optional<String> showFrame(int frame) {
+        document.showFrame(frame);
+        go();
+        return document.frameProblem();
     }
 
     public void undo() {
@@ -351,10 +377,18 @@ public final class Workbench implements AutoCloseable {
     /** Whether an animation is open, which holds back the commands that change the document. */
     public void setAnimating(boolean v) {
         animating = v;
+        way &= v;
+        changed.run();
+    }
+
+    /** Whether the open animation has a way. */
+    public void setWay(boolean v) {
+        way = v;
         changed.run();
     }
 
     private void edited() {
+        document.settleFrame();
         autosave.changed(document);
         renderIfLive();
         changed.run();

@@ -7,6 +7,7 @@ import java.util.Optional;
 import lightning.file.FileState;
 import lightning.file.SafeFile;
 import lightning.scene.Scene;
+import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.ShotSuccession;
 
@@ -36,6 +37,11 @@ public final class JenDocument {
         return shot;
     }
 
+    /** The scene with its shot. */
+    public AnimatedScene content() {
+        return new AnimatedScene(scene, shot);
+    }
+
     /** The file's content: reading it gives {@link #scene()} and {@link #shot()} again, in every bit. */
     public String text() {
         return text;
@@ -57,6 +63,17 @@ public final class JenDocument {
         }
         Optional<Shot> followed = shot.map(s -> new ShotSuccession(scene, edited).of(s));
         return new JenDocument(edited, followed, Patch.apply(text, scene, edited));
+    }
+
+    /** The same of a scene with its shot. */
+    public JenDocument with(AnimatedScene edited) {
+        JenDocument of = with(edited.still());
+        return edited.shot().map(of::withShot).orElseGet(of::withoutShot);
+    }
+
+    /** The same scene without its shot, whose block is cut out. */
+    public JenDocument withoutShot() {
+        return shot.isEmpty() ? this : new JenDocument(scene, Optional.empty(), Patch.withoutShot(text));
     }
 
     /**

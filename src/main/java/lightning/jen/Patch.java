@@ -57,6 +57,15 @@ final class Patch {
         return text + (text.endsWith("\n") ? "" : source.newline()) + source.newline() + block + source.newline();
     }
 
+    /** The text without the block of a shot, which it has. */
+    static String withoutShot(String text) {
+        Tokens tokens = Lexer.tokens(text, new Problems());
+        var edits = new Edits(text);
+        var patch = new Patch(new Source("", text), tokens);
+        ofKinds(Parser.file(tokens, new Problems()), List.of(Blocks.SHOT.keyword())).forEach(shot -> patch.cut(edits, shot));
+        return edits.apply(0, text.length());
+    }
+
     /** Brings the keys to what has them now: names follow, what is gone is cut out. */
     private void shot(Edits edits, Block shot, Scene before, Scene edited) {
         var succession = new ShotSuccession(before, edited);

@@ -158,7 +158,7 @@ public final class Stage {
     }
 
     /** Whether both have equal shapes and groups in the same order. Where one of them was edited this is known without a walk. */
-    boolean hasNodesOf(Stage o) {
+    public boolean hasNodesOf(Stage o) {
         return tree == o.tree || tree.hash == o.tree.hash && nodes().equals(o.nodes());
     }
 

@@ -266,7 +266,7 @@ class OpenDocumentTest {
     @Test
     void recovered_theEditsAreOneStepOverTheFile() throws Exception {
         dial("key", 2);
-        String kept = document.text(document.scene());
+        String kept = document.text(document.content());
         OpenDocument back = OpenDocument.recover(new Recovery.Found(folder.resolve("x"), file, kept));
         assertThat(back.scene()).isEqualTo(document.scene());
         assertThat(back.isDirty()).isTrue();

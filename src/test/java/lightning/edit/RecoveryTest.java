@@ -143,7 +143,7 @@ class RecoveryTest {
             autosave.changed(document);
             document.apply(Desk.dial("intensity").set(document.scene(), "key", 3));
             autosave.changed(document);
-            String latest = document.text(document.scene());
+            String latest = document.text(document.content());
             Wait.until(() -> recovery.found().stream().anyMatch(f -> f.text().equals(latest)));
         }
     }

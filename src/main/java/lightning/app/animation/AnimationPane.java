@@ -52,8 +52,9 @@ final class AnimationPane extends VBox {
     /**
      * @param sceneName how the files that are saved are called, unless the artist says otherwise
      * @param close     closes the window
+     * @param toKeys    makes keys of the way
      */
-    AnimationPane(Motion motion, String sceneName, PathAsk ask, Runnable close) {
+    AnimationPane(Motion motion, String sceneName, PathAsk ask, Runnable close, Node toKeys) {
         this.motion = motion;
         this.sceneName = sceneName;
         this.ask = ask;
@@ -65,7 +66,7 @@ final class AnimationPane extends VBox {
         bar.setAccessibleText(Texts.of("export progress"));
         bar.setVisible(false);
         getChildren().addAll(transport(), scrub(), resolution.widget(), pictures.widget(), files(), bar, status,
-                bottom(close));
+                bottom(close, toKeys));
         obstacles.add(() -> pictures.widget().setObstacle(needsPath()));
         obstacles.add(() -> resolution.widget().setObstacle(unless(!is(Motion.State.RECORDING), Texts.of("it is recording"))));
         motion.stateProperty().subscribe(this::tell);
@@ -112,10 +113,10 @@ final class AnimationPane extends VBox {
                         () -> export.cancel(false), () -> unless(export != null, Texts.of("no export is running"))));
     }
 
-    private HBox bottom(Runnable close) {
+    private HBox bottom(Runnable close, Node toKeys) {
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
-        return tools(gap,
+        return tools(toKeys, gap,
                 button("close-animation", Texts.of("Close"), MaterialDesignC.CLOSE, Texts.of("Restores the scene as it was before"),
                         close, Optional::empty));
     }

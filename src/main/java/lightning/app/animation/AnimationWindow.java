@@ -1,16 +1,20 @@
 package lightning.app.animation;
 
+import java.util.function.Supplier;
 import javafx.animation.AnimationTimer;
 import javafx.scene.Scene;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.stage.Stage;
 import javafx.stage.Window;
+import lightning.app.command.CommandButton;
 import lightning.app.command.CommandKeys;
 import lightning.app.command.PathAsk;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.Looks;
 import lightning.app.widget.OnScreen;
+import lightning.edit.Command;
+import lightning.edit.motion.PathKeys;
 import lightning.text.Texts;
 
 /** Records and plays the way of the light that is selected when it opens (paper §3.7). */
@@ -18,17 +22,34 @@ public final class AnimationWindow extends Stage {
     /** From the corner of the editor's window, pixels. */
     private static final double MARGIN = 16;
 
+    private final Motion motion;
+
     /** Begins the animation; closing the window ends it. A light must be selected. */
     public AnimationWindow(EditorModel model, Window owner) {
         this(model, owner, PathAsk.inWindows(owner, model.document().file().toAbsolutePath().getParent()));
     }
 
+    /** Does the command that makes an animation of keys. */
+    public static void addTo(EditorModel model, Supplier<Window> owner) {
+        model.setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, owner.get()).show());
+        model.setAction(Command.KEYS_TO_WAY, () -> model.moment().flatMap(m -> PathKeys.path(m.shot(), model.selectedLight().name()))
+                .ifPresentOrElse(way -> {
+                    var window = new AnimationWindow(model, owner.get());
+                    window.show();
+                    window.motion.take(way);
+                }, () -> model.say(Texts.of("A way has linear keys of place and direction at the same frames, evenly spaced"))));
+    }
+
     AnimationWindow(EditorModel model, Window owner, PathAsk ask) {
         initOwner(owner);
-        Motion motion = new Motion(model);
+        motion = new Motion(model);
+        model.setAction(Command.WAY_TO_KEYS, () -> {
+            motion.toKeys();
+            close();
+        });
         setTitle(Texts.of("Animation of {0}", motion.light()));
         String name = model.document().name().replaceFirst("\\.[^.]*$", "") + "-" + motion.light();
-        AnimationPane pane = new AnimationPane(motion, name, ask, this::close);
+        AnimationPane pane = new AnimationPane(motion, name, ask, this::close, CommandButton.titled(model, Command.WAY_TO_KEYS));
         Scene content = new Scene(pane);
         content.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {

@@ -9,12 +9,17 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleIntegerProperty;
 import javafx.beans.value.ChangeListener;
 import lightning.app.model.EditorModel;
+import lightning.edit.KeyEdits;
+import lightning.edit.Moment;
 import lightning.edit.motion.MotionExport;
 import lightning.edit.motion.MotionPath;
 import lightning.edit.motion.MotionPathFile;
 import lightning.edit.motion.MotionRecorder;
+import lightning.edit.motion.PathKeys;
 import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.shot.AnimatedScene;
+import lightning.scene.shot.Shot;
 
 /** The animation of one light, from Make Animation to Close: what it does, without a window. */
 final class Motion {
@@ -39,6 +44,27 @@ final class Motion {
         light = model.selectedLight().name();
         model.beginAnimation();
         model.previewFramesProperty().addListener(drawn);
+        path.addListener((_, _, now) -> model.workbench().setWay(now != null));
+    }
+
+    /** Takes the way that a light goes in the shot. */
+    void take(MotionPath way) {
+        stop();
+        path.set(way);
+        show(0);
+    }
+
+    /** Ends, and lets the light go its way in the shot, which then has all of its frames; the message says why not. */
+    void toKeys() {
+        MotionPath way = path.get();
+        close();
+        model.editAll(scene -> {
+            AnimatedScene begun = KeyEdits.begin(scene);
+            Shot shot = begun.shot().orElseThrow();
+            int first = model.moment().map(Moment::frame).orElse(shot.first());
+            Shot with = PathKeys.of(shot, light, way, first);
+            return begun.withShot(with.withFrames(shot.first(), Math.max(shot.last(), Math.addExact(first, way.frames() - 1))));
+        }, null).ifPresentOrElse(model::say, () -> model.arrangement().timelineShownProperty().set(true));
     }
 
     String light() {
@@ -171,6 +197,9 @@ final class Motion {
 
     /** Restores the scene as it was. */
     void close() {
+        if (closed) {
+            return;
+        }
         closed = true;
         state.set(State.RESTING);
         model.previewFramesProperty().removeListener(drawn);

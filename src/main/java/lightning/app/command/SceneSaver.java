@@ -15,7 +15,7 @@ import lightning.edit.OpenDocument;
 import lightning.edit.TextDifference;
 import lightning.file.ChangedFileException;
 import lightning.file.ReadOnlyFileException;
-import lightning.scene.Scene;
+import lightning.scene.shot.AnimatedScene;
 import lightning.text.Quote;
 import lightning.text.Texts;
 
@@ -93,7 +93,7 @@ final class SceneSaver {
 
     private void askAboutBoth(Set<Consent> allowed, Runnable then) {
         OpenDocument document = model.document();
-        Scene mine = document.scene();
+        AnimatedScene mine = document.content();
         model.files().beside(() -> TextDifference.rows(document.text(mine), text(document.file())),
                 rows -> decide(notices.changed(document.name(), new DifferenceList(rows)).orElse(ButtonType.CANCEL), allowed, then),
                 why -> notices.failed(Texts.of("{0} could not be read", document.name()), why));

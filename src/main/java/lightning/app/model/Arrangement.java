@@ -11,6 +11,8 @@ public final class Arrangement {
     private final ObjectProperty<Canvases> canvases = new SimpleObjectProperty<>(Canvases.SIDE_BY_SIDE);
     private final BooleanProperty panelsHidden = new SimpleBooleanProperty();
 
+    private final BooleanProperty timelineShown = new SimpleBooleanProperty();
+
     /** Which of the two pictures are seen, and how large. */
     public enum Canvases {
         SIDE_BY_SIDE(Texts.key("Side by Side"), 0.5), PICTURE_LARGE(Texts.key("Traced Picture Large"), 0.72),
@@ -43,6 +45,11 @@ public final class Arrangement {
     /** Whether lists, properties and the tool bar are hidden. */
     public BooleanProperty panelsHiddenProperty() {
         return panelsHidden;
+    }
+
+    /** Whether the keys of the shot are seen below the pictures; when a scene is opened, where it has a shot. */
+    public BooleanProperty timelineShownProperty() {
+        return timelineShown;
     }
 
     /** As it was left. The panels are shown in any case: without them nobody would find anything. */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.LongProperty;
 import javafx.beans.property.ObjectProperty;
@@ -20,6 +21,7 @@ import javafx.beans.value.ObservableValue;
 import lightning.edit.Change;
 import lightning.edit.Command;
 import lightning.edit.FileThread;
+import lightning.edit.Moment;
 import lightning.edit.OpenDocument;
 import lightning.edit.PreviewCamera;
 import lightning.edit.Recovery;
@@ -32,6 +34,7 @@ import lightning.image.ViewTransform;
 import lightning.scene.Light;
 import lightning.scene.Node;
 import lightning.scene.Scene;
+import lightning.scene.shot.AnimatedScene;
 import lightning.text.Texts;
 
 /**
@@ -64,6 +67,7 @@ public final class EditorModel implements AutoCloseable {
     private final PictureLook look;
     private final MaterialChoice materials;
     private final LookThrough lookThrough;
+    private final KeyChoice keyChoice = new KeyChoice(this::refresh);
     /** What an open animation shows in place of the document; null where none is open. */
     private Scene staged;
     private volatile Path reading;
@@ -82,6 +86,7 @@ public final class EditorModel implements AutoCloseable {
                         .execute(() -> say(Texts.of("The last edits could not be kept for the case of a crash: {0}", Sentence.of(why)))));
         LightActions.addTo(this);
         NodeActions.addTo(this);
+        ShotActions.addTo(this);
         look = new PictureLook(this);
         materials = new MaterialChoice(this);
         lookThrough = new LookThrough(this);
@@ -97,6 +102,7 @@ public final class EditorModel implements AutoCloseable {
         });
         setSwitch(Command.LIVE, live);
         setSwitch(Command.HIDE_PANELS, arrangement.panelsHiddenProperty());
+        setSwitch(Command.TIMELINE, arrangement.timelineShownProperty());
         setSwitch(Command.HIDE_GIZMOS, previewLook.gizmosHiddenProperty());
         setSwitch(Command.GLOWING_TEXTURES, previewLook.glowingProperty());
         opened();
@@ -121,6 +127,7 @@ public final class EditorModel implements AutoCloseable {
 
     private void opened() {
         previewCamera.set(PreviewCamera.of(document().scene()));
+        arrangement.timelineShownProperty().set(document().moment().isPresent());
         document().scene().lights().stream().findFirst().ifPresent(l -> document().selectLight(l.name()));
         refresh();
     }
@@ -280,6 +287,40 @@ public final class EditorModel implements AutoCloseable {
         }
         stage(change.or(staged));
         return change.refusal();
+    }
+
+    /**
+     * Makes an edit of the scene with its shot: of keys, or of what is the same at all frames.
+     *
+     * @param edit    throws an {@link IllegalArgumentException} that says why it cannot be made
+     * @param gesture as in {@link #edit(Function, Object)}
+     * @return why it was refused; empty if it was made
+     */
+    public Optional<String> editAll(UnaryOperator<AnimatedScene> edit, Object gesture) {
+        say("");
+        if (staged != null) {
+            return Optional.of(Texts.of("an animation is open; close it first"));
+        }
+        return workbench.editAll(() -> edit.apply(document().content()), gesture);
+    }
+
+    /** The frame of the shot that is shown; empty where the scene has none. */
+    public Optional<Moment> moment() {
+        return document().moment();
+    }
+
+    /** Shows a frame of the shot in both pictures; edits are made at it from then on. */
+    public void showFrame(int frame) {
+        PreviewCamera before = PreviewCamera.of(scene());
+        say(workbench.showFrame(frame).orElse(""));
+        if (previewCamera.get().equals(before)) {
+            previewCamera.set(PreviewCamera.of(scene()));
+        }
+    }
+
+    /** Which keys of the shot are chosen. */
+    public KeyChoice keyChoice() {
+        return keyChoice;
     }
 
     /** Selects the light of that name; nothing where there is none, or for null. */
@@ -445,7 +486,7 @@ public final class EditorModel implements AutoCloseable {
         scene.set(scene());
         Light light = document().selectedLight().flatMap(l -> scene().light(l.name())).orElse(null);
         selectedLight.set(light);
-        Situation s = workbench.situation().withReading(reading != null);
+        Situation s = workbench.situation().withReading(reading != null).withChosenKeys(keyChoice.settled(document().content()));
         situation.set(staged == null ? s : s.withStaged(staged, Optional.ofNullable(light), document().selection().node(staged)));
     }
 

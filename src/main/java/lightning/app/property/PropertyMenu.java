@@ -3,11 +3,16 @@ package lightning.app.property;
 import javafx.scene.Node;
 import javafx.scene.control.ContextMenu;
 import javafx.scene.control.MenuItem;
+import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.input.Clipboard;
 import javafx.scene.input.ClipboardContent;
 import lightning.app.command.CommandItems;
 import lightning.app.model.EditorModel;
 import lightning.edit.Command;
+import lightning.edit.KeyEdits;
+import lightning.edit.Moment;
+import lightning.scene.Scene;
+import lightning.scene.shot.AnimatedScene;
 import lightning.text.Quote;
 import lightning.text.Texts;
 
@@ -50,7 +55,31 @@ final class PropertyMenu {
         copy.setDisable(copy.isDisable() || none);
         paste.setDisable(paste.isDisable() || none || there.isEmpty());
         reset.setDisable(reset.isDisable() || none);
-        return new MenuItem[] {copy, paste, reset};
+        if (!property.keyed(model.scene())) {
+            return new MenuItem[] {copy, paste, reset};
+        }
+        var key = items.value(Command.KEY_PROPERTY, keyTitle(title), this::key);
+        var unkey = items.value(Command.UNKEY_PROPERTY, Texts.of("Remove Keys of {0}", title), this::unkey);
+        unkey.setDisable(unkey.isDisable() || model.moment().flatMap(m -> m.shot().track(property.keyTarget(), property.name())).isEmpty());
+        return new MenuItem[] {copy, paste, reset, new SeparatorMenuItem(), key, unkey};
+    }
+
+    private String keyTitle(String title) {
+        return model.moment().map(m -> Texts.of("Key {0} at Frame {1}", title, m.frame())).orElse(Texts.of("Key {0} in a New Shot", title));
+    }
+
+    private void key() {
+        Scene shown = model.scene();
+        model.editAll(scene -> {
+            AnimatedScene begun = KeyEdits.begin(scene);
+            int frame = model.moment().map(Moment::frame).orElseGet(() -> begun.shot().orElseThrow().first());
+            return KeyEdits.key(begun, shown, property.keyTarget(), property.name(), frame);
+        }, null).ifPresentOrElse(model::say, () -> model.arrangement().timelineShownProperty().set(true));
+    }
+
+    private void unkey() {
+        Scene shown = model.scene();
+        model.editAll(scene -> KeyEdits.unkey(scene, shown, property.keyTarget(), property.name()), null).ifPresent(model::say);
     }
 
     private static String copied() {

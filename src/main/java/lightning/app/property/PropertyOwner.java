@@ -8,6 +8,8 @@ import lightning.edit.MaterialEdits;
 import lightning.edit.NodeEdits;
 import lightning.jen.NameText;
 import lightning.jen.PropertyEdit;
+import lightning.scene.Attribute;
+import lightning.scene.Keying;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.Material;
@@ -15,6 +17,7 @@ import lightning.scene.MaterialAttribute;
 import lightning.scene.Node;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.shot.Target;
 
 /** One property of what is selected, in the words of the scene file. */
 sealed interface PropertyOwner {
@@ -34,6 +37,16 @@ sealed interface PropertyOwner {
 
     /** The value that a new one has. */
     Change reset(Scene scene);
+
+    /** What would have its keys. */
+    Target keyTarget();
+
+    /** Whether it can have keys in the scene. */
+    default boolean keyed(Scene scene) {
+        return text().isPresent() && keyTarget().isIn(scene)
+                && keyTarget().attribute(scene, name()).<Attribute<?, ?>>map(a -> a).filter(a -> a.kind().keying() != Keying.NONE)
+                        .isPresent();
+    }
 
     /** As an edit of a scene by text names it. */
     String target();
@@ -63,6 +76,11 @@ sealed interface PropertyOwner {
         @Override
         public Change reset(Scene scene) {
             return LightEdits.with(scene, model.selectedLight().name(), light -> initial(light, attribute));
+        }
+
+        @Override
+        public Target keyTarget() {
+            return Target.light(model.selectedLight().name());
         }
 
         private static <V> Light initial(Light light, LightAttribute<V> attribute) {
@@ -97,6 +115,16 @@ sealed interface PropertyOwner {
             return MaterialEdits.with(scene, model.materials().material().name(), material -> initial(material, attribute));
         }
 
+        @Override
+        public Target keyTarget() {
+            return Target.CAMERA;
+        }
+
+        @Override
+        public boolean keyed(Scene scene) {
+            return false;
+        }
+
         private static <V> Material initial(Material material, MaterialAttribute<V> attribute) {
             return attribute.with(material, attribute.initial());
         }
@@ -121,6 +149,11 @@ sealed interface PropertyOwner {
         @Override
         public String target() {
             return NameText.of(model.selectedNode().map(Node::name).orElse(""));
+        }
+
+        @Override
+        public Target keyTarget() {
+            return Target.node(model.selectedNode().map(Node::name).orElse(""));
         }
 
         @Override

@@ -13,7 +13,7 @@ import javafx.stage.Window;
 public enum Looks {
     DARK, LIGHT;
 
-    private static final List<String> SHEETS = List.of("window.css", "lightning.css", "mixer.css");
+    private static final List<String> SHEETS = List.of("window.css", "lightning.css", "mixer.css", "timeline.css");
     private static Looks worn = DARK;
 
     Theme theme() {

@@ -12,7 +12,7 @@ import javafx.stage.Stage;
 import javafx.stage.Window;
 
 /** A window beside the editor's, which stays in use; Escape closes it. */
-public final class PanelWindow extends Stage {
+public class PanelWindow extends Stage {
     /** From the corner of the editor's window, pixels. */
     private static final double MARGIN = 16;
 

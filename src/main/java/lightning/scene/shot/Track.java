@@ -2,6 +2,7 @@ package lightning.scene.shot;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import lightning.scene.Attribute;
 import lightning.scene.Choice;
 import lightning.scene.Keying;
@@ -34,6 +35,35 @@ public record Track(Target target, String attribute, List<Key> keys) {
         return new Track(other, attribute, keys);
     }
 
+    /** The key at a frame. */
+    public Optional<Key> key(int frame) {
+        return keys.stream().filter(k -> k.frame() == frame).findFirst();
+    }
+
+    /** These keys and another, in place of the one at its frame. */
+    public Track with(Key key) {
+        List<Key> all = new ArrayList<>(keys);
+        int place = 0;
+        while (place < all.size() && all.get(place).frame() < key.frame()) {
+            place++;
+        }
+        if (place < all.size() && all.get(place).frame() == key.frame()) {
+            all.set(place, key);
+        } else {
+            all.add(place, key);
+        }
+        return new Track(target, attribute, all);
+    }
+
+    /** With another value at a frame: the key there goes on as it did, a new one as the key before it, or as the first. */
+    public Track with(int frame, Setting setting) {
+        Key before = keys.getFirst();
+        for (Key key : keys) {
+            before = key.frame() <= frame ? key : before;
+        }
+        return with(new Key(frame, setting, before.passage()));
+    }
+
     /**
      * Refuses keys that the scene cannot have.
      *
@@ -41,7 +71,7 @@ public record Track(Target target, String attribute, List<Key> keys) {
      *                                  may not have one's value
      */
     public void check(Scene scene) {
-        check(target.attributes(scene).stream().filter(a -> a.name().equals(attribute)).findFirst()
+        check(target.attribute(scene, attribute).<Attribute<?, ?>>map(a -> a)
                 .orElseThrow(() -> new IllegalArgumentException(target + " has no " + attribute + " with keys")));
     }
 

@@ -216,7 +216,7 @@ class MixerPaneTest extends EditorDesk {
         assertThat(strips()).containsExactly("stage", "lamp", "sun");
         assertThat(model().reason(Command.UNDO)).isEmpty();
         assertThat(model().situationProperty().get().undo()).hasValue("order of lights");
-        String text = model().document().text(model().scene());
+        String text = model().document().text(model().document().content());
         assertThat(text.indexOf("light stage")).isLessThan(text.indexOf("light lamp"));
         assertPictureShowsTheScene();
         click("undo");
@@ -235,7 +235,7 @@ class MixerPaneTest extends EditorDesk {
                 .release(MouseButton.PRIMARY);
         assertThat(strips()).containsExactly("lamp", "bank2", "stage", "bank", "sun");
         assertThat(model().situationProperty().get().undo()).hasValue("order of banks");
-        String text = model().document().text(model().scene());
+        String text = model().document().text(model().document().content());
         assertThat(text.indexOf("\nbank bank2")).isPositive().isLessThan(text.indexOf("\nbank bank "));
         assertPictureShowsTheScene();
         click("undo");
