@@ -69,7 +69,7 @@ final class Architecture {
             row("engine.choice", "engine engine.scalar engine.lanes"),
             row("fulltrace", "scene effects image trace shading engine engine.choice work"),
             row("warmup", "scene image trace engine engine.choice fulltrace work"),
-            row("cache", "scene image trace shading"),
+            row("cache", "column scene image trace shading"),
             row("relight.plan", "text math scene image trace shading cache"),
             row("relight.tile", "scene effects image trace shading engine engine.choice cache work relight.plan"),
             row("relight", "math column scene effects image trace shading engine cache work relight.plan relight.tile"),
@@ -100,7 +100,7 @@ final class Architecture {
             row("bench.mesh", "mesh trace.solid trace.mesh"),
             row("bench", ENGINE + " file jen mesh trace.mesh accuracy pov bench.mesh"),
             row("bench.report", ENGINE + " file accuracy bench"),
-            row("cli", ENGINE + " file exr jen scene.shot hdr layer movie accuracy mesh exchange pov bench bench.report"));
+            row("cli", ENGINE + " file exr jen scene.shot shot hdr layer movie accuracy mesh exchange pov bench bench.report"));
 
     /** @param known the packages that it may import, beside itself */
     private record Row(String name, Set<String> known) {

@@ -7,7 +7,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** What is done with the frames of a shot. */
-@Command(name = "shot", abbreviateSynopsis = true, header = "Render the frames of a shot.",
+@Command(name = "shot", abbreviateSynopsis = true, header = "Render the frames of a shot, or relight them.",
         description = {"A scene with a shot block has a picture for each frame."},
         footer = {
             "Example:",

@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.concurrent.CancellationException;
 import java.util.stream.IntStream;
 import lightning.file.SafeFile;
 import lightning.image.Film;
@@ -21,7 +20,6 @@ import lightning.relight.plan.Reflections;
 import lightning.relight.plan.UpdatePlan;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
-import lightning.scene.shot.Shot;
 import lightning.text.Decimal;
 import lightning.work.Memory;
 import picocli.CommandLine.Command;
@@ -74,14 +72,10 @@ final class ShotRenderCommand implements Callable<Integer> {
             Ffmpeg.required();
         }
         JenDocument document = input.read();
-        Shot shot = document.shot().orElseThrow(() -> new BadInput(Console.text(
-                "%s: has no shot; docs/jen-format.md tells how a shot block says one", input.path())));
-        FrameRange range = frames == null ? new FrameRange(shot.first(), shot.last()) : frames;
-        if (range.count() > FrameRange.MOST) {
-            throw new BadInput("the shot has " + range.count() + " frames; choose at most " + FrameRange.MOST + " of them with --frames");
-        }
+        ShotFrames shot = ShotFrames.of(document, input.path(), frames);
+        FrameRange range = shot.range();
         Scene scene = picture.apply(document.scene());
-        checkAll(shot, scene, range);
+        shot.check(scene);
         if (movie.isPresent()) {
             film(shot, scene, range, movie.get());
             return ExitCode.DONE;
@@ -104,25 +98,7 @@ final class ShotRenderCommand implements Callable<Integer> {
         return ExitCode.DONE;
     }
 
-    /** Before the first picture is begun. */
-    private static void checkAll(Shot shot, Scene scene, FrameRange range) throws BadInput {
-        for (int frame = range.first(); frame <= range.last(); frame++) {
-            if (Thread.currentThread().isInterrupted()) {
-                throw new CancellationException();
-            }
-            at(shot, scene, frame);
-        }
-    }
-
-    private static Scene at(Shot shot, Scene scene, int frame) throws BadInput {
-        try {
-            return shot.at(scene, frame);
-        } catch (IllegalArgumentException e) {
-            throw new BadInput(e.getMessage());
-        }
-    }
-
-    private void render(Shot shot, Scene scene, List<Integer> wanted, FrameFiles files) throws Exception {
+    private void render(ShotFrames shot, Scene scene, List<Integer> wanted, FrameFiles files) throws Exception {
         Path one = files.file(0);
         run(shot, scene, wanted, PictureOutput.memory(scene, one), (frame, film) -> {
             output.write(film, files.file(frame));
@@ -131,12 +107,12 @@ final class ShotRenderCommand implements Callable<Integer> {
     }
 
     /** All frames as a film, which appears whole or not at all. */
-    private void film(Shot shot, Scene scene, FrameRange range, MovieKind kind) throws Exception {
+    private void film(ShotFrames shot, Scene scene, FrameRange range, MovieKind kind) throws Exception {
         Ffmpeg ffmpeg = Ffmpeg.required();
         PictureOutput.checkFile(output.file());
         List<Integer> all = IntStream.rangeClosed(range.first(), range.last()).boxed().toList();
         SafeFile.at(output.file()).writeByName(temporary -> {
-            try (var movie = new MovieWriter(ffmpeg, kind, shot.rate(), output.view(), temporary)) {
+            try (var movie = new MovieWriter(ffmpeg, kind, shot.shot().rate(), output.view(), temporary)) {
                 run(shot, scene, all, Memory.available() - MovieWriter.bytes(scene.picture()), (frame, film) -> {
                     movie.add(film);
                     return "frame " + frame;
@@ -144,7 +120,7 @@ final class ShotRenderCommand implements Callable<Integer> {
                 movie.finish();
             }
         });
-        console.line("%s: %d frames, %s a second", output.file(), all.size(), Decimal.text(shot.rate()));
+        console.line("%s: %d frames, %s a second", output.file(), all.size(), Decimal.text(shot.shot().rate()));
     }
 
     /** What is done with a frame. */
@@ -153,12 +129,12 @@ final class ShotRenderCommand implements Callable<Integer> {
         String take(int frame, Film film) throws IOException;
     }
 
-    private void run(Shot shot, Scene scene, List<Integer> wanted, long memory, Sink sink) throws IOException {
+    private void run(ShotFrames shot, Scene scene, List<Integer> wanted, long memory, Sink sink) throws IOException {
         Options options = Options.DEFAULT.withReflections(Reflections.CURRENT).withThreads(threads.count()).withMemory(memory);
         double[] milliseconds = new double[2];
         int[] counts = new int[2];
         try (ProgressBar bar = new ProgressBar(console, "rendering")) {
-            FrameRun.render(wanted, frame -> shot.at(scene, frame), options, bar.silent(), (frame, film, update) -> {
+            FrameRun.render(wanted, frame -> shot.shot().at(scene, frame), options, bar.silent(), (frame, film, update) -> {
                 String called = sink.take(frame, film);
                 int kind = update.plan() instanceof UpdatePlan.FirstPass ? 0 : 1;
                 milliseconds[kind] += update.milliseconds();

@@ -83,6 +83,11 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
         return set;
     }
 
+    /** All kinds that there are, in their order. */
+    C[] kinds() {
+        return kinds;
+    }
+
     /** The array under a kind, of the type that its element tells; null where there is none. */
     public Object get(C kind) {
         return columns[kind.ordinal()];

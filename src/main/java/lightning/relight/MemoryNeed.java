@@ -71,6 +71,15 @@ public final class MemoryNeed {
         return cache.bytes() + cache.colorBytes() + (picture.sampling().isFine() ? COLOR * pixels(picture) : 0);
     }
 
+    /**
+     * About how many bytes a first pass will take, by small ones: a fraction of a second.
+     *
+     * @param scene as the view shows it
+     */
+    public static long forecast(Scene scene, Options options) {
+        return Forecast.of(scene, options).bytes(scene.picture());
+    }
+
     /** The pixels of whole tiles. */
     private static long pixels(Picture picture) {
         return padded(picture.width()) * padded(picture.height());

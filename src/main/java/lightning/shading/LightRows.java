@@ -1,11 +1,14 @@
 package lightning.shading;
 
+import java.io.IOException;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import lightning.column.ColumnKind;
+import lightning.column.ColumnReader;
 import lightning.column.ColumnSet;
+import lightning.column.ColumnWriter;
 import lightning.column.ElementType;
 import lightning.scene.Light;
 
@@ -183,6 +186,26 @@ public final class LightRows implements LightLayer {
     @Override
     public int lit() {
         return lit;
+    }
+
+    /** Writes all that is known of the layer. */
+    public void writeTo(ColumnWriter out) throws IOException {
+        boolean shares = state == UNREACHED.state;
+        out.number(lit);
+        out.number(shares ? 1 : 0);
+        out.columns(shares ? columns.with(Column.STATE, null) : columns);
+    }
+
+    /**
+     * Reads a layer.
+     *
+     * @throws IOException if it is cut off
+     */
+    public static LightRows readFrom(ColumnReader in) throws IOException {
+        int lit = in.number();
+        boolean shares = in.number() == 1;
+        ColumnSet<Column> read = in.columns(Column.class);
+        return new LightRows(shares ? read.with(Column.STATE, UNREACHED.state) : read, lit);
     }
 
     /** The columns that this layer has. */

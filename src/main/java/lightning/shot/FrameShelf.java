@@ -1,53 +1,166 @@
 package lightning.shot;
 
+import java.io.IOException;
 import java.util.Map;
 import java.util.TreeMap;
+import lightning.cache.CacheColumns;
+import lightning.cache.CacheOutline;
 import lightning.cache.PixelCache;
 import lightning.relight.MemoryNeed;
 
-/** The caches of frames, as many as have room: those nearest to the focus stay. Any thread may call. */
-final class FrameShelf {
+/**
+ * The caches of frames: in memory as far as they have room there, those nearest to the focus; the others on disk; and where that has no
+ * room either, nowhere. Any thread may call, of one frame one at a time.
+ */
+final class FrameShelf implements AutoCloseable {
     private final long memory;
+    /** Null where nothing is kept on disk. */
+    private final FrameFolder folder;
     private final Map<Integer, Resting> frames = new TreeMap<>();
     private long bytes;
     private int focus;
 
-    /** A frame that nobody works on. */
-    private record Resting(PixelCache cache, long bytes) {}
+    /** A frame that nobody works on: in memory, on disk, or in both while it goes from one to the other. */
+    private static final class Resting {
+        final int frame;
+        final CacheOutline outline;
+        final long bytes;
+        /** Null where it is on disk alone. */
+        PixelCache cache;
+        FrameFolder.Part rows;
+        FrameFolder.Part colors;
+        boolean leaves;
 
-    /** @param memory bytes that frames may take */
-    FrameShelf(long memory) {
-        this.memory = memory;
-    }
-
-    /** What is kept of a frame; null for nothing. */
-    synchronized PixelCache get(int frame) {
-        Resting resting = frames.get(frame);
-        return resting == null ? null : resting.cache;
-    }
-
-    /** Keeps a frame in place of what was kept of it, if there is room. */
-    synchronized void put(int frame, PixelCache cache) {
-        remove(frame);
-        long more = MemoryNeed.of(cache);
-        frames.put(frame, new Resting(cache, more));
-        bytes += more;
-        while (bytes > memory) {
-            remove(farthest());
+        Resting(int frame, PixelCache cache) {
+            this.frame = frame;
+            this.cache = cache;
+            outline = CacheOutline.of(cache);
+            bytes = MemoryNeed.of(cache);
         }
     }
 
-    private int farthest() {
-        int farthest = -1;
-        for (int frame : frames.keySet()) {
-            farthest = farthest < 0 || Math.abs(frame - focus) >= Math.abs(farthest - focus) ? frame : farthest;
+    /**
+     * @param memory bytes that frames may take in memory
+     * @param folder closed with this; null for none
+     */
+    FrameShelf(long memory, FrameFolder folder) {
+        this.memory = memory;
+        this.folder = folder;
+    }
+
+    /** What is kept of a frame; null for nothing. */
+    PixelCache get(int frame) {
+        while (true) {
+            Resting resting;
+            FrameFolder.Part rows;
+            FrameFolder.Part colors;
+            synchronized (this) {
+                resting = frames.get(frame);
+                if (resting == null || resting.cache != null) {
+                    return resting == null ? null : resting.cache;
+                }
+                rows = resting.rows;
+                colors = resting.colors;
+            }
+            try {
+                return folder.read(resting.outline, rows, colors);
+            } catch (IOException e) {
+                if (isUnreadable(resting, e)) {
+                    return null;
+                }
+            }
+        }
+    }
+
+    /** What cannot be read is nothing any more, unless somebody put the frame there anew meanwhile. */
+    private synchronized boolean isUnreadable(Resting resting, IOException e) {
+        if (frames.get(resting.frame) != resting) {
+            return false;
+        }
+        folder.tell("a frame's file could not be read: " + e.getMessage());
+        remove(resting.frame);
+        return true;
+    }
+
+    /**
+     * Keeps a frame in place of what was kept of it, if there is room.
+     *
+     * @param before what {@link #get} gave of it; may be null
+     */
+    void put(int frame, PixelCache cache, PixelCache before) {
+        Resting resting = new Resting(frame, cache);
+        synchronized (this) {
+            Resting old = frames.put(frame, resting);
+            bytes += resting.bytes;
+            if (old != null) {
+                bytes -= old.cache != null && !old.leaves ? old.bytes : 0;
+                if (before != null && old.rows != null && !isUnderWay(old) && CacheColumns.shareRows(before, cache)) {
+                    resting.rows = old.rows;
+                    old.rows = null;
+                }
+                drop(old);
+            }
+        }
+        for (Resting far = farthest(); far != null; far = farthest()) {
+            toDisk(far);
+        }
+    }
+
+    /** The frame that must leave memory next, which is about to; null where all have room. */
+    private synchronized Resting farthest() {
+        if (bytes <= memory) {
+            return null;
+        }
+        Resting farthest = null;
+        for (Resting resting : frames.values()) {
+            boolean stays = resting.cache != null && !resting.leaves;
+            if (stays && (farthest == null || Math.abs(resting.frame - focus) >= Math.abs(farthest.frame - focus))) {
+                farthest = resting;
+            }
+        }
+        if (farthest != null) {
+            farthest.leaves = true;
+            bytes -= farthest.bytes;
         }
         return farthest;
     }
 
+    /** Nobody waits for the disk but who put the frame here. */
+    private void toDisk(Resting resting) {
+        FrameFolder.Part rows = folder == null || resting.rows != null ? resting.rows : folder.writeRows(resting.cache);
+        FrameFolder.Part colors = rows == null ? null : folder.writeColors(resting.cache);
+        synchronized (this) {
+            resting.rows = rows;
+            resting.colors = colors;
+            resting.cache = null;
+            if (frames.get(resting.frame) != resting) {
+                drop(resting);
+            } else if (colors == null) {
+                frames.remove(resting.frame);
+                drop(resting);
+            }
+        }
+    }
+
+    /** Whether its files are being written: whoever does that looks after them. */
+    private static boolean isUnderWay(Resting resting) {
+        return resting.leaves && resting.cache != null;
+    }
+
+    /** Removes the files. */
+    private void drop(Resting resting) {
+        if (folder != null && !isUnderWay(resting)) {
+            folder.remove(resting.rows);
+            folder.remove(resting.colors);
+        }
+    }
+
     synchronized void remove(int frame) {
         Resting gone = frames.remove(frame);
-        bytes -= gone == null ? 0 : gone.bytes;
+        if (gone != null) {
+            bytes -= gone.cache != null && !gone.leaves ? gone.bytes : 0;
+            drop(gone);
+        }
     }
 
     synchronized void focus(int frame) {
@@ -55,11 +168,25 @@ final class FrameShelf {
     }
 
     synchronized KeptBytes bytes() {
-        return new KeptBytes(frames.size(), bytes, 0, 0);
+        KeptBytes sum = KeptBytes.NONE;
+        for (Resting resting : frames.values()) {
+            sum = sum.plus(resting.cache != null ? new KeptBytes(1, resting.bytes, 0, 0)
+                    : new KeptBytes(0, 0, 1, resting.rows.bytes() + resting.colors.bytes()));
+        }
+        return sum;
     }
 
-    synchronized void clear() {
+    /** What went wrong on disk first; null for nothing. */
+    String problem() {
+        return folder == null ? null : folder.problem();
+    }
+
+    @Override
+    public synchronized void close() {
         frames.clear();
         bytes = 0;
+        if (folder != null) {
+            folder.close();
+        }
     }
 }

@@ -1,5 +1,7 @@
 package lightning.shot;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Optional;
 import lightning.cache.PixelCache;
@@ -27,12 +29,29 @@ public final class LocalKeeper implements FrameKeeper {
     private boolean closed;
 
     /**
+     * A keeper of what memory holds; frames farther from the focus are traced again for each edit.
+     *
      * @param options threads, engines, and the bytes that a frame may take while it is worked on; all frames are exact
      * @param memory  bytes that frames may take which nobody works on
      */
     public LocalKeeper(Options options, long memory) {
+        this(options, new FrameShelf(memory, null));
+    }
+
+    /**
+     * A keeper of what memory holds, and of the rest on disk.
+     *
+     * @param place where a folder of files is made that is removed in the end
+     * @param disk  bytes that these may take
+     * @throws IOException if it cannot be made; a sentence that begins with {@code place}
+     */
+    public LocalKeeper(Options options, long memory, Path place, long disk) throws IOException {
+        this(options, new FrameShelf(memory, new FrameFolder(place, disk)));
+    }
+
+    private LocalKeeper(Options options, FrameShelf shelf) {
         this.options = options.withAccuracy(Accuracy.EXACT).withReflections(Reflections.CURRENT).withStorage(MirrorStorage.FULL_ROWS);
-        shelf = new FrameShelf(memory);
+        this.shelf = shelf;
     }
 
     @Override
@@ -45,7 +64,7 @@ public final class LocalKeeper implements FrameKeeper {
             renderer.restore(kept);
             renderer.share(kept == null ? shapes() : null);
             Update update = render(renderer, wanted, progress);
-            shelf.put(frame, renderer.cache());
+            shelf.put(frame, renderer.cache(), kept);
             keepShapes(renderer.cache().geometry());
             return new FrameUpdate(frame, update.plan() instanceof UpdatePlan.FirstPass, update.plan().text(), update.rays().all(),
                     System.nanoTime() - start, renderer.film());
@@ -108,12 +127,17 @@ public final class LocalKeeper implements FrameKeeper {
         return shelf.bytes();
     }
 
+    /** Why frames are not on disk that should be, the first reason; a sentence without its full stop. */
+    public Optional<String> problem() {
+        return Optional.ofNullable(shelf.problem());
+    }
+
     @Override
     public synchronized void close() {
         closed = true;
         free.forEach(Renderer::close);
         free.clear();
-        shelf.clear();
+        shelf.close();
         shapes = null;
     }
 }

@@ -1,10 +1,13 @@
 package lightning.trace;
 
+import java.io.IOException;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Set;
 import lightning.column.ColumnKind;
+import lightning.column.ColumnReader;
 import lightning.column.ColumnSet;
+import lightning.column.ColumnWriter;
 import lightning.column.ElementType;
 import lightning.trace.tree.PointBox;
 
@@ -244,6 +247,37 @@ public final class HitRows {
             case 2 -> texelBlue;
             default -> throw new IllegalArgumentException("channel " + channel);
         };
+    }
+
+    /** Writes all that is known of the rows. */
+    public void writeTo(ColumnWriter out) throws IOException {
+        out.number(count);
+        out.number(reflective);
+        out.number(clear);
+        out.array(Arrays.copyOf(runMaterial, runs));
+        out.array(Arrays.copyOf(runEnd, runs));
+        out.columns(columns);
+    }
+
+    /**
+     * Reads rows.
+     *
+     * @throws IOException if they are cut off
+     */
+    public static HitRows readFrom(ColumnReader in) throws IOException {
+        int count = in.number();
+        int reflective = in.number();
+        int clear = in.number();
+        int[] runMaterial = in.ints();
+        int[] runEnd = in.ints();
+        HitRows rows = new HitRows(in.columns(Column.class));
+        rows.count = count;
+        rows.reflective = reflective;
+        rows.clear = clear;
+        for (int r = 0; r < runEnd.length; r++) {
+            rows.addRun(runMaterial[r], runEnd[r]);
+        }
+        return rows;
     }
 
     /** The columns that these rows have. */

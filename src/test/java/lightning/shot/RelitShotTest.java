@@ -2,8 +2,12 @@ package lightning.shot;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import lightning.image.Film;
@@ -26,6 +30,12 @@ import net.jqwik.api.constraints.IntRange;
 /** Every frame has the bits of its reference trace, whatever edits came, and whatever was kept. */
 class RelitShotTest {
     private static final int FRAMES = 3;
+
+    private final Path place;
+
+    RelitShotTest() throws IOException {
+        place = Files.createDirectories(Path.of("target", "shelves"));
+    }
 
     /** A session of edits, and keys over its first scene. */
     record Story(Session session, Shot shot) {
@@ -64,9 +74,9 @@ class RelitShotTest {
     @Property(edgeCases = EdgeCasesMode.NONE, tries = 25)
     void everyFrame_equalsItsReferenceAfterAllEdits(@ForAll("stories") Story story, @ForAll("budgets") long memory,
             @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll @IntRange(min = 1, max = 15) int settles,
-            @ForAll @IntRange(max = ShotArbitraries.LAST - FRAMES) int first) throws InterruptedException {
+            @ForAll @IntRange(max = ShotArbitraries.LAST - FRAMES) int first, @ForAll("budgets") long disk) throws Exception {
         var seen = new Screen();
-        var keeper = new LocalKeeper(Options.DEFAULT.withThreads(threads), memory);
+        var keeper = new LocalKeeper(Options.DEFAULT.withThreads(threads), memory, place, disk);
         try (RelitShot shot = RelitShot.of(first, first + FRAMES - 1, keeper, seen)) {
             List<Take> takes = story.takes();
             for (int i = 0; i < takes.size(); i++) {
@@ -76,6 +86,7 @@ class RelitShotTest {
                 if (i == takes.size() - 1 || (settles >> i % 4 & 1) == 1) {
                     shot.awaitIdle();
                     check(shot, takes.get(i), seen);
+                    assertThat(disk == Long.MAX_VALUE ? keeper.problem() : Optional.empty()).isEmpty();
                 }
             }
         }

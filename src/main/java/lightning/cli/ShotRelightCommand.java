@@ -1,0 +1,236 @@
+package lightning.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
+import lightning.fulltrace.TraditionalTracer;
+import lightning.jen.JenDocument;
+import lightning.movie.FrameFiles;
+import lightning.relight.tile.Options;
+import lightning.scene.Scene;
+import lightning.scene.shot.Key;
+import lightning.scene.shot.Shot;
+import lightning.scene.shot.ShotSuccession;
+import lightning.scene.shot.Target;
+import lightning.scene.shot.Track;
+import lightning.shot.KeptBytes;
+import lightning.shot.LocalKeeper;
+import lightning.shot.RelitShot;
+import lightning.shot.ShotNeed;
+import lightning.shot.Take;
+import lightning.warmup.LateWarmUp;
+import lightning.work.Progress;
+import lightning.work.Workers;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** Traces all frames of a shot, keeps what each was made of, and makes edits in all of them. */
+@Command(name = "relight", abbreviateSynopsis = true, header = "Edit lights and materials in all frames of a shot.",
+        description = {
+            "Traces every frame once and keeps what that found, in memory and, where that is full, in files that are removed in the",
+            "end. Then the edits are made in all frames, and only what they change is computed anew; each picture is that of its",
+            "frame's scene in every bit. Edits up to a --then (or the end) are made at once. Without a --then pictures are named as by",
+            "'shot render'; with some, those of the first group go into a folder 1 beside or in that of the output, of the second",
+            "into 2, and so on: --then tries several lightings in one go. What has keys in the shot is no property to --set: that is",
+            "refused, and the keys are told. At the end stands what was saved of tracing all frames of the last group in full,",
+            "measured by some of them; --no-savings leaves that out.",
+            "A picture appears whole or not at all; those that are finished stay when the command is cancelled."},
+        footer = {
+            "Examples:",
+            "  lightning shot relight scenes/dusk.jen --frames 1-24 --set sky.intensity=0.5 -o dim",
+            "  lightning shot relight scenes/dusk.jen --frames 1-24 --delete sky --then --set \"world.ambience=0.1\" -o tries"})
+final class ShotRelightCommand implements Callable<Integer> {
+    private static final double GB = 1e9;
+    /** Frames that are traced in full to tell the saving; each again where it was cold the first time, unless that takes long. */
+    private static final int MEASURED = 3;
+    private static final double LONG_MS = 3000;
+
+    private final Console console;
+
+    @Mixin
+    private SceneFile input;
+    @Mixin
+    private PictureOutput output;
+    @Mixin
+    private PictureOptions picture;
+    @Mixin
+    private ThreadsOption threads;
+    @ArgGroup(exclusive = true, multiplicity = "1..*", heading = "Edits:%n")
+    private List<EditStep> steps;
+    @Option(names = "--frames", paramLabel = "FIRST-LAST", converter = FrameRange.Converter.class,
+            description = "Which frames, as in 1-240 or 17; those of the shot without it.")
+    private FrameRange frames;
+    @Option(names = "--memory", paramLabel = "GB",
+            description = "How much memory frames may take while nobody works on them; as much as Java has without it.")
+    private Double memory;
+    @Option(names = "--disk", paramLabel = "FOLDER",
+            description = "Where frames are kept that find no room in memory; the system's folder for temporary files without it.")
+    private Path disk = Path.of(System.getProperty("java.io.tmpdir"));
+    @Option(names = "--no-savings", description = "Leaves out what relighting saves of tracing each frame, which takes some frames to measure.")
+    private boolean noSavings;
+
+    ShotRelightCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() throws Exception {
+        FrameFiles files = FrameFiles.of(output.file(), input.path());
+        output.checkKind(files.file(0));
+        if (memory != null && !(memory >= 0)) {
+            throw new BadInput("--memory must be 0 or more, was " + memory);
+        }
+        JenDocument document = input.read();
+        ShotFrames shot = ShotFrames.of(document, input.path(), frames);
+        Take first = new Take(picture.apply(document.scene()), shot.shot());
+        shot.check(first.scene());
+        List<Take> edited = edited(document.scene(), shot.shot());
+        for (Take take : edited) {
+            new ShotFrames(take.shot(), shot.range()).check(take.scene());
+        }
+        List<FrameFiles> groups = groups(files, edited.size());
+        for (FrameFiles group : groups) {
+            for (int frame = shot.range().first(); frame <= shot.range().last(); frame++) {
+                PictureOutput.checkFile(group.file(frame));
+            }
+        }
+        relight(first, edited, groups, shot.range());
+        return ExitCode.DONE;
+    }
+
+    /** Where the pictures of each group go; their folders are made. */
+    private static List<FrameFiles> groups(FrameFiles files, int count) throws IOException {
+        files.makeFolder();
+        if (count == 1) {
+            return List.of(files);
+        }
+        List<FrameFiles> groups = new ArrayList<>();
+        for (int group = 1; group <= count; group++) {
+            groups.add(new FrameFiles(files.folder().resolve(String.valueOf(group)), files.name(), files.ending()));
+            groups.getLast().makeFolder();
+        }
+        return groups;
+    }
+
+    private void relight(Take first, List<Take> edited, List<FrameFiles> groups, FrameRange range) throws Exception {
+        Options options = Options.DEFAULT.withThreads(threads.count())
+                .withMemory(PictureOutput.memory(first.scene(), groups.getFirst().file(0)));
+        ShotNeed need = ShotNeed.of(first, range.first(), range.last(), options);
+        long room = need.inMemory(options.memory());
+        long resting = memory == null ? room : Math.min(room, (long) (memory * GB));
+        if (!Files.isDirectory(disk)) {
+            throw new BadInput(Console.text("--disk %s: is no folder", disk));
+        }
+        long free = Files.getFileStore(disk).getUsableSpace();
+        need.check(resting, free);
+        console.line("%d frames of about %s take %s: %s in memory, %s on disk", need.frames(), ShotNeed.text(need.each()),
+                ShotNeed.text(need.all()), ShotNeed.text(Math.min(resting, need.all())),
+                ShotNeed.text(Math.max(0, need.all() - resting)));
+        LocalKeeper keeper = need.all() <= resting ? new LocalKeeper(options, resting) : new LocalKeeper(options, resting, disk, free);
+        var watch = new ShotWatch(range.count());
+        try (var _ = new LateWarmUp(first.at(range.first()));
+                RelitShot shot = RelitShot.of(range.first(), range.last(), keeper, watch)) {
+            watch.run(shot, first, console, "tracing", null);
+            console.line("%d frames traced in %.1f ms", range.count(), watch.work());
+            KeptBytes kept = shot.bytes();
+            console.line("kept: %d frames, %s, in memory, and %d, %s, on disk", kept.inMemory(), ShotNeed.text(kept.memory()), kept.onDisk(),
+                    ShotNeed.text(kept.disk()));
+            keeper.problem().ifPresent(problem -> console.line("%d frames are traced again for each edit: %s",
+                    range.count() - kept.inMemory() - kept.onDisk(), problem));
+            for (int group = 0; group < edited.size(); group++) {
+                FrameFiles files = groups.get(group);
+                double whole;
+                try (var writing = new PictureWriting(threads.count())) {
+                    whole = watch.run(shot, edited.get(group), console, "relighting", update -> {
+                        if (writing.failed()) {
+                            throw new CancellationException();
+                        }
+                        writing.write(() -> output.write(update.film(), files.file(update.frame())));
+                    });
+                    writing.finish();
+                }
+                console.line("%d. %s: %d frames relit in %.1f ms, %d of them traced again, %d rays; %.1f ms with their pictures", group + 1,
+                        files.folder(), range.count(), watch.work(), watch.traced(), watch.rays(), whole);
+            }
+            if (!noSavings) {
+                double each = traditional(edited.getLast(), range);
+                console.line("tracing each frame takes %.1f ms, all of them about %.1f: saves %.1f %%", each, each * range.count(),
+                        100 * (1 - watch.work() / (each * range.count())));
+            }
+        }
+    }
+
+    /** The mean time of a full trace of some frames, milliseconds. */
+    private double traditional(Take take, FrameRange range) {
+        double sum = 0;
+        int count = Math.min(MEASURED, range.count());
+        try (Workers workers = new Workers(threads.count()); ProgressBar bar = new ProgressBar(console, "tracing in full")) {
+            for (int i = 0; i < count; i++) {
+                int frame = count == 1 ? range.first() : range.first() + (int) ((long) (range.count() - 1) * i / (count - 1));
+                TraditionalTracer tracer = new TraditionalTracer(take.at(frame));
+                double best = time(tracer, workers, bar.silent());
+                for (int again = 0; again < 2 && best < LONG_MS; again++) {
+                    best = Math.min(best, time(tracer, workers, bar.silent()));
+                }
+                sum += best;
+                bar.tiles(i + 1, count);
+            }
+        }
+        return sum / count;
+    }
+
+    private static double time(TraditionalTracer tracer, Workers workers, Progress progress) {
+        long start = System.nanoTime();
+        tracer.trace(workers, progress);
+        return (System.nanoTime() - start) / 1e6;
+    }
+
+    /** The take after each group of edits. */
+    private List<Take> edited(Scene scene, Shot keys) throws BadInput {
+        List<Take> takes = new ArrayList<>();
+        Scene current = scene;
+        Shot shot = keys;
+        for (EditStep step : steps) {
+            if (step.endsGroup()) {
+                takes.add(new Take(picture.apply(current), shot));
+            }
+            List<Scene> next = step.apply(current, input.path().toAbsolutePath().getParent());
+            for (int i = 0; i < next.size(); i++) {
+                refuseKeyed(shot, current, next.get(i));
+                shot = new ShotSuccession(current, next.get(i)).of(shot);
+                current = next.get(i);
+                if (i < next.size() - 1) {
+                    takes.add(new Take(picture.apply(current), shot));
+                }
+            }
+        }
+        takes.add(new Take(picture.apply(current), shot));
+        return takes;
+    }
+
+    /** Keys would hide what is set. */
+    private static void refuseKeyed(Shot shot, Scene before, Scene after) throws BadInput {
+        for (Track track : shot.tracks()) {
+            Target target = track.target();
+            boolean stays = target.isIn(before) && target.isIn(after) && target.attribute(after, track.attribute()).isPresent();
+            if (stays && !target.setting(after, track.attribute()).equals(target.setting(before, track.attribute()))) {
+                List<Integer> keys = track.keys().stream().map(Key::frame).toList();
+                throw new BadInput(Console.text(
+                        "%s: %s has keys at frame%s %s, which say what it is; edit these in the shot block, or set what has no keys%s",
+                        target, track.attribute(), keys.size() == 1 ? "" : "s", several(keys),
+                        track.attribute().equals("intensity") ? ", as the intensity of a bank" : ""));
+            }
+        }
+    }
+
+    private static String several(List<Integer> frames) {
+        List<String> texts = frames.stream().limit(8).map(String::valueOf).toList();
+        return String.join(", ", texts) + (frames.size() > texts.size() ? " and " + (frames.size() - texts.size()) + " more" : "");
+    }
+}
