@@ -21,6 +21,7 @@ import lightning.shot.KeptBytes;
 import lightning.shot.LocalKeeper;
 import lightning.shot.RelitShot;
 import lightning.shot.ShotNeed;
+import lightning.shot.ShotTooLarge;
 import lightning.shot.Take;
 import lightning.warmup.LateWarmUp;
 import lightning.work.Progress;
@@ -72,7 +73,8 @@ final class ShotRelightCommand implements Callable<Integer> {
     @Option(names = "--disk", paramLabel = "FOLDER",
             description = "Where frames are kept that find no room in memory; the system's folder for temporary files without it.")
     private Path disk = Path.of(System.getProperty("java.io.tmpdir"));
-    @Option(names = "--no-savings", description = "Leaves out what relighting saves of tracing each frame, which takes some frames to measure.")
+    @Option(names = "--no-savings",
+            description = "Leaves out what relighting saves of tracing each frame, which takes some frames to measure.")
     private boolean noSavings;
 
     ShotRelightCommand(Console console) {
@@ -94,14 +96,40 @@ final class ShotRelightCommand implements Callable<Integer> {
         for (Take take : edited) {
             new ShotFrames(take.shot(), shot.range()).check(take.scene());
         }
+        Room room = room(first, shot.range(), files);
         List<FrameFiles> groups = groups(files, edited.size());
         for (FrameFiles group : groups) {
             for (int frame = shot.range().first(); frame <= shot.range().last(); frame++) {
                 PictureOutput.checkFile(group.file(frame));
             }
         }
-        relight(first, edited, groups, shot.range());
+        relight(first, edited, groups, shot.range(), room);
         return ExitCode.DONE;
+    }
+
+    /**
+     * Where frames are kept.
+     *
+     * @param memory bytes for those that nobody works on; likewise {@code disk}
+     */
+    private record Room(Options options, ShotNeed need, long memory, long disk) {}
+
+    private Room room(Take first, FrameRange range, FrameFiles files) throws IOException, BadInput {
+        Options options = Options.DEFAULT.withThreads(threads.count())
+                .withMemory(PictureOutput.memory(first.scene(), files.file(0)));
+        if (!Files.isDirectory(disk)) {
+            throw new BadInput(Console.text("--disk %s: is no folder", disk));
+        }
+        ShotNeed need = ShotNeed.of(first, range.first(), range.last(), options);
+        long most = need.inMemory(options.memory());
+        Room room = new Room(options, need, memory == null ? most : Math.min(most, (long) (memory * GB)),
+                Files.getFileStore(disk).getUsableSpace());
+        try {
+            need.check(room.memory, room.disk);
+        } catch (ShotTooLarge e) {
+            throw new BadInput(e.getMessage() + "; or give a folder on a larger disk with --disk FOLDER");
+        }
+        return room;
     }
 
     /** Where the pictures of each group go; their folders are made. */
@@ -118,28 +146,22 @@ final class ShotRelightCommand implements Callable<Integer> {
         return groups;
     }
 
-    private void relight(Take first, List<Take> edited, List<FrameFiles> groups, FrameRange range) throws Exception {
-        Options options = Options.DEFAULT.withThreads(threads.count())
-                .withMemory(PictureOutput.memory(first.scene(), groups.getFirst().file(0)));
-        ShotNeed need = ShotNeed.of(first, range.first(), range.last(), options);
-        long room = need.inMemory(options.memory());
-        long resting = memory == null ? room : Math.min(room, (long) (memory * GB));
-        if (!Files.isDirectory(disk)) {
-            throw new BadInput(Console.text("--disk %s: is no folder", disk));
-        }
-        long free = Files.getFileStore(disk).getUsableSpace();
-        need.check(resting, free);
+    private void relight(Take first, List<Take> edited, List<FrameFiles> groups, FrameRange range, Room room) throws Exception {
+        ShotNeed need = room.need;
+        boolean fits = need.all() <= room.memory;
         console.line("%d frames of about %s take %s: %s in memory, %s on disk", need.frames(), ShotNeed.text(need.each()),
-                ShotNeed.text(need.all()), ShotNeed.text(Math.min(resting, need.all())),
-                ShotNeed.text(Math.max(0, need.all() - resting)));
-        LocalKeeper keeper = need.all() <= resting ? new LocalKeeper(options, resting) : new LocalKeeper(options, resting, disk, free);
+                ShotNeed.text(need.all()), ShotNeed.text(Math.min(room.memory, need.all())),
+                ShotNeed.text(Math.max(0, need.all() - room.memory)));
+        LocalKeeper keeper =
+                fits ? new LocalKeeper(room.options, room.memory) : new LocalKeeper(room.options, room.memory, disk, room.disk);
         var watch = new ShotWatch(range.count());
         try (var _ = new LateWarmUp(first.at(range.first()));
                 RelitShot shot = RelitShot.of(range.first(), range.last(), keeper, watch)) {
             watch.run(shot, first, console, "tracing", null);
             console.line("%d frames traced in %.1f ms", range.count(), watch.work());
             KeptBytes kept = shot.bytes();
-            console.line("kept: %d frames, %s, in memory, and %d, %s, on disk", kept.inMemory(), ShotNeed.text(kept.memory()), kept.onDisk(),
+            console.line("kept: %d frames, %s, in memory, and %d, %s, on disk", kept.inMemory(), ShotNeed.text(kept.memory()),
+                    kept.onDisk(),
                     ShotNeed.text(kept.disk()));
             keeper.problem().ifPresent(problem -> console.line("%d frames are traced again for each edit: %s",
                     range.count() - kept.inMemory() - kept.onDisk(), problem));

@@ -68,8 +68,8 @@ public record ShotNeed(int frames, long each, long meshes, Picture picture) {
                 "%d frames of about %s take %s, and there is room for %s in memory and for %s on disk; %s",
                 frames, text(each), text(all()), text(memory), text(disk),
                 Math.min(width, height) < 1 ? "nothing would fit"
-                        : (fitting > 0 ? fitting + " frames would fit, or " : "") + "a size of " + width + "x" + height
-                                + (fitting > 0 ? "" : " would fit")));
+                        : (fitting == 0 ? "" : fitting == 1 ? "one frame would fit, or " : fitting + " frames would fit, or ")
+                                + "a size of " + width + "x" + height + (fitting > 0 ? "" : " would fit")));
     }
 
     /** Bytes, for people. */

@@ -97,6 +97,13 @@ class ShotRelightCommandTest {
     }
 
     @Test
+    void framesThatFitNowhere_areRefusedWithWhatWould() {
+        Cli.run("shot", "relight", scene, "--frames", "0-99999", "--size", "4000x4000", "--memory", "0", "--set", "sun.intensity=3", "-o",
+                folder.resolve("x")).isRefusedSaying("100000 frames of about", "on disk;", "frames would fit, or a size of", "--disk");
+        assertThat(folder.resolve("x")).doesNotExist();
+    }
+
+    @Test
     void diskThatIsNoFolder_isRefused() {
         Cli.run("shot", "relight", scene, "--set", "sun.intensity=3", "-o", folder.resolve("x"), "--disk", folder.resolve("none"))
                 .isRefusedSaying("--disk", "is no folder");

@@ -51,7 +51,8 @@ class ColumnWriterTest {
     }
 
     @Property(tries = 50)
-    void anyByteThatDiffers_isNoticed(@ForAll byte[] bytes, @ForAll int[] ints, @ForAll int place, @ForAll @IntRange(min = 1, max = 255) int by)
+    void anyByteThatDiffers_isNoticed(@ForAll byte[] bytes, @ForAll int[] ints, @ForAll int place,
+            @ForAll @IntRange(min = 1, max = 255) int by)
             throws IOException {
         byte[] all = written(bytes, new short[] {1}, ints, new float[][] {{2}});
         all[Math.floorMod(place, all.length)] ^= (byte) by;
