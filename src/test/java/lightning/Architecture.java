@@ -65,7 +65,7 @@ final class Architecture {
             row("shading", "math column scene effects image trace.tree trace"),
             row("engine", "trace shading"),
             row("engine.scalar", "math scene trace.primitive trace.tree trace shading engine"),
-            row("engine.lanes", "math scene trace.solid trace.mesh trace.primitive trace.tree trace shading engine"),
+            row("engine.lanes", "math scene trace.solid trace.mesh trace.primitive trace.tree trace shading engine engine.scalar"),
             row("engine.choice", "engine engine.scalar engine.lanes"),
             row("fulltrace", "scene effects image trace shading engine engine.choice work"),
             row("warmup", "scene image trace engine engine.choice fulltrace work"),

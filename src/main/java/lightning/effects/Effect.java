@@ -13,6 +13,7 @@ import lightning.scene.Antialias;
 import lightning.scene.Attenuation;
 import lightning.scene.BarnDoors;
 import lightning.scene.Clarity;
+import lightning.scene.Cutout;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
@@ -41,6 +42,8 @@ public final class Effect {
     public static final Effect TEXTURES =
             named("textures", "textures", uses -> uses.litMaterials(m -> m.texture().isPresent() && !m.body().isBlack()),
                     scene -> Without.materials(scene, m -> m.withTexture(Optional.empty())), Forced::whiteTextures);
+    public static final Effect CUTOUTS = named("cutouts", "cut-outs", uses -> uses.materials(m -> m.cutout().cuts()),
+            scene -> Without.materials(scene, m -> m.withCutout(Cutout.NONE)), Forced::wholeCutouts);
     public static final Effect BUMPS = named("bumps", "bump and normal maps", uses -> uses.materials(m -> !m.relief().isFlat()),
             scene -> Without.materials(scene, m -> m.withRelief(Relief.NONE)), Forced::flatBumps);
     public static final Effect VERTEX_COLORS =

@@ -2,6 +2,7 @@ package lightning.effects;
 
 import java.util.Optional;
 import lightning.scene.BarnDoors;
+import lightning.scene.Cutout;
 import lightning.scene.LightType;
 import lightning.scene.Relief;
 import lightning.scene.Scene;
@@ -17,6 +18,11 @@ final class Forced {
     /** Every material without a texture has a white one: a factor of 1. */
     static Scene whiteTextures(Scene scene) {
         return Without.materials(scene, m -> m.texture().isPresent() ? m : m.withTexture(Optional.of(WHITE)));
+    }
+
+    /** Every material without a cut-out has one by which all is there. */
+    static Scene wholeCutouts(Scene scene) {
+        return Without.materials(scene, m -> m.cutout().cuts() ? m : m.withCutout(Cutout.NONE.withCutout(Optional.of(WHITE))));
     }
 
     /** Every material without a relief has one whose heights are all the same: it leaves normals as they are. */

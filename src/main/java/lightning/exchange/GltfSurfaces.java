@@ -7,8 +7,10 @@ import java.util.Map;
 import java.util.Optional;
 import lightning.gltf.GltfMaterial;
 import lightning.gltf.GltfScene;
+import lightning.jen.TextureDecoder;
 import lightning.math.Rgb;
 import lightning.mesh.MeshException;
+import lightning.scene.Cutout;
 import lightning.scene.Limits;
 import lightning.scene.Material;
 import lightning.scene.Relief;
@@ -44,7 +46,7 @@ final class GltfSurfaces {
                 .withAmbient(pieces.color(m.emission(), Limits.MAX_EMISSION, "emission of materials"))
                 .withMetalness(Pieces.clamp(m.metallic() * means.metalness(), 1))
                 .withRoughness(Pieces.clamp(m.roughness() * means.roughness(), 1)).withTexture(picture(m.image()));
-        return relieved(clear(mirroring(highlit(made, m)), m), m);
+        return cut(relieved(clear(mirroring(highlit(made, m)), m), m), m);
     }
 
     /** With what a surface mirrors of lights where it is no metal: a grey share here, and all of it where it is grazed. */
@@ -108,6 +110,16 @@ final class GltfSurfaces {
         Optional<TextureMap> normals = picture(m.normals());
         return normals.isEmpty() ? material : material.withRelief(Relief.NONE.withNormals(normals)
                 .withStrength(Math.clamp(m.lean(), -Limits.MAX_STRENGTH, Limits.MAX_STRENGTH)));
+    }
+
+    /** Without what the picture's alpha says is not there. */
+    private Material cut(Material material, GltfMaterial m) throws IOException, MeshException {
+        if (!(m.cutoff() > 0) || material.texture().isEmpty() || !TextureDecoder.hasAlpha(file.imageBytes(m.image()))) {
+            pieces.notes.add("materials that are not there by their cut-off, shown here", m.cutoff() > m.alpha() ? 1 : 0);
+            return material;
+        }
+        pieces.notes.add("pictures that fade out, cut out here where half of them is there", m.fades() ? 1 : 0);
+        return material.withCutout(new Cutout(material.texture(), Math.min(m.cutoff() / m.alpha(), 1)));
     }
 
     /** The name of an image's file; empty where it is none that can be shown. */

@@ -18,9 +18,11 @@ import lightning.mesh.obj.MtlReader;
 import lightning.mesh.obj.ObjFile;
 import lightning.mesh.obj.ObjReader;
 import lightning.mesh.ply.PlyReader;
+import lightning.scene.Cutout;
 import lightning.scene.Limits;
 import lightning.scene.Material;
 import lightning.scene.Placement;
+import lightning.scene.TextureMap;
 import lightning.work.Progress;
 
 /** Makes scenes of files that hold meshes alone: OBJ with the materials beside it, and PLY. */
@@ -111,14 +113,18 @@ final class ObjImport {
                         .withShininess(Pieces.clamp(m.shininess(), Limits.MAX_SHININESS))
                         .withAmbient(pieces.color(m.emission(), Limits.MAX_EMISSION, "emission of materials"))
                         .withReflective(m.mirrors() ? specular : Rgb.BLACK));
-        if (m.texture().isPresent()) {
-            Optional<Path> picture = beside(m.texture().get());
-            if (picture.isPresent() && Pieces.isPicture(picture.get())) {
-                return made.withTexture(Pieces.texture(pieces.name(picture.get())));
-            }
-            pieces.notes.add("textures that are not there, or no PNG or JPEG");
+        Optional<TextureMap> cutout = picture(m.cutout());
+        pieces.notes.add("pictures of what is there (map_d), cut out here where half of it is", cutout.isPresent() ? 1 : 0);
+        return made.withTexture(picture(m.texture())).withCutout(Cutout.NONE.withCutout(cutout));
+    }
+
+    private Optional<TextureMap> picture(Optional<String> file) throws IOException {
+        Optional<Path> picture = file.isEmpty() ? Optional.empty() : beside(file.get());
+        if (picture.isPresent() && Pieces.isPicture(picture.get())) {
+            return Pieces.texture(pieces.name(picture.get()));
         }
-        return made;
+        pieces.notes.add("textures that are not there, or no PNG or JPEG", file.isPresent() ? 1 : 0);
+        return Optional.empty();
     }
 
     /** What bends no light by its model is a veil of its filter's colour. */

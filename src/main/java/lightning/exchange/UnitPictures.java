@@ -8,8 +8,10 @@ import java.util.concurrent.CancellationException;
 import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
 import lightning.scene.Antialias;
+import lightning.scene.Cutout;
 import lightning.scene.Material;
 import lightning.scene.Picture;
+import lightning.scene.Relief;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.trace.Geometry;
@@ -39,7 +41,8 @@ public final class UnitPictures {
         double scale = (double) size / Math.max(picture.width(), picture.height());
         Picture small = picture.withSize((int) Math.ceil(scale * picture.width()), (int) Math.ceil(scale * picture.height()))
                 .withSampling(EDGES);
-        List<Material> plain = read.asRead().materials().stream().map(m -> m.withTexture(Optional.empty())).toList();
+        List<Material> plain = read.asRead().materials().stream()
+                .map(m -> m.withTexture(Optional.empty()).withCutout(Cutout.NONE).withRelief(Relief.NONE)).toList();
         Geometry geometry = null;
         for (LightUnits units : LightUnits.values()) {
             Scene scene = read.in(units).scene().withMaterials(plain).withPicture(small);

@@ -18,9 +18,13 @@ import lightning.math.Rgb;
  * @param lean       a factor on how far these normals lean
  * @param opacity    0 … 1, how much of it is there; less than 1 where it is a veil
  * @param glass      what passes through it
+ * @param cutoff     where the alpha of its base colour, times that of the picture, is less, nothing is there; 0 for nowhere
+ * @param alpha      that of its base colour, where it cuts
+ * @param fades      whether the file lets such a picture fade, instead
  */
 public record GltfMaterial(String name, Rgb base, double metallic, double roughness, Rgb reflection, double grazing, Rgb emission,
-        boolean unlit, int image, int surface, int normals, double lean, double opacity, Glass glass) {
+        boolean unlit, int image, int surface, int normals, double lean, double opacity, Glass glass, double cutoff,
+        double alpha, boolean fades) {
     /**
      * What passes through a surface, and through the body behind it.
      *

@@ -9,6 +9,7 @@ import lightning.mesh.Notes;
 final class MaterialReader {
     private static final int REPEAT = 10497;
     private static final int NEAREST = 9728;
+    private static final double HALF = 0.5;
 
     private final GltfFile file;
     private final Notes notes;
@@ -26,8 +27,10 @@ final class MaterialReader {
             notes.add(picture + " of materials", material.get(picture).isThere() ? 1 : 0);
         }
         String alpha = material.get("alphaMode").text().orElse("OPAQUE");
-        double there = alpha.equals("BLEND") ? look.get("baseColorFactor").numbers(1, 1, 1, 1)[3] : 1;
-        notes.add("cut-outs by the alpha of pictures", alpha.equals("MASK") || alpha.equals("BLEND") && there == 1 ? 1 : 0);
+        double factor = look.get("baseColorFactor").numbers(1, 1, 1, 1)[3];
+        double there = alpha.equals("BLEND") ? factor : 1;
+        boolean fades = alpha.equals("BLEND") && there == 1;
+        double cutoff = alpha.equals("MASK") ? material.get("alphaCutoff").number(HALF) : fades ? HALF : 0;
         double[] emission = material.get("emissiveFactor").numbers(0, 0, 0);
         double strength = extensions.get("KHR_materials_emissive_strength").get("emissiveStrength").number(1);
         Json normals = material.get("normalTexture");
@@ -36,7 +39,7 @@ final class MaterialReader {
         return new GltfMaterial(material.get("name").text().orElse(""), surface.base, surface.metallic, surface.roughness,
                 surface.reflection, surface.grazing, new Rgb(emission[0], emission[1], emission[2]).times(strength),
                 extensions.get("KHR_materials_unlit").isThere(), surface.image, surface.picture, image(normals),
-                normals.get("scale").number(1), there, glass(extensions));
+                normals.get("scale").number(1), there, glass(extensions), cutoff, factor, fades);
     }
 
     /** KHR_materials_ior. */

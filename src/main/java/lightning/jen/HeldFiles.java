@@ -13,6 +13,7 @@ import lightning.scene.Panorama;
 import lightning.scene.Photometry;
 import lightning.scene.Profile;
 import lightning.scene.Relief;
+import lightning.scene.SampleMeaning;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Sky;
@@ -28,17 +29,22 @@ import lightning.text.Quote;
  */
 record HeldFiles(Scene scene, Optional<Path> folder) implements SceneFiles {
     @Override
-    public Texture texture(String file, boolean color) {
-        Optional<Texture> held = scene.materials().stream().flatMap(m -> maps(m, color)).filter(t -> t.file().equals(file))
+    public Texture texture(String file, SampleMeaning samples) {
+        Optional<Texture> held = scene.materials().stream().flatMap(m -> maps(m, samples)).filter(t -> t.file().equals(file))
                 .map(TextureMap::image).findFirst();
-        Optional<Texture> projected = scene.lights().stream().flatMap(l -> l.gobo().stream()).filter(g -> color && g.file().equals(file))
-                .map(Gobo::image).findFirst();
-        return held.or(() -> projected).orElseGet(() -> read("texture", file, f -> new TextureFolder(f).load(file, color)));
+        Optional<Texture> projected =
+                scene.lights().stream().flatMap(l -> l.gobo().stream()).filter(g -> samples == SampleMeaning.COLOR && g.file().equals(file))
+                        .map(Gobo::image).findFirst();
+        return held.or(() -> projected).orElseGet(() -> read("texture", file, f -> new TextureFolder(f).load(file, samples)));
     }
 
-    private static Stream<TextureMap> maps(Material material, boolean color) {
+    private static Stream<TextureMap> maps(Material material, SampleMeaning samples) {
         Relief relief = material.relief();
-        return color ? material.texture().stream() : Stream.concat(relief.bump().stream(), relief.normals().stream());
+        return switch (samples) {
+            case COLOR -> material.texture().stream();
+            case NUMBER -> Stream.concat(relief.bump().stream(), relief.normals().stream());
+            case OPACITY -> material.cutout().cutout().stream();
+        };
     }
 
     @Override

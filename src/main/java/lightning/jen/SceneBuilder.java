@@ -25,6 +25,7 @@ import lightning.scene.Photometry;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
 import lightning.scene.Rig;
+import lightning.scene.SampleMeaning;
 import lightning.scene.Scene;
 import lightning.scene.Sky;
 import lightning.scene.Stage;
@@ -261,8 +262,8 @@ final class SceneBuilder {
         for (PictureProperty picture : PictureProperty.ALL) {
             Block.Entry entry = block.entry(picture.name());
             if (entry != null && entry.value() instanceof Value.Quoted(String file)) {
-                Texture texture = loaded(block, picture.name(), name -> textures.load(name, picture.color()));
-                pictures.put(new Loaded.Picture(file, picture.color()), texture);
+                Texture texture = loaded(block, picture.name(), name -> textures.load(name, picture.samples()));
+                pictures.put(new Loaded.Picture(file, picture.samples()), texture);
                 all &= texture != null;
             } else {
                 all &= !block.isWritten(picture.name());
@@ -296,11 +297,11 @@ final class SceneBuilder {
 
     /** What the files of one block hold. */
     private record Loaded(Map<Picture, Texture> pictures, Photometry photometry, Sky panorama, Mesh mesh) implements SceneFiles {
-        record Picture(String file, boolean color) {}
+        record Picture(String file, SampleMeaning samples) {}
 
         @Override
-        public Texture texture(String file, boolean color) {
-            return pictures.get(new Picture(file, color));
+        public Texture texture(String file, SampleMeaning samples) {
+            return pictures.get(new Picture(file, samples));
         }
 
         @Override

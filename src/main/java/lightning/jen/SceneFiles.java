@@ -2,16 +2,17 @@ package lightning.jen;
 
 import lightning.mesh.Mesh;
 import lightning.scene.Photometry;
+import lightning.scene.SampleMeaning;
 import lightning.scene.Sky;
 import lightning.scene.Texture;
 
 /** What the files hold that a scene names. */
 interface SceneFiles {
     /**
-     * @param color whether its samples are colours; else they are numbers
+     * @param samples what its samples stand for
      * @throws IllegalArgumentException if there is no such picture; the message says why
      */
-    Texture texture(String file, boolean color);
+    Texture texture(String file, SampleMeaning samples);
 
     /** @throws IllegalArgumentException if there is no such profile; the message says why */
     Photometry profile(String file);

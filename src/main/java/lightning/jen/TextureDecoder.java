@@ -16,6 +16,7 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 import lightning.math.SrgbCurve;
+import lightning.scene.SampleMeaning;
 import lightning.scene.Texture;
 import lightning.text.Quote;
 
@@ -23,7 +24,7 @@ import lightning.text.Quote;
  * Decodes PNG and JPEG files to linear light.
  *
  * <p>The samples s are taken as sRGB in 0…1, whatever colour profile the file carries, and decoded
- * by {@link SrgbCurve}, in double, rounded once to float; samples that are numbers stay as they are. Transparency is ignored; a grey sample counts for all channels.
+ * by {@link SrgbCurve}, in double, rounded once to float; samples that are numbers stay as they are. Transparency is ignored but where it is asked for; a grey sample counts for all channels.
  */
 public final class TextureDecoder {
     private static final Set<String> FORMATS = Set.of("png", "jpeg");
@@ -35,17 +36,17 @@ public final class TextureDecoder {
      * Checks the header of the file, then decodes it.
      *
      * @param name       what messages call it
-     * @param color      whether the samples are colours; else they are numbers
+     * @param samples    what the samples stand for
      * @param pixelsLeft how many pixels the picture may have at most, beside {@link JenLimits#TEXTURE_PIXELS}
      * @throws UnusableFileException if it is no PNG or JPEG, too large or damaged
      * @throws IOException if it cannot be read
      */
-    static Texture decode(String name, Path path, boolean color, long pixelsLeft) throws IOException, UnusableFileException {
+    static Texture decode(String name, Path path, SampleMeaning samples, long pixelsLeft) throws IOException, UnusableFileException {
         long bytes = Files.size(path);
         if (bytes > JenLimits.TEXTURE_BYTES) {
             throw unusable(name, "must have at most " + JenLimits.TEXTURE_BYTES + " bytes, has " + bytes);
         }
-        return decode(name, Files.readAllBytes(path), color, pixelsLeft);
+        return decode(name, Files.readAllBytes(path), samples, pixelsLeft);
     }
 
     /**
@@ -55,16 +56,16 @@ public final class TextureDecoder {
      * @throws UnusableFileException if it is no PNG or JPEG, too large or damaged
      */
     public static Texture numbers(String name, byte[] file) throws UnusableFileException {
-        return decode(name, file, false, JenLimits.TEXTURE_PIXELS);
+        return decode(name, file, SampleMeaning.NUMBER, JenLimits.TEXTURE_PIXELS);
     }
 
-    private static Texture decode(String name, byte[] file, boolean color, long pixelsLeft) throws UnusableFileException {
+    private static Texture decode(String name, byte[] file, SampleMeaning samples, long pixelsLeft) throws UnusableFileException {
         try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
             ImageReader reader = reader(name, in);
             try {
                 reader.setInput(in, true, true);
                 checkSize(name, reader.getWidth(0), reader.getHeight(0), pixelsLeft);
-                return texture(reader.read(0), color);
+                return texture(reader.read(0), samples);
             } catch (IOException | RuntimeException e) {
                 // The decoders answer some damaged files with runtime exceptions of all kinds.
                 throw unusable(name, "cannot be decoded: " + e.getMessage());
@@ -107,6 +108,53 @@ public final class TextureDecoder {
 
     private static UnusableFileException unusable(String name, String why) {
         return new UnusableFileException("texture " + Quote.of(name) + " " + why);
+    }
+
+    private static Texture texture(BufferedImage image, SampleMeaning samples) {
+        return switch (samples) {
+            case COLOR -> texture(image, true);
+            case NUMBER -> texture(image, false);
+            case OPACITY -> opacity(image);
+        };
+    }
+
+    /** How much is there, of 8 bits. */
+    private static Texture opacity(BufferedImage image) {
+        int width = image.getWidth();
+        int height = image.getHeight();
+        byte[] codes = new byte[3 * width * height];
+        Texture numbers = image.getColorModel().hasAlpha() ? null : texture(image, false);
+        int[] alpha = image.getColorModel().hasAlpha() ? alpha(image) : null;
+        for (int i = 0; i < codes.length; i++) {
+            int x = i / 3 % width;
+            int y = i / 3 / width;
+            codes[i] = (byte) (alpha != null ? alpha[i / 3] : Math.round(255 * numbers.luminance(x, y, x, y, 0, 0)));
+        }
+        return new Texture(width, height, codes, linear(CODE_BITS, false));
+    }
+
+    /** The alpha of each pixel, 0 … 255. */
+    private static int[] alpha(BufferedImage image) {
+        int[] alpha = new int[image.getWidth() * image.getHeight()];
+        for (int i = 0; i < alpha.length; i++) {
+            alpha[i] = image.getColorModel().getAlpha(image.getRaster().getDataElements(i % image.getWidth(), i / image.getWidth(), null));
+        }
+        return alpha;
+    }
+
+    /** Whether a picture tells how much of each pixel is there; false where it cannot be decoded. */
+    public static boolean hasAlpha(byte[] file) {
+        try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
+            ImageReader reader = reader("", in);
+            try {
+                reader.setInput(in, true, true);
+                return reader.getRawImageType(0) != null && reader.getRawImageType(0).getColorModel().hasAlpha();
+            } finally {
+                reader.dispose();
+            }
+        } catch (IOException | RuntimeException | UnusableFileException e) {
+            return false;
+        }
     }
 
     private static Texture texture(BufferedImage image, boolean color) {

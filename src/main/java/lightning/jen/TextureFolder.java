@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
+import lightning.scene.SampleMeaning;
 import lightning.scene.Texture;
 import lightning.text.Quote;
 
@@ -18,8 +19,8 @@ final class TextureFolder {
     private final Map<Decoded, Texture> decoded = new HashMap<>();
     private long pixels;
 
-    /** A file, and whether its samples were taken as colours. */
-    private record Decoded(Path path, boolean color) {}
+    /** A file, and what its samples were taken for. */
+    private record Decoded(Path path, SampleMeaning samples) {}
 
     /** @param scene the folder that holds the scene file */
     TextureFolder(Path scene) {
@@ -29,16 +30,16 @@ final class TextureFolder {
     /**
      * The decoded picture.
      *
-     * @param color whether its samples are colours; else they are numbers, and are not decoded
+     * @param samples what its samples stand for
      * @throws UnusableFileException if there is no such file inside the folders, if a link leads out of
      *     them, or if it is no PNG or JPEG within {@link JenLimits}
      */
-    Texture load(String file, boolean color) throws UnusableFileException {
-        return folders.read(file, path -> load(file, color, path));
+    Texture load(String file, SampleMeaning samples) throws UnusableFileException {
+        return folders.read(file, path -> load(file, samples, path));
     }
 
-    private Texture load(String file, boolean color, Path path) throws UnusableFileException, IOException {
-        var wanted = new Decoded(path, color);
+    private Texture load(String file, SampleMeaning samples, Path path) throws UnusableFileException, IOException {
+        var wanted = new Decoded(path, samples);
         Texture known = decoded.get(wanted);
         if (known != null) {
             return known;
@@ -47,7 +48,7 @@ final class TextureFolder {
             throw new UnusableFileException("a scene may have at most " + JenLimits.TEXTURES + " textures, found another, "
                     + Quote.of(file));
         }
-        Texture texture = TextureDecoder.decode(file, path, color, JenLimits.ALL_TEXTURE_PIXELS - pixels);
+        Texture texture = TextureDecoder.decode(file, path, samples, JenLimits.ALL_TEXTURE_PIXELS - pixels);
         pixels += (long) texture.width() * texture.height();
         decoded.put(wanted, texture);
         return texture;

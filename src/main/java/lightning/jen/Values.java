@@ -11,6 +11,7 @@ import lightning.scene.Gobo;
 import lightning.scene.Panorama;
 import lightning.scene.Profile;
 import lightning.scene.Quantity;
+import lightning.scene.SampleMeaning;
 import lightning.scene.Solid;
 import lightning.scene.TextureMap;
 import lightning.scene.ValueKind;
@@ -42,7 +43,7 @@ record Values(Map<String, Value> all, SceneFiles files) {
             case Choice<V> c -> c.value(word(attribute.name()));
             case ValueKind.Linking _ -> unchecked(((Value.Linked) all.get(attribute.name())).links());
             case ValueKind.Naming _ -> unchecked(all.get(attribute.name()) instanceof Value.Name(String name) ? name : "");
-            case ValueKind.Projecting _ -> unchecked(filed(attribute, file -> new Gobo(file, files.texture(file, true))));
+            case ValueKind.Projecting _ -> unchecked(filed(attribute, file -> new Gobo(file, files.texture(file, SampleMeaning.COLOR))));
             case ValueKind.Shining _ -> unchecked(filed(attribute, file -> new Profile(file, files.profile(file))));
             case ValueKind.Surrounding _ -> unchecked(filed(attribute, file -> new Panorama(file, files.sky(file))));
             case ValueKind.Texturing t -> unchecked(filed(attribute, file -> picture(file, t)));
@@ -54,7 +55,7 @@ record Values(Map<String, Value> all, SceneFiles files) {
     }
 
     private TextureMap picture(String file, ValueKind.Texturing as) {
-        return new TextureMap(file, number(as.repeat(), 0), number(as.repeat(), 1), files.texture(file, as.color()));
+        return new TextureMap(file, number(as.repeat(), 0), number(as.repeat(), 1), files.texture(file, as.samples()));
     }
 
     /** A value of which the kind of the attribute has told that it is a {@code V}: the compiler cannot follow that. */

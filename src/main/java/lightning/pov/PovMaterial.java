@@ -23,8 +23,41 @@ final class PovMaterial {
         this.losses = losses;
     }
 
-    /** The texture of a shape, on one or several lines; {@code image} is the texture's file. */
-    String text(Material material, Solid solid, String image) {
+    /**
+     * The texture of a shape, on one or several lines.
+     *
+     * @param image the texture's file
+     * @param mask  the file of what is there
+     */
+    String text(Material material, Solid solid, String image, String mask) {
+        String text = text(material, solid, image);
+        return material.cutout().cuts() ? cut(material, solid, text, mask) : text;
+    }
+
+    /** The same where the picture's numbers reach the cutoff, and a texture that lets all through elsewhere. */
+    private String cut(Material m, Solid solid, String whole, String mask) {
+        double cutoff = m.cutout().cutoff();
+        String uv = solid instanceof Solid.Triangles ? "uv_mapping " : "";
+        String rest = whole.substring(whole.indexOf('{') + 1);
+        int end = textureEnd(rest);
+        return "texture {\n    " + uv + "pigment_pattern { image_map { png \"" + mask + "\" " + mapping(solid) + " interpolate 2 } "
+                + String.join(" ", placing(m, m.cutout().cutout().orElseThrow(), solid)) + " }\n    texture_map {\n      [" + cutoff
+                + " pigment { rgbt 1 } finish { ambient 0 diffuse 0 }]\n      [" + cutoff + " " + rest.substring(0, end)
+                + "]\n    }\n  }" + rest.substring(end + 1);
+    }
+
+    /** Where the brace stands that closes a texture whose opening one stands before the text. */
+    private static int textureEnd(String text) {
+        int open = 1;
+        int at = 0;
+        for (; open > 0; at++) {
+            char c = text.charAt(at);
+            open += c == '{' ? 1 : c == '}' ? -1 : 0;
+        }
+        return at - 1;
+    }
+
+    private String text(Material material, Solid solid, String image) {
         if (!material.relief().isFlat()) {
             lose("material " + material.name() + ": bump and normal maps are left out");
         }

@@ -22,6 +22,9 @@ import lightning.scene.TextureMap;
 
 /** A scene in POV-Ray's language. */
 public final class PovScene {
+    /** How many holes one ray may pass: POV-Ray counts them as it counts mirrors. */
+    private static final int HOLES = 20;
+
     private final String text;
     private final List<String> losses;
     private final Map<String, Texture> images;
@@ -41,7 +44,8 @@ public final class PovScene {
         List<String> losses = new ArrayList<>();
         Map<String, Texture> images = new LinkedHashMap<>();
         var body = new StringBuilder();
-        body.append("global_settings {\n  assumed_gamma 1.0\n  max_trace_level ").append(scene.picture().depth() + 1)
+        body.append("global_settings {\n  assumed_gamma 1.0\n  max_trace_level ")
+                .append(scene.picture().depth() + 1 + (cuts(scene) ? HOLES : 0))
                 .append("\n  adc_bailout 0\n  ambient_light rgb ").append(scene.world().ambience()).append("\n}\n");
         body.append("background { ").append(PovText.rgb(scene.world().background())).append(" }\n");
         scene.world().environment().ifPresent(p -> {
@@ -58,13 +62,18 @@ public final class PovScene {
         var materials = new PovMaterial(losses);
         for (PlacedShape shape : scene.placedShapes()) {
             String image = shape.material().texture().map(t -> image(images, t, name)).orElse("");
+            String mask = shape.material().cutout().cutout().map(t -> image(images, t, name + "-cutout")).orElse("");
             body.append("// ").append(shape.shape().name()).append('\n').append(solid(shape.shape().solid(), meshes)).append("\n  ")
-                    .append(materials.text(shape.material(), shape.shape().solid(), image)).append("\n  ")
+                    .append(materials.text(shape.material(), shape.shape().solid(), image, mask)).append("\n  ")
                     .append(PovText.matrix(shape.toWorld())).append("\n}\n");
         }
         var lights = new PovLight(Extent.of(scene), losses);
         scene.rig().actingLights().forEach(light -> body.append(lights.text(scene, light)));
         return new PovScene(head(scene, losses) + body, losses, images);
+    }
+
+    private static boolean cuts(Scene scene) {
+        return scene.materials().stream().anyMatch(m -> m.cutout().cuts());
     }
 
     private static String head(Scene scene, List<String> losses) {

@@ -21,10 +21,11 @@ import lightning.math.Rgb;
  * @param texture    the picture on the surface
  * @param relief     what its normals are bent by
  * @param clarity    what passes through it
+ * @param cutout     which points of it are not there
  */
 public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse, Rgb specular, double shininess, Rgb base,
         double metalness, double roughness, double f0, Rgb reflective, Optional<TextureMap> texture,
-        Relief relief, Clarity clarity) {
+        Relief relief, Clarity clarity, Cutout cutout) {
 
     /**
      * Less rough is no surface here: what smaller ones show of a light that is a point is less than a pixel mostly, and digits fail
@@ -54,7 +55,7 @@ public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse
                 MaterialAttribute.DIFFUSE.initial(), MaterialAttribute.SPECULAR.initial(), MaterialAttribute.SHININESS.initial(),
                 MaterialAttribute.BASE.initial(), MaterialAttribute.METALNESS.initial(), MaterialAttribute.ROUGHNESS.initial(),
                 MaterialAttribute.F0.initial(), MaterialAttribute.REFLECTIVE.initial(), MaterialAttribute.TEXTURE.initial(),
-                Relief.NONE, Clarity.NONE);
+                Relief.NONE, Clarity.NONE, Cutout.NONE);
     }
 
     /** Whether it is of the model {@link SurfaceModel#METALLIC}. */
@@ -95,79 +96,85 @@ public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse
 
     public Material withName(String v) {
         return new Material(v, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief,
-                clarity);
+                clarity, cutout);
     }
 
     public Material withAmbient(Rgb v) {
         return new Material(name, v, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief,
-                clarity);
+                clarity, cutout);
     }
 
     /** The same by another model: its colour is kept, all else of the model is as if nothing was said. */
     public Material withModel(SurfaceModel v) {
         return v == model ? this
                 : new Material(name, ambient, v, base, specular, shininess, diffuse, metalness, roughness, f0, reflective, texture, relief,
-                        clarity);
+                        clarity, cutout);
     }
 
     public Material withDiffuse(Rgb v) {
         return new Material(name, ambient, model, v, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief,
-                clarity);
+                clarity, cutout);
     }
 
     public Material withSpecular(Rgb v) {
         return new Material(name, ambient, model, diffuse, v, shininess, base, metalness, roughness, f0, reflective, texture, relief,
-                clarity);
+                clarity, cutout);
     }
 
     public Material withShininess(double v) {
         return new Material(name, ambient, model, diffuse, specular, v, base, metalness, roughness, f0, reflective, texture, relief,
-                clarity);
+                clarity, cutout);
     }
 
     public Material withBase(Rgb v) {
         return new Material(name, ambient, model, diffuse, specular, shininess, v, metalness, roughness, f0, reflective, texture, relief,
-                clarity);
+                clarity, cutout);
     }
 
     public Material withMetalness(double v) {
         return new Material(name, ambient, model, diffuse, specular, shininess, base, v, roughness, f0, reflective, texture, relief,
-                clarity);
+                clarity, cutout);
     }
 
     public Material withRoughness(double v) {
         return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, v, f0, reflective, texture, relief,
-                clarity);
+                clarity, cutout);
     }
 
     public Material withF0(double v) {
         return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, v, reflective, texture, relief,
-                clarity);
+                clarity, cutout);
     }
 
     public Material withReflective(Rgb v) {
         return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, v, texture, relief,
-                clarity);
+                clarity, cutout);
     }
 
     public Material withTexture(Optional<TextureMap> v) {
         return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, v, relief,
-                clarity);
+                clarity, cutout);
     }
 
     public Material withRelief(Relief v) {
         return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, v,
-                clarity);
+                clarity, cutout);
     }
 
     public Material withClarity(Clarity v) {
         return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief,
-                v);
+                v, cutout);
     }
 
-    /** Whether surfaces of it bend normals, lead rays on and throw shadows as those of another material do. */
+    public Material withCutout(Cutout v) {
+        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief,
+                clarity, v);
+    }
+
+    /** Whether surfaces of it have the same holes, bend normals, lead rays on and throw shadows as those of another material do. */
     public boolean hasWaysOf(Material o) {
-        return relief.hasNormalsOf(o.relief) && clarity.leadsRaysAs(o.clarity) && clarity.shadows() == o.clarity.shadows();
+        return relief.hasNormalsOf(o.relief) && clarity.leadsRaysAs(o.clarity) && clarity.shadows() == o.clarity.shadows()
+                && cutout.hasHolesOf(o.cutout);
     }
 
     /** Whether rays that meet it are followed further: it mirrors, or something is seen through it. */

@@ -16,6 +16,7 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
         DIFFUSE,
         BASE,
         TEXTURE,
+        CUTOUT,
         RELIEF,
         SPECULAR,
         SURFACE,
@@ -36,16 +37,22 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
             SurfaceModel.METALLIC, Section.BASE,
             "What the surface scatters, or mirrors where it is a metal; times the texture where there is one");
     public static final MaterialAttribute<Optional<TextureMap>> TEXTURE =
-            new MaterialAttribute<>("texture", new ValueKind.Texturing("repeat", true),
+            new MaterialAttribute<>("texture", new ValueKind.Texturing("repeat", SampleMeaning.COLOR),
                     Optional.empty(), "", Material::texture, Material::withTexture, MaterialTerm.TEXEL, null, Section.TEXTURE,
                     "The picture on the surface");
-    public static final MaterialAttribute<Optional<TextureMap>> BUMP = relief("bump", "bump", new ValueKind.Texturing("bump_repeat", false),
-            Optional.empty(), "", Relief::bump, Relief::withBump, "A picture of heights: white is above black");
+    public static final MaterialAttribute<Optional<TextureMap>> CUTOUT = cutout("cutout",
+            new ValueKind.Texturing("cutout_repeat", SampleMeaning.OPACITY), Optional.empty(), "", Cutout::cutout, Cutout::withCutout,
+            "A picture of what is there, by its alpha, or by its luminance where it has none: the rest is cut out");
+    public static final MaterialAttribute<Double> CUTOFF = cutout("cutoff", Quantity.number(0, 1, 0.05), 0.5, "", Cutout::cutoff,
+            Cutout::withCutoff, "Where less than this is there by the cutout picture, the surface is cut out");
+    public static final MaterialAttribute<Optional<TextureMap>> BUMP =
+            relief("bump", "bump", new ValueKind.Texturing("bump_repeat", SampleMeaning.NUMBER),
+                    Optional.empty(), "", Relief::bump, Relief::withBump, "A picture of heights: white is above black");
     public static final MaterialAttribute<Double> HEIGHT = relief("height", "height",
             Quantity.number(-Limits.MAX_HEIGHT, Limits.MAX_HEIGHT, 0.01), 0.05, "scene units, of white above black", Relief::height,
             Relief::withHeight, "How much higher the bump picture's white is than its black");
     public static final MaterialAttribute<Optional<TextureMap>> NORMALS = relief("normal_map", "normals",
-            new ValueKind.Texturing("normal_repeat", false), Optional.empty(), "", Relief::normals, Relief::withNormals,
+            new ValueKind.Texturing("normal_repeat", SampleMeaning.NUMBER), Optional.empty(), "", Relief::normals, Relief::withNormals,
             "A picture of normals, as glTF has them");
     public static final MaterialAttribute<Double> STRENGTH = relief("strength", "strength",
             Quantity.number(-Limits.MAX_STRENGTH, Limits.MAX_STRENGTH, 0.1), 1.0, "factor on how far normals lean", Relief::strength,
@@ -87,8 +94,9 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
             "Whether shapes of the material throw shadows");
 
     /** All of them; that which decides about others before these. */
-    public static final List<MaterialAttribute<?>> ALL = List.of(AMBIENT, MODEL, DIFFUSE, BASE, TEXTURE, BUMP, HEIGHT, NORMALS, STRENGTH,
-            SPECULAR, SHININESS, METALNESS, ROUGHNESS, F0, REFLECTIVE, CLEAR, IOR, THIN, TINT, TINT_DISTANCE, SHADOWS);
+    public static final List<MaterialAttribute<?>> ALL =
+            List.of(AMBIENT, MODEL, DIFFUSE, BASE, TEXTURE, CUTOUT, CUTOFF, BUMP, HEIGHT, NORMALS, STRENGTH,
+                    SPECULAR, SHININESS, METALNESS, ROUGHNESS, F0, REFLECTIVE, CLEAR, IOR, THIN, TINT, TINT_DISTANCE, SHADOWS);
 
     private final MaterialTerm term;
     /** The only one by which it acts; null where it acts by all. */
@@ -147,6 +155,12 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
             Function<Relief, V> get, BiFunction<Relief, V, Relief> with, String help) {
         return new MaterialAttribute<>(name, title, kind, initial, unit, m -> get.apply(m.relief()),
                 (m, v) -> m.withRelief(with.apply(m.relief(), v)), MaterialTerm.NORMAL, null, Section.RELIEF, help);
+    }
+
+    private static <V> MaterialAttribute<V> cutout(String name, ValueKind<V> kind, V initial, String unit, Function<Cutout, V> get,
+            BiFunction<Cutout, V, Cutout> with, String help) {
+        return new MaterialAttribute<>(name, kind, initial, unit, m -> get.apply(m.cutout()),
+                (m, v) -> m.withCutout(with.apply(m.cutout(), v)), MaterialTerm.PRESENCE, null, Section.CUTOUT, help);
     }
 
     private static <V> MaterialAttribute<V> clarity(String name, String title, ValueKind<V> kind, V initial, String unit,

@@ -101,10 +101,10 @@ public sealed interface ValueKind<V>
     /**
      * A picture on a surface, or none.
      *
-     * @param repeat what a file calls how often it repeats
-     * @param color  whether its samples are colours; else they are numbers, which no curve bends
+     * @param repeat  what a file calls how often it repeats
+     * @param samples what its samples stand for
      */
-    record Texturing(String repeat, boolean color) implements ValueKind<Optional<TextureMap>> {
+    record Texturing(String repeat, SampleMeaning samples) implements ValueKind<Optional<TextureMap>> {
         @Override
         public void check(String what, Optional<TextureMap> value) {
             // Every map has checked itself.

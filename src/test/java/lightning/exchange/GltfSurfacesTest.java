@@ -3,12 +3,16 @@ package lightning.exchange;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import javax.imageio.ImageIO;
 import lightning.gltf.Gltf;
 import lightning.image.Film;
 import lightning.jen.JenException;
@@ -17,6 +21,7 @@ import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.mesh.MeshException;
 import lightning.scene.Clarity;
+import lightning.scene.Cutout;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.ShadowsThrown;
@@ -260,9 +265,44 @@ class GltfSurfacesTest {
         assertThat(scene.materials().getFirst().base()).isEqualTo(Rgb.WHITE);
     }
 
+    private Import masked(String material, double alpha, int type) throws Exception {
+        var image = new BufferedImage(2, 1, type);
+        image.setRGB(0, 0, 0xFFFFFFFF);
+        image.setRGB(1, 0, 0x40FFFFFF);
+        var png = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", png);
+        String json = Gltf.SQUARE_JSON.replace("'buffers':", "'textures': [{'source': 0}], 'images': [{'uri': 'data:image/png;base64,"
+                + Base64.getEncoder().encodeToString(png.toByteArray()) + "'}], 'materials': [{" + material
+                + "'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}, 'baseColorFactor': [1, 1, 1, " + alpha + "]}}], 'buffers':");
+        return Importer.read(Files.write(folder.resolve("a.glb"), Gltf.binary(json, Gltf.SQUARE)), folder.resolve("a.jen"),
+                LightUnits.CANDELA, Progress.NONE);
+    }
+
     @Test
-    void cutOuts_areTold() throws Exception {
-        assertThat(read("{'alphaMode': 'MASK'}").notes()).containsEntry("cut-outs by the alpha of pictures", 1);
-        assertThat(read("{'alphaMode': 'BLEND'}").notes()).containsEntry("cut-outs by the alpha of pictures", 1);
+    void mask_cutsOutWhereAlphaIsBelowItsCutoff() throws Exception {
+        Import read = masked("'alphaMode': 'MASK', 'alphaCutoff': 0.4, ", 0.8, BufferedImage.TYPE_INT_ARGB);
+        read.write();
+        Material made = JenReader.read(folder.resolve("a.jen")).scene().materials().getFirst();
+        assertThat(made.cutout().cutoff()).isEqualTo(0.5);
+        assertThat(made.cutout().cutout().orElseThrow().image().channel(0, 0, 0)).isEqualTo(1);
+        assertThat(made.cutout().cutout().orElseThrow().image().channel(1, 0, 0)).isEqualTo(0x40 / 255f);
+    }
+
+    @Test
+    void maskOfAPictureWithoutAlpha_cutsNothing() throws Exception {
+        assertThat(masked("'alphaMode': 'MASK', ", 1, BufferedImage.TYPE_INT_RGB).scene().materials().getFirst().cutout())
+                .isEqualTo(Cutout.NONE);
+        assertThat(masked("", 1, BufferedImage.TYPE_INT_ARGB).scene().materials().getFirst().cutout()).isEqualTo(Cutout.NONE);
+    }
+
+    @Test
+    void pictureThatFadesOut_isCutWhereHalfIsThere() throws Exception {
+        Import fading = masked("'alphaMode': 'BLEND', ", 1, BufferedImage.TYPE_INT_ARGB);
+        assertThat(fading.scene().materials().getFirst().cutout().cutoff()).isEqualTo(0.5);
+        assertThat(fading.scene().materials().getFirst().cutout().cuts()).isTrue();
+        assertThat(fading.notes()).containsEntry("pictures that fade out, cut out here where half of them is there", 1);
+        Import veil = masked("'alphaMode': 'BLEND', ", 0.8, BufferedImage.TYPE_INT_ARGB);
+        assertThat(veil.scene().materials().getFirst().cutout()).isEqualTo(Cutout.NONE);
+        assertThat(veil.scene().materials().getFirst().clarity().isClear()).isTrue();
     }
 }

@@ -45,7 +45,8 @@ class AttributesInFilesTest {
 
     private static Material plain(Material material) {
         return material.withTexture(Optional.empty())
-                .withRelief(material.relief().withBump(Optional.empty()).withNormals(Optional.empty()));
+                .withRelief(material.relief().withBump(Optional.empty()).withNormals(Optional.empty()))
+                .withCutout(material.cutout().withCutout(Optional.empty()));
     }
 
     @Property

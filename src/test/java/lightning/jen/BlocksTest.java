@@ -42,7 +42,7 @@ class BlocksTest {
         }
 
         @Override
-        public Texture texture(String file, boolean color) {
+        public Texture texture(String file, lightning.scene.SampleMeaning samples) {
             return new Texture(1, 1, new float[3]);
         }
 
@@ -99,8 +99,9 @@ class BlocksTest {
                 case Value.Name(String name) -> lightning.scene.Limits.name(name);
                 case Value.Quoted q -> p.checkTogether(q);
                 case Value.Linked(Links links) -> assertThat(links.isAll()).isTrue();
-                case Value.Absent a -> assertThat(p.name()).isIn("texture", "bump", "normal_map", "gobo", "profile", "environment", "bank",
-                        Blocks.FILE, Blocks.PART);
+                case Value.Absent a ->
+                        assertThat(p.name()).isIn("texture", "cutout", "bump", "normal_map", "gobo", "profile", "environment", "bank",
+                                Blocks.FILE, Blocks.PART);
             }
         }));
     }

@@ -13,6 +13,7 @@ import java.util.Random;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
+import lightning.scene.SampleMeaning;
 import lightning.scene.Scene;
 import lightning.scene.Texture;
 import net.jqwik.api.ForAll;
@@ -25,12 +26,14 @@ class SavingLawsTest {
     private static Path folder;
     private static List<Texture> images;
     private static List<Texture> numbers;
+    private static List<Texture> opacities;
 
     @BeforeContainer
     static void writeTextures() throws Exception {
         folder = Files.createTempDirectory("lightning-jen");
         images = new ArrayList<>();
         numbers = new ArrayList<>();
+        opacities = new ArrayList<>();
         var loader = new TextureFolder(folder);
         for (int i = 0; i < Scenes.TEXTURES.size(); i++) {
             Path file = folder.resolve(Scenes.TEXTURES.get(i));
@@ -38,8 +41,9 @@ class SavingLawsTest {
             var image = new BufferedImage(1 + i, 2, BufferedImage.TYPE_INT_RGB);
             image.setRGB(0, 1, 0x102030 * (i + 1));
             ImageIO.write(image, "png", file.toFile());
-            images.add(loader.load(Scenes.TEXTURES.get(i), true));
-            numbers.add(loader.load(Scenes.TEXTURES.get(i), false));
+            images.add(loader.load(Scenes.TEXTURES.get(i), SampleMeaning.COLOR));
+            numbers.add(loader.load(Scenes.TEXTURES.get(i), SampleMeaning.NUMBER));
+            opacities.add(loader.load(Scenes.TEXTURES.get(i), SampleMeaning.OPACITY));
         }
     }
 
@@ -58,14 +62,14 @@ class SavingLawsTest {
 
     @Property
     void writingAndReading_isTheIdentity(@ForAll long seed) throws JenException {
-        Scene scene = new Scenes(new Random(seed), images, numbers).scene();
+        Scene scene = new Scenes(new Random(seed), images, numbers, opacities).scene();
         assertThat(read(JenWriter.write(scene))).isEqualTo(scene);
     }
 
     @Property
     void savingAnEdit_readsBackAsTheEditedScene(@ForAll long seed) throws JenException {
         var random = new Random(seed);
-        var scenes = new Scenes(random, images, numbers);
+        var scenes = new Scenes(random, images, numbers, opacities);
         Scene scene = scenes.scene();
         JenDocument document = JenReader.read(new Disguise(random).of(JenWriter.write(scene)), "s.jen", folder);
         assertThat(document.scene()).isEqualTo(scene);
@@ -80,7 +84,7 @@ class SavingLawsTest {
     @Property
     void commentsSurviveAnEditThatDeletesNothing(@ForAll long seed) throws JenException {
         var random = new Random(seed);
-        var scenes = new Scenes(random, images, numbers);
+        var scenes = new Scenes(random, images, numbers, opacities);
         Scene scene = scenes.scene();
         JenDocument document = JenReader.read(new Disguise(random).of(JenWriter.write(scene)), "s.jen", folder);
         List<lightning.scene.Light> lights = new ArrayList<>(scene.lights());
@@ -94,7 +98,7 @@ class SavingLawsTest {
     @Property
     void editingOneNumber_changesThatWordAlone(@ForAll long seed) throws JenException {
         var random = new Random(seed);
-        Scene scene = new Scenes(random, images, numbers).scene();
+        Scene scene = new Scenes(random, images, numbers, opacities).scene();
         scene = scene.withWorld(scene.world().withAmbience(0.25));
         JenDocument document = JenReader.read(new Disguise(random).of(JenWriter.write(scene)), "s.jen", folder);
         String before = document.text();

@@ -12,6 +12,7 @@ import lightning.scene.Attenuation;
 import lightning.scene.Bank;
 import lightning.scene.Camera;
 import lightning.scene.Clarity;
+import lightning.scene.Cutout;
 import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -38,10 +39,15 @@ final class Scenes {
     private final Random random;
     private final List<Texture> images;
     private final List<Texture> numbers;
+    private final List<Texture> opacities;
     private final Set<String> names = new HashSet<>();
 
-    /** @param numbers the same pictures, whose samples are no colours */
-    Scenes(Random random, List<Texture> images, List<Texture> numbers) {
+    /**
+     * @param numbers   the same pictures, whose samples are no colours
+     * @param opacities the same, which tell what is there
+     */
+    Scenes(Random random, List<Texture> images, List<Texture> numbers, List<Texture> opacities) {
+        this.opacities = opacities;
         this.random = random;
         this.images = images;
         this.numbers = numbers;
@@ -148,7 +154,8 @@ final class Scenes {
             case 0 -> m;
             case 1 -> Material.of(m.name()).withAmbient(m.ambient()).withDiffuse(m.diffuse()).withSpecular(m.specular())
                     .withShininess(m.shininess()).withReflective(m.reflective()).withTexture(texture())
-                    .withRelief(chance() ? m.relief() : relief()).withClarity(chance() ? m.clarity() : clarity());
+                    .withRelief(chance() ? m.relief() : relief()).withClarity(chance() ? m.clarity() : clarity())
+                    .withCutout(chance() ? m.cutout() : cutout());
             default -> Material.of(m.name()).withAmbient(color(1e6)).withDiffuse(m.diffuse()).withSpecular(m.specular())
                     .withShininess(m.shininess()).withReflective(color(1)).withTexture(m.texture());
         });
@@ -204,6 +211,7 @@ final class Scenes {
         return chance()
                 ? Material.of(name).withAmbient(color(1e6)).withDiffuse(color(1)).withSpecular(color(1)).withShininess(positive(1e6))
                         .withReflective(color(1)).withTexture(texture()).withRelief(relief()).withClarity(clarity())
+                        .withCutout(cutout())
                 : Material.of(name).withTexture(texture());
     }
 
@@ -211,6 +219,10 @@ final class Scenes {
         return new Clarity(color(1), chance() ? 1.5 : 1 + 3 * random.nextDouble(), chance(), color(1),
                 chance() ? 1 : Math.abs(scale(1e-9, 1e9)),
                 chance() ? ShadowsThrown.FULL : ShadowsThrown.NONE);
+    }
+
+    private Cutout cutout() {
+        return new Cutout(map(opacities), chance() ? 0.5 : random.nextDouble());
     }
 
     private Relief relief() {

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.math.Rgb;
 import lightning.scene.Clarity;
+import lightning.scene.Cutout;
 import lightning.scene.Material;
 import lightning.scene.Relief;
 import lightning.scene.ShadowsThrown;
@@ -21,7 +22,8 @@ final class MaterialArbitraries {
 
     static Arbitrary<Material> materials(String name) {
         Arbitrary<Material> opaque = Arbitraries.frequencyOf(Tuple.of(2, phong(name)), Tuple.of(1, metallic(name)));
-        return Combinators.combine(opaque, clarities()).as(Material::withClarity);
+        return Combinators.combine(opaque, clarities(), cutouts())
+                .as((material, clarity, cutout) -> material.withClarity(clarity).withCutout(cutout));
     }
 
     private static Arbitrary<Material> metallic(String name) {
@@ -80,6 +82,8 @@ final class MaterialArbitraries {
                 Arbitraries.of(true, false).map(MaterialChange.Thin::new),
                 Combinators.combine(tints(), distances()).as(MaterialChange.Tint::new),
                 Arbitraries.of(ShadowsThrown.class).map(MaterialChange.Shadows::new),
+                cutouts().map(MaterialChange.Cut::new),
+                Arbitraries.of(Cutout.NONE).map(MaterialChange.Cut::new),
                 materials("any").map(MaterialChange.Everything::new)));
     }
 
@@ -114,6 +118,12 @@ final class MaterialArbitraries {
                 Combinators.combine(maps(), heights()).as((map, s) -> new Relief(Optional.empty(), 1, Optional.of(map), s));
         return Arbitraries.frequencyOf(Tuple.of(4, Arbitraries.of(Relief.NONE)), Tuple.of(1, any), Tuple.of(1, bumps),
                 Tuple.of(1, normals));
+    }
+
+    /** Mostly none, else of any part of the surface. */
+    static Arbitrary<Cutout> cutouts() {
+        Arbitrary<Cutout> some = Combinators.combine(maps().map(Optional::of), Arbitraries.of(0.5, 0.3, 1.0, 0.0, 0.75)).as(Cutout::new);
+        return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(Cutout.NONE)), Tuple.of(1, some));
     }
 
     /** Opaque as often as not. */

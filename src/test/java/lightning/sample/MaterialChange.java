@@ -3,6 +3,7 @@ package lightning.sample;
 import java.util.Optional;
 import lightning.math.Rgb;
 import lightning.scene.Clarity;
+import lightning.scene.Cutout;
 import lightning.scene.Material;
 import lightning.scene.Relief;
 import lightning.scene.ShadowsThrown;
@@ -138,6 +139,13 @@ sealed interface MaterialChange {
         @Override
         public Material on(Material material) {
             return material.withClarity(material.clarity().withShadows(to));
+        }
+    }
+
+    record Cut(Cutout to) implements MaterialChange {
+        @Override
+        public Material on(Material material) {
+            return material.withCutout(to);
         }
     }
 

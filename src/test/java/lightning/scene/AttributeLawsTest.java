@@ -58,10 +58,11 @@ class AttributeLawsTest {
         return component.replaceAll("(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
     }
 
-    /** An area's components are attributes of their light, a relief's and a clarity's of their material. */
+    /** An area's components are attributes of their light, a relief's, a clarity's and a cut-out's of their material. */
     private static Stream<String> names(RecordComponent component) {
         return component.getType() == Area.class || component.getType() == Relief.class || component.getType() == Clarity.class
-                ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(component.getName());
+                || component.getType() == Cutout.class
+                        ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(component.getName());
     }
 
     @Property

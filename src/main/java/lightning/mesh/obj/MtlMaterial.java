@@ -17,6 +17,7 @@ import lightning.math.Rgb;
  * @param ior       Ni, the index of refraction
  * @param refracts  whether its model of illumination (6 and 7) bends what is seen through it
  * @param texture   the picture of the diffuse colour, as written
+ * @param cutout    the picture of what is there, as written
  */
 public record MtlMaterial(String name, Rgb diffuse, Rgb specular, Rgb emission, double shininess, boolean mirrors, double opacity,
-        Rgb filter, double ior, boolean refracts, Optional<String> texture) {}
+        Rgb filter, double ior, boolean refracts, Optional<String> texture, Optional<String> cutout) {}

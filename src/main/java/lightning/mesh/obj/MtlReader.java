@@ -77,7 +77,7 @@ public final class MtlReader {
             case "map_Kd" -> now.texture = picture();
             // Most writers put 1 there whatever the surface is, which would make it shine.
             case "Ka" -> notes.add("ambient colors (Ka) of materials");
-            case "map_d" -> notes.add("cut-outs by pictures (map_d) of materials");
+            case "map_d" -> now.cutout = picture();
             default -> notes.add(keyword + " of materials");
         }
     }
@@ -108,6 +108,7 @@ public final class MtlReader {
         Rgb filter;
         double ior = 1.5;
         Optional<String> texture = Optional.empty();
+        Optional<String> cutout = Optional.empty();
 
         Draft(String name) {
             this.name = name;
@@ -116,7 +117,7 @@ public final class MtlReader {
         MtlMaterial made() {
             boolean mirrors = illumination >= 3 && illumination <= 9 && illumination != 4 && illumination != 9;
             return new MtlMaterial(name, diffuse, specular, emission, shininess, mirrors, there(), filter == null ? Rgb.WHITE : filter, ior,
-                    REFRACTING.contains(illumination), texture);
+                    REFRACTING.contains(illumination), texture, cutout);
         }
 
         /**

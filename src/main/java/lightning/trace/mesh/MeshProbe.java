@@ -16,11 +16,14 @@ public final class MeshProbe {
     private final MeshWalk walk = new MeshWalk();
     private MeshSolid solid;
     private int triangle;
+    /** Null where the mesh has no holes. */
+    private Sieve sieve;
 
     /** Takes a mesh and a ray; the direction has any length. */
     public void enter(MeshSolid of, double ox, double oy, double oz, double dx, double dy, double dz) {
         solid = of;
         ray.enter(ox, oy, oz, dx, dy, dz, of.tree.reach);
+        sieve = null;
     }
 
     /** Lets the ray pass all triangles that are this near to a point, own units: it begins or ends on them, as far as rounding can tell. */
@@ -28,9 +31,14 @@ public final class MeshProbe {
         ray.pass(x, y, z, near);
     }
 
+    /** Lets the ray pass triangles where they have holes. */
+    public void sift(Sieve by) {
+        sieve = by;
+    }
+
     /** The distance to the triangle that is met first, the lowest among equals; {@code +∞} where none is up to {@code limit}. */
     public double nearest(double limit) {
-        double t = walk.nearest(solid.tree, ray, limit);
+        double t = walk.nearest(solid.tree, ray, sieve, limit);
         triangle = walk.triangle;
         return t;
     }
@@ -43,7 +51,7 @@ public final class MeshProbe {
         triangle = -1;
         for (int i = 0; i < mesh.triangleCount(); i++) {
             double t = ray.distance(mesh.positions(), 3 * v[3 * i], 3 * v[3 * i + 1], 3 * v[3 * i + 2], 1);
-            if (t < best) {
+            if (t < best && (sieve == null || !sieve.passes(i, t))) {
                 best = t;
                 triangle = i;
             }
@@ -58,6 +66,6 @@ public final class MeshProbe {
 
     /** Whether a triangle is met at a distance below {@code limit}. */
     public boolean blocked(double limit) {
-        return walk.blocked(solid.tree, ray, limit);
+        return walk.blocked(solid.tree, ray, sieve, limit);
     }
 }

@@ -10,8 +10,10 @@ final class MeshWalk {
     /**
      * The distance of the triangle that is met first, the one with the lowest index among equals; {@code +∞} where none is met at a
      * distance up to {@code limit}.
+     *
+     * @param sieve where triangles are passed; null for nowhere
      */
-    double nearest(MeshTree tree, MeshRay ray, double limit) {
+    double nearest(MeshTree tree, MeshRay ray, Sieve sieve, double limit) {
         room(tree);
         double best = limit;
         triangle = -1;
@@ -30,7 +32,8 @@ final class MeshWalk {
             for (int s = 0; s < MeshTree.WIDTH && tree.triangle[MeshTree.WIDTH * leaf + s] >= 0; s++) {
                 int id = tree.triangle[MeshTree.WIDTH * leaf + s];
                 double t = distance(tree, ray, leaf, s);
-                if (t < MeshRay.MISS && (t < best || t == best && (triangle < 0 || id < triangle))) {
+                if (t < MeshRay.MISS && (t < best || t == best && (triangle < 0 || id < triangle))
+                        && (sieve == null || !sieve.passes(id, t))) {
                     best = t;
                     triangle = id;
                 }
@@ -40,7 +43,7 @@ final class MeshWalk {
     }
 
     /** Whether a triangle is met at a distance below {@code limit}. */
-    boolean blocked(MeshTree tree, MeshRay ray, double limit) {
+    boolean blocked(MeshTree tree, MeshRay ray, Sieve sieve, double limit) {
         room(tree);
         int top = push(tree, ray, 0, 0, limit);
         while (top > 0) {
@@ -51,7 +54,8 @@ final class MeshWalk {
             }
             int leaf = ~next;
             for (int s = 0; s < MeshTree.WIDTH && tree.triangle[MeshTree.WIDTH * leaf + s] >= 0; s++) {
-                if (distance(tree, ray, leaf, s) < limit) {
+                double t = distance(tree, ray, leaf, s);
+                if (t < limit && (sieve == null || !sieve.passes(tree.triangle[MeshTree.WIDTH * leaf + s], t))) {
                     return true;
                 }
             }

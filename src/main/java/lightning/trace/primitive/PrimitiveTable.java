@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import lightning.math.Transform;
 import lightning.math.Vec3;
+import lightning.scene.Cutout;
 import lightning.scene.PlacedShape;
 import lightning.scene.Relief;
 import lightning.scene.Shape;
@@ -158,7 +159,7 @@ public final class PrimitiveTable {
     public boolean isAlike(int s, PrimitiveTable o, int t) {
         return kind[s] == o.kind[t] && (kind[s] != MESH || mesh(s).mesh() == o.mesh(t).mesh())
                 && Arrays.equals(data, at[s], end(s), o.data, o.at[t], o.end(t)) && error[s] == o.error[t] && off[s] == o.off[t]
-                && size[s] == o.size[t] && underEye[s] == o.underEye[t];
+                && size[s] == o.size[t] && underEye[s] == o.underEye[t] && traits.hasHolesOf(s, o.traits, t);
     }
 
     private int end(int s) {
@@ -252,6 +253,25 @@ public final class PrimitiveTable {
         return mesh == null ? kind(s).form().gap(m, i, px, py, pz, rate(s)) : mesh.gap(px, py, pz) / rate(s);
     }
 
+    /** Whether rays may pass any primitive where they meet it. */
+    public boolean haveHoles() {
+        return traits.haveCutouts();
+    }
+
+    /** Whether rays may pass primitive {@code s} where they meet it. */
+    public boolean hasHoles(int s) {
+        return cutout(s) != null;
+    }
+
+    private Cutout cutout(int s) {
+        return traits.cutout(s);
+    }
+
+    /** Where a ray finds holes in primitive {@code s}, which has some. */
+    public Holes holes(int s, double ox, double oy, double oz, double dx, double dy, double dz) {
+        return new Holes(this, s, cutout(s), ox, oy, oz, dx, dy, dz);
+    }
+
     /** What bends the normals of primitive {@code s}; null for nothing. */
     public Relief relief(int s) {
         return traits.relief(s);
@@ -312,6 +332,9 @@ public final class PrimitiveTable {
         double vy = m[i + 4] * dx + m[i + 5] * dy + m[i + 6] * dz;
         double vz = m[i + 8] * dx + m[i + 9] * dy + m[i + 10] * dz;
         probe.enter(meshes[s], px, py, pz, vx, vy, vz);
+        if (cutout(s) != null) {
+            probe.sift(holes(s, ox, oy, oz, dx, dy, dz));
+        }
         switch (touch) {
             case NEITHER -> {}
             case START -> probe.pass(px, py, pz, rate(s) * offEye(s));
@@ -356,11 +379,23 @@ public final class PrimitiveTable {
         double vy = m[i + 4] * dx + m[i + 5] * dy + m[i + 6] * dz;
         double vz = m[i + 8] * dx + m[i + 9] * dy + m[i + 10] * dz;
         Form form = kind(s).form();
+        double t;
         if (touch == Touch.NEITHER) {
-            return form.distance(m, i, px, py, pz, vx, vy, vz);
+            t = form.distance(m, i, px, py, pz, vx, vy, vz);
+        } else {
+            double off = touch == Touch.START ? offEye(s) : offLight(s, far(ox, oy, oz, dx, dy, dz));
+            double margin = 2 * form.tip(m, i) * rate(s) * off / Math.sqrt(vx * vx + vy * vy + vz * vz);
+            t = form.distance(m, i, px, py, pz, vx, vy, vz, touch, margin);
         }
-        double off = touch == Touch.START ? offEye(s) : offLight(s, far(ox, oy, oz, dx, dy, dz));
-        double margin = 2 * form.tip(m, i) * rate(s) * off / Math.sqrt(vx * vx + vy * vy + vz * vz);
-        return form.distance(m, i, px, py, pz, vx, vy, vz, touch, margin);
+        if (t == Form.MISS || cutout(s) == null) {
+            return t;
+        }
+        Holes holes = holes(s, ox, oy, oz, dx, dy, dz);
+        if (!holes.passes(0, t)) {
+            return t;
+        }
+        // A ray crosses a convex surface twice at most: where it comes in, and where it goes out.
+        double out = touch == Touch.NEITHER ? form.distance(m, i, px, py, pz, vx, vy, vz, Touch.START, 0) : Form.MISS;
+        return out > t && out < Form.MISS && !holes.passes(0, out) ? out : Form.MISS;
     }
 }

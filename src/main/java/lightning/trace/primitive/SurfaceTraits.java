@@ -6,21 +6,25 @@ import java.util.function.Function;
 import java.util.function.IntFunction;
 import java.util.function.Predicate;
 import lightning.scene.Clarity;
+import lightning.scene.Cutout;
 import lightning.scene.Material;
 import lightning.scene.Relief;
 import lightning.scene.Shape;
 import lightning.scene.Stage;
 
-/** What materials of primitives say of where rays go there: what bends normals, and what passes through. */
+/** What materials of primitives say of where rays go there: what bends normals, what passes through, and what is cut out. */
 final class SurfaceTraits {
     /** What bends the normals of each primitive, null for nothing; null where there is nothing at all. */
     private final Relief[] reliefs;
     /** What passes through each primitive, null for nothing; null where there is nothing at all. */
     private final Clarity[] clarities;
+    /** What is cut out of each primitive, null for nothing; null where there is nothing at all. */
+    private final Cutout[] cutouts;
 
     SurfaceTraits(Stage stage) {
         reliefs = each(stage, Material::relief, r -> !r.isFlat(), Relief[]::new);
         clarities = each(stage, Material::clarity, Clarity::isClear, Clarity[]::new);
+        cutouts = each(stage, Material::cutout, Cutout::cuts, Cutout[]::new);
     }
 
     private static <T> T[] each(Stage stage, Function<Material, T> trait, Predicate<T> counts, IntFunction<T[]> array) {
@@ -40,6 +44,23 @@ final class SurfaceTraits {
     /** What passes through primitive {@code s}; null for nothing. */
     private Clarity clarity(int s) {
         return clarities == null ? null : clarities[s];
+    }
+
+    /** What is cut out of primitive {@code s}; null for nothing. */
+    Cutout cutout(int s) {
+        return cutouts == null ? null : cutouts[s];
+    }
+
+    /** Whether anything is cut out of any primitive. */
+    boolean haveCutouts() {
+        return cutouts != null;
+    }
+
+    /** Whether primitive {@code s} has the holes of primitive {@code t} of others. */
+    boolean hasHolesOf(int s, SurfaceTraits o, int t) {
+        Cutout one = cutout(s);
+        Cutout other = o.cutout(t);
+        return one == other || one != null && other != null && one.hasHolesOf(other);
     }
 
     /** Whether rays go on behind primitive {@code s} as they do behind primitive {@code t} of others. */

@@ -39,16 +39,17 @@ class MtlReaderTest {
                 illum 3
                 map_Kd -s 2 2 -clamp on my wood.png
                 map_Bump bumps.png
+                map_d holes.png
                 newmtl plain
                 Tr 0
                 """);
         assertThat(materials).containsOnlyKeys("old oak", "plain");
         assertThat(materials.get("old oak"))
                 .isEqualTo(new MtlMaterial("old oak", new Rgb(0.5, 0.25, 0.125), Rgb.grey(0.5), new Rgb(0, 0, 2), 96.5,
-                        true, 0.5, Rgb.WHITE, 1.5, false, Optional.of("my wood.png")));
+                        true, 0.5, Rgb.WHITE, 1.5, false, Optional.of("my wood.png"), Optional.of("holes.png")));
         assertThat(materials.get("plain"))
                 .isEqualTo(new MtlMaterial("plain", Rgb.grey(0.8), Rgb.BLACK, Rgb.BLACK, 0, false, 1, Rgb.WHITE, 1.5, false,
-                        Optional.empty()));
+                        Optional.empty(), Optional.empty()));
         assertThat(notes.counts()).containsOnlyKeys("ambient colors (Ka) of materials", "options -s of pictures",
                 "options -clamp of pictures", "map_Bump of materials");
     }
