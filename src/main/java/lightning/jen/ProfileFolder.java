@@ -3,9 +3,7 @@ package lightning.jen;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
-import java.util.regex.Pattern;
 import lightning.ies.IesReader;
 import lightning.mesh.MeshException;
 import lightning.scene.Photometry;
@@ -13,14 +11,12 @@ import lightning.text.Quote;
 
 /** Finds the profiles of one scene where its textures are ({@link FileFolders}). Each file is read once. */
 final class ProfileFolder {
-    private static final Pattern PROFILE = Pattern.compile(".+\\.ies", Pattern.CASE_INSENSITIVE);
-
     private final FileFolders folders;
     private final Map<Path, Photometry> read = new HashMap<>();
 
     /** @param scene the folder that holds the scene file */
     ProfileFolder(Path scene) {
-        folders = new FileFolders(scene, "profile", TextureFolder.NAME);
+        folders = FileKind.PROFILE.folders(scene);
     }
 
     /**
@@ -44,10 +40,5 @@ final class ProfileFolder {
             read.put(path, known);
         }
         return known;
-    }
-
-    /** The files that a scene there can name, by the end of their names, in alphabetical order; none of unreadable folders. */
-    List<String> names() {
-        return folders.names(PROFILE);
     }
 }

@@ -134,33 +134,6 @@ public final class PropertyEdit {
         return set(scene, target, property, new Value.Quoted(file).text(), new HeldFiles(scene, Optional.of(folder)));
     }
 
-    /**
-     * The names of the pictures that {@link #environment} would find by them, in alphabetical order.
-     *
-     * @param folder where environments are looked for, as if the scene file were in it
-     */
-    public static List<String> environments(Path folder) {
-        return new SkyFolder(folder).names();
-    }
-
-    /**
-     * The names of the profiles that {@link #file} would find by them, in alphabetical order.
-     *
-     * @param folder where profiles are looked for, as if the scene file were in it
-     */
-    public static List<String> profiles(Path folder) {
-        return new ProfileFolder(folder).names();
-    }
-
-    /**
-     * The names of the pictures that {@link #texture(Scene, String, String, Path)} would find by them, in alphabetical order.
-     *
-     * @param folder where pictures are looked for, as if the scene file were in it
-     */
-    public static List<String> textures(Path folder) {
-        return new TextureFolder(folder).names();
-    }
-
     /** What stands for a material where a property is set. */
     public static String target(Material material) {
         return MATERIAL + NameText.of(material.name());

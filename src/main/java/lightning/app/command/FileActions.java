@@ -44,7 +44,7 @@ public final class FileActions {
     public FileActions(EditorModel model, FilePrompt prompt, Notices notices, Preferences preferences, Runnable quit) {
         this.model = model;
         this.prompt = prompt;
-        model.materials().setBrowse(() -> prompt.texture(model.document().file().toAbsolutePath().getParent()));
+        model.bringer().setBrowse((title, kind) -> prompt.beside(title, kind, model.document().file().toAbsolutePath().getParent()));
         this.notices = notices;
         this.preferences = preferences;
         export = new PictureExport(model, prompt, notices);

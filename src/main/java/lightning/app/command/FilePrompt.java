@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import javafx.stage.FileChooser;
 import javafx.stage.Window;
 import lightning.exchange.Importer;
+import lightning.jen.FileKind;
 import lightning.text.Texts;
 
 /** Asks which file. */
@@ -44,8 +45,8 @@ public interface FilePrompt {
         return scene(folder);
     }
 
-    /** A picture for a texture to read. */
-    default Optional<Path> texture(Path folder) {
+    /** A file that a scene is to have beside it. */
+    default Optional<Path> beside(String title, FileKind kind, Path folder) {
         return scene(folder);
     }
 
@@ -79,9 +80,9 @@ public interface FilePrompt {
             }
 
             @Override
-            public Optional<Path> texture(Path folder) {
-                var pictures = new FileChooser.ExtensionFilter("PNG, JPEG", "*.png", "*.jpg", "*.jpeg");
-                return path(chooser(Texts.of("Choose Texture"), folder, pictures), c -> c.showOpenDialog(owner));
+            public Optional<Path> beside(String title, FileKind kind, Path folder) {
+                var files = new FileChooser.ExtensionFilter(kind.title(), kind.endings().stream().map(ending -> "*." + ending).toList());
+                return path(chooser(title, folder, files), c -> c.showOpenDialog(owner));
             }
 
             @Override

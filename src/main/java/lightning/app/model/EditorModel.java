@@ -68,6 +68,7 @@ public final class EditorModel implements AutoCloseable {
     private final MaterialChoice materials;
     private final LookThrough lookThrough;
     private final KeyChoice keyChoice = new KeyChoice(this::refresh);
+    private final FileBringer bringer = new FileBringer(this);
     /** What an open animation shows in place of the document; null where none is open. */
     private Scene staged;
     private volatile Path reading;
@@ -207,6 +208,11 @@ public final class EditorModel implements AutoCloseable {
     /** Which material is edited. */
     public MaterialChoice materials() {
         return materials;
+    }
+
+    /** Brings files from elsewhere beside the scene. */
+    public FileBringer bringer() {
+        return bringer;
     }
 
     /** Whether the preview looks through the selected light. */

@@ -1,11 +1,8 @@
 package lightning.app.model;
 
-import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
-import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
@@ -24,7 +21,6 @@ public final class MaterialChoice {
     private final EditorModel model;
     private String chosen = "";
     private Scene known;
-    private Supplier<Optional<Path>> browse = Optional::empty;
 
     MaterialChoice(EditorModel model) {
         this.model = model;
@@ -86,15 +82,5 @@ public final class MaterialChoice {
     /** The names of the shapes that have a material, in the order of the scene. */
     public static List<String> shapesOf(Scene scene, String material) {
         return scene.stage().shapes().stream().filter(s -> s.material().equals(material)).map(Shape::name).toList();
-    }
-
-    /** Says who asks for a picture that a texture is made of. */
-    public void setBrowse(Supplier<Optional<Path>> asks) {
-        browse = asks;
-    }
-
-    /** Asks for a picture from anywhere; empty where the artist thought better of it. */
-    public Optional<Path> browse() {
-        return browse.get();
     }
 }

@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import java.util.stream.IntStream;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
@@ -13,40 +12,35 @@ import javafx.scene.control.SeparatorMenuItem;
 import lightning.app.command.CommandItems;
 import lightning.app.model.EditorModel;
 import lightning.edit.Command;
+import lightning.jen.FileKind;
 import lightning.text.Texts;
 
-/** Offers the files of a kind that lie beside the scene, pictures with what they show, and none; what lies there is seen a moment after the menu opens. */
+/** Offers the files of a kind that lie beside the scene, pictures with what they show, none, and to bring one from elsewhere; what lies there is seen a moment after the menu opens. */
 final class FileMenu extends MenuButton {
     /** So many are shown with a small picture. */
     private static final int SMALL = 60;
 
     private final EditorModel model;
     private final Command command;
-    private final Function<Path, List<String>> names;
+    private final FileKind kind;
     private final Consumer<String> chosen;
-    /** What asks for a file from elsewhere; empty where none can be brought. */
-    private Optional<Runnable> browse = Optional.empty();
+    private final Runnable browse;
 
     /**
      * @param command what choosing one does
-     * @param names   those of a folder
      * @param chosen  hears the name of the file; empty for none
+     * @param browse  asks for one from elsewhere
      */
-    FileMenu(EditorModel model, String text, Command command, Function<Path, List<String>> names, Consumer<String> chosen) {
+    FileMenu(EditorModel model, String text, Command command, FileKind kind, Consumer<String> chosen, Runnable browse) {
         super(text);
         // An underscore in a file's name is one.
         setMnemonicParsing(false);
         this.model = model;
         this.command = command;
-        this.names = names;
+        this.kind = kind;
         this.chosen = chosen;
+        this.browse = browse;
         setOnShowing(_ -> fill());
-        offer(List.of());
-    }
-
-    /** Offers to bring a file from elsewhere. */
-    void setBrowse(Runnable asks) {
-        browse = Optional.of(asks);
         offer(List.of());
     }
 
@@ -59,7 +53,7 @@ final class FileMenu extends MenuButton {
     private record Found(String name, Optional<FileThumbnail> picture) {}
 
     private List<Found> found(Path folder) {
-        List<String> all = names.apply(folder);
+        List<String> all = kind.names(folder);
         return IntStream.range(0, all.size())
                 .mapToObj(i -> new Found(all.get(i), i < SMALL ? FileThumbnail.of(folder, all.get(i)) : Optional.empty())).toList();
     }
@@ -67,7 +61,7 @@ final class FileMenu extends MenuButton {
     private void offer(List<Found> names) {
         List<MenuItem> items = new ArrayList<>();
         items.add(item(Texts.of("None"), ""));
-        browse.ifPresent(asks -> items.add(CommandItems.of(model).value(command, Texts.of("Browse…"), asks)));
+        items.add(CommandItems.of(model).value(command, Texts.of("Browse…"), browse));
         items.add(new SeparatorMenuItem());
         names.forEach(found -> {
             MenuItem item = item(found.name(), found.name());

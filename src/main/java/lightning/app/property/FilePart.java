@@ -1,9 +1,7 @@
 package lightning.app.property;
 
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
 import javafx.scene.control.MenuButton;
 import javafx.scene.layout.StackPane;
 import lightning.app.model.EditorModel;
@@ -12,6 +10,7 @@ import lightning.app.widget.Obstacle;
 import lightning.edit.Change;
 import lightning.edit.Command;
 import lightning.edit.Situation;
+import lightning.jen.FileKind;
 import lightning.jen.PropertyEdit;
 import lightning.scene.Attribute;
 import lightning.scene.FromFile;
@@ -92,10 +91,11 @@ final class FilePart<F extends FromFile> extends StackPane {
         }
     }
 
-    private FilePart(EditorModel model, Owner<F> owner, Command command, Function<Path, List<String>> names, String help) {
+    private FilePart(EditorModel model, Owner<F> owner, Command command, FileKind kind, String help) {
         this.model = model;
         this.owner = owner;
-        choice = new FileMenu(model, Texts.of("none"), command, names, this::set);
+        choice = new FileMenu(model, Texts.of("none"), command, kind, this::set,
+                () -> browse(command, kind));
         choice.setId(owner.attribute().name());
         choice.setAccessibleText(Texts.of(owner.attribute().title()));
         choice.setMaxWidth(Double.MAX_VALUE);
@@ -108,17 +108,16 @@ final class FilePart<F extends FromFile> extends StackPane {
      * Of the selected light.
      *
      * @param command what choosing one does
-     * @param names   those of a folder
      * @param help    what it is
      */
     static <F extends FromFile> FilePart<F> of(EditorModel model, LightAttribute<Optional<F>> attribute, Command command,
-            Function<Path, List<String>> names, String help) {
-        return new FilePart<>(model, new OfLight<>(attribute), command, names, help);
+            FileKind kind, String help) {
+        return new FilePart<>(model, new OfLight<>(attribute), command, kind, help);
     }
 
     /** The same of the environment. */
-    static FilePart<Panorama> ofWorld(EditorModel model, Command command, Function<Path, List<String>> names, String help) {
-        return new FilePart<>(model, new OfWorld(World.ENVIRONMENT), command, names, help);
+    static FilePart<Panorama> ofWorld(EditorModel model, Command command, FileKind kind, String help) {
+        return new FilePart<>(model, new OfWorld(World.ENVIRONMENT), command, kind, help);
     }
 
     private void show(Situation now) {
@@ -126,9 +125,23 @@ final class FilePart<F extends FromFile> extends StackPane {
         obstacle.set(owner.obstacle(now));
     }
 
+    private void browse(Command command, FileKind kind) {
+        String who = selected();
+        model.bringer().browse(command.plainTitle(), kind, file -> {
+            if (selected().equals(who)) {
+                set(file);
+            }
+        }, model::say);
+    }
+
+    /** The light that has it; empty where none is selected. */
+    private String selected() {
+        return model.selectedLight() == null ? "" : model.selectedLight().name();
+    }
+
     /** What was read is taken over by the scene as it is then. */
     private void set(String file) {
-        String who = model.selectedLight() == null ? "" : model.selectedLight().name();
+        String who = selected();
         Path folder = FileMenu.folder(model);
         Scene asked = model.scene();
         model.files().beside(() -> owner.read(asked, who, file, folder),

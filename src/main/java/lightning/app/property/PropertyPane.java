@@ -19,7 +19,7 @@ import lightning.edit.Dial;
 import lightning.edit.LightEdits;
 import lightning.edit.OpenDocument;
 import lightning.edit.Situation;
-import lightning.jen.PropertyEdit;
+import lightning.jen.FileKind;
 import lightning.math.Vec3;
 import lightning.scene.Choice;
 import lightning.scene.Light;
@@ -65,7 +65,7 @@ public final class PropertyPane extends VBox {
                         Sections.section(Texts.of("Bank"), bank),
                         Sections.section(Texts.of("Scene"), dial(Dial.AMBIENCE), Sections.caption(Texts.of("Environment")),
                                 FilePart.ofWorld(model,
-                                        Command.CHOOSE_ENVIRONMENT, PropertyEdit::environments,
+                                        Command.CHOOSE_ENVIRONMENT, FileKind.ENVIRONMENT,
                                         Texts.of("A picture of all that is far around, which lights the scene")),
                                 dial(Dial.ENVIRONMENT_INTENSITY), dial(Dial.ENVIRONMENT_ROTATION),
                                 dial(Dial.ENVIRONMENT_LAMPS), dial(Dial.ENVIRONMENT_SOFTNESS))))
@@ -94,10 +94,10 @@ public final class PropertyPane extends VBox {
                 case EACH -> Dial.of(attribute).stream().map(d -> withMenu(dial(d), attribute)).toList();
             };
             case ValueKind.Projecting _ -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(FilePart.of(model,
-                    LightAttribute.GOBO, Command.CHOOSE_GOBO, PropertyEdit::textures,
+                    LightAttribute.GOBO, Command.CHOOSE_GOBO, FileKind.TEXTURE,
                     Texts.of("A picture that the light projects: black holds it back")), attribute));
             case ValueKind.Shining _ -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(FilePart.of(model,
-                    LightAttribute.PROFILE, Command.CHOOSE_PROFILE, PropertyEdit::profiles,
+                    LightAttribute.PROFILE, Command.CHOOSE_PROFILE, FileKind.PROFILE,
                     Texts.of("How strongly the light shines in each direction, as an IES file tells")), attribute));
             case Choice<V> _,ValueKind.Linking _,ValueKind.Naming _,ValueKind.Surrounding _,ValueKind.Texturing _ ->
                     throw new IllegalStateException("there is no widget for " + attribute.title());

@@ -19,14 +19,12 @@ import lightning.edit.Change;
 import lightning.edit.Command;
 import lightning.edit.MaterialEdits;
 import lightning.edit.Steps;
-import lightning.jen.PictureCopy;
-import lightning.jen.PropertyEdit;
+import lightning.jen.FileKind;
 import lightning.scene.Limits;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.TextureMap;
 import lightning.scene.ValueKind;
-import lightning.text.Quote;
 import lightning.text.Texts;
 
 /**
@@ -46,8 +44,6 @@ final class TexturePart extends VBox {
     private final ArrowWidget repeatV;
     private final Obstacle obstacle;
     private Material shown;
-    /** A picture that was chosen, whose name another has; null where there is none. */
-    private Path asked;
 
     TexturePart(EditorModel model, MaterialAttribute<Optional<TextureMap>> attribute) {
         this.model = model;
@@ -71,8 +67,7 @@ final class TexturePart extends VBox {
             }
         });
         HBox.setHgrow(file, Priority.ALWAYS);
-        found = new FileMenu(model, Texts.of("Choose"), Command.CHOOSE_TEXTURE, PropertyEdit::textures, this::set);
-        found.setBrowse(() -> model.materials().browse().ifPresent(this::bring));
+        found = new FileMenu(model, Texts.of("Choose"), Command.CHOOSE_TEXTURE, FileKind.TEXTURE, this::set, this::browse);
         found.setId(title + "-found");
         found.setAccessibleText(Texts.of("Choose a picture: {0}", title));
         found.setMinWidth(USE_PREF_SIZE);
@@ -177,22 +172,13 @@ final class TexturePart extends VBox {
                 why -> mark(Sentence.of(why)));
     }
 
-    /** Copies a picture from elsewhere to where the scene finds it; over another one only if it is chosen twice. */
-    private void bring(Path picture) {
+    private void browse() {
         String material = shown.name();
-        Path folder = FileMenu.folder(model);
-        boolean overwrite = picture.equals(asked);
-        model.files().beside(() -> PictureCopy.bring(picture, folder, overwrite), outcome -> {
-            asked = outcome instanceof PictureCopy.Taken ? picture : null;
-            if (!shown.name().equals(material)) {
-                return;
+        model.bringer().browse(Command.CHOOSE_TEXTURE.plainTitle(), FileKind.TEXTURE, name -> {
+            if (shown.name().equals(material)) {
+                set(name);
             }
-            switch (outcome) {
-                case PictureCopy.Brought(String name) -> set(name);
-                case PictureCopy.Taken(String name) ->
-                        mark(Texts.of("Another picture {0} is among the textures: choose it again to write over it", Quote.of(name)));
-            }
-        }, why -> mark(Sentence.of(why)));
+        }, this::mark);
     }
 
     private void take(String material, Change read) {

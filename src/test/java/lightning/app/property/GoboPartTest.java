@@ -52,6 +52,23 @@ class GoboPartTest extends EditorDesk {
     }
 
     @Test
+    void browsedPicture_comesToTheTexturesAndIsProjected_andADamagedOneIsNot() throws IOException {
+        // Else those of a folder above would get it.
+        Files.createDirectories(folder.resolve("textures"));
+        select("stage");
+        answer = Files.write(Files.createDirectories(folder.resolve("elsewhere")).resolve("torn.png"), new byte[] {(byte) 137, 80});
+        choose("Browse…");
+        waitFor("it says why", () -> model().messageProperty().get().contains("'torn.png'"));
+        assertThat(folder.resolve("textures/torn.png")).doesNotExist();
+        picture("dots.png");
+        answer = Files.move(folder.resolve("textures/dots.png"), folder.resolve("elsewhere/dots.png"));
+        choose("Browse…");
+        waitFor("it is read", () -> light("stage").gobo().map(Gobo::file).orElse("").equals("dots.png"));
+        assertThat(folder.resolve("textures/dots.png")).hasSameBinaryContentAs(answer);
+        assertGoShowsTheScene();
+    }
+
+    @Test
     void none_takesItAway() throws IOException {
         picture("dots.png");
         select("stage");
