@@ -1,44 +1,32 @@
 package lightning.app.property;
 
 import javafx.css.PseudoClass;
-import javafx.scene.input.ClipboardContent;
-import javafx.scene.input.DataFormat;
 import javafx.scene.input.DragEvent;
-import javafx.scene.input.Dragboard;
 import javafx.scene.input.TransferMode;
 import lightning.app.model.EditorModel;
 import lightning.edit.BankEdits;
 
 /** Drags a light from its line to that of a bank or of a light in one, which it joins; anywhere else it leaves its bank. */
 final class BankDrop {
-    private static final DataFormat LIGHT = new DataFormat("application/x-lightning-light");
     private static final PseudoClass OVER = PseudoClass.getPseudoClass("drop");
 
     private BankDrop() {}
 
     static void between(LightCell cell, EditorModel model) {
-        cell.setOnDragDetected(event -> {
-            if (cell.light() != null && !cell.isEditing()) {
-                Dragboard board = cell.startDragAndDrop(TransferMode.MOVE);
-                var content = new ClipboardContent();
-                content.put(LIGHT, cell.light().name());
-                board.setContent(content);
-                event.consume();
-            }
-        });
+        LinkDrop.drag(cell, LinkDrop.LIGHT, () -> cell.light() == null ? null : cell.light().name());
         cell.setOnDragOver(event -> {
-            if (event.getDragboard().hasContent(LIGHT)) {
+            if (event.getDragboard().hasContent(LinkDrop.LIGHT)) {
                 event.acceptTransferModes(TransferMode.MOVE);
                 event.consume();
             }
         });
-        cell.setOnDragEntered(event -> cell.pseudoClassStateChanged(OVER, event.getDragboard().hasContent(LIGHT)));
+        cell.setOnDragEntered(event -> cell.pseudoClassStateChanged(OVER, event.getDragboard().hasContent(LinkDrop.LIGHT)));
         cell.setOnDragExited(_ -> cell.pseudoClassStateChanged(OVER, false));
         cell.setOnDragDropped(event -> drop(event, cell, model));
     }
 
     private static void drop(DragEvent event, LightCell on, EditorModel model) {
-        if (event.getDragboard().getContent(LIGHT) instanceof String light) {
+        if (event.getDragboard().getContent(LinkDrop.LIGHT) instanceof String light) {
             drop(light, on.bank(), model);
             event.setDropCompleted(true);
             event.consume();

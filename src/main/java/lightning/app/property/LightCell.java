@@ -42,6 +42,7 @@ final class LightCell extends NamedCell<RigRow> {
         super(model, Command.RENAME_LIGHT, (old, typed) -> model.edit(scene -> LightEdits.rename(scene, old, typed)));
         bank = new BankRow(model, folded, () -> getListView().requestFocus());
         BankDrop.between(this, model);
+        LinkDrop.ontoLight(this, model);
         type.getStyleClass().add("light-type");
         chip.getStyleClass().add("light-chip");
         solo.setGraphic(new FontIcon(MaterialDesignA.ALPHA_S_CIRCLE));

@@ -15,6 +15,7 @@ public final class ListTabs extends TabPane {
         Tab lights = SidePane.tab(Texts.of("Lights"), "lights-tab", () -> new LightListPane(model));
         Tab shapes = SidePane.tab(Texts.of("Shapes"), "shapes-tab", () -> new OutlinePane(model));
         getTabs().setAll(lights, shapes);
+        LinkDrop.throughTabs(this);
         model.situationProperty().map(s -> s.node().isPresent())
                 .subscribe(ofShape -> getSelectionModel().select(ofShape ? shapes : lights));
     }

@@ -58,6 +58,7 @@ final class OutlineCell extends NamedCell<OutlineRow> {
             model.edit(scene -> NodeEdits.visible(scene, shown.name(), !shown.visible())).ifPresent(model::say);
             show();
         });
+        LinkDrop.ofShape(this, () -> shown == null ? null : shown.name(), model);
         row.getStyleClass().add("light-row");
         model.sceneProperty().subscribe(_ -> show());
         setOnMouseClicked(event -> {

@@ -56,6 +56,29 @@ class LinksPartTest extends EditorDesk {
     }
 
     @Test
+    void lightDroppedOnAShape_shinesOnItNoMore_andAgain() {
+        robot.interact(() -> LinkDrop.drop("lamp", "ball", false, model()));
+        assertThat(light("lamp").illuminates()).isEqualTo(Links.except("ball"));
+        assertThat(model().messageProperty().get()).isEqualTo("lamp does not shine on ball");
+        assertThat(model().situationProperty().get().undo()).contains("lamp: illuminates all → all but 'ball'");
+        assertGoShowsTheScene();
+        robot.interact(() -> LinkDrop.drop("lamp", "ball", false, model()));
+        assertThat(light("lamp").illuminates()).isEqualTo(Links.ALL);
+        assertThat(model().messageProperty().get()).isEqualTo("lamp shines on ball");
+    }
+
+    @Test
+    void lightDroppedOnAShapeWithCtrlAndShift_isShadowedByItNoMore() {
+        robot.interact(() -> LinkDrop.drop("lamp", "ball", true, model()));
+        assertThat(light("lamp").shadowedBy()).isEqualTo(Links.except("ball"));
+        assertThat(light("lamp").illuminates()).isEqualTo(Links.ALL);
+        assertThat(model().messageProperty().get()).isEqualTo("ball throws no shadow in the light of lamp");
+        assertGoShowsTheScene();
+        click("undo");
+        assertThat(light("lamp").shadowedBy()).isEqualTo(Links.ALL);
+    }
+
+    @Test
     void withoutALight_nothingCanBeLinked() {
         robot.interact(() -> model().selectLight(null));
         assertThat(menu("illuminates").isDisabled()).isTrue();
