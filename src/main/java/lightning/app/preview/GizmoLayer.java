@@ -69,6 +69,11 @@ final class GizmoLayer extends Pane {
         handles.ifPresent(gizmo -> GizmoPaint.handles(selected.getGraphicsContext2D(), gizmo, camera, seen.canvas(), HANDLE_EDGE));
     }
 
+    /** What marks the selected group, over all else; likewise. */
+    void draw(List<LightGizmo.Stroke> box) {
+        GizmoPaint.wires(selected.getGraphicsContext2D(), box, GizmoPaint.SELECTED);
+    }
+
     private static GraphicsContext clear(Canvas canvas, Viewport size) {
         canvas.setWidth(size.width());
         canvas.setHeight(size.height());

@@ -1,5 +1,6 @@
 package lightning.app.preview;
 
+import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
 import javafx.animation.PauseTransition;
 import javafx.beans.property.ObjectProperty;
@@ -20,9 +21,11 @@ import lightning.app.model.PreviewLook;
 import lightning.app.model.Sentence;
 import lightning.app.widget.CanvasSize;
 import lightning.app.widget.PixelImage;
+import lightning.edit.GroupBox;
 import lightning.edit.Situation;
 import lightning.edit.Viewport;
 import lightning.effects.ViewEffects;
+import lightning.scene.Group;
 import lightning.text.Texts;
 
 /** The drawn preview with the lights' wireframes over it; takes the mouse and the keyboard. */
@@ -38,6 +41,8 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
     private final PreviewMouse mouse;
     private final PreviewShapes shapes;
     private final PreviewLoop loop;
+    private final PreviewScene look = new PreviewScene();
+    private final GroupBox box = new GroupBox();
     private final AtomicReference<PreviewLoop.Picture> drawn = new AtomicReference<>();
     private final PauseTransition rest = new PauseTransition(REST);
     private final ObjectProperty<CanvasSize> size = new SimpleObjectProperty<>(CanvasSize.LIKE_PICTURE);
@@ -60,10 +65,10 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         model.selectedLightProperty().subscribe(_ -> requestLayout());
         model.situationProperty().map(Situation::node).subscribe(_ -> requestLayout());
         model.viewProperty().subscribe(_ -> requestLayout());
-        PreviewLook look = model.previewLook();
-        look.glowingProperty().subscribe(_ -> requestLayout());
-        look.gizmosHiddenProperty().subscribe(_ -> requestLayout());
-        look.sizeProperty().subscribe(_ -> requestLayout());
+        PreviewLook settings = model.previewLook();
+        settings.glowingProperty().subscribe(_ -> requestLayout());
+        settings.gizmosHiddenProperty().subscribe(_ -> requestLayout());
+        settings.sizeProperty().subscribe(_ -> requestLayout());
         size.subscribe(_ -> requestLayout());
         model.previewCameraProperty().subscribe(_ -> {
             moving = true;
@@ -161,8 +166,10 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         gizmos.setVisible(!model.previewLook().gizmosHiddenProperty().get());
         gizmos.draw(model.scene(), model.selectedLight(), model.previewCameraProperty().get(), mouse.canvas(),
                 model.previewLook().sizeProperty().get().factor());
+        gizmos.draw(model.selectedNode().filter(Group.class::isInstance).map(Group.class::cast).map(group -> GroupBox
+                .strokes(box.lines(model.scene(), group), model.previewCameraProperty().get(), mouse.canvas())).orElse(List.of()));
         gizmos.draw(mouse.handles(), model.previewCameraProperty().get());
-        loop.draw(new PreviewLoop.Wish(model.scene(), model.previewCameraProperty().get(), frame.width(), frame.height(),
+        loop.draw(new PreviewLoop.Wish(look.of(model.scene()), model.previewCameraProperty().get(), frame.width(), frame.height(),
                 model.viewProperty().get().ofPicture(),
                 model.previewLook().glowingProperty().get() ? ViewEffects.PREVIEW_1998 : ViewEffects.PREVIEW,
                 moving, model.frame() == null ? null : model.frame().geometry()));
