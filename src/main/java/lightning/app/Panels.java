@@ -21,12 +21,12 @@ import lightning.edit.Command;
 /** The windows beside the editor's, each open at most once and called as the command that opens it. */
 final class Panels implements AutoCloseable {
     private static final Map<Command, Panel> PANELS = Map.of(
-            Command.ACCURACY_PANEL, new Panel(860, 760, AccuracyPane::new),
+            Command.ACCURACY_PANEL, new Panel(960, 760, AccuracyPane::new),
             Command.EFFECTS_PANEL, new Panel(760, 680, EffectsPane::new),
             Command.KEYS, new Panel(880, 720, KeysPane::new),
             Command.SCOPES, new Panel(540, 540, ScopesPane::new),
             Command.HISTORY_PANEL, new Panel(380, 560, HistoryPane::new),
-            Command.UPDATES_PANEL, new Panel(1020, 420, UpdatesPane::new),
+            Command.UPDATES_PANEL, new Panel(1200, 420, UpdatesPane::new),
             Command.MIXER, new Panel(1000, 460, MixerPane::new),
             Command.CUES, new Panel(820, 640, CuePane::new),
             Command.CONTRIBUTIONS, new Panel(680, 480, ContributionPane::new));

@@ -29,13 +29,13 @@ final class UpdatesPane extends VBox {
         table.getStyleClass().add("dense");
         table.setPlaceholder(new Label(Texts.of("No picture yet")));
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_ALL_COLUMNS);
-        text(Texts.of("At"), 84, e -> CLOCK.format(e.at()));
+        text(Texts.of("At"), 92, e -> CLOCK.format(e.at()));
         text(Texts.of("What was done"), 230, e -> e.update().plan().text());
-        number(Texts.of("Rows"), e -> StatusText.number(e.update().rowsTouched()));
-        number(Texts.of("Shadow rays"), e -> StatusText.number(e.update().rays().shadow()));
-        number(Texts.of("All rays"), e -> StatusText.number(e.update().rays().all()));
-        number(Texts.of("Time"), e -> StatusText.time(e.update().milliseconds()));
-        number(Texts.of("Saved"), e -> e.saving().map(s -> StatusText.saving(s.percent() / 100)).orElse("–"));
+        number(Texts.of("Rows"), 110, e -> StatusText.number(e.update().rowsTouched()));
+        number(Texts.of("Shadow rays"), 160, e -> StatusText.number(e.update().rays().shadow()));
+        number(Texts.of("All rays"), 120, e -> StatusText.number(e.update().rays().all()));
+        number(Texts.of("Time"), 100, e -> StatusText.time(e.update().milliseconds()));
+        number(Texts.of("Saved"), 100, e -> e.saving().map(s -> StatusText.saving(s.percent() / 100)).orElse("–"));
         text(Texts.of("Picture"), 110, e -> e.finished() ? e.promise() : Texts.of("without finer samples yet"));
         table.setItems(model.updates().entries());
         whole.setId("updates-whole");
@@ -57,8 +57,8 @@ final class UpdatesPane extends VBox {
         table.getColumns().add(column);
     }
 
-    private void number(String title, Function<Entry, String> of) {
-        text(title, 116, of);
+    private void number(String title, double width, Function<Entry, String> of) {
+        text(title, width, of);
         table.getColumns().getLast().getStyleClass().add("number-column");
     }
 }

@@ -91,7 +91,8 @@ public enum FileKind {
             throw new IllegalArgumentException(article + noun + " must be " + form + ", was " + Quote.of(name));
         }
         if (!Files.isRegularFile(file) || Files.size(file) > mostBytes) {
-            throw new IllegalArgumentException(article + noun + " must be a file of at most " + mostBytes + " bytes, was " + Quote.of(name));
+            throw new IllegalArgumentException(
+                    article + noun + " must be a file of at most " + mostBytes + " bytes, was " + Quote.of(name));
         }
         try {
             read(name, file);

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import javafx.application.Platform;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.control.Labeled;
@@ -20,6 +21,7 @@ import javafx.stage.Window;
 import lightning.app.widget.Contrast;
 import lightning.app.widget.Looks;
 import lightning.edit.Command;
+import lightning.edit.LightEdits;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -27,7 +29,8 @@ import org.junit.jupiter.api.Test;
 class AccessOfPanelsTest extends EditorDesk {
     private static final int MANY = 120;
     private static final List<Command> PANELS = List.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
-            Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS);
+            Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.MAKE_ANIMATION,
+            Command.PALETTE, Command.ABOUT);
 
     @AfterEach
     void closeWindows() {
@@ -85,6 +88,26 @@ class AccessOfPanelsTest extends EditorDesk {
             closePanel();
         }
         assertThat(found).isEmpty();
+    }
+
+    @Test
+    void everyButtonOfAQuestion_isReachedByTheTabKeyAndEscapeGivesItUp() {
+        robot.interact(() -> model().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withIntensity(0.5))));
+        // It waits for an answer, and whoever calls it with it.
+        Platform.runLater(() -> model().run(Command.QUIT));
+        waitFor("it asks", () -> panels().size() == 1 && panels().getFirst().isFocused());
+        Window question = panels().getFirst();
+        List<Node> wanted = controls(question);
+        assertThat(wanted).hasSize(3).allMatch(AccessOfPanelsTest::isNamed);
+        Set<Node> reached = new HashSet<>();
+        for (Node _ : wanted) {
+            reached.add(question.getScene().getFocusOwner());
+            robot.push(KeyCode.TAB);
+        }
+        assertThat(reached).containsAll(wanted);
+        robot.push(KeyCode.ESCAPE);
+        waitFor("it is gone", () -> panels().isEmpty());
+        assertThat(stage.isShowing()).isTrue();
     }
 
     @Test

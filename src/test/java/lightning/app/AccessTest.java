@@ -2,9 +2,12 @@ package lightning.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import javafx.geometry.Bounds;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Labeled;
@@ -19,6 +22,7 @@ import org.junit.jupiter.api.Test;
 /** Who does not see, or has no mouse, can use the editor too. */
 class AccessTest extends EditorDesk {
     private static final int MANY = 200;
+    private static final Set<String> PANES = Set.of("toolbar", "traced", "preview", "lists", "side");
 
     /** All controls that take the keyboard, those left out that are parts of others. */
     private Set<Node> controls() {
@@ -32,6 +36,59 @@ class AccessTest extends EditorDesk {
             }
         }
         return false;
+    }
+
+    private void selectShape() {
+        robot.interact(() -> model().selectNode("ball"));
+        waitFor("the list of shapes is in front", () -> robot.lookup("#shape-list").tryQuery().isPresent());
+        QuickRobot.settle();
+    }
+
+    @Test
+    void everyControlOfAShape_isNamedAndReachedByTheTabKey() {
+        selectShape();
+        everyControl_isNamedForScreenReaders();
+        everyControl_isReachedByTheTabKey();
+    }
+
+    @Test
+    void tabKey_goesDownEachPaneAndFromLeftToRight() {
+        assertThat(wrongWays()).isEmpty();
+        selectShape();
+        assertThat(wrongWays()).isEmpty();
+        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        QuickRobot.settle();
+        assertThat(wrongWays()).isEmpty();
+    }
+
+    /** Where the Tab key goes up, or to the left, within a pane. */
+    private List<String> wrongWays() {
+        List<String> wrong = new ArrayList<>();
+        Node first = stage.getScene().getFocusOwner();
+        Node a = first;
+        for (int i = 0; i < MANY && (i == 0 || a != first); i++) {
+            robot.push(KeyCode.TAB);
+            Node b = stage.getScene().getFocusOwner();
+            // Both as they lie by then: what gets the keyboard is scrolled into view.
+            Bounds from = a.localToScene(a.getLayoutBounds());
+            Bounds to = b.localToScene(b.getLayoutBounds());
+            boolean up = to.getMaxY() <= from.getMinY();
+            boolean beside = to.getMinY() < from.getMaxY() && from.getMinY() < to.getMaxY();
+            if (!pane(a).isEmpty() && pane(a).equals(pane(b)) && (up || beside && to.getMaxX() <= from.getMinX())) {
+                wrong.add(pane(a) + ": " + a + " → " + b);
+            }
+            a = b;
+        }
+        return wrong;
+    }
+
+    private static String pane(Node node) {
+        for (Node n = node; n != null; n = n.getParent()) {
+            if (n.getId() != null && PANES.contains(n.getId())) {
+                return n.getId();
+            }
+        }
+        return "";
     }
 
     @Test

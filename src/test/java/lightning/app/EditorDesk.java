@@ -67,6 +67,8 @@ public abstract class EditorDesk {
     @BeforeEach
     void open() throws Exception {
         FxToolkit.registerPrimaryStage();
+        // The first editor of a process takes its time on a machine that has other work.
+        FxToolkit.toolkitContext().setSetupTimeoutInMillis(TimeUnit.SECONDS.toMillis(4 * PATIENCE_SECONDS));
         Path file = Files.writeString(folder.resolve("desk.jen"), SCENE);
         FxToolkit.setupFixture(() -> {
             Looks.DARK.wear();

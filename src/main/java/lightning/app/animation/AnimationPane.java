@@ -131,6 +131,7 @@ final class AnimationPane extends VBox {
             Supplier<Optional<String>> reason) {
         Button button = new Button(text, FontIcon.of(icon));
         button.setId(id);
+        button.setMinWidth(Region.USE_PREF_SIZE);
         button.setOnAction(_ -> action.run());
         return explained(button, hint, reason);
     }

@@ -11,6 +11,7 @@ import javafx.scene.control.Menu;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.RadioMenuItem;
 import lightning.app.model.EditorModel;
+import lightning.app.model.SpokenKey;
 import lightning.edit.Command;
 import org.kordamp.ikonli.javafx.FontIcon;
 
@@ -57,7 +58,7 @@ public final class CommandItems {
         item.setId(prefix + command.id());
         item.setGraphic(new FontIcon(command.icon()));
         if (keys) {
-            model.keys().changesProperty().subscribe(_ -> item.setAccelerator(model.keys().of(command).orElse(null)));
+            model.keys().changesProperty().subscribe(_ -> item.setAccelerator(model.keys().of(command).map(SpokenKey::new).orElse(null)));
         }
         model.situationProperty().subscribe(now -> {
             item.setText(command.title(now));

@@ -10,6 +10,7 @@ import javafx.scene.input.KeyCodeCombination;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 import lightning.app.model.Keys;
+import lightning.app.model.SpokenKey;
 import lightning.edit.Command;
 import lightning.text.Texts;
 
@@ -76,7 +77,7 @@ public final class KeyButton extends Button {
             told.setText(obstacle.get());
         } else if (owner.isPresent() && !asked.equals(Optional.of(key))) {
             asked = Optional.of(key);
-            told.setText(Texts.of("{0} is {1}'s: press again to take it", key.getDisplayText(), owner.get().plainTitle()));
+            told.setText(Texts.of("{0} is {1}'s: press again to take it", SpokenKey.text(key), owner.get().plainTitle()));
         } else {
             set(Optional.of(key));
         }

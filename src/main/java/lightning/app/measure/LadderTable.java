@@ -11,7 +11,8 @@ import lightning.text.Texts;
 
 /** The grades of accuracy, a row each: time, saving and errors. */
 final class LadderTable extends TableView<Rung> {
-    private static final double NUMBER = 96;
+    private static final double NUMBER = 116;
+    private static final double PART = 170;
     private static final double GRADE = 170;
     private static final double ROW = 30;
 
@@ -26,7 +27,7 @@ final class LadderTable extends TableView<Rung> {
         setFixedCellSize(ROW);
         add(Texts.of("Grade"), GRADE, r -> (r.grade().ordinal() + 1) + "  " + r.grade().label());
         add(Texts.of("Time"), NUMBER, RungText::time);
-        add(Texts.of("Of a full trace"), NUMBER, r -> RungText.saving(ladder, r));
+        add(Texts.of("Of a full trace"), PART, r -> RungText.saving(ladder, r));
         add(Texts.of("Largest error"), NUMBER, r -> RungText.largest(r.error()));
         add(Texts.of("Values off"), NUMBER, r -> RungText.values(r.error()));
         add("PSNR", NUMBER, r -> RungText.psnr(r.error()));

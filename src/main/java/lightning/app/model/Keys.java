@@ -35,9 +35,9 @@ public final class Keys {
         return command.shortcut().isEmpty() ? Optional.empty() : Optional.of(KeyCombination.valueOf(command.shortcut()));
     }
 
-    /** As the system writes it; empty where there is none. */
+    /** As {@link SpokenKey} writes it; empty where there is none. */
     public String text(Command command) {
-        return of(command).map(KeyCombination::getDisplayText).orElse("");
+        return of(command).map(SpokenKey::text).orElse("");
     }
 
     /** Whether a key is a command's. */
@@ -98,12 +98,12 @@ public final class Keys {
         boolean held = key.getShortcut() == KeyCombination.ModifierValue.DOWN || key.getAlt() == KeyCombination.ModifierValue.DOWN;
         if (!held && !key.getCode().isFunctionKey()) {
             return Optional
-                    .of(Texts.of("{0} alone types or moves; hold Ctrl or Alt with it, or take a function key", key.getDisplayText()));
+                    .of(Texts.of("{0} alone types or moves; hold Ctrl or Alt with it, or take a function key", SpokenKey.text(key)));
         }
         boolean plain = key.getShift() == KeyCombination.ModifierValue.UP && key.getAlt() == KeyCombination.ModifierValue.UP;
         boolean text = key.getCode() == KeyCode.C || key.getCode() == KeyCode.V || key.getCode() == KeyCode.X || key.getCode() == KeyCode.A;
         return plain && held && text
-                ? Optional.of(Texts.of("{0} is for texts: it copies, pastes, cuts or selects all", key.getDisplayText()))
+                ? Optional.of(Texts.of("{0} is for texts: it copies, pastes, cuts or selects all", SpokenKey.text(key)))
                 : Optional.empty();
     }
 

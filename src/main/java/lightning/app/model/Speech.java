@@ -1,5 +1,6 @@
 package lightning.app.model;
 
+import java.util.Locale;
 import lightning.text.Language;
 import lightning.text.Texts;
 
@@ -21,6 +22,8 @@ public enum Speech {
     public static void begin(Preferences preferences) {
         Texts.speak(of(preferences).language(System.getProperty(PROPERTY, ""),
                 System.getProperty("user.language.display", System.getProperty("user.language", ""))));
+        // The window toolkit's own words, on buttons and in the menus of fields, are in the language of the process.
+        Locale.setDefault(Locale.of(Texts.language().letters(), System.getProperty("user.country", "")));
     }
 
     /** What was chosen. */

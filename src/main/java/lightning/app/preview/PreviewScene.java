@@ -42,7 +42,7 @@ final class PreviewScene {
     static Material scattering(Material material) {
         return material.isMetallic() ? material.withMetalness(METAL * material.metalness())
                 : material.reflective().isBlack() ? material
-                        : material.withDiffuse(sum(material.diffuse(), material.reflective()));
+                : material.withDiffuse(sum(material.diffuse(), material.reflective()));
     }
 
     private static Rgb sum(Rgb diffuse, Rgb reflective) {

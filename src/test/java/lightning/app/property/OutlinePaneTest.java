@@ -3,6 +3,7 @@ package lightning.app.property;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.TextField;
@@ -46,10 +47,14 @@ class OutlinePaneTest extends EditorDesk {
 
     private void select(String name) {
         robot.interact(() -> model().selectNode(name));
+        // Its line is there only when the list was laid out.
+        waitFor("its line is there", () -> robot.lookup("#shape-list .list-cell").queryAllAs(ListCell.class).stream()
+                .anyMatch(cell -> cell.isSelected() && cell.getGraphic() != null && name.equals(marked())));
     }
 
     private void press(KeyCode... keys) {
         robot.interact(() -> list().requestFocus());
+        waitFor("the list has the keyboard", () -> list().isFocused());
         robot.push(keys);
     }
 
@@ -63,6 +68,7 @@ class OutlinePaneTest extends EditorDesk {
     @Test
     void shapePickedInThePreview_isSelectedInTheList() {
         assertThat(tab("lists")).isEqualTo("lights-tab");
+        waitFor("the preview is drawn", () -> model().previewFramesProperty().get() > 0);
         robot.clickOn(inPreview(BALL), MouseButton.SECONDARY);
         waitFor("the menu is open", () -> robot.lookup("Select ball").tryQuery().isPresent());
         robot.clickOn("Select ball");
@@ -102,6 +108,7 @@ class OutlinePaneTest extends EditorDesk {
         press(KeyCode.H);
         assertThat(node("ball").visible()).isFalse();
         robot.interact(() -> preview().requestFocus());
+        waitFor("the preview has the keyboard", () -> preview().isFocused());
         robot.push(KeyCode.H);
         assertThat(node("ball").visible()).isTrue();
     }

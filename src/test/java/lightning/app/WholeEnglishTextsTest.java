@@ -1,0 +1,24 @@
+package lightning.app;
+
+import lightning.text.Language;
+import lightning.text.Texts;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+class WholeEnglishTextsTest extends WholeTexts {
+    @BeforeAll
+    static void speak() {
+        Texts.speak(Language.ENGLISH);
+    }
+
+    @AfterAll
+    static void speakEnglish() {
+        Texts.speak(Language.ENGLISH);
+    }
+
+    @Test
+    void noText_isCut() {
+        assertWhole();
+    }
+}
