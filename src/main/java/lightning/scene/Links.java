@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /**
  * Which shapes something of a light concerns: those named alone, or all but those. The name of a group stands for all shapes in it.
@@ -64,7 +65,7 @@ public record Links(boolean only, List<String> names) {
 
     /** For people: {@code all}, {@code none}, {@code only a, b} or {@code all but a, b}. */
     public String text() {
-        return isAll() ? "all" : equals(NONE) ? "none"
-                : (only ? "only " : "all but ") + names.stream().map(Quote::of).collect(Collectors.joining(", "));
+        String list = names.stream().map(Quote::of).collect(Collectors.joining(", "));
+        return isAll() ? Texts.of("all") : equals(NONE) ? Texts.of("none") : only ? Texts.of("only {0}", list) : Texts.of("all but {0}", list);
     }
 }

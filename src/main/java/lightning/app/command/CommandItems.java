@@ -55,6 +55,8 @@ public final class CommandItems {
         Optional<ObservableValue<Boolean>> on = model.switched(command);
         MenuItem item = on.isPresent() ? checked(on.get()) : new MenuItem();
         item.setUserData(command);
+        // An underscore in the name of what it acts on is one.
+        item.setMnemonicParsing(false);
         item.setId(prefix + command.id());
         item.setGraphic(new FontIcon(command.icon()));
         if (keys) {
