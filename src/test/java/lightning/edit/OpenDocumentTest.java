@@ -84,6 +84,20 @@ class OpenDocumentTest {
     }
 
     @Test
+    void undoAfterSavingADeletion_bringsTheLightBackWithItsKeys() throws Exception {
+        String moving = Desk.TEXT + "\nshot {\n  frames 1 25\n  light key { intensity { 1 0.5  25 2.5 smooth } }\n}\n";
+        document = OpenDocument.open(Files.writeString(file, moving));
+        var before = document.content();
+        document.apply(LightEdits.delete(document.scene(), "key"));
+        Saves.save(document);
+        assertThat(JenReader.read(file).shot().stream().flatMap(s -> s.tracks().stream())).isEmpty();
+        document.history().undo();
+        assertThat(document.content()).isEqualTo(before);
+        Saves.save(document);
+        assertThat(JenReader.read(file).content()).isEqualTo(before);
+    }
+
+    @Test
     void undoAfterSaving_isDirtyAndSavesTheOldTextAgain() throws Exception {
         dial("key", 2);
         Saves.save(document);
