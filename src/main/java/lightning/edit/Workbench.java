@@ -159,6 +159,16 @@ public final class Workbench implements AutoCloseable {
         return refusal;
     }
 
+    /** The same as a step of its own, and selects something then: who shows the document hears of both at once. */
+    public Optional<String> edit(Change change, Selection then) {
+        Optional<String> refusal = document.apply(change, null);
+        if (refusal.isEmpty()) {
+            document.select(then);
+            edited();
+        }
+        return refusal;
+    }
+
     /** Makes an edit of the scene with its shot: see {@link OpenDocument#applyToAll}. */
     public Optional<String> editAll(Supplier<AnimatedScene> edit, Object gesture) {
         Scene before = scene();

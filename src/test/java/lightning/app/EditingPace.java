@@ -108,25 +108,29 @@ public final class EditingPace {
         pace("hidden or shown", model, i -> model.edit(scene -> NodeEdits.visible(scene, ball, i % 2 == 0)));
         pace("renamed", model, i -> model.edit(scene -> NodeEdits.rename(scene, i == 0 ? ball : ball + "_" + (i - 1), ball + "_" + i)));
         String renamed = ball + "_" + (SAMPLES + WARM_UPS - 1);
-        pace("copied", model, i -> {
-            model.selectNode(renamed);
-            model.run(Command.DUPLICATE_SHAPE);
-        });
-        pace("deleted", model, i -> {
-            model.selectNode("b" + (shapes / 3 + i));
-            model.run(Command.DELETE_SHAPE);
-        });
+        pace("copied", model, _ -> model.selectNode(renamed), _ -> model.run(Command.DUPLICATE_SHAPE));
+        pace("deleted", model, i -> model.selectNode("b" + (shapes / 3 + i)), _ -> model.run(Command.DELETE_SHAPE));
         pace("another selected", model, i -> model.selectNode("b" + (shapes / 4 + i)));
     }
 
     /** @param edit gets the number of the edit, from 0 */
     private static void pace(String what, EditorModel model, IntConsumer edit) throws Exception {
+        pace(what, model, _ -> {}, edit);
+    }
+
+    /** @param before what an artist does before, which is not counted */
+    private static void pace(String what, EditorModel model, IntConsumer before, IntConsumer edit) throws Exception {
         long id = onWindow(() -> Thread.currentThread().threadId());
         var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         double[] handler = new double[SAMPLES];
         double[] all = new double[SAMPLES];
         for (int i = -WARM_UPS; i < SAMPLES; i++) {
             int number = i + WARM_UPS;
+            onWindow(() -> {
+                before.accept(number);
+                return null;
+            });
+            Thread.sleep(REST_MS);
             long begin = threads.getThreadCpuTime(id);
             long end = onWindow(() -> {
                 edit.accept(number);

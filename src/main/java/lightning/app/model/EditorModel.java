@@ -310,6 +310,17 @@ public final class EditorModel implements AutoCloseable {
         return workbench.editAll(() -> edit.apply(document().content()), gesture);
     }
 
+    /**
+     * Makes an edit of the document, and selects the shape or the group of a name then.
+     *
+     * @return why it was refused; empty if it was made
+     */
+    public Optional<String> editAndSelect(Function<Scene, Change> edit, String node) {
+        say("");
+        materials.inFrontProperty().set(false);
+        return workbench.edit(edit.apply(document().scene()), new Selection.OfNode(node));
+    }
+
     /** The frame of the shot that is shown; empty where the scene has none. */
     public Optional<Moment> moment() {
         return document().moment();

@@ -3,7 +3,6 @@ package lightning.app.model;
 import lightning.edit.Command;
 import lightning.edit.NodeEdits;
 import lightning.scene.Node;
-import lightning.scene.Scene;
 
 /** What the commands do to the selected shape or group. */
 final class NodeActions {
@@ -19,12 +18,8 @@ final class NodeActions {
 
     /** The copy is selected. */
     private static void duplicate(EditorModel model, Node original) {
-        Scene before = model.scene();
-        model.edit(scene -> NodeEdits.duplicate(scene, original.name())).ifPresentOrElse(model::say,
-                () -> {
-                    String copy = NodeEdits.copyOf(before, original.name());
-                    model.selectNode(copy);
-                    LightActions.tellBeside(model, copy, original.name());
-                });
+        String copy = NodeEdits.copyOf(model.scene(), original.name());
+        model.editAndSelect(scene -> NodeEdits.duplicate(scene, original.name()), copy).ifPresentOrElse(model::say,
+                () -> LightActions.tellBeside(model, copy, original.name()));
     }
 }

@@ -151,6 +151,8 @@ final class OutlinePane extends VBox {
     private void list(Stage stage) {
         showing = true;
         listed = stage;
+        // A list that gains or loses lines moves its selection along, line by line; here it is made anew.
+        list.getSelectionModel().clearSelection();
         OutlineRow.update(list.getItems(), stage, unfolded);
         int shapes = stage.shapeCount();
         count.setText(shapes == 1 ? Texts.of("1 shape") : String.format(Texts.locale(), Texts.of("%,d shapes"), shapes));
