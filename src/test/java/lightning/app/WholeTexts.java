@@ -34,6 +34,8 @@ abstract class WholeTexts extends EditorDesk {
             stage.setHeight(768);
         });
         waitFor("the window is so wide", () -> stage.getScene().getWidth() == 1366);
+        robot.moveTo("#traced-picture");
+        waitFor("the pixel is told of", () -> text("pixel").contains("ball") || text("pixel").contains("floor"));
         look("no light", () -> model().selectLight(null));
         for (String light : List.of("lamp", "sun", "stage")) {
             look(light, () -> model().selectLight(light));

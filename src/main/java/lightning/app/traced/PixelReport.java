@@ -55,14 +55,14 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<Lig
     }
 
     /**
-     * One line: the place, the shape, the values, its normal.
+     * Two lines: the place, the shape, the values; its normal.
      *
      * @param values as {@link PixelValues} has them
      */
     String headline(String values) {
         String place = x + ", " + y + "  " + (shape.isEmpty() ? Texts.of("background") : shape) + "  " + values;
-        return normal == null ? place
-                : place + String.format(Texts.locale(), Texts.of("  normal %.2f %.2f %.2f"), normal.x(), normal.y(), normal.z());
+        return place + "\n" + (normal == null ? ""
+                : String.format(Texts.locale(), Texts.of("normal %.2f %.2f %.2f"), normal.x(), normal.y(), normal.z()));
     }
 
     /** What each light does, as in {@code key 64 %}. */

@@ -41,13 +41,15 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignE;
 public final class TracedPane extends BorderPane implements AutoCloseable {
     private static final Insets BADGES = new Insets(12);
     private static final double ZOOM = 1.5;
+    /** As many lines as are told of a pixel, so that the picture keeps its room. */
+    private static final String NO_PIXEL = "\n";
 
     private final EditorModel model;
     private final PictureView picture = new PictureView();
     private final Badge pending;
     private final Badge mirrors;
     private final Badge look;
-    private final Label pixelLine = new Label();
+    private final Label pixelLine = new Label(NO_PIXEL);
     private final Label card = new Label();
     private final Label prompt = new Label();
     private final Label waiting = new Label();
@@ -73,7 +75,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         getStyleClass().add("canvas-pane");
         picture.setId("traced-picture");
         mouse = new TracedMouse(model, picture, report -> {
-            pixelLine.setText(report == null ? "" : report.headline(model.frame() == null ? ""
+            pixelLine.setText(report == null ? NO_PIXEL : report.headline(model.frame() == null ? ""
                     : PixelValues.text(model.frame().seen(), model.viewProperty().get(), report.x(), report.y())));
             card.setText(report == null ? "" : String.join("\n", report.lightLines()));
         });
