@@ -66,6 +66,7 @@ public record Links(boolean only, List<String> names) {
     /** For people: {@code all}, {@code none}, {@code only a, b} or {@code all but a, b}. */
     public String text() {
         String list = names.stream().map(Quote::of).collect(Collectors.joining(", "));
-        return isAll() ? Texts.of("all") : equals(NONE) ? Texts.of("none") : only ? Texts.of("only {0}", list) : Texts.of("all but {0}", list);
+        return isAll() ? Texts.of("all") : equals(NONE) ? Texts.of("none") : only ? Texts.of("only {0}", list)
+                : Texts.of("all but {0}", list);
     }
 }
