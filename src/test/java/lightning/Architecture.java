@@ -89,7 +89,7 @@ final class Architecture {
             row("app.traced", DESK),
             row("app.preview", DESK),
             row("app.animation", DESK + " edit.motion"),
-            row("app.timeline", DESK + " movie"),
+            row("app.timeline", DESK + " movie shot"),
             row("app.measure", DESK),
             row("app.mixer", DESK),
             row("app.contribution", DESK),

@@ -36,6 +36,8 @@ public final class EditorWindow implements AutoCloseable {
     private final FileActions files;
     private final Panels panels;
     private final VBox bars;
+    /** Null before it was first shown. */
+    private TimelinePane timeline;
     private final BooleanProperty fullScreen = new SimpleBooleanProperty();
 
     /** Fills a frame, in which the traced picture stands already. */
@@ -58,7 +60,10 @@ public final class EditorWindow implements AutoCloseable {
         bars = new VBox(menu, tools);
         frame.fill(bars, preview, new ListTabs(model), new SidePane(model), new StatusLine(model));
         frame.follow(model.arrangement());
-        frame.addTimeline(model.arrangement(), () -> new TimelinePane(model, playback));
+        frame.addTimeline(model.arrangement(), () -> {
+            timeline = new TimelinePane(model, playback);
+            return timeline;
+        });
         frame.addEventFilter(KeyEvent.KEY_PRESSED, e -> {
             if (e.getCode() == KeyCode.TAB && !e.isShiftDown() && !e.isControlDown() && !e.isAltDown() && frame.isOverPictures()) {
                 model.run(Command.HIDE_PANELS);
@@ -123,6 +128,9 @@ public final class EditorWindow implements AutoCloseable {
     @Override
     public void close() {
         panels.close();
+        if (timeline != null) {
+            timeline.close();
+        }
         preview.close();
     }
 }

@@ -39,6 +39,7 @@ record DocumentState(AnimatedScene content, List<Long> ids, Map<Long, LightTrack
     /** The state after an edit; each light that it changed, or whose keys it changed, can be undone alone. */
     DocumentState after(AnimatedScene edited, LongSupplier fresh) {
         List<Light> lights = edited.still().lights();
+        boolean sameKeys = content.shot().equals(edited.shot());
         LightMatch match = new LightMatch(scene().lights(), lights);
         List<Long> newIds = new ArrayList<>();
         Map<Long, LightTrack> newTracks = new HashMap<>();
@@ -48,10 +49,9 @@ record DocumentState(AnimatedScene content, List<Long> ids, Map<Long, LightTrack
             newIds.add(id);
             if (origin >= 0) {
                 Light old = scene().lights().get(origin);
-                List<Track> oldKeys = keys(content, old);
                 LightTrack track = track(id);
-                boolean same = old.equals(lights.get(i)) && oldKeys.equals(keys(edited, old));
-                newTracks.put(id, same ? track : track.edited(old, oldKeys));
+                boolean same = old.equals(lights.get(i)) && (sameKeys || keys(content, old).equals(keys(edited, old)));
+                newTracks.put(id, same ? track : track.edited(old, keys(content, old)));
             }
         }
         return new DocumentState(edited, newIds, newTracks);

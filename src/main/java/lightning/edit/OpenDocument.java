@@ -62,6 +62,7 @@ public final class OpenDocument {
         try {
             OpenDocument document = open(found.file());
             document.history.edit(edits.content(), null);
+            document.settleFrame();
             return document;
         } catch (IOException | JenException e) {
             return new OpenDocument(new SavedScene(found.file(), FileState.NONE, edits));

@@ -38,6 +38,9 @@ public final class FrameRun {
         try (var _ = new LateWarmUp(scene.apply(frames.getFirst())); var renderer = new Renderer(options)) {
             for (int frame : frames) {
                 Update update = render(renderer, scene.apply(frame), progress);
+                if (progress.isCancelled()) {
+                    throw new CancellationException();
+                }
                 listener.rendered(frame, renderer.film(), update);
             }
         }

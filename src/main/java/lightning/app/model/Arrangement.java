@@ -12,6 +12,7 @@ public final class Arrangement {
     private final BooleanProperty panelsHidden = new SimpleBooleanProperty();
 
     private final BooleanProperty timelineShown = new SimpleBooleanProperty();
+    private final BooleanProperty filmStripShown = new SimpleBooleanProperty();
 
     /** Which of the two pictures are seen, and how large. */
     public enum Canvases {
@@ -50,6 +51,11 @@ public final class Arrangement {
     /** Whether the keys of the shot are seen below the pictures; when a scene is opened, where it has a shot. */
     public BooleanProperty timelineShownProperty() {
         return timelineShown;
+    }
+
+    /** Whether the timeline has its film strip. */
+    public BooleanProperty filmStripShownProperty() {
+        return filmStripShown;
     }
 
     /** As it was left. The panels are shown in any case: without them nobody would find anything. */

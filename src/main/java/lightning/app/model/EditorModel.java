@@ -104,6 +104,11 @@ public final class EditorModel implements AutoCloseable {
         setSwitch(Command.LIVE, live);
         setSwitch(Command.HIDE_PANELS, arrangement.panelsHiddenProperty());
         setSwitch(Command.TIMELINE, arrangement.timelineShownProperty());
+        setSwitch(Command.FILM_STRIP, arrangement.filmStripShownProperty(), () -> {
+            var shown = arrangement.filmStripShownProperty();
+            shown.set(!shown.get());
+            arrangement.timelineShownProperty().set(arrangement.timelineShownProperty().get() || shown.get());
+        });
         setSwitch(Command.HIDE_GIZMOS, previewLook.gizmosHiddenProperty());
         setSwitch(Command.GLOWING_TEXTURES, previewLook.glowingProperty());
         opened();

@@ -1,5 +1,7 @@
 package lightning.app.property;
 
+import java.util.Optional;
+import javafx.css.PseudoClass;
 import javafx.scene.Node;
 import javafx.scene.control.ContextMenu;
 import javafx.scene.control.MenuItem;
@@ -13,6 +15,7 @@ import lightning.edit.KeyEdits;
 import lightning.edit.Moment;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
+import lightning.scene.shot.Track;
 import lightning.text.Quote;
 import lightning.text.Texts;
 
@@ -21,6 +24,9 @@ import lightning.text.Texts;
  * ({@code intensity 2.5}), so that it goes from one to another, from window to window, and into a file.
  */
 final class PropertyMenu {
+    private static final PseudoClass KEYED = PseudoClass.getPseudoClass("keyed");
+    private static final PseudoClass KEY_HERE = PseudoClass.getPseudoClass("key-here");
+
     private final EditorModel model;
     private final CommandItems items;
     private final PropertyOwner property;
@@ -39,6 +45,12 @@ final class PropertyMenu {
             shown.getItems().setAll(menu.items());
             shown.show(widget, e.getScreenX(), e.getScreenY());
             e.consume();
+        });
+        model.situationProperty().subscribe(now -> {
+            Optional<Track> keys = now.moment().filter(_ -> property.text().isPresent())
+                    .flatMap(m -> m.shot().track(property.keyTarget(), property.name()));
+            widget.pseudoClassStateChanged(KEYED, keys.isPresent());
+            widget.pseudoClassStateChanged(KEY_HERE, keys.flatMap(t -> t.key(now.moment().get().frame())).isPresent());
         });
     }
 

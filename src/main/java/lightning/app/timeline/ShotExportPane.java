@@ -59,7 +59,6 @@ final class ShotExportPane extends VBox {
         kind.setAccessibleText(Texts.of("kind of files"));
         kind.getItems().setAll(ShotKind.values());
         kind.setValue(ShotKind.PNG);
-        kind.valueProperty().subscribe(_ -> tell());
         first = field("first", Texts.key("first frame"), v -> from = v);
         last = field("last", Texts.key("last frame"), v -> to = v);
         first.show(from);
@@ -88,6 +87,7 @@ final class ShotExportPane extends VBox {
             ffmpeg = found.isPresent();
             tell();
         }, _ -> {});
+        kind.valueProperty().subscribe(_ -> tell());
         model.viewProperty().subscribe(_ -> tell());
     }
 

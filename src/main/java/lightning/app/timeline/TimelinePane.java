@@ -36,10 +36,12 @@ import lightning.scene.shot.Shot;
 import lightning.text.Texts;
 
 /** The keys of the shot over its frames, the frame that is shown, and what is done with both. */
-public final class TimelinePane extends BorderPane {
+public final class TimelinePane extends BorderPane implements AutoCloseable {
     /** Room for the bar that scrolls the lines, pixels. */
     private static final double SCROLL = 16;
     private static final double ZOOM = 1.2;
+    /** Tools, numbers and a few lines, pixels. */
+    private static final double LEAST = 156;
 
     private final EditorModel model;
     private final Timeline timeline;
@@ -52,6 +54,7 @@ public final class TimelinePane extends BorderPane {
     private final NumberField rate;
     private final Region keys;
     private final Region empty;
+    private StripPane strip;
 
     public TimelinePane(EditorModel model, Playback playback) {
         this.model = model;
@@ -76,7 +79,26 @@ public final class TimelinePane extends BorderPane {
         setTop(bar());
         setCenter(new StackPane(keys, empty));
         timeline.scaleProperty().subscribe(_ -> placeHead());
+        model.arrangement().filmStripShownProperty().subscribe(this::showStrip);
         model.situationProperty().subscribe(this::show);
+    }
+
+    private void showStrip(boolean on) {
+        setMinHeight(LEAST + (on ? StripPane.HEIGHT : 0));
+        if (on) {
+            strip = new StripPane(model, timeline);
+            setBottom(strip);
+        } else if (strip != null) {
+            strip.close();
+            setBottom(null);
+            strip = null;
+        }
+    }
+
+    /** Ends what runs for it. */
+    @Override
+    public void close() {
+        showStrip(false);
     }
 
     private FlowPane bar() {
@@ -88,7 +110,8 @@ public final class TimelinePane extends BorderPane {
                 new Separator(Orientation.VERTICAL));
         add(bar, Command.SET_KEY, Command.DELETE_KEYS, Command.LINEAR_KEYS, Command.SMOOTH_KEYS, Command.STEPPED_KEYS);
         bar.getChildren().addAll(new Separator(Orientation.VERTICAL), labelled(Texts.of("from"), first), labelled(Texts.of("to"), last),
-                labelled(Texts.of("a second"), rate), note);
+                labelled(Texts.of("a second"), rate),
+                new Separator(Orientation.VERTICAL), CommandButton.icon(model, Command.FILM_STRIP), note);
         return bar;
     }
 

@@ -1,0 +1,108 @@
+package lightning.app.timeline;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import javafx.css.PseudoClass;
+import javafx.scene.Node;
+import javafx.scene.image.Image;
+import javafx.scene.image.ImageView;
+import javafx.scene.image.PixelFormat;
+import lightning.app.EditorDesk;
+import lightning.edit.Command;
+import lightning.edit.Dial;
+import lightning.edit.OpenDocument;
+import lightning.scene.LightAttribute;
+import lightning.shading.ReferenceTracer;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.testfx.util.WaitForAsyncUtils;
+
+class StripPaneTest extends EditorDesk {
+    private static final String SHOT = "shot { frames 1 4  light lamp { intensity { 1 0.5  4 2.5 } } }";
+
+    @BeforeEach
+    void openStrip() throws Exception {
+        var file = folder.resolve("desk.jen");
+        Files.writeString(file, Files.readString(file) + SHOT);
+        OpenDocument opened = OpenDocument.open(file);
+        robot.interact(() -> model().open(opened));
+        waitForPicture();
+        robot.interact(() -> model().run(Command.FILM_STRIP));
+    }
+
+    private void keep() {
+        click("strip-begin");
+        waitForStrip();
+    }
+
+    private void waitForStrip() {
+        waitFor("all frames are current", () -> text("strip-progress").isEmpty() && pixels(1).length > 0 && !isStale(1));
+    }
+
+    private Node slot(int frame) {
+        return robot.lookup("#strip-" + frame).query();
+    }
+
+    private boolean isStale(int frame) {
+        return slot(frame).getPseudoClassStates().contains(PseudoClass.getPseudoClass("stale"));
+    }
+
+    private int[] pixels(int frame) {
+        Image image = ((ImageView) slot(frame).lookup(".image-view")).getImage();
+        if (image == null) {
+            return new int[0];
+        }
+        int width = (int) image.getWidth();
+        int[] pixels = new int[width * (int) image.getHeight()];
+        image.getPixelReader().getPixels(0, 0, width, (int) image.getHeight(), PixelFormat.getIntArgbInstance(), pixels, 0, width);
+        return pixels;
+    }
+
+    private void assertExact(int frame) {
+        var scene = FilmStrip.small(model().document().content().at(frame));
+        int[] shown = WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(() -> pixels(frame)));
+        assertThat(shown).as("frame " + frame).isEqualTo(model().viewProperty().get().toPixels(new ReferenceTracer(scene).trace()));
+    }
+
+    @Test
+    void strip_tellsItsBytesAndKeepsNothingBeforeItIsAsked() {
+        assertThat(text("strip-cost")).contains("keeps 4 small frames", "at most", "MB");
+        assertThat(robot.lookup("#strip-1").tryQuery()).isEmpty();
+        keep();
+        assertThat(robot.lookup("#strip-cost").query().getParent().isVisible()).isFalse();
+        robot.interact(() -> model().run(Command.FILM_STRIP));
+        assertThat(robot.lookup("#strip").tryQuery()).isEmpty();
+    }
+
+    @Test
+    void frames_areExactAndFollowAnEdit() {
+        keep();
+        assertExact(1);
+        assertExact(4);
+        int[] before = WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(() -> pixels(4)));
+        robot.interact(() -> {
+            model().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 2));
+            assertThat(isStale(4)).isTrue();
+        });
+        waitForStrip();
+        assertExact(1);
+        assertExact(4);
+        assertThat(WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(() -> pixels(4)))).isNotEqualTo(before);
+    }
+
+    @Test
+    void click_showsTheFrame() {
+        keep();
+        robot.clickOn("#strip-4");
+        assertThat(model().moment().orElseThrow().frame()).isEqualTo(4);
+    }
+
+    @Test
+    void otherFrames_areAskedForAnew() {
+        keep();
+        robot.interact(() -> model().editAll(s -> s.withShot(s.shot().orElseThrow().withFrames(1, 30)), null));
+        assertThat(robot.lookup("#strip-1").tryQuery()).isEmpty();
+        assertThat(text("strip-cost")).contains("keeps 30 small frames");
+    }
+}
