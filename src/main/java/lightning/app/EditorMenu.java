@@ -49,7 +49,8 @@ final class EditorMenu extends MenuBar {
                 LINE, Command.LOAD_RIG, Command.ADD_RIG,
                 Command.SAVE_RIG, LINE, Command.MAKE_ANIMATION);
         Menu shape = menu(Texts.of("Shape"), Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, LINE, Command.SHOW_SHAPE);
-        Menu shot = menu(Texts.of("Shot"), Command.TIMELINE, Command.FILM_STRIP, LINE, Command.NEW_SHOT, Command.DELETE_SHOT, LINE, Command.PLAY_SHOT,
+        Menu shot = menu(Texts.of("Shot"), Command.TIMELINE, Command.FILM_STRIP, LINE, Command.NEW_SHOT, Command.DELETE_SHOT, LINE,
+                Command.PLAY_SHOT,
                 Command.FIRST_FRAME,
                 Command.PREVIOUS_FRAME, Command.NEXT_FRAME, Command.LAST_FRAME, Command.PREVIOUS_KEY, Command.NEXT_KEY, LINE,
                 Command.SET_KEY,

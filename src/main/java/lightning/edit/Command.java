@@ -164,7 +164,8 @@ public enum Command {
 
     TIMELINE(Texts.key("Timeline"), Texts.key("The shot's keys over its frames, below the pictures"), "mdi2c-chart-timeline", "F3",
             Obstacles.NONE),
-    FILM_STRIP(Texts.key("Film Strip"), Texts.key("Small pictures of the frames below the keys, which follow every edit"), "mdi2f-filmstrip-box-multiple", "Shift+F3",
+    FILM_STRIP(Texts.key("Film Strip"), Texts.key("Small pictures of the frames below the keys, which follow every edit"),
+            "mdi2f-filmstrip-box-multiple", "Shift+F3",
             Obstacles.NONE),
     NEW_SHOT(Texts.key("New Shot"), Texts.key("Give the scene frames, over which lights, camera and shapes can have keys"),
             "mdi2m-movie-open-plus-outline", "", Obstacles.alone(Obstacles::hasShot)),

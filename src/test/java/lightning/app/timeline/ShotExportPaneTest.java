@@ -120,7 +120,8 @@ class ShotExportPaneTest extends EditorDesk {
         click("shot-cancel");
         waitFor("it ended", () -> text("shot-status").startsWith("Cancelled; "));
         assertThat(text("shot-status")).endsWith(" of 5000 pictures are written");
-        waitFor("its thread ended", () -> Thread.getAllStackTraces().keySet().stream().noneMatch(t -> "lightning-shot-export".equals(t.getName())));
+        waitFor("its thread ended",
+                () -> Thread.getAllStackTraces().keySet().stream().noneMatch(t -> "lightning-shot-export".equals(t.getName())));
     }
 
     @Test
