@@ -15,6 +15,7 @@ module lightning {
     requires atlantafx.base;
     requires org.kordamp.ikonli.javafx;
     requires org.kordamp.ikonli.materialdesign2;
+    requires org.jgroups;
 
     exports lightning.app to javafx.graphics;
     opens lightning.cli to info.picocli;

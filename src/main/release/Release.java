@@ -88,6 +88,7 @@ final class Release {
     /** All that lies in the program's folder once it is installed. */
     private void ship() throws IOException {
         copy(program.resolve("lib"), shipped);
+        copy(program.resolve("cluster"), shipped);
         for (String folder : List.of("scenes", "textures", "licences")) {
             copy(program.resolve(folder), shipped.resolve(folder));
         }

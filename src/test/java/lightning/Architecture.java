@@ -97,10 +97,12 @@ final class Architecture {
             row("app", DESK
                     + " exchange movie edit.motion app.property app.traced app.preview app.animation app.timeline app.measure app.mixer app.contribution edit.cue app.cue"),
             row("pov", "math file mesh scene image"),
+            row("cluster.wire", ""),
+            row("cluster", DOCUMENT + " cluster.wire"),
             row("bench.mesh", "mesh trace.solid trace.mesh"),
             row("bench", ENGINE + " file jen mesh trace.mesh accuracy pov bench.mesh"),
             row("bench.report", ENGINE + " file accuracy bench"),
-            row("cli", ENGINE + " file exr jen scene.shot shot hdr layer movie accuracy mesh exchange pov bench bench.report"));
+            row("cli", ENGINE + " file exr jen scene.shot shot hdr layer movie accuracy mesh exchange pov cluster bench bench.report"));
 
     /** @param known the packages that it may import, beside itself */
     private record Row(String name, Set<String> known) {

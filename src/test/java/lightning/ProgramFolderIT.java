@@ -49,6 +49,12 @@ class ProgramFolderIT {
     }
 
     @Test
+    void librariesOfACluster_lieInAFolderOfTheirOwn() throws IOException {
+        assertThat(PROGRAM.resolve("lib")).isDirectoryNotContaining("glob:**/jgroups*");
+        assertThat(PROGRAM.resolve("cluster")).isDirectoryContaining("glob:**/jgroups*").isDirectoryNotContaining("glob:**/picocli*");
+    }
+
+    @Test
     void whatALibrarySaysOfItself_isKept() {
         assertThat(PROGRAM.resolve("licences/commons-io/META-INF/NOTICE.txt")).isNotEmptyFile();
     }
@@ -100,6 +106,8 @@ class ProgramFolderIT {
         java.addAll(List.of("-XX:SharedArchiveFile=" + archive, "-Xshare:on", "-cp", PROGRAM.toRealPath() + "/lib/*", "lightning.Main",
                 "--version"));
         assertThat(new ProcessBuilder(java).redirectErrorStream(true).start().waitFor()).isZero();
+        java.set(java.indexOf("-cp") + 1, PROGRAM.toRealPath() + "/lib/*:" + PROGRAM.toRealPath() + "/cluster/*");
+        assertThat(new ProcessBuilder(java).redirectErrorStream(true).start().waitFor()).as("with a cluster's libraries").isZero();
         assertThat(checked()).as("with the archive").isEqualTo(plain);
         byte[] whole = Files.readAllBytes(archive);
         Files.write(archive, Arrays.copyOf(whole, whole.length / 2));
@@ -146,12 +154,13 @@ class ProgramFolderIT {
 
     /** Name and version, as in {@code picocli:4.7.7}, but the program's own. */
     private static List<String> libraries() throws IOException {
-        try (Stream<Path> jars = Files.list(PROGRAM.resolve("lib"))) {
-            return jars.map(jar -> jar.getFileName().toString()).filter(jar -> !jar.equals("lightning.jar")).map(jar -> {
-                Matcher library = LIBRARY.matcher(jar);
-                assertThat(library.matches()).as(jar).isTrue();
-                return library.group(1) + ":" + library.group(2);
-            }).distinct().toList();
+        try (Stream<Path> shared = Files.list(PROGRAM.resolve("lib")); Stream<Path> apart = Files.list(PROGRAM.resolve("cluster"))) {
+            return Stream.concat(shared, apart).map(jar -> jar.getFileName().toString()).filter(jar -> !jar.equals("lightning.jar"))
+                    .map(jar -> {
+                        Matcher library = LIBRARY.matcher(jar);
+                        assertThat(library.matches()).as(jar).isTrue();
+                        return library.group(1) + ":" + library.group(2);
+                    }).distinct().toList();
         }
     }
 }

@@ -1,0 +1,10 @@
+package lightning.cluster;
+
+/** A process cannot take part in a cluster; the message is a sentence. */
+public final class JoinException extends Exception {
+    private static final long serialVersionUID = 1;
+
+    JoinException(String message, Throwable cause) {
+        super(message, cause);
+    }
+}

@@ -1,0 +1,10 @@
+package lightning.cluster.wire;
+
+/** Bytes that are no message; the sentence tells where, what was expected and what was found. */
+public final class WireException extends Exception {
+    private static final long serialVersionUID = 1;
+
+    WireException(String message) {
+        super(message);
+    }
+}
