@@ -98,7 +98,7 @@ final class Architecture {
                     + " exchange movie edit.motion app.property app.traced app.preview app.animation app.timeline app.measure app.mixer app.contribution edit.cue app.cue"),
             row("pov", "math file mesh scene image"),
             row("cluster.wire", ""),
-            row("cluster", DOCUMENT + " cluster.wire"),
+            row("cluster", "text scene scene.shot image jen file mesh work relight shot cluster.wire"),
             row("bench.mesh", "mesh trace.solid trace.mesh"),
             row("bench", ENGINE + " file jen mesh trace.mesh accuracy pov bench.mesh"),
             row("bench.report", ENGINE + " file accuracy bench"),

@@ -54,7 +54,7 @@ public final class JenReader {
         if (bytes.length > JenLimits.FILE_BYTES) {
             throw tooLarge(file, problems);
         }
-        return read(Source.decode(file.toString(), bytes, problems), folder, stage, problems);
+        return read(Source.decode(file.toString(), bytes, problems), LoadedFiles.of(folder), stage, problems);
     }
 
     private static JenException tooLarge(Path file, Problems problems) {
@@ -73,13 +73,13 @@ public final class JenReader {
         var problems = new Problems();
         var source = new Source(name, text);
         source.checkSurrogates(problems);
-        return read(source, folder, Stage.EMPTY, problems);
+        return read(source, LoadedFiles.of(folder), Stage.EMPTY, problems);
     }
 
-    private static JenDocument read(Source source, Path folder, Stage stage, Problems problems) throws JenException {
+    static JenDocument read(Source source, LoadedFiles files, Stage stage, Problems problems) throws JenException {
         Tokens tokens = Lexer.tokens(source.text(), problems);
         List<Block> blocks = Parser.file(tokens, problems);
-        Optional<Scene> scene = new SceneBuilder(tokens, problems, folder, List.of(), stage).build(blocks);
+        Optional<Scene> scene = new SceneBuilder(tokens, problems, files, List.of(), stage).build(blocks);
         if (scene.isEmpty()) {
             throw new JenException(problems.in(source));
         }

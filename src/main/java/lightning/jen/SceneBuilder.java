@@ -1,6 +1,5 @@
 package lightning.jen;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
@@ -52,19 +51,19 @@ final class SceneBuilder {
     private int shapes;
 
     /**
-     * @param folder where files that the scene names are looked for, as if its own were in it
+     * @param files those that the scene may name
      * @param known banks that lights may belong to though no block says them
      * @param stage shapes that they may be linked to likewise
      */
-    SceneBuilder(Tokens tokens, Problems problems, Path folder, List<Bank> known, Stage stage) {
+    SceneBuilder(Tokens tokens, Problems problems, LoadedFiles files, List<Bank> known, Stage stage) {
         this.stage = stage;
         this.known = known;
         this.tokens = tokens;
         this.problems = problems;
-        textures = new TextureFolder(folder);
-        profiles = new ProfileFolder(folder);
-        skies = new SkyFolder(folder);
-        meshes = new MeshFolder(folder);
+        textures = files.textures();
+        profiles = files.profiles();
+        skies = files.skies();
+        meshes = files.meshes();
     }
 
     /** The scene, or nothing where there are problems. */

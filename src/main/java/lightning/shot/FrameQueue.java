@@ -94,6 +94,7 @@ final class FrameQueue {
         for (int i = 0; i < holder.length; i++) {
             if (holder[i] == keeper) {
                 holder[i] = NOBODY;
+                shown[i] = NONE;
             }
         }
         notifyAll();
@@ -217,7 +218,8 @@ final class FrameQueue {
     /** A frame has its film, which its keeper holds; nobody else begins with it before {@link #end}. Returns what it is now. */
     synchronized FrameState made(Work work) {
         int i = work.frame - firstFrame;
-        shown[i] = work.number;
+        // Of a keeper that left meanwhile the film may be anywhere.
+        shown[i] = there.get(work.keeper) ? work.number : NONE;
         holder[i] = there.get(work.keeper) ? work.keeper : NOBODY;
         return state(work.frame);
     }

@@ -1,5 +1,7 @@
 package lightning.shot;
 
+import java.util.concurrent.CancellationException;
+import java.util.function.Supplier;
 import lightning.image.Film;
 
 /**
@@ -9,10 +11,19 @@ import lightning.image.Film;
  * @param plan        what was done, in words
  * @param rays        cast
  * @param nanoseconds from the wish to the finished film
- * @param film        of the whole frame; nobody writes to it any more
+ * @param source      gives the film, from afar where it is kept there
  */
-public record FrameUpdate(int frame, boolean traced, String plan, long rays, long nanoseconds, Film film) {
+public record FrameUpdate(int frame, boolean traced, String plan, long rays, long nanoseconds, Supplier<Film> source) {
     public double milliseconds() {
         return nanoseconds / 1e6;
+    }
+
+    /**
+     * The film of the whole frame; nobody writes to it any more. May wait for another machine.
+     *
+     * @throws CancellationException if it is there no more: a newer edit took its place, or what held it is lost
+     */
+    public Film film() {
+        return source.get();
     }
 }

@@ -66,8 +66,9 @@ public final class LocalKeeper implements FrameKeeper {
             Update update = render(renderer, wanted, progress);
             shelf.put(frame, renderer.cache(), kept);
             keepShapes(renderer.cache().geometry());
+            Film film = renderer.film();
             return new FrameUpdate(frame, update.plan() instanceof UpdatePlan.FirstPass, update.plan().text(), update.rays().all(),
-                    System.nanoTime() - start, renderer.film());
+                    System.nanoTime() - start, () -> film);
         } finally {
             renderer.forget();
             giveBack(renderer);

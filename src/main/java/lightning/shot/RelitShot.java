@@ -35,12 +35,21 @@ public final class RelitShot implements AutoCloseable {
      * @throws IllegalArgumentException if the last frame is before the first
      */
     public static RelitShot of(int first, int last, FrameKeeper keeper, ShotListener listener) {
+        RelitShot shot = of(first, last, listener);
+        shot.join(keeper);
+        return shot;
+    }
+
+    /**
+     * The same without a keeper: nothing is done before one joins.
+     *
+     * @throws IllegalArgumentException if the last frame is before the first
+     */
+    public static RelitShot of(int first, int last, ShotListener listener) {
         if (last < first) {
             throw new IllegalArgumentException("the last frame must not be before the first, was " + last + " after " + first);
         }
-        var shot = new RelitShot(first, last, listener);
-        shot.join(keeper);
-        return shot;
+        return new RelitShot(first, last, listener);
     }
 
     /** Lets another keeper hold some of the frames; it is closed with this. Frames stay with whoever holds them. */
@@ -56,6 +65,17 @@ public final class RelitShot implements AutoCloseable {
             Thread thread = OwnThread.of("lightning-shot", new KeeperTurns(queue, number, lane, keeper, listener));
             threads.add(thread);
             thread.start();
+        }
+    }
+
+    /** A keeper is known to be gone, though nobody asked it: the frames that it held are missing, and others trace them. */
+    public void leave(FrameKeeper keeper, KeeperGoneException problem) {
+        int number;
+        synchronized (this) {
+            number = keepers.indexOf(keeper);
+        }
+        if (number >= 0 && queue.leave(number)) {
+            listener.gone(problem);
         }
     }
 

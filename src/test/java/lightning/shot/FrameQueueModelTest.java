@@ -53,7 +53,7 @@ class FrameQueueModelTest {
                 }
                 boolean traced = kept[frame] == null;
                 kept[frame] = take;
-                return new FrameUpdate(frame, traced, "", 0, 0, null);
+                return new FrameUpdate(frame, traced, "", 0, 0, () -> null);
             }
         }
 

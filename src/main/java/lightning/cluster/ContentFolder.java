@@ -1,0 +1,145 @@
+package lightning.cluster;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileVisitResult;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Map;
+import lightning.cluster.wire.Bill;
+import lightning.cluster.wire.Hash;
+import lightning.file.PrivateFolder;
+import lightning.file.SafeFile;
+import lightning.jen.NamedFiles;
+import lightning.mesh.MeshLimits;
+import lightning.text.Quote;
+
+/**
+ * Content that came from others, in a folder for nobody else to read: files named by their hash, and for each set of files that a scene
+ * names a folder where they have these names.
+ */
+final class ContentFolder {
+    /** Bytes of all content. */
+    private static final long MOST_BYTES = 32L << 30;
+
+    private final Path contents;
+    private final Path scenes;
+    private long bytes;
+
+    /** Where content comes from. */
+    interface Parts {
+        /** Some bytes from an offset on, none at the end; waits for them. */
+        byte[] from(Hash hash, long offset) throws IOException;
+    }
+
+    /**
+     * @param folder this one's own; what an earlier process left in it is removed
+     */
+    ContentFolder(Path folder) throws IOException {
+        PrivateFolder.close(folder);
+        contents = folder.resolve("contents");
+        scenes = folder.resolve("scenes");
+        for (Path own : new Path[] {contents, scenes}) {
+            remove(own);
+            PrivateFolder.close(own);
+        }
+    }
+
+    /**
+     * The file that holds some content, which is fetched where it is not there.
+     *
+     * @param most bytes that it may have
+     * @throws IOException if it is longer, or what came has another hash, or it cannot be kept
+     */
+    synchronized Path file(Bill.Content content, long most, Parts parts) throws IOException {
+        Path file = contents.resolve(content.hash().hex());
+        if (Files.exists(file)) {
+            return file;
+        }
+        if (content.bytes() > most || bytes + content.bytes() > MOST_BYTES) {
+            throw new IOException("expected content of at most " + Math.min(most, MOST_BYTES - bytes) + " bytes, found "
+                    + content.bytes());
+        }
+        SafeFile.at(file).forOwnerOnly().write(out -> {
+            long at = 0;
+            while (at < content.bytes()) {
+                byte[] part = parts.from(content.hash(), at);
+                if (part.length == 0 || part.length > content.bytes() - at) {
+                    throw new IOException("expected " + content.bytes() + " bytes of content, found " + (at + part.length));
+                }
+                out.write(part);
+                at += part.length;
+            }
+        });
+        if (!Hash.of(file).equals(content.hash())) {
+            Files.delete(file);
+            throw new IOException("content has other bytes than its hash says; the file was written to meanwhile");
+        }
+        bytes += content.bytes();
+        return file;
+    }
+
+    /**
+     * The folder where the files of a bill have the names that its scene writes.
+     *
+     * @throws IOException if a name leads elsewhere, or as {@link #file}
+     */
+    synchronized Path scene(Bill bill, Parts parts) throws IOException {
+        Path folder = scenes.resolve(Hash.of(new Bill(new Bill.Content(NO_TEXT, 0), bill.files()).encode()).hex());
+        PrivateFolder.make(folder);
+        for (Map.Entry<String, Bill.Content> named : bill.files().entrySet()) {
+            if (!NamedFiles.isAllowed(named.getKey())) {
+                throw new IOException("expected the name of a file beside a scene, found " + Quote.of(named.getKey()));
+            }
+            Path file = file(named.getValue(), MeshLimits.FILE_BYTES, parts);
+            Path link = folder.resolve(named.getKey());
+            PrivateFolder.make(link.getParent());
+            link(link, file);
+        }
+        return folder;
+    }
+
+    private static final Hash NO_TEXT = Hash.of(new byte[0]);
+
+    private static void link(Path link, Path file) throws IOException {
+        try {
+            Files.createLink(link, file);
+        } catch (FileAlreadyExistsException e) {
+            // The same: the folder's name says what is in it.
+        } catch (IOException | UnsupportedOperationException e) {
+            SafeFile.at(link).forOwnerOnly().write(out -> Files.copy(file, out));
+        }
+    }
+
+    /** Removes all; whoever reads a file of it goes on. */
+    synchronized void clear() {
+        try {
+            remove(contents);
+            remove(scenes);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static void remove(Path folder) throws IOException {
+        if (!Files.exists(folder)) {
+            return;
+        }
+        Files.walkFileTree(folder, new SimpleFileVisitor<>() {
+            @Override
+            public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) throws IOException {
+                Files.delete(file);
+                return FileVisitResult.CONTINUE;
+            }
+
+            @Override
+            public FileVisitResult postVisitDirectory(Path visited, IOException problem) throws IOException {
+                Files.delete(visited);
+                return FileVisitResult.CONTINUE;
+            }
+        });
+    }
+}

@@ -1,0 +1,134 @@
+package lightning.cluster;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.UUID;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import lightning.cluster.wire.Codec;
+import lightning.cluster.wire.Message;
+import lightning.cluster.wire.WireException;
+import lightning.shot.RelitShot;
+import lightning.work.OwnThread;
+
+/** The nodes of a cluster, as keepers of a shot: each that comes is handed out, each that is lost is told so. */
+public final class Machines implements Network.Listener, AutoCloseable {
+    private static final long HELLO_MILLISECONDS = 1000;
+
+    private final Network network;
+    private final String release;
+    private final Parcels parcels;
+    private final RelitShot shot;
+    private final Strangers strangers;
+    private final ScheduledExecutorService timer = Executors.newSingleThreadScheduledExecutor(OwnThread.named("lightning-hello"));
+    /** By member: sessions that were offered and not taken yet. */
+    private final Map<Member, UUID> offered = new HashMap<>();
+    private final Map<Member, Held> held = new HashMap<>();
+
+    private record Held(UUID id, RemoteKeeper keeper) {}
+
+    /**
+     * @param release of this program: only nodes of the same one are used
+     * @param folder  the folder that holds the scene file, for files that it names
+     * @param shot    gets each node that comes as a keeper
+     * @param log     gets a sentence at times
+     */
+    public Machines(Network network, String release, Path folder, RelitShot shot, Consumer<String> log) {
+        this.network = network;
+        this.release = release;
+        this.shot = shot;
+        parcels = new Parcels(folder);
+        strangers = new Strangers(network, log);
+    }
+
+    /** Takes part from here on. */
+    public void start() throws JoinException {
+        network.join(this);
+        timer.scheduleWithFixedDelay(this::hello, HELLO_MILLISECONDS, HELLO_MILLISECONDS, TimeUnit.MILLISECONDS);
+    }
+
+    /** Asks again those who did not answer: some are no nodes, and never will. */
+    private void hello() {
+        Map<Member, UUID> unanswered;
+        synchronized (this) {
+            unanswered = Map.copyOf(offered);
+        }
+        unanswered.forEach((member, id) -> network.send(member, Codec.encode(new Message.Hello(id, release))));
+    }
+
+    @Override
+    public void changed(Set<Member> others) {
+        List<RemoteKeeper> gone = new ArrayList<>();
+        synchronized (this) {
+            offered.keySet().retainAll(others);
+            for (Member lost : new HashSet<>(held.keySet())) {
+                if (!others.contains(lost)) {
+                    gone.add(held.remove(lost).keeper());
+                }
+            }
+            for (Member other : others) {
+                if (!held.containsKey(other)) {
+                    offered.computeIfAbsent(other, _ -> UUID.randomUUID());
+                }
+            }
+        }
+        for (RemoteKeeper keeper : gone) {
+            shot.leave(keeper, keeper.leave());
+        }
+        hello();
+    }
+
+    /** How many nodes there are. */
+    public synchronized int count() {
+        return held.size();
+    }
+
+    @Override
+    public void heard(Member from, byte[] bytes) {
+        try {
+            Message message = Codec.decode(bytes);
+            if (message instanceof Message.Ready ready) {
+                ready(from, ready);
+            } else {
+                keeper(from, message.session()).ifPresent(keeper -> keeper.heard(message));
+            }
+        } catch (WireException e) {
+            strangers.tell(from, e);
+        }
+    }
+
+    private void ready(Member from, Message.Ready ready) {
+        if (!ready.release().equals(release)) {
+            strangers.tell(from, "it runs " + ready.release() + ", this machine " + release);
+            return;
+        }
+        RemoteKeeper keeper;
+        synchronized (this) {
+            if (!offered.remove(from, ready.session())) {
+                return;
+            }
+            UUID id = ready.session();
+            keeper = new RemoteKeeper(id, network.name(from), parcels, message -> network.send(from, Codec.encode(message)));
+            held.put(from, new Held(id, keeper));
+        }
+        shot.join(keeper);
+    }
+
+    private synchronized Optional<RemoteKeeper> keeper(Member from, UUID session) {
+        return Optional.ofNullable(held.get(from)).filter(h -> h.id().equals(session)).map(Held::keeper);
+    }
+
+    @Override
+    public void close() {
+        timer.shutdownNow();
+        network.close();
+    }
+}

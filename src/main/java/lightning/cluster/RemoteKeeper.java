@@ -1,0 +1,160 @@
+package lightning.cluster;
+
+import java.io.IOException;
+import java.util.Map;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import lightning.cluster.wire.Message;
+import lightning.image.Film;
+import lightning.shot.FrameKeeper;
+import lightning.shot.FrameUpdate;
+import lightning.shot.KeeperGoneException;
+import lightning.shot.KeptBytes;
+import lightning.shot.Take;
+import lightning.work.Progress;
+
+/** A node's frames, as those who want them see them. */
+final class RemoteKeeper implements FrameKeeper {
+    private final UUID id;
+    private final String name;
+    private final Parcels parcels;
+    private final Consumer<Message> send;
+    private final AtomicLong calls = new AtomicLong();
+    private final Asker<Long, Message> wishes = new Asker<>();
+    private final Asker<Piece, byte[]> films = new Asker<>();
+    private final Map<Integer, Message.Brought> brought = new ConcurrentHashMap<>();
+    private volatile KeptBytes bytes = KeptBytes.NONE;
+
+    private record Piece(long call, int firstTile) {}
+
+    /**
+     * @param name what people call the node
+     * @param send gives a message to the node
+     */
+    RemoteKeeper(UUID id, String name, Parcels parcels, Consumer<Message> send) {
+        this.id = id;
+        this.name = name;
+        this.parcels = parcels;
+        this.send = send;
+    }
+
+    @Override
+    public FrameUpdate bring(int frame, Take take, Progress progress) throws KeeperGoneException {
+        long start = System.nanoTime();
+        Parcels.Parcel parcel = parcel(take);
+        long call = calls.incrementAndGet();
+        var wish = new Message.Bring(id, call, frame, parcel.hash(), parcel.bill().length);
+        Message answer;
+        try {
+            answer = wishes.ask(call, () -> send.accept(wish), progress::isCancelled);
+        } catch (CancellationException e) {
+            if (wishes.isClosed()) {
+                throw gone(e);
+            }
+            send.accept(new Message.Cancel(id, call));
+            throw e;
+        }
+        return switch (answer) {
+            case Message.Brought made -> {
+                brought.put(frame, made);
+                bytes = new KeptBytes(brought.size(), made.memory(), 0, made.disk());
+                yield new FrameUpdate(frame, made.traced(), made.plan(), made.rays(), System.nanoTime() - start,
+                        () -> film(frame, made).orElseThrow(CancellationException::new));
+            }
+            case Message.Failed failed -> throw failure(failed);
+            default -> throw new IllegalStateException("an answer that is none: " + answer);
+        };
+    }
+
+    private Parcels.Parcel parcel(Take take) {
+        try {
+            return parcels.of(take);
+        } catch (IOException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
+    }
+
+    private RuntimeException failure(Message.Failed failed) {
+        return switch (failed.reason()) {
+            case CANCELLED -> new CancellationException();
+            case UNUSABLE -> new IllegalArgumentException("the node " + name + ": " + failed.sentence());
+            case TOO_LARGE -> new IllegalArgumentException("the node " + name + ": " + failed.sentence());
+            case ERROR -> new IllegalStateException("the node " + name + ": " + failed.sentence());
+        };
+    }
+
+    @Override
+    public Optional<Film> film(int frame) {
+        return Optional.ofNullable(brought.get(frame)).flatMap(made -> film(frame, made));
+    }
+
+    /** The film that an answer tells of; empty where it is there no more. */
+    private Optional<Film> film(int frame, Message.Brought made) {
+        Film film = Film.black(made.width(), made.height());
+        try {
+            for (int first = 0; first < film.tileCount(); first += FilmTiles.MOST) {
+                int from = first;
+                int count = Math.min(FilmTiles.MOST, film.tileCount() - first);
+                byte[] tiles = films.ask(new Piece(made.call(), first),
+                        () -> send.accept(new Message.Ask(id, made.call(), frame, from, count)), Thread.currentThread()::isInterrupted);
+                if (!FilmTiles.decode(tiles, film, first, count)) {
+                    return Optional.empty();
+                }
+            }
+            return Optional.of(film);
+        } catch (CancellationException e) {
+            return Optional.empty();
+        }
+    }
+
+    void heard(Message message) {
+        switch (message) {
+            case Message.Brought m -> wishes.answered(m.call(), m);
+            case Message.Failed m -> wishes.answered(m.call(), m);
+            case Message.Need m -> send.accept(new Message.Part(id, m.hash(), m.offset(), parcels.part(m.hash(), m.offset())));
+            case Message.Pixels m -> films.answered(new Piece(m.call(), m.firstTile()), m.bytes());
+            case Message.Gone m -> films.answeredAll(piece -> piece.call() == m.call(), new byte[0]);
+            case Message.Hello _, Message.Ready _, Message.Bring _, Message.Cancel _, Message.Part _, Message.Ask _, Message.Focus _,
+                    Message.Forget _, Message.End _ -> {
+                // Not for a coordinator.
+            }
+        }
+    }
+
+    /** The node is lost: whoever waits for it hears so. */
+    KeeperGoneException leave() {
+        wishes.close();
+        films.close();
+        return gone(null);
+    }
+
+    private KeeperGoneException gone(Throwable cause) {
+        return new KeeperGoneException("the node " + name + " is there no more; others trace its frames again", cause);
+    }
+
+    @Override
+    public void focus(int frame) {
+        send.accept(new Message.Focus(id, frame));
+    }
+
+    @Override
+    public void forget(int frame) {
+        brought.remove(frame);
+        send.accept(new Message.Forget(id, frame));
+    }
+
+    @Override
+    public KeptBytes bytes() {
+        return bytes;
+    }
+
+    @Override
+    public void close() {
+        leave();
+        send.accept(new Message.End(id));
+    }
+}

@@ -1,0 +1,28 @@
+package lightning.cluster;
+
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
+import lightning.cluster.wire.WireException;
+
+/** Tells once of each member whose messages cannot be used. */
+final class Strangers {
+    private final Network network;
+    private final Consumer<String> log;
+    private final Set<Member> told = ConcurrentHashMap.newKeySet();
+
+    Strangers(Network network, Consumer<String> log) {
+        this.network = network;
+        this.log = log;
+    }
+
+    void tell(Member member, WireException problem) {
+        tell(member, "a message of it is none: " + problem.getMessage());
+    }
+
+    void tell(Member member, String problem) {
+        if (told.add(member)) {
+            log.accept(network.name(member) + " is left aside: " + problem);
+        }
+    }
+}

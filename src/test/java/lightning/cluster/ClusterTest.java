@@ -1,0 +1,203 @@
+package lightning.cluster;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import lightning.image.FilmAssert;
+import lightning.image.Film;
+import lightning.jen.JenDocument;
+import lightning.jen.JenReader;
+import lightning.jen.PropertyEdit;
+import lightning.relight.tile.Options;
+import lightning.scene.Scene;
+import lightning.shading.ReferenceTracer;
+import lightning.shot.FrameState;
+import lightning.shot.LocalKeeper;
+import lightning.shot.RelitShot;
+import lightning.shot.ShotListener;
+import lightning.shot.Take;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Nodes and a coordinator in one process; what is between them loses messages, and is cut. */
+final class ClusterTest {
+    private static final int LAST = 6;
+    private static final long PATIENCE_NANOSECONDS = 120_000_000_000L;
+
+    @TempDir
+    private Path folder;
+
+    private final List<AutoCloseable> open = new ArrayList<>();
+
+    private FrameNode node(LocalNetwork.End end, String release) throws Exception {
+        Path own = folder.resolve("node" + open.size());
+        var node = new FrameNode(end, new FrameNode.Settings(release, 1, 1 << 30, own,
+                () -> new LocalKeeper(Options.DEFAULT.withThreads(1), 1 << 28), _ -> {}));
+        node.start();
+        open.add(node);
+        return node;
+    }
+
+
+
+    private static Take edited(Take take, String assignment) {
+        Scene scene = PropertyEdit.apply(take.scene(), assignment);
+        return new Take(scene, take.shot());
+    }
+
+    private static void awaitAll(RelitShot shot) throws InterruptedException {
+        long start = System.nanoTime();
+        while (!shot.isIdle()) {
+            assertThat(System.nanoTime() - start).as("nanoseconds until all frames are current").isLessThan(PATIENCE_NANOSECONDS);
+            Thread.sleep(5);
+        }
+    }
+
+    /** A film may be on its way while its node is lost: then another traces it. */
+    private static void checkAll(RelitShot shot, Take take) throws InterruptedException {
+        for (int frame = 1; frame <= LAST; frame++) {
+            Film film = null;
+            while (film == null) {
+                awaitAll(shot);
+                assertThat(shot.state(frame)).isEqualTo(FrameState.CURRENT);
+                film = shot.film(frame).orElse(null);
+            }
+            FilmAssert.assertSameBits(film, new ReferenceTracer(take.at(frame)).trace(), "cluster-" + frame);
+        }
+    }
+
+    private void closeAll() throws Exception {
+        for (AutoCloseable each : open) {
+            each.close();
+        }
+    }
+
+    @Test
+    void frames_areTracedAndRelitByNodes_withTheirTextures() throws Exception {
+        Take take = textured();
+        var network = new LocalNetwork(1, 0);
+        node(network.end(), "r");
+        node(network.end(), "r");
+        try (RelitShot shot = RelitShot.of(1, LAST, ShotListener.NONE);
+                Machines machines = new Machines(network.end(), "r", folder, shot, _ -> {})) {
+            machines.start();
+            shot.edit(take);
+            checkAll(shot, take);
+            Take edited = edited(take, "lamp.intensity=0.3");
+            shot.edit(edited);
+            checkAll(shot, edited);
+            assertThat(shot.bytes().memory()).isPositive();
+        }
+        closeAll();
+    }
+
+    private Take textured() throws Exception {
+        Files.createDirectories(folder.resolve("textures"));
+        var image = new java.awt.image.BufferedImage(4, 4, java.awt.image.BufferedImage.TYPE_INT_RGB);
+        image.setRGB(1, 2, 0xff8040);
+        javax.imageio.ImageIO.write(image, "png", folder.resolve("textures/spots.png").toFile());
+        Files.writeString(folder.resolve("textured.jen"), """
+                jen 1
+                picture { size 40 30 }
+                camera { from 0 1 6 to 0 0 0 }
+                material spotted { texture "spots.png" }
+                sphere ball { material spotted }
+                light lamp point { at 2 4 5 intensity 1 }
+                shot { frames 1 6 camera { from { 1 0 1 6 6 2 1 5 } } }
+                """);
+        JenDocument document = JenReader.read(folder.resolve("textured.jen"));
+        return new Take(document.scene(), document.shot().orElseThrow());
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void nodesThatAreCutAndComeBackWhileEditsGoOn_loseNoFrame(long seed) throws Exception {
+        Take take = textured();
+        var random = new Random(seed);
+        var network = new LocalNetwork(seed, 0.01);
+        List<LocalNetwork.End> ends = new ArrayList<>();
+        for (int i = 0; i < 3; i++) {
+            ends.add(network.end());
+            node(ends.getLast(), "r");
+        }
+        try (RelitShot shot = RelitShot.of(1, LAST, ShotListener.NONE);
+                Machines machines = new Machines(network.end(), "r", folder, shot, _ -> {})) {
+            machines.start();
+            for (int edit = 0; edit < 12; edit++) {
+                take = edited(take, "lamp.intensity=" + (1 + edit));
+                shot.edit(take);
+                shot.focus(1 + random.nextInt(LAST));
+                Thread.sleep(random.nextInt(30));
+                network.cut(ends.get(random.nextInt(3)), random.nextBoolean());
+                if (random.nextInt(6) == 0) {
+                    ends.add(network.end());
+                    node(ends.getLast(), "r");
+                }
+            }
+            for (LocalNetwork.End end : ends) {
+                network.cut(end, false);
+            }
+            checkAll(shot, take);
+        }
+        closeAll();
+    }
+
+    @Test
+    void framesOfALostNode_areMissingUntilOthersTraceThem() throws Exception {
+        Take take = textured();
+        var network = new LocalNetwork(1, 0);
+        LocalNetwork.End end = network.end();
+        node(end, "r");
+        List<String> gone = new ArrayList<>();
+        var listener = new ShotListener() {
+            @Override
+            public void gone(lightning.shot.KeeperGoneException problem) {
+                gone.add(problem.getMessage());
+            }
+        };
+        try (RelitShot shot = RelitShot.of(1, LAST, listener);
+                Machines machines = new Machines(network.end(), "r", folder, shot, _ -> {})) {
+            machines.start();
+            shot.edit(take);
+            awaitAll(shot);
+            assertThat(machines.count()).isEqualTo(1);
+            network.cut(end, true);
+            long start = System.nanoTime();
+            while (shot.state(1) != FrameState.MISSING) {
+                assertThat(System.nanoTime() - start).isLessThan(PATIENCE_NANOSECONDS);
+                Thread.sleep(5);
+            }
+            assertThat(gone).containsExactly("the node member 0 is there no more; others trace its frames again");
+            assertThat(shot.film(1)).isEmpty();
+            node(network.end(), "r");
+            checkAll(shot, take);
+        }
+        closeAll();
+    }
+
+    @Test
+    void nodeOfAnotherRelease_isLeftAsideWithASentence() throws Exception {
+        var network = new LocalNetwork(1, 0);
+        node(network.end(), "other");
+        List<String> said = new ArrayList<>();
+        try (RelitShot shot = RelitShot.of(1, LAST, ShotListener.NONE);
+                Machines machines = new Machines(network.end(), "r", folder, shot, said::add)) {
+            machines.start();
+            long start = System.nanoTime();
+            while (said.isEmpty()) {
+                assertThat(System.nanoTime() - start).isLessThan(PATIENCE_NANOSECONDS);
+                Thread.sleep(5);
+            }
+            assertThat(said).containsExactly("member 0 is left aside: it runs other, this machine r");
+            assertThat(machines.count()).isZero();
+        }
+        closeAll();
+    }
+}
