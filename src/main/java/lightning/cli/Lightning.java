@@ -50,6 +50,7 @@ public final class Lightning {
                 .addSubcommand(new RelightCommand(console))
                 .addSubcommand(new CommandLine(new ShotCommand()).addSubcommand(new ShotRenderCommand(console))
                         .addSubcommand(new ShotRelightCommand(console)))
+                .addSubcommand(new NodeCommand(console))
                 .addSubcommand(new ExplainCommand(console))
                 .addSubcommand(new ImportCommand(console))
                 .addSubcommand(new ExportCommand(console))

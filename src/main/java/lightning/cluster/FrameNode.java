@@ -15,8 +15,8 @@ import lightning.shot.FrameKeeper;
 
 /** Holds frames for coordinators of its cluster, as long as these are members. */
 public final class FrameNode implements Network.Listener, AutoCloseable {
-    /** Coordinators at once. */
-    private static final int MOST_SESSIONS = 4;
+    /** Coordinators at once; others wait for one to end. */
+    public static final int MOST_SESSIONS = 2;
 
     private final Network network;
     private final Settings settings;
@@ -62,6 +62,10 @@ public final class FrameNode implements Network.Listener, AutoCloseable {
             return;
         }
         NodeSession session = sessions.get(message.session());
+        if (session == null && !(message instanceof Message.End)) {
+            // It was ended while the two did not see each other, and only this one noticed.
+            network.send(from, Codec.encode(new Message.End(message.session())));
+        }
         if (session == null || !session.owner.equals(from)) {
             return;
         }
@@ -83,11 +87,19 @@ public final class FrameNode implements Network.Listener, AutoCloseable {
     private void welcome(Member from, Message.Hello hello) {
         if (!hello.release().equals(settings.release())) {
             strangers.tell(from, "it runs " + hello.release() + ", this node " + settings.release());
-        } else if (sessions.containsKey(hello.session()) || sessions.size() < MOST_SESSIONS) {
-            sessions.computeIfAbsent(hello.session(), id -> {
-                settings.log().accept("holds frames for " + network.name(from));
-                return new NodeSession(from, id, settings.keeper().get(), contents, message -> network.send(from, Codec.encode(message)));
+        } else if (!sessions.containsKey(hello.session())) {
+            // One that offers a new session has given up its old one, of which this node may not have heard.
+            sessions.forEach((id, session) -> {
+                if (session.owner.equals(from)) {
+                    end(id);
+                }
             });
+            if (sessions.size() == MOST_SESSIONS) {
+                return;
+            }
+            settings.log().accept("holds frames for " + network.name(from));
+            sessions.put(hello.session(), new NodeSession(from, hello.session(), settings.keeper().get(), contents,
+                    message -> network.send(from, Codec.encode(message))));
         }
         // One of another release is told ours all the same, so that it can say why.
         network.send(from, Codec.encode(new Message.Ready(hello.session(), settings.release(), settings.threads(), settings.memory())));

@@ -97,6 +97,8 @@ public final class Machines implements Network.Listener, AutoCloseable {
             Message message = Codec.decode(bytes);
             if (message instanceof Message.Ready ready) {
                 ready(from, ready);
+            } else if (message instanceof Message.End end) {
+                ended(from, end);
             } else {
                 keeper(from, message.session()).ifPresent(keeper -> keeper.heard(message));
             }
@@ -120,6 +122,18 @@ public final class Machines implements Network.Listener, AutoCloseable {
             held.put(from, new Held(id, keeper));
         }
         shot.join(keeper);
+    }
+
+    /** The node has dropped all frames of the session: another one begins. */
+    private void ended(Member from, Message.End end) {
+        Optional<RemoteKeeper> keeper = keeper(from, end.session());
+        if (keeper.isPresent()) {
+            synchronized (this) {
+                held.remove(from);
+                offered.put(from, UUID.randomUUID());
+            }
+            shot.leave(keeper.get(), keeper.get().leave());
+        }
     }
 
     private synchronized Optional<RemoteKeeper> keeper(Member from, UUID session) {

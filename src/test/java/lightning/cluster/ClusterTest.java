@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.Set;
 import lightning.image.FilmAssert;
 import lightning.image.Film;
 import lightning.jen.JenDocument;
@@ -177,6 +178,23 @@ final class ClusterTest {
             assertThat(gone).containsExactly("the node member 0 is there no more; others trace its frames again");
             assertThat(shot.film(1)).isEmpty();
             node(network.end(), "r");
+            checkAll(shot, take);
+        }
+        closeAll();
+    }
+
+    @Test
+    void nodeThatAloneSawTheCoordinatorLeave_isTakenAnew() throws Exception {
+        Take take = textured();
+        var network = new LocalNetwork(1, 0);
+        FrameNode node = node(network.end(), "r");
+        LocalNetwork.End asking = network.end();
+        try (RelitShot shot = RelitShot.of(1, LAST, ShotListener.NONE);
+                Machines machines = new Machines(asking, "r", folder, shot, _ -> {})) {
+            machines.start();
+            shot.edit(take);
+            awaitAll(shot);
+            node.changed(Set.of());
             checkAll(shot, take);
         }
         closeAll();

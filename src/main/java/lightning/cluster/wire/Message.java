@@ -75,6 +75,6 @@ public sealed interface Message {
     /** Wants a frame to be dropped. */
     record Forget(UUID session, int frame) implements Message {}
 
-    /** Ends a session. */
+    /** Ends a session; of a node, that it has none such. */
     record End(UUID session) implements Message {}
 }

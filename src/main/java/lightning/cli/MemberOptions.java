@@ -1,0 +1,66 @@
+package lightning.cli;
+
+import java.io.ObjectInputFilter;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import lightning.cluster.Place;
+import picocli.CommandLine.Option;
+
+/** How a process takes part in a cluster. */
+final class MemberOptions {
+    @Option(names = "--certificate", paramLabel = "FILE",
+            description = "The file that all machines of the cluster have, as 'lightning node --make-certificate' makes it.")
+    private Path certificate;
+    @Option(names = "--bind", paramLabel = "ADDRESS",
+            description = "The address of this machine where others reach it; none but this machine can without it.")
+    private String bind;
+
+    /**
+     * Where the process takes part.
+     *
+     * @param option what names the others, for messages
+     * @param others who is asked first
+     * @throws BadInput if nobody could be reached so
+     */
+    Place place(String option, List<HostPort> others, int port, int ports) throws BadInput {
+        if (certificate == null) {
+            throw new BadInput("--certificate FILE is missing: the file that all machines of the cluster have; "
+                    + "'lightning node --make-certificate FILE' makes one");
+        }
+        try {
+            Class.forName("org.jgroups.JChannel", false, MemberOptions.class.getClassLoader());
+        } catch (ClassNotFoundException e) {
+            throw new BadInput("the libraries for other machines are not at hand; start with bin/lightning");
+        }
+        InetAddress own = bind == null ? InetAddress.getLoopbackAddress() : HostPort.address(bind);
+        if (own.isAnyLocalAddress()) {
+            throw new BadInput("--bind must be one address of this machine, was " + bind);
+        }
+        List<InetSocketAddress> join = new ArrayList<>();
+        for (HostPort other : others) {
+            InetSocketAddress address = other.address();
+            if (own.isLoopbackAddress() && !address.getAddress().isLoopbackAddress()) {
+                throw new BadInput(option + " " + other.host() + " is another machine, and this one can be reached by none: "
+                        + "state --bind ADDRESS, an address of this machine that others reach");
+            }
+            join.add(address);
+        }
+        refuseObjects();
+        return new Place(own, port, ports, join, certificate, Place.Timing.DEFAULT);
+    }
+
+    /** Whatever others send, Java makes no object of it. The launcher says so already, other ways to start do not. */
+    private static void refuseObjects() {
+        if (ObjectInputFilter.Config.getSerialFilter() == null) {
+            ObjectInputFilter.Config.setSerialFilter(ObjectInputFilter.Config.createFilter("!*"));
+        }
+    }
+
+    /** What machines that go together must agree in: who traces otherwise might see other bits. */
+    static String release() {
+        return new RootCommand.Version().getVersion()[0] + " on " + System.getProperty("os.arch");
+    }
+}

@@ -1,0 +1,103 @@
+package lightning.cli;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
+import lightning.cluster.FrameNode;
+import lightning.cluster.JoinException;
+import lightning.cluster.Place;
+import lightning.cluster.SelfSigned;
+import lightning.cluster.TlsNetwork;
+import lightning.relight.tile.Options;
+import lightning.shot.LocalKeeper;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Holds frames of shots for other machines. */
+@Command(name = "node", abbreviateSynopsis = true, header = "Hold frames of shots for other machines.",
+        description = {
+            "Takes part in a cluster until it is ended, and holds frames for those who relight a shot with --cluster. Machines of a cluster",
+            "share a certificate, a file that --make-certificate makes once and that is brought to each of them: who has it may take",
+            "part, and nobody else. The first node of a cluster joins nobody, each other one any that is there. Nodes may come and go at",
+            "any time; frames of one that is gone are traced again by others. Without --bind a node is heard on its own machine alone."},
+        footer = {
+            "Examples:",
+            "  lightning node --make-certificate cluster.p12",
+            "  lightning node --certificate cluster.p12 --bind 10.0.0.7",
+            "  lightning node --certificate cluster.p12 --bind 10.0.0.8 --join 10.0.0.7:7800",
+            "  lightning shot relight scenes/dusk.jen --cluster 10.0.0.7:7800 --certificate cluster.p12 --bind 10.0.0.5 \\",
+            "      --set sky.intensity=0.5 -o dim"})
+final class NodeCommand implements Callable<Integer> {
+    private static final int LAST_PORT = 65_535;
+    private static final double GB = 1e9;
+
+    private final Console console;
+
+    @Spec
+    private CommandSpec command;
+    @Mixin
+    private MemberOptions member;
+    @Mixin
+    private ThreadsOption threads;
+    @Option(names = "--join", paramLabel = "HOST:PORT", converter = HostPort.Converter.class,
+            description = "A node that is there, of port " + Place.NODE_PORT + " where none is said; several where one may be gone.")
+    private List<HostPort> join = List.of();
+    @Option(names = "--port", paramLabel = "N", defaultValue = "" + Place.NODE_PORT, description = "The port, ${DEFAULT-VALUE} without it.")
+    private int port;
+    @Option(names = "--memory", paramLabel = "GB", description = "How much memory frames may take; half of what Java has without it.")
+    private Double memory;
+    @Option(names = "--folder", paramLabel = "FOLDER",
+            description = "Where the node makes a folder of its own for what comes from others; in the program's own without it.")
+    private Path folder;
+    @Option(names = "--make-certificate", paramLabel = "FILE", description = "Makes a key with its certificate, and nothing else.")
+    private Path made;
+
+    NodeCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() throws Exception {
+        if (made != null) {
+            SelfSigned.write(made);
+            console.line("%s: a new key with its certificate; bring it to each machine of the cluster, and to nobody else", made);
+            return ExitCode.DONE;
+        }
+        if (port < 1 || port > LAST_PORT) {
+            throw new ParameterException(command.commandLine(), "--port must be from 1 to " + LAST_PORT + ", was " + port);
+        }
+        if (memory != null && !(memory >= 0)) {
+            throw new ParameterException(command.commandLine(), "--memory must be 0 or more, was " + memory);
+        }
+        Place place = member.place("--join", join, port, 1);
+        hold(place);
+        return ExitCode.DONE;
+    }
+
+    private void hold(Place place) throws Exception {
+        Options options = Options.DEFAULT.withThreads(threads.count());
+        long resting = memory == null ? options.memory() / 2 : (long) (memory * GB);
+        var settings = new FrameNode.Settings(MemberOptions.release(), threads.count(), resting, own(),
+                () -> new LocalKeeper(options, resting / FrameNode.MOST_SESSIONS), console::line);
+        try (var node = new FrameNode(new TlsNetwork(place), settings)) {
+            node.start();
+            console.line("a node at %s:%d; Ctrl-C ends it", place.bind().getHostAddress(), place.port());
+            Thread.sleep(Long.MAX_VALUE);
+        } catch (JoinException e) {
+            throw new BadInput(e.getMessage());
+        } catch (InterruptedException e) {
+            throw new CancellationException();
+        }
+    }
+
+    private Path own() {
+        String data = System.getProperty("lightning.data");
+        Path place = folder != null ? folder : data != null ? Path.of(data) : Path.of(System.getProperty("user.home"), ".lightning");
+        return place.resolve("lightning-node-" + port);
+    }
+}
