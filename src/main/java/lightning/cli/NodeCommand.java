@@ -1,5 +1,6 @@
 package lightning.cli;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -29,9 +30,7 @@ import picocli.CommandLine.Spec;
             "Examples:",
             "  lightning node --make-certificate cluster.p12",
             "  lightning node --certificate cluster.p12 --bind 10.0.0.7",
-            "  lightning node --certificate cluster.p12 --bind 10.0.0.8 --join 10.0.0.7:7800",
-            "  lightning shot relight scenes/dusk.jen --cluster 10.0.0.7:7800 --certificate cluster.p12 --bind 10.0.0.5 \\",
-            "      --set sky.intensity=0.5 -o dim"})
+            "  lightning node --certificate cluster.p12 --bind 10.0.0.8 --join 10.0.0.7:7800"})
 final class NodeCommand implements Callable<Integer> {
     private static final int LAST_PORT = 65_535;
     private static final double GB = 1e9;
@@ -49,10 +48,11 @@ final class NodeCommand implements Callable<Integer> {
     private List<HostPort> join = List.of();
     @Option(names = "--port", paramLabel = "N", defaultValue = "" + Place.NODE_PORT, description = "The port, ${DEFAULT-VALUE} without it.")
     private int port;
-    @Option(names = "--memory", paramLabel = "GB", description = "How much memory frames may take; half of what Java has without it.")
+    @Option(names = "--memory", paramLabel = "GB",
+            description = "How much memory frames may take, half of what Java has without it; more go to disk.")
     private Double memory;
     @Option(names = "--folder", paramLabel = "FOLDER",
-            description = "Where the node makes a folder of its own for what comes from others; in the program's own without it.")
+            description = "Where the node makes a folder of its own for what comes from others and frames beyond memory; the program's own without it.")
     private Path folder;
     @Option(names = "--make-certificate", paramLabel = "FILE", description = "Makes a key with its certificate, and nothing else.")
     private Path made;
@@ -82,8 +82,11 @@ final class NodeCommand implements Callable<Integer> {
     private void hold(Place place) throws Exception {
         Options options = Options.DEFAULT.withThreads(threads.count());
         long resting = memory == null ? options.memory() / 2 : (long) (memory * GB);
-        var settings = new FrameNode.Settings(MemberOptions.release(), threads.count(), resting, own(),
-                () -> new LocalKeeper(options, resting / FrameNode.MOST_SESSIONS), console::line);
+        Path own = own();
+        var settings = new FrameNode.Settings(MemberOptions.release(), threads.count(), resting, own,
+                () -> new LocalKeeper(options, resting / FrameNode.MOST_SESSIONS, own,
+                        Files.getFileStore(own).getUsableSpace() / FrameNode.MOST_SESSIONS),
+                sentence -> console.line("%s", sentence));
         try (var node = new FrameNode(new TlsNetwork(place), settings)) {
             node.start();
             console.line("a node at %s:%d; Ctrl-C ends it", place.bind().getHostAddress(), place.port());

@@ -5,8 +5,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
+import lightning.cluster.Place;
 import lightning.fulltrace.TraditionalTracer;
 import lightning.jen.JenDocument;
 import lightning.movie.FrameFiles;
@@ -41,6 +43,7 @@ import picocli.CommandLine.Option;
             "into 2, and so on: --then tries several lightings in one go. What has keys in the shot is no property to --set: that is",
             "refused, and the keys are told. At the end stands what was saved of tracing all frames of the last group in full,",
             "measured by some of them; --no-savings leaves that out.",
+            "With --cluster, nodes on other machines hold the frames; --memory, --disk and --no-savings are then not used.",
             "A picture appears whole or not at all; those that are finished stay when the command is cancelled."},
         footer = {
             "Examples:",
@@ -62,6 +65,8 @@ final class ShotRelightCommand implements Callable<Integer> {
     private PictureOptions picture;
     @Mixin
     private ThreadsOption threads;
+    @Mixin
+    private ClusterOption cluster;
     @ArgGroup(exclusive = true, multiplicity = "1..*", heading = "Edits:%n")
     private List<EditStep> steps;
     @Option(names = "--frames", paramLabel = "FIRST-LAST", converter = FrameRange.Converter.class,
@@ -96,14 +101,21 @@ final class ShotRelightCommand implements Callable<Integer> {
         for (Take take : edited) {
             new ShotFrames(take.shot(), shot.range()).check(take.scene());
         }
-        Room room = room(first, shot.range(), files);
+        Optional<Place> place = cluster.place();
+        // Here there must be room before a folder is made; nodes have their own.
+        Optional<Room> room = place.isPresent() ? Optional.empty() : Optional.of(room(first, shot.range(), files));
         List<FrameFiles> groups = groups(files, edited.size());
         for (FrameFiles group : groups) {
             for (int frame = shot.range().first(); frame <= shot.range().last(); frame++) {
                 PictureOutput.checkFile(group.file(frame));
             }
         }
-        relight(first, edited, groups, shot.range(), room);
+        if (place.isPresent()) {
+            new RelightElsewhere(console, output, place.get(), input.path().toAbsolutePath().getParent(), threads.count())
+                    .run(first, edited, groups, shot.range());
+        } else {
+            relight(first, edited, groups, shot.range(), room.orElseThrow());
+        }
         return ExitCode.DONE;
     }
 

@@ -7,7 +7,6 @@ import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import lightning.cluster.wire.Codec;
 import lightning.cluster.wire.Message;
 import lightning.cluster.wire.WireException;
@@ -32,7 +31,14 @@ public final class FrameNode implements Network.Listener, AutoCloseable {
      * @param keeper  what holds the frames of a new session
      * @param log     gets a sentence at times
      */
-    public record Settings(String release, int threads, long memory, Path folder, Supplier<FrameKeeper> keeper, Consumer<String> log) {}
+    public record Settings(String release, int threads, long memory, Path folder, Keepers keeper, Consumer<String> log) {}
+
+    /** Makes what holds the frames of a session. */
+    @FunctionalInterface
+    public interface Keepers {
+        /** @throws IOException if it finds no room */
+        FrameKeeper next() throws IOException;
+    }
 
     /** @throws IOException if the folder cannot be used */
     public FrameNode(Network network, Settings settings) throws IOException {
@@ -77,8 +83,8 @@ public final class FrameNode implements Network.Listener, AutoCloseable {
             case Message.Focus m -> session.focus(m.frame());
             case Message.Forget m -> session.forget(m.frame());
             case Message.End m -> end(m.session());
-            case Message.Hello _, Message.Ready _, Message.Brought _, Message.Failed _, Message.Need _, Message.Pixels _,
-                    Message.Gone _ -> {
+            case Message.Alive m -> network.send(from, Codec.encode(m));
+            case Message.Hello _,Message.Ready _,Message.Brought _,Message.Failed _,Message.Need _,Message.Pixels _,Message.Gone _ -> {
                 // Not for a node.
             }
         }
@@ -97,9 +103,14 @@ public final class FrameNode implements Network.Listener, AutoCloseable {
             if (sessions.size() == MOST_SESSIONS) {
                 return;
             }
-            settings.log().accept("holds frames for " + network.name(from));
-            sessions.put(hello.session(), new NodeSession(from, hello.session(), settings.keeper().get(), contents,
-                    message -> network.send(from, Codec.encode(message))));
+            try {
+                sessions.put(hello.session(), new NodeSession(from, hello.session(), settings.keeper().next(), contents,
+                        message -> network.send(from, Codec.encode(message))));
+                settings.log().accept("holds frames for " + network.name(from));
+            } catch (IOException e) {
+                strangers.tell(from, "there is no room for its frames: " + e.getMessage());
+                return;
+            }
         }
         // One of another release is told ours all the same, so that it can say why.
         network.send(from, Codec.encode(new Message.Ready(hello.session(), settings.release(), settings.threads(), settings.memory())));

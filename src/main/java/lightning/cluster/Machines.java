@@ -22,6 +22,8 @@ import lightning.work.OwnThread;
 /** The nodes of a cluster, as keepers of a shot: each that comes is handed out, each that is lost is told so. */
 public final class Machines implements Network.Listener, AutoCloseable {
     private static final long HELLO_MILLISECONDS = 1000;
+    /** A node that is a member but silent for so long counts as lost: the two may see different members. */
+    private static final long SILENCE_NANOSECONDS = 12_000_000_000L;
 
     private final Network network;
     private final String release;
@@ -33,7 +35,17 @@ public final class Machines implements Network.Listener, AutoCloseable {
     private final Map<Member, UUID> offered = new HashMap<>();
     private final Map<Member, Held> held = new HashMap<>();
 
-    private record Held(UUID id, RemoteKeeper keeper) {}
+    /** A node in use, and when it was heard last. */
+    private static final class Held {
+        private final UUID id;
+        private final RemoteKeeper keeper;
+        private volatile long heard = System.nanoTime();
+
+        Held(UUID id, RemoteKeeper keeper) {
+            this.id = id;
+            this.keeper = keeper;
+        }
+    }
 
     /**
      * @param release of this program: only nodes of the same one are used
@@ -52,7 +64,7 @@ public final class Machines implements Network.Listener, AutoCloseable {
     /** Takes part from here on. */
     public void start() throws JoinException {
         network.join(this);
-        timer.scheduleWithFixedDelay(this::hello, HELLO_MILLISECONDS, HELLO_MILLISECONDS, TimeUnit.MILLISECONDS);
+        timer.scheduleWithFixedDelay(this::look, HELLO_MILLISECONDS, HELLO_MILLISECONDS, TimeUnit.MILLISECONDS);
     }
 
     /** Asks again those who did not answer: some are no nodes, and never will. */
@@ -64,6 +76,33 @@ public final class Machines implements Network.Listener, AutoCloseable {
         unanswered.forEach((member, id) -> network.send(member, Codec.encode(new Message.Hello(id, release))));
     }
 
+    /** Asks those in use for a sign of life. */
+    private void look() {
+        Map<Member, Held> all;
+        synchronized (this) {
+            all = Map.copyOf(held);
+        }
+        all.forEach((member, node) -> {
+            if (System.nanoTime() - node.heard > SILENCE_NANOSECONDS) {
+                drop(member, node);
+            } else {
+                network.send(member, Codec.encode(new Message.Alive(node.id)));
+            }
+        });
+        hello();
+    }
+
+    /** What the node held is lost; another session is offered to it. */
+    private void drop(Member member, Held node) {
+        synchronized (this) {
+            if (!held.remove(member, node)) {
+                return;
+            }
+            offered.put(member, UUID.randomUUID());
+        }
+        shot.leave(node.keeper, node.keeper.leave());
+    }
+
     @Override
     public void changed(Set<Member> others) {
         List<RemoteKeeper> gone = new ArrayList<>();
@@ -71,7 +110,7 @@ public final class Machines implements Network.Listener, AutoCloseable {
             offered.keySet().retainAll(others);
             for (Member lost : new HashSet<>(held.keySet())) {
                 if (!others.contains(lost)) {
-                    gone.add(held.remove(lost).keeper());
+                    gone.add(held.remove(lost).keeper);
                 }
             }
             for (Member other : others) {
@@ -97,13 +136,20 @@ public final class Machines implements Network.Listener, AutoCloseable {
             Message message = Codec.decode(bytes);
             if (message instanceof Message.Ready ready) {
                 ready(from, ready);
-            } else if (message instanceof Message.End end) {
-                ended(from, end);
             } else {
-                keeper(from, message.session()).ifPresent(keeper -> keeper.heard(message));
+                held(from, message.session()).ifPresent(node -> heard(from, node, message));
             }
         } catch (WireException e) {
             strangers.tell(from, e);
+        }
+    }
+
+    private void heard(Member from, Held node, Message message) {
+        node.heard = System.nanoTime();
+        if (message instanceof Message.End) {
+            drop(from, node);
+        } else {
+            node.keeper.heard(message);
         }
     }
 
@@ -124,20 +170,9 @@ public final class Machines implements Network.Listener, AutoCloseable {
         shot.join(keeper);
     }
 
-    /** The node has dropped all frames of the session: another one begins. */
-    private void ended(Member from, Message.End end) {
-        Optional<RemoteKeeper> keeper = keeper(from, end.session());
-        if (keeper.isPresent()) {
-            synchronized (this) {
-                held.remove(from);
-                offered.put(from, UUID.randomUUID());
-            }
-            shot.leave(keeper.get(), keeper.get().leave());
-        }
-    }
-
-    private synchronized Optional<RemoteKeeper> keeper(Member from, UUID session) {
-        return Optional.ofNullable(held.get(from)).filter(h -> h.id().equals(session)).map(Held::keeper);
+    /** Where it is of a session in use. */
+    private synchronized Optional<Held> held(Member from, UUID session) {
+        return Optional.ofNullable(held.get(from)).filter(h -> h.id.equals(session));
     }
 
     @Override

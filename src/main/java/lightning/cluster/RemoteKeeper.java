@@ -118,8 +118,7 @@ final class RemoteKeeper implements FrameKeeper {
             case Message.Need m -> send.accept(new Message.Part(id, m.hash(), m.offset(), parcels.part(m.hash(), m.offset())));
             case Message.Pixels m -> films.answered(new Piece(m.call(), m.firstTile()), m.bytes());
             case Message.Gone m -> films.answeredAll(piece -> piece.call() == m.call(), new byte[0]);
-            case Message.Hello _, Message.Ready _, Message.Bring _, Message.Cancel _, Message.Part _, Message.Ask _, Message.Focus _,
-                    Message.Forget _, Message.End _ -> {
+            case Message.Hello _,Message.Ready _,Message.Bring _,Message.Cancel _,Message.Part _,Message.Ask _,Message.Focus _,Message.Forget _,Message.End _,Message.Alive _ -> {
                 // Not for a coordinator.
             }
         }

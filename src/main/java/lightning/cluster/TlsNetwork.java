@@ -38,6 +38,7 @@ import org.jgroups.util.UUID;
 public final class TlsNetwork implements Network {
     /** Bytes of what comes over a connection in one piece; larger messages are cut by {@link FRAG4}. */
     private static final int MOST_BYTES = 1 << 18;
+    private static final int SHORT_BYTES = 4096;
     private static final int JOIN_MILLISECONDS = 2000;
 
     private final Place place;
@@ -169,7 +170,12 @@ public final class TlsNetwork implements Network {
         try {
             Address address = address(to);
             if (channel.getView().containsMember(address)) {
-                channel.send(new BytesMessage(address, bytes));
+                BytesMessage message = new BytesMessage(address, bytes);
+                if (bytes.length <= SHORT_BYTES) {
+                    // Who is flooded by others is asked for a sign of life all the same.
+                    message.setFlag(Message.Flag.NO_FC);
+                }
+                channel.send(message);
             }
         } catch (Exception e) {
             // It left meanwhile, or this did; whoever waits for an answer asks again or hears that it is gone.

@@ -186,7 +186,8 @@ public final class PropertyEdit {
         if (blocks.size() != 1 || blocks.getFirst().type != Blocks.LIGHT && blocks.getFirst().type != Blocks.BANK) {
             throw new IllegalArgumentException("expected one light, as in 'fill point intensity=0.5', found " + Quote.of(text));
         }
-        Optional<Scene> added = new SceneBuilder(tokens, problems, LoadedFiles.of(Path.of("")), scene.rig().banks(), scene.stage()).build(blocks);
+        Optional<Scene> added =
+                new SceneBuilder(tokens, problems, LoadedFiles.of(Path.of("")), scene.rig().banks(), scene.stage()).build(blocks);
         throwIfAny(problems);
         Rig more = added.orElseThrow().rig();
         return blocks.getFirst().type == Blocks.BANK ? scene.withRig(scene.rig().plus(more.banks().getLast()))

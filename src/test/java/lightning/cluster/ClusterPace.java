@@ -51,12 +51,14 @@ final class ClusterPace {
         int nodes = args.length > 4 ? Integer.parseInt(args[4]) : 3;
         Path folder = Files.createTempDirectory("pace");
         Path scene = folder.resolve("scene.jen");
-        Files.createSymbolicLink(folder.resolve("textures"), Path.of("textures").toAbsolutePath());
+        Path textures = Files.createDirectory(folder.resolve("textures"));
+        Files.copy(Path.of("textures/wood.png"), textures.resolve("wood.png"));
         String text = Files.readString(Path.of("scenes/bird.jen"));
         JenDocument bird = JenReader.read(text, "bird", Path.of("scenes"));
         JenDocument sized = bird.with(bird.scene().withPicture(bird.scene().picture().withSize(width, height)));
         var from = lightning.scene.Camera.FROM.of(bird.scene().camera());
-        String keys = String.format(Locale.ROOT, "%nshot { frames 1 %d camera { from { 1 %s %s %s  %d %s %s %s } } }%n", frames, from.x(), from.y(),
+        String keys = String.format(Locale.ROOT, "%nshot { frames 1 %d camera { from { 1 %s %s %s  %d %s %s %s } } }%n", frames, from.x(),
+                from.y(),
                 from.z(), frames, from.x() * 0.8, from.y(), from.z());
         Files.writeString(scene, sized.text() + keys);
         run(folder, scene, frames, edits, nodes);
@@ -82,10 +84,11 @@ final class ClusterPace {
         InetAddress here = InetAddress.getLoopbackAddress();
         var place = new Place(here, Place.ASKING_PORT, Place.ASKING_PORTS,
                 ports.stream().map(port -> new InetSocketAddress(here, port)).toList(), folder.resolve("shared.p12"),
-                new Place.Timing(60_000, 10_000, 5000));
+                Place.Timing.DEFAULT);
         Take take = take(scene);
         try (RelitShot shot = RelitShot.of(1, frames, ShotListener.NONE);
-                Machines machines = new Machines(new TlsNetwork(place), new NodeRelease().text(), scene.getParent(), shot, System.out::println)) {
+                Machines machines =
+                        new Machines(new TlsNetwork(place), new NodeRelease().text(), scene.getParent(), shot, System.out::println)) {
             for (int port : ports) {
                 processes.add(new NodeProcess(port, ports, folder, "--threads", String.valueOf(THREADS)));
             }
@@ -127,7 +130,8 @@ final class ClusterPace {
             for (int i = 0; i < edits; i++) {
                 ratios[i] = across[i] / alone[i];
             }
-            System.out.printf(Locale.ROOT, "%d frames on %d nodes: an edit %.1f ms, the same work by pipes %.1f ms, median of ratios %.2f%n", frames,
+            System.out.printf(Locale.ROOT,
+                    "%d frames on %d nodes: an edit %.1f ms, the same work by pipes %.1f ms, median of ratios %.2f%n", frames,
                     nodes, median(across), median(alone), median(ratios));
             films(shot, frames);
         } finally {
@@ -140,13 +144,18 @@ final class ClusterPace {
         }
     }
 
-    private static void films(RelitShot shot, int frames) {
+    private static void films(RelitShot shot, int frames) throws InterruptedException {
         double[] times = new double[frames];
         Film film = null;
         for (int frame = 1; frame <= frames; frame++) {
             long start = System.nanoTime();
-            film = shot.film(frame).orElseThrow();
+            film = shot.film(frame).orElse(null);
             times[frame - 1] = (System.nanoTime() - start) / 1e6;
+            if (film == null) {
+                // Its node is lost: another traces it.
+                awaitAll(shot);
+                frame--;
+            }
         }
         byte[] bytes = FilmTiles.encode(film, 0, Math.min(FilmTiles.MOST, film.tileCount()));
         var deflater = new Deflater(Deflater.BEST_SPEED);
@@ -162,7 +171,8 @@ final class ClusterPace {
             best = Math.min(best, (System.nanoTime() - start) / 1e6);
         }
         double whole = film.tileCount() * 12288.0;
-        System.out.printf(Locale.ROOT, "a film of %.1f MB comes in %.1f ms (%.0f MB/s); packed to %.0f %% at %.0f MB/s%n", whole / 1e6, median(times),
+        System.out.printf(Locale.ROOT, "a film of %.1f MB comes in %.1f ms (%.0f MB/s); packed to %.0f %% at %.0f MB/s%n", whole / 1e6,
+                median(times),
                 whole / 1e3 / median(times), 100.0 * length / bytes.length, bytes.length / 1e3 / best);
     }
 

@@ -46,8 +46,6 @@ final class ClusterTest {
         return node;
     }
 
-
-
     private static Take edited(Take take, String assignment) {
         Scene scene = PropertyEdit.apply(take.scene(), assignment);
         return new Take(scene, take.shot());

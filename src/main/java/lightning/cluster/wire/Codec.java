@@ -1,6 +1,7 @@
 package lightning.cluster.wire;
 
 import java.util.UUID;
+import lightning.cluster.wire.Message.Alive;
 import lightning.cluster.wire.Message.Ask;
 import lightning.cluster.wire.Message.Bring;
 import lightning.cluster.wire.Message.Brought;
@@ -45,7 +46,7 @@ public final class Codec {
             case Gone m -> to.large(m.call()).number(m.frame());
             case Focus m -> to.number(m.frame());
             case Forget m -> to.number(m.frame());
-            case End _ -> {
+            case Alive _,End _ -> {
                 // Nothing but its session.
             }
         }
@@ -68,6 +69,7 @@ public final class Codec {
             case Focus _ -> 12;
             case Forget _ -> 13;
             case End _ -> 14;
+            case Alive _ -> 15;
         };
     }
 
@@ -113,7 +115,8 @@ public final class Codec {
             case 12 -> new Focus(session, frame(from));
             case 13 -> new Forget(session, frame(from));
             case 14 -> new End(session);
-            default -> throw WireSource.wrong(3, "the kind", "1 to 14", kind);
+            case 15 -> new Alive(session);
+            default -> throw WireSource.wrong(3, "the kind", "1 to 15", kind);
         };
     }
 

@@ -75,6 +75,9 @@ public sealed interface Message {
     /** Wants a frame to be dropped. */
     record Forget(UUID session, int frame) implements Message {}
 
+    /** Asks whether a node still has a session; it says the same, or that the session has ended. */
+    record Alive(UUID session) implements Message {}
+
     /** Ends a session; of a node, that it has none such. */
     record End(UUID session) implements Message {}
 }

@@ -106,6 +106,7 @@ final class CodecTest {
                 Combinators.combine(session, large, number).as(Message.Gone::new),
                 Combinators.combine(session, number).as(Message.Focus::new),
                 Combinators.combine(session, number).as(Message.Forget::new),
+                session.map(Message.Alive::new),
                 session.map(Message.End::new));
     }
 }

@@ -1,0 +1,22 @@
+package lightning.cli;
+
+import java.util.List;
+import java.util.Optional;
+import lightning.cluster.Place;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** The option {@code --cluster}, with what it takes. */
+final class ClusterOption {
+    @Mixin
+    private MemberOptions member;
+    @Option(names = "--cluster", paramLabel = "HOST:PORT", converter = HostPort.Converter.class,
+            description = "Lets the nodes of a cluster hold the frames; any of them is named. 'lightning node --help' tells more.")
+    private HostPort cluster;
+
+    /** Where this process takes part; empty where all is done here. */
+    Optional<Place> place() throws BadInput {
+        return cluster == null ? Optional.empty()
+                : Optional.of(member.place("--cluster", List.of(cluster), Place.ASKING_PORT, Place.ASKING_PORTS));
+    }
+}
