@@ -31,7 +31,7 @@ import lightning.work.OwnThread;
  * @param threads how many pictures are written at once
  */
 record RelightElsewhere(Console console, PictureOutput output, Place place, Path folder, int threads) {
-    private static final long PATIENCE_NANOSECONDS = 30_000_000_000L;
+    private static final long PATIENCE_NANOSECONDS = 60_000_000_000L;
     private static final long LOOK_MILLISECONDS = 2;
     /** More than nodes are lost while one film is on its way. */
     private static final int MOST_ATTEMPTS = 100;

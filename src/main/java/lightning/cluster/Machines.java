@@ -23,7 +23,10 @@ import lightning.work.OwnThread;
 public final class Machines implements Network.Listener, AutoCloseable {
     private static final long HELLO_MILLISECONDS = 1000;
     /** A node that is a member but silent for so long counts as lost: the two may see different members. */
-    private static final long SILENCE_NANOSECONDS = 12_000_000_000L;
+    private static final long SILENCE_NANOSECONDS = 20_000_000_000L;
+
+    /** After so long without a node, which parts of a cluster need at most to find each other. */
+    private static final long ALONE_NANOSECONDS = 15_000_000_000L;
 
     private final Network network;
     private final String release;
@@ -34,6 +37,8 @@ public final class Machines implements Network.Listener, AutoCloseable {
     /** By member: sessions that were offered and not taken yet. */
     private final Map<Member, UUID> offered = new HashMap<>();
     private final Map<Member, Held> held = new HashMap<>();
+    /** When there was a node last; of the timer's thread. */
+    private long seen = System.nanoTime();
 
     /** A node in use, and when it was heard last. */
     private static final class Held {
@@ -76,11 +81,17 @@ public final class Machines implements Network.Listener, AutoCloseable {
         unanswered.forEach((member, id) -> network.send(member, Codec.encode(new Message.Hello(id, release))));
     }
 
-    /** Asks those in use for a sign of life. */
+    /** Asks those in use for a sign of life; where there is none for long, takes part anew. */
     private void look() {
         Map<Member, Held> all;
         synchronized (this) {
             all = Map.copyOf(held);
+        }
+        if (!all.isEmpty()) {
+            seen = System.nanoTime();
+        } else if (System.nanoTime() - seen > ALONE_NANOSECONDS) {
+            network.rejoin();
+            seen = System.nanoTime();
         }
         all.forEach((member, node) -> {
             if (System.nanoTime() - node.heard > SILENCE_NANOSECONDS) {

@@ -22,6 +22,9 @@ public interface Network extends AutoCloseable {
     /** Sends to a member; to one that is there no more, nothing. May wait where the other takes its time. */
     void send(Member to, byte[] bytes);
 
+    /** Leaves and takes part again, as another member: for one who sees nobody though somebody should be there. May take seconds. */
+    void rejoin();
+
     /** What people call a member: host and port. */
     String name(Member member);
 

@@ -38,7 +38,9 @@ import org.jgroups.util.UUID;
 public final class TlsNetwork implements Network {
     /** Bytes of what comes over a connection in one piece; larger messages are cut by {@link FRAG4}. */
     private static final int MOST_BYTES = 1 << 18;
+    private static final String CLUSTER = "lightning";
     private static final int SHORT_BYTES = 4096;
+    private static final int HANDSHAKE_MILLISECONDS = 5000;
     private static final int JOIN_MILLISECONDS = 2000;
 
     private final Place place;
@@ -60,7 +62,7 @@ public final class TlsNetwork implements Network {
                     .setInterval(Math.max(1, place.timing().silence() / 4)), verifying(), multicasts(), new UNICAST3(), new STABLE(),
                     membership(), new UFC(), new FRAG4());
             channel.setReceiver(new Ears(listener));
-            channel.connect("lightning");
+            channel.connect(CLUSTER);
         } catch (Exception e) {
             close();
             throw new JoinException("cannot take part in a cluster at " + text(place.bind(), place.port()) + ": " + reason(e), e);
@@ -84,6 +86,9 @@ public final class TlsNetwork implements Network {
                 new DefaultThreadFactory("lightning-cluster", true)).setEnabled(false));
         tcp.setMaxLength(MOST_BYTES);
         tcp.tcpNodelay(true);
+        // On a machine that traces with all its processors, two that have just begun take seconds for a handshake.
+        tcp.setPeerAddrReadTimeout(HANDSHAKE_MILLISECONDS);
+        tcp.setSockConnTimeout(HANDSHAKE_MILLISECONDS);
         // A process that is killed is known to be gone when its connection ends.
         tcp.enableSuspectEvents(true);
         tcp.tls().enabled(true).setSSLContext(context).setClientAuth(TLSClientAuth.NEED).setProtocols(new String[] {"TLSv1.3"});
@@ -179,6 +184,16 @@ public final class TlsNetwork implements Network {
             }
         } catch (Exception e) {
             // It left meanwhile, or this did; whoever waits for an answer asks again or hears that it is gone.
+        }
+    }
+
+    @Override
+    public void rejoin() {
+        try {
+            channel.disconnect();
+            channel.connect(CLUSTER);
+        } catch (Exception e) {
+            // Tried again by whoever still sees nobody.
         }
     }
 

@@ -2,15 +2,14 @@ package lightning.cluster;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
-import lightning.image.FilmAssert;
 import lightning.image.Film;
+import lightning.image.FilmAssert;
 import lightning.jen.JenDocument;
 import lightning.jen.JenReader;
 import lightning.jen.PropertyEdit;

@@ -86,6 +86,11 @@ final class LocalNetwork {
         }
 
         @Override
+        public void rejoin() {
+            // Whoever is not cut is seen.
+        }
+
+        @Override
         public String name(Member member) {
             return "member " + List.copyOf(ends.keySet()).indexOf(member);
         }

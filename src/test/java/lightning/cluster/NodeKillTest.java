@@ -37,7 +37,7 @@ final class NodeKillTest {
     private static final int LAST = 12;
     private static final long PATIENCE_NANOSECONDS = 240_000_000_000L;
     /** Longer than silence and question together. */
-    private static final long STOPPED_MILLISECONDS = 14_000;
+    private static final long STOPPED_MILLISECONDS = 22_000;
 
     @TempDir
     private Path folder;
