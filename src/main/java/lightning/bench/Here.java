@@ -4,6 +4,7 @@ import com.sun.management.OperatingSystemMXBean;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.net.URISyntaxException;
+import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -30,7 +31,9 @@ final class Here {
     /** The commit that the program was built from, if it still lies in its own repository; else {@code unknown}. */
     static String commit() {
         try {
-            return commit(Path.of(Here.class.getProtectionDomain().getCodeSource().getLocation().toURI()));
+            URL program = Here.class.getProtectionDomain().getCodeSource().getLocation();
+            // Of classes that come out of an archive Java may know no place.
+            return program == null ? UNKNOWN : commit(Path.of(program.toURI()));
         } catch (URISyntaxException e) {
             return UNKNOWN;
         }

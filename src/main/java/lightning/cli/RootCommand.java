@@ -1,13 +1,14 @@
 package lightning.cli;
 
-import java.lang.module.FindException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.lang.module.InvalidModuleDescriptorException;
 import java.lang.module.ModuleDescriptor;
-import java.lang.module.ModuleFinder;
-import java.lang.module.ModuleReference;
-import java.net.URISyntaxException;
+import java.net.URL;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.CommandSpec;
@@ -61,13 +62,21 @@ final class RootCommand implements Callable<Integer> {
             return new String[] {"Lightning " + number + " on Java " + Runtime.version()};
         }
 
-        /** The program is a module wherever it lies, but on a class path runs as none. */
+        /** The program is a module wherever it lies, but on a class path runs as none: its descriptor is a file of it there. */
         private static Optional<ModuleDescriptor> descriptor() {
-            try {
-                Path program = Path.of(Lightning.class.getProtectionDomain().getCodeSource().getLocation().toURI());
-                return ModuleFinder.of(program).find("lightning").map(ModuleReference::descriptor);
-            } catch (URISyntaxException | FindException e) {
-                return Optional.empty();
+            Module module = Lightning.class.getModule();
+            if (module.isNamed()) {
+                return Optional.of(module.getDescriptor());
+            }
+            return Lightning.class.getClassLoader().resources("module-info.class").flatMap(Version::read)
+                    .filter(descriptor -> descriptor.name().equals("lightning")).findFirst();
+        }
+
+        private static Stream<ModuleDescriptor> read(URL file) {
+            try (InputStream in = file.openStream()) {
+                return Stream.of(ModuleDescriptor.read(in));
+            } catch (IOException | InvalidModuleDescriptorException e) {
+                return Stream.empty();
             }
         }
     }
