@@ -3,9 +3,7 @@ package lightning.jen;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
-import java.util.regex.Pattern;
 import lightning.scene.SampleMeaning;
 import lightning.scene.Texture;
 import lightning.text.Quote;
@@ -13,7 +11,6 @@ import lightning.text.Quote;
 /** Finds the textures of one scene: beside its file or in {@code textures/} ({@link FileFolders}). Each file is decoded once. */
 final class TextureFolder {
     static final String NAME = "textures";
-    static final Pattern PICTURE = Pattern.compile(".+\\.(png|jpe?g)", Pattern.CASE_INSENSITIVE);
 
     private final FileFolders folders;
     private final Map<Decoded, Texture> decoded = new HashMap<>();
@@ -24,7 +21,7 @@ final class TextureFolder {
 
     /** @param scene the folder that holds the scene file */
     TextureFolder(Path scene) {
-        folders = new FileFolders(scene, "texture", NAME);
+        folders = FileKind.TEXTURE.folders(scene);
     }
 
     /**
@@ -52,10 +49,5 @@ final class TextureFolder {
         pixels += (long) texture.width() * texture.height();
         decoded.put(wanted, texture);
         return texture;
-    }
-
-    /** The pictures that a scene there can name, by the end of their names, in alphabetical order; none of unreadable folders. */
-    List<String> names() {
-        return folders.names(PICTURE);
     }
 }
