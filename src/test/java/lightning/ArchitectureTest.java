@@ -120,6 +120,13 @@ class ArchitectureTest {
     }
 
     @Test
+    void packageKnowingWhatStartsTheProgram_isCaught() throws IOException {
+        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.cli knows only rows above it",
+                "package lightning; public class Main {}",
+                "package lightning.cli; class Bad { lightning.Main main; }");
+    }
+
+    @Test
     void packageWithoutARow_isCaught() throws IOException {
         assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lives in a package that has a row",
                 "package lightning.util; class Bad {}");
