@@ -20,7 +20,7 @@ import picocli.CommandLine.Parameters;
             "Traces one pixel: what the eye sees there, where and how it lies, and for each light whether it reaches the point",
             "(facing away, outside the cone, shadowed by a shape, lit), its cosine, specular term and falloff, and what it adds",
             "to the point's colour, with its share in percent. Mirrored and refracted rays follow, indented; of those that clear",
-            "surfaces send on, those that bring more than 0.2 % of the pixel. Colours are linear red, green, blue; the last line",
+            "surfaces send on, those that bring more than 0.2 %% of the pixel. Colours are linear red, green, blue; the last line",
             "is the pixel as the film and as the display have it, equal to render's in every bit."},
         footer = {
             "Examples:",
