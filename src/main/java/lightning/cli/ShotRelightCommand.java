@@ -38,12 +38,13 @@ import picocli.CommandLine.Option;
         description = {
             "Traces every frame once and keeps what that found, in memory and, where that is full, in files that are removed in the",
             "end. Then the edits are made in all frames, and only what they change is computed anew; each picture is that of its",
-            "frame's scene in every bit. Edits up to a --then (or the end) are made at once. Without a --then pictures are named as by",
-            "'shot render'; with some, those of the first group go into a folder 1 beside or in that of the output, of the second",
-            "into 2, and so on: --then tries several lightings in one go. What has keys in the shot is no property to --set: that is",
-            "refused, and the keys are told. At the end stands what was saved of tracing all frames of the last group in full,",
-            "measured by some of them; --no-savings leaves that out.",
-            "With --cluster, nodes on other machines hold the frames; --memory, --disk and --no-savings are then not used.",
+            "frame's scene in every bit. Edits up to a --then (or the end) are made at once. Without a --then pictures are named",
+            "as by 'shot render'; with some, those of the first group go into a folder 1 where these would be, of the second into",
+            "2, and so on: several lightings are tried in one go. --set refuses what has keys in the shot, and tells the keys. At",
+            "the end stands what was saved of tracing all frames of the last group in full, measured by some of them;",
+            "--no-savings leaves that out. With --cluster, nodes on other machines hold the frames; --memory, --disk and",
+            "--no-savings are then not used.",
+            "",
             "A picture appears whole or not at all; those that are finished stay when the command is cancelled."},
         footer = {
             "Examples:",
@@ -161,7 +162,7 @@ final class ShotRelightCommand implements Callable<Integer> {
     private void relight(Take first, List<Take> edited, List<FrameFiles> groups, FrameRange range, Room room) throws Exception {
         ShotNeed need = room.need;
         boolean fits = need.all() <= room.memory;
-        console.line("%d frames of about %s take %s: %s in memory, %s on disk", need.frames(), ShotNeed.text(need.each()),
+        console.line("%s of about %s: %s in all, %s in memory, %s on disk", frames(need.frames()), ShotNeed.text(need.each()),
                 ShotNeed.text(need.all()), ShotNeed.text(Math.min(room.memory, need.all())),
                 ShotNeed.text(Math.max(0, need.all() - room.memory)));
         LocalKeeper keeper =
@@ -170,13 +171,13 @@ final class ShotRelightCommand implements Callable<Integer> {
         try (var _ = new LateWarmUp(first.at(range.first()));
                 RelitShot shot = RelitShot.of(range.first(), range.last(), keeper, watch)) {
             watch.run(shot, first, console, "tracing", null);
-            console.line("%d frames traced in %.1f ms", range.count(), watch.work());
+            console.line("%s traced in %.1f ms", frames(range.count()), watch.work());
             KeptBytes kept = shot.bytes();
-            console.line("kept: %d frames, %s, in memory, and %d, %s, on disk", kept.inMemory(), ShotNeed.text(kept.memory()),
+            console.line("kept: %s, %s, in memory, and %d, %s, on disk", frames(kept.inMemory()), ShotNeed.text(kept.memory()),
                     kept.onDisk(),
                     ShotNeed.text(kept.disk()));
-            keeper.problem().ifPresent(problem -> console.line("%d frames are traced again for each edit: %s",
-                    range.count() - kept.inMemory() - kept.onDisk(), problem));
+            keeper.problem().ifPresent(problem -> console.line("%s traced again for each edit: %s",
+                    frames(range.count() - kept.inMemory() - kept.onDisk()), problem));
             for (int group = 0; group < edited.size(); group++) {
                 FrameFiles files = groups.get(group);
                 double whole;
@@ -189,8 +190,8 @@ final class ShotRelightCommand implements Callable<Integer> {
                     });
                     writing.finish();
                 }
-                console.line("%d. %s: %d frames relit in %.1f ms, %d of them traced again, %d rays; %.1f ms with their pictures", group + 1,
-                        files.folder(), range.count(), watch.work(), watch.traced(), watch.rays(), whole);
+                console.line("%d. %s: %s relit in %.1f ms, %d of them traced again, %d rays; %.1f ms with their pictures", group + 1,
+                        files.folder(), frames(range.count()), watch.work(), watch.traced(), watch.rays(), whole);
             }
             if (!noSavings) {
                 double each = traditional(edited.getLast(), range);
@@ -261,6 +262,10 @@ final class ShotRelightCommand implements Callable<Integer> {
                         track.attribute().equals("intensity") ? ", as the intensity of a bank" : ""));
             }
         }
+    }
+
+    private static String frames(int count) {
+        return count == 1 ? "1 frame" : count + " frames";
     }
 
     private static String several(List<Integer> frames) {
