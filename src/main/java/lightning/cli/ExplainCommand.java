@@ -120,9 +120,15 @@ final class ExplainCommand implements Callable<Integer> {
             case UNLINKED -> Console.text("not linked, cosine %.6g", light.cosine());
             case SHADOWED -> Console.text("shadowed by %s, cosine %.6g", explainer.geometry().shape(light.blocker()).name(),
                     light.cosine());
-            case LIT -> light.samples() > 1 ? samples(explainer, light)
-                    : Console.text("lit, cosine %.6g, specular %.6g, falloff %.6g", light.cosine(), light.specular(), light.falloff());
+            case LIT -> (light.samples() > 1 ? samples(explainer, light)
+                    : Console.text("lit, cosine %.6g, specular %.6g, falloff %.6g", light.cosine(), light.specular(), light.falloff()))
+                    + through(light.tint());
         };
+    }
+
+    /** What passes of a light through clear shapes; nothing where there are none. */
+    private static String through(float[] tint) {
+        return tint[0] == 1 && tint[1] == 1 && tint[2] == 1 ? "" : ", through clear shapes times " + rgb(tint);
     }
 
     private static String samples(PixelExplainer explainer, LightReport light) {

@@ -11,8 +11,6 @@ import lightning.scene.ShadowsThrown;
 final class SeeThrough {
     /** Glass needs this many bounces at least: in, through, out, and what mirrors on the way. */
     private static final int DEPTH = 6;
-    /** Clearer ones throw no shadow: it would be that of stone. */
-    private static final double SHADOWLESS = 0.5;
 
     private final Pieces pieces;
 
@@ -37,13 +35,11 @@ final class SeeThrough {
         }
         pieces.picture = pieces.picture.withDepth(Math.max(pieces.picture.depth(), DEPTH));
         pieces.notes.add("emission of materials that light goes through, weakened here", opaque.ambient().isBlack() ? 0 : 1);
-        boolean shadowless = clear.max() >= SHADOWLESS;
-        pieces.notes.add("materials that light goes through, which throw no shadow here", shadowless ? 1 : 0);
         double left = clear.max() < 1 ? (1 - share) / (1 - clear.max()) : 0;
         Material body = metallic > 0 ? opaque : opaque.withBody(opaque.body().times(Math.min(left, 1)));
         return body.withClarity(new Clarity(clear, ior >= 1 ? Math.min(ior, Limits.MAX_IOR) : 1, thin,
                 MaterialAttribute.TINT.initial(), MaterialAttribute.TINT_DISTANCE.initial(),
-                shadowless ? ShadowsThrown.NONE : ShadowsThrown.FULL));
+                ShadowsThrown.TINTED));
     }
 
     /** The share {@code 1 − alpha} gone as if it were a veil: what is behind is seen straight, and nothing is mirrored. */

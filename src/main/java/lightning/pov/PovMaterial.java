@@ -5,6 +5,7 @@ import java.util.List;
 import lightning.math.Rgb;
 import lightning.scene.Clarity;
 import lightning.scene.Material;
+import lightning.scene.ShadowsThrown;
 import lightning.scene.Solid;
 import lightning.scene.SurfaceModel;
 import lightning.scene.TextureMap;
@@ -69,7 +70,7 @@ final class PovMaterial {
     }
 
     private static String shadows(Material m) {
-        return m.clarity().throwsShadows() ? "" : "\n  no_shadow";
+        return m.clarity().shadows() == ShadowsThrown.NONE ? "\n  no_shadow" : "";
     }
 
     /**

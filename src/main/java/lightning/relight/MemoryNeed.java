@@ -42,10 +42,11 @@ public final class MemoryNeed {
         boolean mirrors = picture.depth() > 0 && scene.materials().stream().anyMatch(Material::bouncesRays);
         boolean clear = mirrors && scene.materials().stream().anyMatch(m -> m.clarity().isClear());
         boolean edges = sampling.antialias() == Antialias.EDGES;
+        boolean tinted = scene.materials().stream().anyMatch(m -> m.clarity().tintsLight());
         boolean metallic = scene.materials().stream().anyMatch(Material::isMetallic);
         long lights = scene.rig().actingLights().stream().mapToLong(light -> ColumnKind.bytesPerRow(switch (options.accuracy()) {
-            case EXACT -> LightRows.columns(light, metallic);
-            case RATIO -> RatioRows.columns(light, metallic);
+            case EXACT -> LightRows.columns(light, metallic, tinted);
+            case RATIO -> RatioRows.columns(light, metallic, tinted);
         })).sum();
         long row = Part.HIT.bytesPerRow() + Part.TEXEL.bytesPerRow() + (edges ? Part.CODE.bytesPerRow() : 0)
                 + (scene.lights().stream().allMatch(l -> l.illuminates().isAll()) ? 0 : Part.OWNER.bytesPerRow())

@@ -59,9 +59,18 @@ public record Clarity(Rgb clear, double ior, boolean thin, Rgb tint, double tint
         return isClear() && !thin && (float) tint.min() < 1;
     }
 
-    /** Whether shapes of the material throw shadows. */
+    /** Whether shapes of the material keep light back in all. */
     public boolean throwsShadows() {
-        return shadows == ShadowsThrown.FULL;
+        return switch (shadows) {
+            case FULL -> true;
+            case TINTED -> !isClear();
+            case NONE -> false;
+        };
+    }
+
+    /** Whether light on its way to a point passes shapes of the material, and takes their colour. */
+    public boolean tintsLight() {
+        return shadows == ShadowsThrown.TINTED && isClear();
     }
 
     /** Whether rays go on behind every surface as they do by another. */

@@ -174,7 +174,14 @@ public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse
     /** Whether surfaces of it have the same holes, bend normals, lead rays on and throw shadows as those of another material do. */
     public boolean hasWaysOf(Material o) {
         return relief.hasNormalsOf(o.relief) && clarity.leadsRaysAs(o.clarity) && clarity.shadows() == o.clarity.shadows()
+                && passesLightAs(o)
                 && cutout.hasHolesOf(o.cutout);
+    }
+
+    /** Whether light on its way to a point passes surfaces of it as it passes those of another. */
+    public boolean passesLightAs(Material o) {
+        return this == o || clarity.tintsLight() == o.clarity.tintsLight()
+                && (!clarity.tintsLight() || clarity.equals(o.clarity) && reflective.equals(o.reflective));
     }
 
     /** Whether rays that meet it are followed further: it mirrors, or something is seen through it. */

@@ -91,7 +91,7 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
             Clarity::withTintDistance, MaterialTerm.COLOR, "The way inside after which white has become the tint");
     public static final MaterialAttribute<ShadowsThrown> SHADOWS = clarity("shadows", "shadows", Choice.of(ShadowsThrown.class),
             ShadowsThrown.FULL, "", Clarity::shadows, Clarity::withShadows, MaterialTerm.SHADOW,
-            "Whether shapes of the material throw shadows");
+            "Which shadows shapes of the material throw: full ones, those of the colour of the light that passes, or none");
 
     /** All of them; that which decides about others before these. */
     public static final List<MaterialAttribute<?>> ALL =

@@ -4,6 +4,8 @@ package lightning.scene;
 public enum ShadowsThrown {
     /** As if the material let no light through. */
     FULL,
+    /** Of the colour of the light that passes; full ones where none does. */
+    TINTED,
     /** None: lights shine through. */
     NONE
 }

@@ -27,6 +27,12 @@ public final class Addends {
     /** Each light's cosine or specular term, and its falloff. */
     public final float[][] term = new float[MOST_LIGHTS][];
     public final float[][] falloff = new float[MOST_LIGHTS][];
+    /** Whether any light has tints. */
+    public boolean tinted;
+    /** What passes of each light; unread where none has tints. */
+    public final float[][] tintRed = new float[MOST_LIGHTS][];
+    public final float[][] tintGreen = new float[MOST_LIGHTS][];
+    public final float[][] tintBlue = new float[MOST_LIGHTS][];
     /** Each light's weight. */
     public final float[] red = new float[MOST_LIGHTS];
     public final float[] green = new float[MOST_LIGHTS];
@@ -41,6 +47,7 @@ public final class Addends {
         first = 0;
         lights = 0;
         sums = 0;
+        tinted = false;
     }
 
     /** Whether they add up to 0. */
@@ -49,7 +56,11 @@ public final class Addends {
     }
 
     /** Puts a light behind the others. */
-    void light(Luminaire light, float[] lightTerm, float[] lightFalloff) {
+    void light(Luminaire light, float[] lightTerm, float[] lightFalloff, float[][] tint) {
+        tinted |= tint != null;
+        tintRed[lights] = tint == null ? ONES : tint[0];
+        tintGreen[lights] = tint == null ? ONES : tint[1];
+        tintBlue[lights] = tint == null ? ONES : tint[2];
         term[lights] = lightTerm;
         falloff[lights] = lightFalloff == null ? ONES : lightFalloff;
         red[lights] = light.red();

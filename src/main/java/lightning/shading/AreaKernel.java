@@ -47,6 +47,9 @@ final class AreaKernel {
     private final double[] diffuseSum = new double[Terms.ROWS];
     private final double[] specularSum = new double[Terms.ROWS];
     private final double[] grazingSum = new double[Terms.ROWS];
+    /** Sums of what passes on free ways; made when it is needed first. */
+    private double[][] tintSum;
+    private boolean tinted;
     /** Whether any of the rows' materials has specular terms, or is metallic; asked once for each tile and light. */
     private boolean shines;
     private boolean metallic;
@@ -82,7 +85,7 @@ final class AreaKernel {
             Arrays.fill(clear[s], 0);
         }
         cast(rows, lamp, anyInside);
-        return layer(rows, lamp, state, anyInside, columns);
+        return layer(rows, lamp, state, anyInside, columns).withTint(tints(rows, lamp, anyInside, null, columns));
     }
 
     /** All of it for a light whose cone no edit changes in place: a sample is aimed at once. */
@@ -90,6 +93,7 @@ final class AreaKernel {
         int words = RowBits.words(rows.count);
         begin(rows);
         shadows.aim(rows, lamp.area(), ways, lamp.type().hasPosition());
+        beginTints();
         for (int s = 0; s < lamp.area().samples(); s++) {
             aim(rows, lamp, s);
             look(rows, lamp, s);
@@ -98,10 +102,13 @@ final class AreaKernel {
             for (int b = 0; b < words; b++) {
                 clear[s][b] = inside[s][b] & ~blocked[b];
             }
+            if (tinted) {
+                shadows.addTints(rows, ways, clear[s], tintSum);
+            }
             add(rows, lamp, s, clear[s]);
         }
         short[][] seen = states(rows, lamp, state, anyInside, columns);
-        return means(rows, lamp, state, seen, columns);
+        return means(rows, lamp, state, seen, columns).withTint(tints(rows, lamp, anyInside, null, columns));
     }
 
     private void begin(HitRows rows) {
@@ -143,18 +150,18 @@ final class AreaKernel {
             }
         }
         cast(rows, lamp, asked);
-        return layer(rows, lamp, state, asked, columns);
+        return layer(rows, lamp, state, asked, columns).withTint(tints(rows, lamp, asked, before.tint, columns));
     }
 
     /** All terms anew for rows whose ways are known: no shadow ray is cast. */
     LightRows again(HitRows rows, Lamp lamp, LightLayer before, Columns columns) {
         if (before.lit() == 0) {
-            return LightRows.unlit(before.states(), before.seen());
+            return LightRows.unlit(before.states(), before.seen()).withTint(before.tint());
         }
         turns(rows);
         known(rows, lamp, before.seen());
         RowBits.inState(before.states(), rows.count, LightRows.LIT, anyLit);
-        return terms(rows, lamp, before.states(), before.seen(), columns);
+        return terms(rows, lamp, before.states(), before.seen(), columns).withTint(before.tint());
     }
 
     private void turns(HitRows rows) {
@@ -202,9 +209,11 @@ final class AreaKernel {
     private void cast(HitRows rows, Lamp lamp, int[] which) {
         int words = RowBits.words(rows.count);
         if (RowBits.count(which, rows.count) == 0) {
+            tinted = false;
             return;
         }
         shadows.aim(rows, lamp.area(), ways, lamp.type().hasPosition());
+        beginTints();
         for (int s = 0; s < lamp.area().samples(); s++) {
             for (int b = 0; b < words; b++) {
                 chosen[b] = facing[s][b] & which[b];
@@ -213,9 +222,41 @@ final class AreaKernel {
             ends(rows, s);
             shadows.cast(rows, ways, chosen, blocked);
             for (int b = 0; b < words; b++) {
-                clear[s][b] |= chosen[b] & ~blocked[b];
+                chosen[b] &= ~blocked[b];
+                clear[s][b] |= chosen[b];
+            }
+            if (tinted) {
+                shadows.addTints(rows, ways, chosen, tintSum);
             }
         }
+    }
+
+    private void beginTints() {
+        tinted = shadows.isTinted();
+        if (tinted) {
+            tintSum = tintSum == null ? new double[3][Terms.ROWS] : tintSum;
+            for (double[] sum : tintSum) {
+                Arrays.fill(sum, 0);
+            }
+        }
+    }
+
+    /** The means of what passes over the free ways of rows that were asked just now; of others what is known. */
+    private float[][] tints(HitRows rows, Lamp lamp, int[] fresh, float[][] before, Columns columns) {
+        if (!tinted) {
+            return before;
+        }
+        float[][] to = TintCaster.begun(rows, before, columns);
+        for (int i = 0; i < rows.count; i++) {
+            int free = 0;
+            for (int s = 0; s < lamp.area().samples() && RowBits.contains(fresh, i); s++) {
+                free += RowBits.contains(clear[s], i) ? 1 : 0;
+            }
+            for (int c = 0; c < 3 && free > 0; c++) {
+                to[c][i] = LightingEquation.mean(tintSum[c][i], free);
+            }
+        }
+        return TintCaster.kept(rows, to);
     }
 
     private void lead(HitRows rows, Lamp lamp, int s) {

@@ -11,12 +11,14 @@ import lightning.trace.MaterialTable;
  *
  * <p>A pixel's code is the sum over all that its ray meets, in mirrors and through what is clear: a number for what is hit and where
  * in the tree of rays, and one for each light that shines, of the row's state and, where it is lit and its material is
- * specular, its specular term in coarse steps. A light that is larger than a point has no such steps, for its highlights are soft,
+ * specular, its specular term in coarse steps; and whether it came through clear shapes. A light that is larger than a point has no such steps, for its highlights are soft,
  * and none in its penumbra: a row that sees any of its samples is lit.
  */
 public final class EdgeCoder {
     /** Steps of a specular term from 0 to 1; what is above 1 looks like 1. */
     private static final float STEPS = 4;
+    /** More than any state and highlight. */
+    private static final int TINTED = 32;
 
     private final int[] shapes = new int[Terms.ROWS];
     private final int[] lights = new int[Terms.ROWS];
@@ -26,11 +28,11 @@ public final class EdgeCoder {
     private boolean mirrors;
 
     /** The number of a light, {@code light} in scene order, at a hit; {@code specular} counts where the material has it. */
-    static int code(int light, int state, boolean hasSpecular, float specular) {
+    static int code(int light, int state, boolean tinted, boolean hasSpecular, float specular) {
         int highlight = state == LightRows.LIT && hasSpecular ? (int) (Math.min(specular, 1) * STEPS) : 0;
         // Who faces away and who is outside the cone look the same.
         int seen = state == LightRows.AWAY ? LightRows.OUTSIDE : state;
-        return HitCode.seen(seen + 4 * highlight, 16 + light);
+        return HitCode.seen(seen + 4 * highlight + (tinted ? TINTED : 0), 16 + light);
     }
 
     /** Forgets all; then the levels of a tile are added, the first one first. */
@@ -74,7 +76,9 @@ public final class EdgeCoder {
         for (int r = 0; r < rows.runs; r++) {
             boolean specular = layer.specular != null && layer.seen == null && materials.isSpecular(rows.runMaterial[r]);
             for (int i = rows.runStart(r); i < rows.runEnd[r]; i++) {
-                int code = code(light, layer.state(i), specular, specular ? layer.specular[i] : 0);
+                boolean tinted = layer.tint != null && layer.seen == null && layer.state(i) == LightRows.LIT
+                        && (layer.tint[0][i] != 1 || layer.tint[1][i] != 1 || layer.tint[2][i] != 1);
+                int code = code(light, layer.state(i), tinted, specular, specular ? layer.specular[i] : 0);
                 sums[pixel[i]] += level == 0 ? code : HitCode.seen(code, place);
             }
         }

@@ -31,6 +31,8 @@ public final class LightKernel {
     private final int[] blocked = RowBits.room();
     private final int[] lit = RowBits.room();
     private final int[] litBefore = RowBits.room();
+    /** Rows of which it must be asked what passes of the light. */
+    private final int[] tinted = RowBits.room();
     private long rowsTouched;
 
     public LightKernel(Geometry geometry, Tracer tracer, Terms terms, ViewEffects view) {
@@ -81,7 +83,8 @@ public final class LightKernel {
             lit[b] = chosen[b] & ~blocked[b];
         }
         rowsTouched += rows.count;
-        return layer(rows, lamp, states(rows, columns), null, columns);
+        float[][] tint = links.shadows(lamp).tints(rows, lamp, lit, null, columns);
+        return layer(rows, lamp, states(rows, columns), null, columns).withTint(tint);
     }
 
     /** The states of rows that were all asked, or away, or outside. */
@@ -182,6 +185,13 @@ public final class LightKernel {
             return before;
         }
         rowsTouched += RowBits.count(chosen, rows.count);
+        ShadowCaster shadows = links.shadows(lamp);
+        if (shadows.chooseTints(rows, lamp, before.state, change, tinted)) {
+            for (int b = 0; b < RowBits.words(rows.count); b++) {
+                tinted[b] &= ~chosen[b];
+            }
+            shadows.count(tinted, rows.count);
+        }
         byte[] state = columns.states(rows.count);
         System.arraycopy(before.state, 0, state, 0, rows.count);
         for (int i = 0; i < rows.count; i++) {
@@ -191,25 +201,34 @@ public final class LightKernel {
                 RowBits.remove(chosen, i, i + 1);
             }
         }
-        links.shadows(lamp).cast(rows, lamp, chosen, blocked);
+        shadows.cast(rows, lamp, chosen, blocked);
         for (int i = 0; i < rows.count; i++) {
             if (RowBits.contains(chosen, i)) {
                 state[i] = state(1, 1, RowBits.contains(blocked, i) ? 0 : 1);
             }
         }
+        for (int b = 0; b < RowBits.words(rows.count); b++) {
+            tinted[b] |= chosen[b] & ~blocked[b];
+        }
+        float[][] tint = shadows.tints(rows, lamp, tinted, before.tint, columns);
         if (Arrays.equals(state, 0, rows.count, before.state, 0, rows.count)) {
-            return before;
+            return TintCaster.areAlike(rows, tint, before.tint) ? before : before.withTint(tint);
         }
         aim(rows, lamp);
         terms.cosines(rows, cosine);
         RowBits.inState(before.state, rows.count, LightRows.LIT, litBefore);
         RowBits.inState(state, rows.count, LightRows.LIT, lit);
-        return layer(rows, lamp, state, before.lit == 0 ? null : before, columns);
+        return layer(rows, lamp, state, before.lit == 0 ? null : before, columns).withTint(tint);
     }
 
     /** Whether {@link #shadowed} would ask any row. */
     public boolean mayChange(HitRows rows, Lamp lamp, LightLayer before, ShapeChange change) {
-        return before.states() != LightRows.UNREACHED.state && links.shadows(lamp).choose(rows, lamp, before.states(), change, chosen);
+        if (before.states() == LightRows.UNREACHED.state) {
+            return false;
+        }
+        ShadowCaster shadows = links.shadows(lamp);
+        boolean retinted = shadows.chooseTints(rows, lamp, before.states(), change, tinted);
+        return shadows.choose(rows, lamp, before.states(), change, chosen) || retinted;
     }
 
     /** All terms anew for rows whose states are known: no shadow ray is cast. */
@@ -219,12 +238,12 @@ public final class LightKernel {
             return areas.again(rows, lamp, before, columns);
         }
         if (before.lit() == 0) {
-            return LightRows.unlit(before.states());
+            return LightRows.unlit(before.states()).withTint(before.tint());
         }
         aim(rows, lamp);
         terms.cosines(rows, cosine);
         RowBits.inState(before.states(), rows.count, LightRows.LIT, lit);
-        return layer(rows, lamp, before.states(), null, columns);
+        return layer(rows, lamp, before.states(), null, columns).withTint(before.tint());
     }
 
     /**
@@ -301,14 +320,17 @@ public final class LightKernel {
         known.removeIf(kind -> kind == LightRows.Column.FALLOFF && !fades
                 || kind == LightRows.Column.SPECULAR && !written.hasSpecular(rows)
                 || kind == LightRows.Column.GRAZING && before.grazing == null && !written.hasMetallic(rows)
+                || LightRows.Column.TINT.contains(kind) && before.tint == null && (added == null || added.tint == null)
                 || LightRows.Column.SEEN.contains(kind) && !before.columns().has(kind) && (added == null || !added.columns().has(kind)));
         ColumnSet<LightRows.Column> columns = ColumnSet.room(LightRows.Column.class, known, rows.count);
-        splice.fill(columns, before.columns(), added == null ? null : added.columns());
+        splice.fill(columns, LightRows.plainlyTinted(before.columns(), LightRows.Column.TINT),
+                added == null ? null : LightRows.plainlyTinted(added.columns(), LightRows.Column.TINT));
         byte[] state = (byte[]) columns.get(LightRows.Column.STATE);
         RowBits.inState(state, rows.count, LightRows.LIT, lit);
         int count = RowBits.count(lit, rows.count);
         if (count == 0) {
-            return LightRows.unlit(state, LightRows.seen(columns, LightRows.Column.SEEN));
+            return LightRows.unlit(state, LightRows.seen(columns, LightRows.Column.SEEN))
+                    .withTint(LightRows.colors(columns, LightRows.Column.TINT));
         }
         return new LightRows(fades || added == null ? columns
                 : columns.with(LightRows.Column.FALLOFF, falloffs(rows, lamp)), count);
@@ -375,8 +397,12 @@ public final class LightKernel {
         if (Arrays.equals(state, 0, rows.count, before.state, 0, rows.count)) {
             return before;
         }
+        for (int b = 0; b < RowBits.words(rows.count); b++) {
+            tinted[b] = chosen[b] & ~blocked[b];
+        }
+        float[][] tint = links.shadows(lamp).tints(rows, lamp, tinted, before.tint, columns);
         RowBits.inState(before.state, rows.count, LightRows.LIT, litBefore);
         RowBits.inState(state, rows.count, LightRows.LIT, lit);
-        return layer(rows, lamp, state, before, columns);
+        return layer(rows, lamp, state, before, columns).withTint(tint);
     }
 }

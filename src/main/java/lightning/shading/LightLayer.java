@@ -8,6 +8,9 @@ public sealed interface LightLayer permits LightRows, RatioRows {
     /** To which samples of a light each row's ways are free, see {@link LightRows#seen}. */
     short[][] seen();
 
+    /** What passes of the light on free ways: red, green and blue columns; null where it is 1 on all. */
+    float[][] tint();
+
     /** How many rows are lit. */
     int lit();
 

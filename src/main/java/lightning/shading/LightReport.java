@@ -17,11 +17,12 @@ import lightning.scene.Light;
  * @param diffuse   its part of Σ Idiff, linear, {@code float[3]}
  * @param highlight its part of Σ Ispec, linear, {@code float[3]}
  * @param sheen     its part of Σ Igraz, linear, {@code float[3]}
+ * @param tint      what passes of it through clear shapes in between, {@code float[3]}; 1 where there are none
  */
 public record LightReport(Light light, State state, int blocker, int seen, int samples, float cosine, float specular, float grazing,
         float falloff,
         float[] diffuse,
-        float[] highlight, float[] sheen) {
+        float[] highlight, float[] sheen, float[] tint) {
 
     /** Decided in this order, but for {@link #DARK}, which comes first. */
     public enum State {

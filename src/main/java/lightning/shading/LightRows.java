@@ -46,9 +46,14 @@ public final class LightRows implements LightLayer {
         SEEN_0(ElementType.SHORT, "samples seen of soft lights"),
         SEEN_1(ElementType.SHORT, "samples seen of soft lights"),
         SEEN_2(ElementType.SHORT, "samples seen of soft lights"),
-        SEEN_3(ElementType.SHORT, "samples seen of soft lights");
+        SEEN_3(ElementType.SHORT, "samples seen of soft lights"),
+        /** What passes of the light on a free way through clear shapes; 1 where none is in between. */
+        TINT_RED(ElementType.FLOAT, "colors of tinted shadows"),
+        TINT_GREEN(ElementType.FLOAT, "colors of tinted shadows"),
+        TINT_BLUE(ElementType.FLOAT, "colors of tinted shadows");
 
         static final List<Column> SEEN = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
+        static final List<Column> TINT = List.of(TINT_RED, TINT_GREEN, TINT_BLUE);
 
         private final ElementType element;
         private final String title;
@@ -69,6 +74,9 @@ public final class LightRows implements LightLayer {
         }
     }
 
+    private static final float[] ONES = ones();
+    private static final float[][] PLAIN = {ONES, ONES, ONES};
+
     /** All rows outside: shared by all tiles that no light in question reaches, and not counted as memory. */
     public static final LightRows UNREACHED = unlit(outside());
 
@@ -84,6 +92,8 @@ public final class LightRows implements LightLayer {
     public final float[] falloff;
     /** The columns of the samples seen, as many as there are for the light; null where it has one sample or no row sees any. */
     final short[][] seen;
+    /** Red, green and blue columns of what passes on free ways; null where it is 1 on all. */
+    final float[][] tint;
     /** How many rows are lit. */
     public final int lit;
 
@@ -95,7 +105,7 @@ public final class LightRows implements LightLayer {
 
     LightRows(byte[] state, float[] cosine, float[] specular, float[] grazing, float[] falloff, short[][] seen, int lit) {
         this(ColumnSet.of(Column.class, state, cosine, specular, grazing, falloff, samples(seen, 0), samples(seen, 1), samples(seen, 2),
-                samples(seen, 3)), lit);
+                samples(seen, 3), null, null, null), lit);
     }
 
     LightRows(ColumnSet<Column> columns, int lit) {
@@ -107,6 +117,7 @@ public final class LightRows implements LightLayer {
         grazing = (float[]) columns.get(Column.GRAZING);
         falloff = (float[]) columns.get(Column.FALLOFF);
         seen = seen(columns, Column.SEEN);
+        tint = colors(columns, Column.TINT);
     }
 
     /** The column of the samples from 16·{@code group} on, or null. */
@@ -120,13 +131,37 @@ public final class LightRows implements LightLayer {
                 : kinds.stream().filter(columns::has).map(kind -> (short[]) columns.get(kind)).toArray(short[][]::new);
     }
 
+    /** Three columns; null where the first is not there. */
+    static <C extends Enum<C> & ColumnKind> float[][] colors(ColumnSet<C> columns, List<C> channels) {
+        return !columns.has(channels.getFirst()) ? null
+                : channels.stream().map(channel -> (float[]) columns.get(channel)).toArray(float[][]::new);
+    }
+
+    /** Columns with others in place of three; with none where {@code colors} is null. */
+    static <C extends Enum<C> & ColumnKind> ColumnSet<C> with(ColumnSet<C> columns, List<C> channels, float[][] colors) {
+        ColumnSet<C> with = columns;
+        for (int c = 0; c < channels.size(); c++) {
+            with = with.with(channels.get(c), colors == null ? null : colors[c]);
+        }
+        return with;
+    }
+
+    /** Columns of which those of tints are all 1 where they are not there. */
+    static <C extends Enum<C> & ColumnKind> ColumnSet<C> plainlyTinted(ColumnSet<C> columns, List<C> channels) {
+        return columns.has(channels.getFirst()) ? columns : with(columns, channels, PLAIN);
+    }
+
     /**
      * The columns that layers of a light may have.
      *
      * @param metallic whether any material is metallic
+     * @param tinted   whether light passes any
      */
-    public static Set<Column> columns(Light light, boolean metallic) {
+    public static Set<Column> columns(Light light, boolean metallic, boolean tinted) {
         Set<Column> columns = EnumSet.allOf(Column.class);
+        if (!tinted) {
+            columns.removeAll(Column.TINT);
+        }
         if (!metallic) {
             columns.remove(Column.GRAZING);
         }
@@ -152,9 +187,20 @@ public final class LightRows implements LightLayer {
         return new LightRows(state, null, null, null, null, seen, 0);
     }
 
+    /** This layer with other tints, or with none where they are null. */
+    LightRows withTint(float[][] tints) {
+        return tints == tint ? this : new LightRows(with(columns, Column.TINT, tints), lit);
+    }
+
     /** This layer with another column, or with none where it is null; the same rows are lit. */
     LightRows with(Column kind, float[] column) {
         return new LightRows(columns.with(kind, column), lit);
+    }
+
+    private static float[] ones() {
+        float[] ones = new float[Terms.ROWS];
+        Arrays.fill(ones, 1);
+        return ones;
     }
 
     private static byte[] outside() {
@@ -181,6 +227,11 @@ public final class LightRows implements LightLayer {
     @Override
     public short[][] seen() {
         return seen;
+    }
+
+    @Override
+    public float[][] tint() {
+        return tint;
     }
 
     @Override

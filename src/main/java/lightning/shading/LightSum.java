@@ -140,12 +140,12 @@ final class LightSum {
         for (int i = from; i < to; i++) {
             Luminaire light = lights[chain[i]];
             LightRows layer = (LightRows) layers[chain[i]];
-            diffuse.light(light, layer.cosine, layer.falloff);
+            diffuse.light(light, layer.cosine, layer.falloff, layer.tint);
             if (layer.specular != null) {
-                specular.light(light, layer.specular, layer.falloff);
+                specular.light(light, layer.specular, layer.falloff, layer.tint);
             }
             if (layer.grazing != null) {
-                grazing.light(light, layer.grazing, layer.falloff);
+                grazing.light(light, layer.grazing, layer.falloff, layer.tint);
             }
         }
     }

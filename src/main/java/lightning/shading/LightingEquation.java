@@ -187,9 +187,24 @@ public final class LightingEquation {
         return factor < 1 ? factor : 1;
     }
 
-    /** One channel of the sum's term: the weight over cosine (or specular term) and falloff. */
+    /**
+     * One channel of the sum's term: the weight over cosine (or specular term), falloff, and what passes of the light.
+     *
+     * @param tint 1 where nothing is in between
+     */
+    static float contribution(float weight, float term, float falloff, float tint) {
+        return weight * (term * falloff * tint);
+    }
+
+    /** The same where nothing is in between. */
     static float contribution(float weight, float term, float falloff) {
         return weight * (term * falloff);
+    }
+
+    /** One channel of what passes a clear surface: what it does not mirror, times its colour. */
+    static float passed(float kr, float share, float kt) {
+        float mirror = kr + (1 - kr) * share;
+        return (1 - mirror) * kt;
     }
 
     /** The mean of a light's samples, from their sum, first to last, of exact products {@code term·falloff}. */

@@ -12,11 +12,13 @@ import lightning.trace.Eye;
 import lightning.trace.Geometry;
 import lightning.trace.MaterialTable;
 import lightning.trace.SurfacePoint;
+import lightning.trace.primitive.Crossings;
 import lightning.trace.tree.WayEnd;
 
 /** Traces single pixels and tells why they have their colour; the colour is the film's in every bit. */
 public final class PixelExplainer {
     private static final float[] NONE = {0, 0, 0};
+    private static final float[] ALL = {1, 1, 1};
 
     private final Scene scene;
     private final Geometry geometry;
@@ -112,8 +114,19 @@ public final class PixelExplainer {
         int seen = 0;
         LightReport farthest = null;
         LightReport blocked = null;
+        double[] tints = new double[3];
+        int free = 0;
         for (int s = 0; s < samples; s++) {
             LightReport one = report(light, light.lamp().sample(LampArea.turn(at.px(), at.py(), at.pz()), s), at);
+            // A way counts wherever the cone ends, as in rows, which are not asked again when it moves.
+            Lamp sample = light.lamp().sample(LampArea.turn(at.px(), at.py(), at.pz()), s);
+            if (one.state() != LightReport.State.AWAY && (one.state() == LightReport.State.LIT || blocker(sample, at) < 0)) {
+                float[] passed = tint(sample, at);
+                for (int c = 0; c < 3; c++) {
+                    tints[c] += passed[c];
+                }
+                free++;
+            }
             diffuse += (double) one.falloff() * (one.state() == LightReport.State.LIT ? one.cosine() : 0);
             specular += (double) one.specular() * one.falloff();
             grazing += (double) one.grazing() * one.falloff();
@@ -124,9 +137,11 @@ public final class PixelExplainer {
         float cosine = LightingEquation.mean(diffuse, samples);
         float highlight = LightingEquation.mean(specular, samples);
         float sheen = LightingEquation.mean(grazing, samples);
+        float[] tint = free == 0 ? ALL : new float[] {LightingEquation.mean(tints[0], free), LightingEquation.mean(tints[1], free),
+            LightingEquation.mean(tints[2], free)};
         return new LightReport(light.light(), farthest.state(), blocked == null ? -1 : blocked.blocker(), seen, samples,
-                seen == 0 ? farthest.cosine() : cosine, highlight, sheen, seen == 0 ? 0 : 1, contribution(light, cosine, 1),
-                contribution(light, highlight, 1), contribution(light, sheen, 1));
+                seen == 0 ? farthest.cosine() : cosine, highlight, sheen, seen == 0 ? 0 : 1, contribution(light, cosine, 1, tint),
+                contribution(light, highlight, 1, tint), contribution(light, sheen, 1, tint), tint);
     }
 
     private LightReport report(Luminaire light, Lamp lamp, SurfacePoint at) {
@@ -148,7 +163,7 @@ public final class PixelExplainer {
             state = blocker < 0 ? LightReport.State.LIT : LightReport.State.SHADOWED;
         }
         if (state != LightReport.State.LIT) {
-            return new LightReport(light.light(), state, blocker, 0, 1, cosine, 0, 0, 0, NONE, NONE, NONE);
+            return new LightReport(light.light(), state, blocker, 0, 1, cosine, 0, 0, 0, NONE, NONE, NONE, ALL);
         }
         boolean metallic = materials.isMetallic(at.material());
         double alpha = materials.alpha(at.material());
@@ -157,15 +172,34 @@ public final class PixelExplainer {
                 : equation.specular(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(), materials.shininess(at.material()));
         float grazing = metallic ? equation.grazing(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(), alpha) : 0;
         float falloff = equation.falloff();
+        float[] tint = tint(lamp, at);
         return new LightReport(light.light(), state, blocker, 1, 1, diffuse, specular, grazing, falloff,
-                contribution(light, diffuse, falloff), contribution(light, specular, falloff), contribution(light, grazing, falloff));
+                contribution(light, diffuse, falloff, tint), contribution(light, specular, falloff, tint),
+                contribution(light, grazing, falloff, tint), tint);
     }
 
-    private static float[] contribution(Luminaire light, float term, float falloff) {
+    private static float[] contribution(Luminaire light, float term, float falloff, float[] tint) {
         return new float[] {
-            LightingEquation.contribution(light.red(), term, falloff),
-            LightingEquation.contribution(light.green(), term, falloff),
-            LightingEquation.contribution(light.blue(), term, falloff)};
+            LightingEquation.contribution(light.red(), term, falloff, tint[0]),
+            LightingEquation.contribution(light.green(), term, falloff, tint[1]),
+            LightingEquation.contribution(light.blue(), term, falloff, tint[2])};
+    }
+
+    /** What passes of a light on its free way to a point, red, green and blue. */
+    private float[] tint(Lamp lamp, SurfacePoint at) {
+        Geometry casting = geometry.casting(lamp.light().shadowedBy());
+        if (casting.tinting() == null) {
+            return ALL;
+        }
+        boolean ends = lamp.type().hasPosition();
+        Vec3 point = new Vec3(at.px(), at.py(), at.pz());
+        Vec3 way = ends ? lamp.source().minus(point) : lamp.source();
+        var met = new Crossings();
+        casting.crossingsOfAll(new Ray(point, way), ends ? this.ends.computeIfAbsent(lamp.source(), geometry::end) : WayEnd.OPEN,
+                ends ? 1 : Double.POSITIVE_INFINITY, met);
+        var transmittance = new Transmittance();
+        transmittance.of(geometry.primitives(), met, point, way, ends);
+        return transmittance.rgb;
     }
 
     /** The shape between the point and the light that is nearest to the point, or −1. */

@@ -70,12 +70,18 @@ public final class RatioKernel {
         }
         System.arraycopy(layer.state, 0, states, 0, rows.count);
         if (layer.lit == 0) {
-            return new RatioRows(states, null, null, null, kept(rows, layer.seen), 0);
+            return new RatioRows(states, null, null, null, kept(rows, layer.seen), 0).withTint(kept(rows, layer.tint));
         }
-        float[][] diffuse = weighted(rows, light, layer.cosine, layer.falloff);
-        float[][] specular = layer.specular == null ? null : weighted(rows, light, layer.specular, layer.falloff);
-        float[][] grazing = layer.grazing == null ? null : weighted(rows, light, layer.grazing, layer.falloff);
-        return new RatioRows(states, diffuse, specular, grazing, kept(rows, layer.seen), layer.lit);
+        float[][] diffuse = weighted(rows, light, layer.cosine, layer);
+        float[][] specular = layer.specular == null ? null : weighted(rows, light, layer.specular, layer);
+        float[][] grazing = layer.grazing == null ? null : weighted(rows, light, layer.grazing, layer);
+        return new RatioRows(states, diffuse, specular, grazing, kept(rows, layer.seen), layer.lit).withTint(kept(rows, layer.tint));
+    }
+
+    /** A copy that stays, just long enough. */
+    private static float[][] kept(HitRows rows, float[][] tint) {
+        return tint == null ? null
+                : Arrays.stream(tint).map(column -> Arrays.copyOf(column, HitRows.padded(rows.count))).toArray(float[][]::new);
     }
 
     /** A copy that stays, just long enough. */
@@ -84,9 +90,17 @@ public final class RatioKernel {
                 : Arrays.stream(seen).map(column -> Arrays.copyOf(column, HitRows.padded(rows.count))).toArray(short[][]::new);
     }
 
-    private static float[][] weighted(HitRows rows, Luminaire light, float[] term, float[] falloff) {
+    private static float[][] weighted(HitRows rows, Luminaire light, float[] term, LightRows layer) {
         float[][] out = columns(rows);
-        for (int i = 0; i < rows.count; i++) {
+        float[][] tint = layer.tint;
+        for (int i = 0; i < rows.count && tint != null; i++) {
+            float falloff = layer.falloff == null ? 1 : layer.falloff[i];
+            out[0][i] = LightingEquation.contribution(light.red(), term[i], falloff, tint[0][i]);
+            out[1][i] = LightingEquation.contribution(light.green(), term[i], falloff, tint[1][i]);
+            out[2][i] = LightingEquation.contribution(light.blue(), term[i], falloff, tint[2][i]);
+        }
+        float[] falloff = layer.falloff;
+        for (int i = 0; i < rows.count && tint == null; i++) {
             float faded = falloff == null ? term[i] : term[i] * falloff[i];
             out[0][i] = light.red() * faded;
             out[1][i] = light.green() * faded;
@@ -107,6 +121,9 @@ public final class RatioKernel {
         IntensityRatio intensity = IntensityRatio.between(from, to);
         if (!intensity.isUsable()) {
             return full(rows, to);
+        }
+        if (before.tint() != null && !to.lamp().isArea()) {
+            return retinted(rows, to, before, cone);
         }
         if (before.lit() == 0 && cone != ConeChange.ANGLE_ADD) {
             return cone == ConeChange.NONE ? before : moved(rows, to, before, before, cone);
@@ -129,10 +146,18 @@ public final class RatioKernel {
         return now == known ? before : contributions(rows, light, now, Columns.FRESH.states(rows.count));
     }
 
-    /** A layer of which the states are known and what samples see. */
+    /** What passes of the light is one rounding more, which no bound of ratios counts: it is computed anew, without a ray. */
+    private RatioRows retinted(HitRows rows, Luminaire light, RatioRows before, ConeChange cone) {
+        scratch.reset();
+        LightRows known = known(before);
+        LightRows moved = cone == ConeChange.NONE ? known : exact.partial(rows, light.lamp(), known, cone, false, scratch);
+        return contributions(rows, light, exact.again(rows, light.lamp(), moved, scratch), Columns.FRESH.states(rows.count));
+    }
+
+    /** A layer of which the states are known, what samples see and what passes of the light. */
     private static LightRows known(RatioRows before) {
-        return new LightRows(before.states(), ZEROS, before.specular == null ? null : ZEROS, before.grazing == null ? null : ZEROS,
-                null, before.seen(), before.lit());
+        return new LightRows(before.states(), before.lit() == 0 ? null : ZEROS, before.specular == null ? null : ZEROS,
+                before.grazing == null ? null : ZEROS, null, before.seen(), before.lit()).withTint(before.tint());
     }
 
     private RatioRows scaled(HitRows rows, RatioRows before, IntensityRatio intensity, boolean falloff) {
@@ -142,7 +167,8 @@ public final class RatioKernel {
         rowsScaled += before.lit();
         return new RatioRows(before.states(), scaled(rows, before.diffuse, intensity, falloff),
                 before.specular == null ? null : scaled(rows, before.specular, intensity, falloff),
-                before.grazing == null ? null : scaled(rows, before.grazing, intensity, falloff), before.seen(), before.lit());
+                before.grazing == null ? null : scaled(rows, before.grazing, intensity, falloff), before.seen(), before.lit())
+                .withTint(before.tint());
     }
 
     private float[][] scaled(HitRows rows, float[][] from, IntensityRatio intensity, boolean falloff) {
@@ -180,9 +206,11 @@ public final class RatioKernel {
      */
     public RatioRows shadowed(HitRows rows, Luminaire light, RatioRows before, ShapeChange change) {
         scratch.reset();
-        LightRows known = new LightRows(before.states(), before.lit() == 0 ? null : ZEROS, before.specular == null ? null : ZEROS,
-                before.grazing == null ? null : ZEROS, null, before.lit());
+        LightRows known = known(before);
         LightRows now = exact.shadowed(rows, light.lamp(), known, change, scratch);
+        if (now != known && (now.tint != null || known.tint != null)) {
+            return contributions(rows, light, exact.again(rows, light.lamp(), now, scratch), Columns.FRESH.states(rows.count));
+        }
         return now == known ? before
                 : joined(rows, light, before, before, exact.partial(rows, light.lamp(), now, ConeChange.NONE, true, scratch));
     }
@@ -221,19 +249,20 @@ public final class RatioKernel {
     public RatioRows speculars(HitRows rows, Luminaire light, RatioRows before, MaterialSet changed) {
         if (before.lit() == 0 || !changed.isIn(rows)) {
             return before.grazing == null || exact.hasMetallic(rows) ? before
-                    : new RatioRows(before.states(), before.diffuse, before.specular, null, before.seen(), before.lit());
+                    : new RatioRows(before.states(), before.diffuse, before.specular, null, before.seen(), before.lit())
+                            .withTint(before.tint());
         }
         scratch.reset();
         LightRows known = known(before);
         LightRows now = exact.speculars(rows, light.lamp(), known, changed, scratch);
         if (now.specular == null && now.cosine == known.cosine) {
-            return new RatioRows(before.states(), before.diffuse, null, null, before.seen(), before.lit());
+            return new RatioRows(before.states(), before.diffuse, null, null, before.seen(), before.lit()).withTint(before.tint());
         }
         LightRows faded = exact.partial(rows, light.lamp(), now, ConeChange.NONE, true, scratch);
         return new RatioRows(before.states(),
                 now.cosine == known.cosine ? before.diffuse : anew(rows, light, faded, faded.cosine, before.diffuse, changed),
                 anew(rows, light, faded, faded.specular, before.specular, changed),
-                anew(rows, light, faded, faded.grazing, before.grazing, changed), before.seen(), before.lit());
+                anew(rows, light, faded, faded.grazing, before.grazing, changed), before.seen(), before.lit()).withTint(before.tint());
     }
 
     /** A term's contributions: of rows whose material did not change as they were, where they were any. */
@@ -241,7 +270,7 @@ public final class RatioKernel {
         if (term == null) {
             return null;
         }
-        float[][] now = weighted(rows, light, term, layer.falloff);
+        float[][] now = weighted(rows, light, term, layer);
         for (int r = 0; r < rows.runs && before != null; r++) {
             for (int i = rows.runStart(r); i < rows.runEnd[r] && !changed.contains(rows.runMaterial[r]); i++) {
                 take(before, now, i);
@@ -267,16 +296,21 @@ public final class RatioKernel {
         if (before.grazing == null && !exact.hasMetallic(splice.rows())) {
             known.removeAll(RatioRows.Column.GRAZING);
         }
+        if (before.tint() == null && (added == null || added.tint() == null)) {
+            known.removeAll(RatioRows.Column.TINT);
+        }
         known.removeIf(kind -> RatioRows.Column.SEEN.contains(kind) && !before.columns().has(kind)
                 && (added == null || !added.columns().has(kind)));
         ColumnSet<RatioRows.Column> columns = ColumnSet.room(RatioRows.Column.class, known, splice.rows().count);
-        splice.fill(columns, before.columns(), added == null ? null : added.columns());
+        splice.fill(columns, LightRows.plainlyTinted(before.columns(), RatioRows.Column.TINT),
+                added == null ? null : LightRows.plainlyTinted(added.columns(), RatioRows.Column.TINT));
         byte[] states = (byte[]) columns.get(RatioRows.Column.STATE);
         int lit = 0;
         for (byte state : states) {
             lit += (state & LightRows.STATE) == LightRows.LIT ? 1 : 0;
         }
         return lit == 0 ? new RatioRows(states, null, null, null, LightRows.seen(columns, RatioRows.Column.SEEN), 0)
+                .withTint(LightRows.colors(columns, RatioRows.Column.TINT))
                 : new RatioRows(columns, lit);
     }
 

@@ -29,10 +29,14 @@ public final class RatioRows implements LightLayer {
         SEEN_0(ElementType.SHORT),
         SEEN_1(ElementType.SHORT),
         SEEN_2(ElementType.SHORT),
-        SEEN_3(ElementType.SHORT);
+        SEEN_3(ElementType.SHORT),
+        TINT_RED(ElementType.FLOAT),
+        TINT_GREEN(ElementType.FLOAT),
+        TINT_BLUE(ElementType.FLOAT);
 
         static final List<Column> DIFFUSE = List.of(DIFFUSE_RED, DIFFUSE_GREEN, DIFFUSE_BLUE);
         static final List<Column> SEEN = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
+        static final List<Column> TINT = List.of(TINT_RED, TINT_GREEN, TINT_BLUE);
         static final List<Column> GRAZING = List.of(GRAZING_RED, GRAZING_GREEN, GRAZING_BLUE);
         static final List<Column> SPECULAR = List.of(SPECULAR_RED, SPECULAR_GREEN, SPECULAR_BLUE);
 
@@ -63,22 +67,26 @@ public final class RatioRows implements LightLayer {
     /** To which samples of its light each row's ways are free; see {@link LightRows#seen}. */
     private final short[][] seen;
 
+    /** What passes of the light on free ways, which contributions hold; see {@link LightRows#tint}. */
+    private final float[][] tint;
+
     private final ColumnSet<Column> columns;
 
     RatioRows(byte[] states, float[][] diffuse, float[][] specular, float[][] grazing, short[][] seen, int lit) {
         this(ColumnSet.of(Column.class, states, channel(diffuse, 0), channel(diffuse, 1), channel(diffuse, 2), channel(specular, 0),
                 channel(specular, 1), channel(specular, 2), channel(grazing, 0), channel(grazing, 1), channel(grazing, 2),
                 LightRows.samples(seen, 0), LightRows.samples(seen, 1),
-                LightRows.samples(seen, 2), LightRows.samples(seen, 3)), lit);
+                LightRows.samples(seen, 2), LightRows.samples(seen, 3), null, null, null), lit);
     }
 
     RatioRows(ColumnSet<Column> columns, int lit) {
         this.columns = columns;
         this.lit = lit;
         states = (byte[]) columns.get(Column.STATE);
-        diffuse = colors(columns, Column.DIFFUSE);
-        specular = colors(columns, Column.SPECULAR);
-        grazing = colors(columns, Column.GRAZING);
+        diffuse = LightRows.colors(columns, Column.DIFFUSE);
+        specular = LightRows.colors(columns, Column.SPECULAR);
+        grazing = LightRows.colors(columns, Column.GRAZING);
+        tint = LightRows.colors(columns, Column.TINT);
         seen = LightRows.seen(columns, Column.SEEN);
     }
 
@@ -86,9 +94,13 @@ public final class RatioRows implements LightLayer {
      * The columns that layers of a light may have.
      *
      * @param metallic whether any material is metallic
+     * @param tinted   whether light passes any
      */
-    public static Set<Column> columns(Light light, boolean metallic) {
+    public static Set<Column> columns(Light light, boolean metallic, boolean tinted) {
         Set<Column> columns = EnumSet.allOf(Column.class);
+        if (!tinted) {
+            columns.removeAll(Column.TINT);
+        }
         if (!metallic) {
             columns.removeAll(Column.GRAZING);
         }
@@ -100,9 +112,9 @@ public final class RatioRows implements LightLayer {
         return colors == null ? null : colors[c];
     }
 
-    private static float[][] colors(ColumnSet<Column> columns, List<Column> channels) {
-        return !columns.has(channels.getFirst()) ? null
-                : channels.stream().map(channel -> (float[]) columns.get(channel)).toArray(float[][]::new);
+    /** This layer, whose contributions hold these tints; null for none. */
+    RatioRows withTint(float[][] tints) {
+        return tints == tint ? this : new RatioRows(LightRows.with(columns, Column.TINT, tints), lit);
     }
 
     @Override
@@ -113,6 +125,11 @@ public final class RatioRows implements LightLayer {
     @Override
     public short[][] seen() {
         return seen;
+    }
+
+    @Override
+    public float[][] tint() {
+        return tint;
     }
 
     @Override

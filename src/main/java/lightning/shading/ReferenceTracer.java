@@ -14,6 +14,7 @@ import lightning.trace.Geometry;
 import lightning.trace.HitCode;
 import lightning.trace.MaterialTable;
 import lightning.trace.SurfacePoint;
+import lightning.trace.primitive.Crossings;
 import lightning.trace.tree.WayEnd;
 
 /**
@@ -114,9 +115,9 @@ public final class ReferenceTracer {
         for (int c = 0; c < 3; c++) {
             for (int l = 0; l < lights.length; l++) {
                 float weight = weight(lights[l], c);
-                diffuse[l] = LightingEquation.contribution(weight, terms[l][0], terms[l][2]);
-                specular[l] = LightingEquation.contribution(weight, terms[l][1], terms[l][2]);
-                grazing[l] = LightingEquation.contribution(weight, terms[l][3], terms[l][2]);
+                diffuse[l] = LightingEquation.contribution(weight, terms[l][0], terms[l][2], terms[l][4 + c]);
+                specular[l] = LightingEquation.contribution(weight, terms[l][1], terms[l][2], terms[l][4 + c]);
+                grazing[l] = LightingEquation.contribution(weight, terms[l][3], terms[l][2], terms[l][4 + c]);
             }
             color[c] = materials.isClear(material) ? clear(at, c, diffuse, specular, grazing, mirrored, refracted) : LightingEquation.color(
                     materials.ambient(material, c), (float) scene.world().ambience(),
@@ -135,9 +136,12 @@ public final class ReferenceTracer {
                 materials.reflective(at.material(), c), mirrored[c], refracted[c]);
     }
 
-    /** For each light its diffuse and specular term, falloff and grazing term at a point; all 0 where it does not reach. */
+    /**
+     * For each light its diffuse and specular term, falloff and grazing term at a point, and red, green and blue of what passes; all 0 where
+     * it does not reach.
+     */
     private float[][] terms(SurfacePoint at) {
-        float[][] terms = new float[lights.length][4];
+        float[][] terms = new float[lights.length][7];
         for (int l = 0; l < lights.length; l++) {
             Lamp lamp = lights[l].lamp();
             terms[l] = lamp.isArea() ? mean(lamp, at) : terms(lamp, at, ends[l]);
@@ -150,9 +154,11 @@ public final class ReferenceTracer {
         LightingEquation equation = equation(lamp, at);
         float cosine = equation.cosine(at.nx(), at.ny(), at.nz());
         if (state(lamp, at, end, equation, cosine) != LightRows.LIT) {
-            return new float[4];
+            return new float[7];
         }
-        return new float[] {diffuse(equation, at, cosine), specular(equation, at), equation.falloff(), grazing(equation, at)};
+        float[] tint = tint(lamp, end, at);
+        return new float[] {diffuse(equation, at, cosine), specular(equation, at), equation.falloff(), grazing(equation, at), tint[0], tint[1],
+            tint[2]};
     }
 
     /** The means over the samples of a larger light, falloff and all. */
@@ -161,15 +167,26 @@ public final class ReferenceTracer {
         double diffuse = 0;
         double specular = 0;
         double grazing = 0;
+        double[] tint = new double[3];
+        int free = 0;
         for (int s = 0; s < samples; s++) {
             Lamp sample = lamp.sample(LampArea.turn(at.px(), at.py(), at.pz()), s);
+            // Wherever its cone ends, a way that is free counts.
+            if (equation(sample, at).cosine(at.nx(), at.ny(), at.nz()) > 0 && isVisible(sample, end(sample), at)) {
+                float[] one = tint(sample, end(sample), at);
+                tint[0] += one[0];
+                tint[1] += one[1];
+                tint[2] += one[2];
+                free++;
+            }
             float[] terms = terms(sample, at, end(sample));
             diffuse += (double) terms[0] * terms[2];
             specular += (double) terms[1] * terms[2];
             grazing += (double) terms[3] * terms[2];
         }
         return new float[] {LightingEquation.mean(diffuse, samples), LightingEquation.mean(specular, samples), 1,
-            LightingEquation.mean(grazing, samples)};
+            LightingEquation.mean(grazing, samples), LightingEquation.mean(tint[0], free == 0 ? 1 : free),
+            LightingEquation.mean(tint[1], free == 0 ? 1 : free), LightingEquation.mean(tint[2], free == 0 ? 1 : free)};
     }
 
     private WayEnd end(Lamp sample) {
@@ -218,6 +235,19 @@ public final class ReferenceTracer {
                 : !casting.blockedByAny(new Ray(point, lamp.source()), Double.POSITIVE_INFINITY);
     }
 
+    /** What passes of a light on its free way to a point, red, green and blue. */
+    private float[] tint(Lamp lamp, WayEnd end, SurfacePoint at) {
+        Geometry casting = geometry.casting(lamp.light().shadowedBy());
+        Vec3 point = new Vec3(at.px(), at.py(), at.pz());
+        boolean ends = lamp.type().hasPosition();
+        Vec3 way = ends ? lamp.source().minus(point) : lamp.source();
+        var met = new Crossings();
+        casting.crossingsOfAll(new Ray(point, way), ends ? end : WayEnd.OPEN, ends ? 1 : Double.POSITIVE_INFINITY, met);
+        var transmittance = new Transmittance();
+        transmittance.of(geometry.primitives(), met, point, way, ends);
+        return transmittance.rgb;
+    }
+
     /**
      * Adds what anti-aliasing sees along a ray ({@link EdgeCodes}).
      *
@@ -251,11 +281,16 @@ public final class ReferenceTracer {
     private int look(int light, SurfacePoint at) {
         Lamp lamp = lights[light].lamp();
         if (lamp.isArea()) {
-            return EdgeCoder.code(light, farthest(lamp, at), false, 0);
+            return EdgeCoder.code(light, farthest(lamp, at), false, false, 0);
         }
         LightingEquation equation = equation(lamp, at);
-        return EdgeCoder.code(light, state(lamp, at, ends[light], equation, equation.cosine(at.nx(), at.ny(), at.nz())),
+        int state = state(lamp, at, ends[light], equation, equation.cosine(at.nx(), at.ny(), at.nz()));
+        return EdgeCoder.code(light, state, state == LightRows.LIT && isTinted(tint(lamp, ends[light], at)),
                 materials.isSpecular(at.material()), specular(equation, at));
+    }
+
+    private static boolean isTinted(float[] tint) {
+        return tint[0] != 1 || tint[1] != 1 || tint[2] != 1;
     }
 
     /** The state of the sample that comes farthest: lit where any is, else shadowed where any shines here. */

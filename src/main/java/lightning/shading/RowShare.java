@@ -88,7 +88,8 @@ public final class RowShare {
 
     private static float term(Luminaire light, LightRows layer, float[] term, int row, int c) {
         float weight = c == 0 ? light.red() : c == 1 ? light.green() : light.blue();
-        return term == null ? 0 : LightingEquation.contribution(weight, term[row], layer.falloff == null ? 1 : layer.falloff[row]);
+        return term == null ? 0 : LightingEquation.contribution(weight, term[row], layer.falloff == null ? 1 : layer.falloff[row],
+                layer.tint == null ? 1 : layer.tint[c][row]);
     }
 
     private static float column(float[][] columns, int row, int c) {

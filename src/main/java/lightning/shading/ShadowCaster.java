@@ -54,6 +54,10 @@ final class ShadowCaster {
     private final int[] doubtful = RowBits.room();
     private final int[] asked = RowBits.room();
     private final boolean casts;
+    /** Null where light passes no shape. */
+    private final TintCaster tints;
+    /** Whether ways to the area that it was turned to may pass clear shapes. */
+    private boolean tinted;
     private long rays;
 
     /** @param view whether any shape blocks a light, else all ways are free */
@@ -62,6 +66,7 @@ final class ShadowCaster {
         demands = Demands.of(view);
         this.geometry = geometry;
         this.tracer = tracer;
+        tints = casts && geometry.tinting() != null ? new TintCaster(geometry) : null;
     }
 
     /** Rows asked since the start: each a ray, but where it is certain beforehand that nothing is in the way. */
@@ -124,6 +129,79 @@ final class ShadowCaster {
         return any;
     }
 
+    /**
+     * Chooses rows on whose free ways to a light another part of it may pass.
+     *
+     * @param chosen gets the rows, as {@link RowBits}
+     * @return whether there are any
+     */
+    boolean chooseTints(HitRows rows, Lamp lamp, byte[] state, ShapeChange change, int[] chosen) {
+        Arrays.fill(chosen, 0);
+        if (rows.count == 0 || !casts || change.tints().isEmpty()) {
+            return false;
+        }
+        Ways way = bound(rows, lamp);
+        boolean any = false;
+        for (int i = 0; change.tints().touches(beam) && i < rows.count; i++) {
+            if ((state[i] & LightRows.CLEAR) != 0 && touches(rows, i, way, change.tints())) {
+                RowBits.add(chosen, i);
+                any = true;
+            }
+        }
+        return any;
+    }
+
+    /** Counts rows that are asked again, though it is known that their ways are free. */
+    void count(int[] asked, int count) {
+        rays += RowBits.count(asked, count);
+    }
+
+    /**
+     * What passes of a light on free ways.
+     *
+     * @param asked  rows of which nothing is known, as {@link RowBits}
+     * @param before what is known of others; null where it is 1
+     * @return red, green and blue columns; null where all are 1
+     */
+    float[][] tints(HitRows rows, Lamp lamp, int[] asked, float[][] before, Columns columns) {
+        if (before == null && (tints == null || RowBits.count(asked, rows.count) == 0)) {
+            return null;
+        }
+        Ways way = bound(rows, lamp);
+        boolean any = tints != null && tints.aim(beam);
+        if (before == null && !any) {
+            return null;
+        }
+        float[][] to = TintCaster.begun(rows, before, columns);
+        for (int i = 0; i < rows.count; i++) {
+            if (RowBits.contains(asked, i)) {
+                Vec3 source = way.source();
+                float[] tint = any ? tints.tint(rows, i, source.x(), source.y(), source.z(), way.ends()) : null;
+                for (int c = 0; c < 3; c++) {
+                    to[c][i] = tint == null ? 1 : tint[c];
+                }
+            }
+        }
+        return TintCaster.kept(rows, to);
+    }
+
+    /** Adds what passes on each row's free way to a sample of the area that it was turned to. */
+    void addTints(HitRows rows, RowWays way, int[] free, double[][] sums) {
+        for (int i = 0; i < rows.count; i++) {
+            if (RowBits.contains(free, i)) {
+                float[] tint = tinted ? tints.tint(rows, i, way.x[i], way.y[i], way.z[i], way.ends) : null;
+                for (int c = 0; c < 3; c++) {
+                    sums[c][i] += tint == null ? 1 : tint[c];
+                }
+            }
+        }
+    }
+
+    /** Whether any way to the area that it was turned to may pass clear shapes. */
+    boolean isTinted() {
+        return tinted;
+    }
+
     private boolean touches(HitRows rows, int i, Ways way, BoxSet boxes) {
         Vec3 to = way.source();
         double x = rows.px[i];
@@ -156,6 +234,7 @@ final class ShadowCaster {
         high = towards.high();
         this.toPoints = toPoints;
         sweep(rows.box(tracer));
+        tinted = tints != null && tints.aim(beam);
         collect();
         Arrays.fill(doubtful, -1);
         keepDoubtful(rows, doubtful, doubtful);

@@ -14,6 +14,8 @@ import lightning.scene.Links;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.trace.mesh.MeshProbe;
+import lightning.trace.primitive.Crossings;
 import lightning.trace.primitive.PrimitiveTable;
 import lightning.trace.solid.Form;
 import lightning.trace.solid.Touch;
@@ -39,6 +41,9 @@ public final class Geometry {
     /** Which primitives throw shadows; null where all do. */
     private final boolean[] casters;
     private final boolean throwsShadows;
+    /** The tree of those primitives that light passes and takes the colour of; null where it passes none. */
+    private final Bvh tinting;
+    private final boolean[] tinters;
     /** Whether any material throws no shadows. */
     private final boolean hasShadowless;
     /** The same shapes where some of them throw no shadow, by those that do. */
@@ -67,6 +72,8 @@ public final class Geometry {
         primitives = bvh.primitives;
         casters = null;
         throwsShadows = true;
+        tinting = null;
+        tinters = null;
         hasShadowless = materials.hasShadowless();
     }
 
@@ -81,11 +88,13 @@ public final class Geometry {
         bvh = shared.bvh;
         casters = shared.casters;
         throwsShadows = shared.throwsShadows;
+        tinting = shared.tinting;
+        tinters = shared.tinters;
         hasShadowless = materials.hasShadowless();
     }
 
     /** The same of which only some primitives throw shadows: the tree has no others. */
-    private Geometry(Geometry shared, boolean[] casters) {
+    private Geometry(Geometry shared, boolean[] casters, boolean[] tinters) {
         scene = shared.scene;
         shapes = shared.shapes;
         names = shared.names;
@@ -97,6 +106,8 @@ public final class Geometry {
         throwsShadows = IntStream.range(0, casters.length).anyMatch(s -> casters[s]);
         hasShadowless = shared.hasShadowless;
         bvh = throwsShadows ? shared.bvh.only(casters) : shared.bvh;
+        this.tinters = tinters;
+        tinting = tinters == null ? null : shared.bvh.only(tinters);
     }
 
     /** The form of the tree is another's. */
@@ -111,6 +122,8 @@ public final class Geometry {
         primitives = bvh.primitives;
         casters = null;
         throwsShadows = true;
+        tinting = null;
+        tinters = null;
         hasShadowless = materials.hasShadowless();
     }
 
@@ -126,6 +139,8 @@ public final class Geometry {
         primitives = bvh.primitives;
         casters = null;
         throwsShadows = true;
+        tinting = null;
+        tinters = null;
         hasShadowless = materials.hasShadowless();
     }
 
@@ -137,7 +152,7 @@ public final class Geometry {
 
     /** What ways to a light meet that some shapes do not shadow: primitives keep their indices and their boxes. */
     public Geometry casting(Links links) {
-        return links.isAll() && !hasShadowless ? this : casting.computeIfAbsent(links, asked -> new Geometry(this, casters(asked)));
+        return links.isAll() && !hasShadowless ? this : casting.computeIfAbsent(links, asked -> new Geometry(this, casters(asked), tinters(asked)));
     }
 
     /** Of each primitive whether it throws shadows in a light that linked shapes shadow; not to be written to. */
@@ -151,6 +166,48 @@ public final class Geometry {
             casters[s] &= material(s).clarity().throwsShadows();
         }
         return casters;
+    }
+
+    /** Of each primitive whether it gives its colour to the light that linked shapes shadow; null where none does. */
+    boolean[] tinters(Links links) {
+        if (!primitives.haveTints()) {
+            return null;
+        }
+        boolean[] tints = linked(links).clone();
+        boolean any = false;
+        for (int s = 0; s < tints.length; s++) {
+            tints[s] &= primitives.tint(s) != null;
+            any |= tints[s];
+        }
+        return any ? tints : null;
+    }
+
+    /** Of each primitive whether light passes it and takes its colour; null where it passes none; not to be written to. */
+    public boolean[] tinters() {
+        return tinters;
+    }
+
+    /** The tree of those primitives that light passes and takes the colour of; null where it passes none. */
+    public Bvh tinting() {
+        return tinting;
+    }
+
+    /**
+     * Writes where a way meets what light passes; every primitive is asked, and every triangle.
+     *
+     * @param end   {@link WayEnd#OPEN} for a ray
+     * @param limit 1 for a way to a point; {@code +∞} for a ray
+     */
+    public void crossingsOfAll(Ray way, WayEnd end, double limit, Crossings to) {
+        MeshProbe probe = new MeshProbe();
+        Vec3 o = way.origin();
+        Vec3 d = way.direction();
+        to.clear();
+        for (int s = 0; tinters != null && s < tinters.length; s++) {
+            if (tinters[s]) {
+                primitives.crossings(s, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), end.touches(s, o), limit, probe, true, to);
+            }
+        }
     }
 
     /** Whether any primitive throws a shadow; where none does, rays must not be asked. */

@@ -36,6 +36,7 @@ public final class ShapeChange {
     private final BoxSet seen;
     private final BoxSet gone;
     private final BoxSet come;
+    private final BoxSet tints;
 
     private ShapeChange() {
         before = null;
@@ -46,6 +47,7 @@ public final class ShapeChange {
         seen = BoxSet.NONE;
         gone = BoxSet.NONE;
         come = BoxSet.NONE;
+        tints = BoxSet.NONE;
     }
 
     /** @param before its materials keep their indices in {@code after} */
@@ -92,11 +94,12 @@ public final class ShapeChange {
         keepsIndices = IntStream.range(0, count).allMatch(s -> now[s] < 0 || now[s] == s);
         this.gone = BoxSet.of(before.bvh(), gone, goneCount);
         this.come = BoxSet.of(after.bvh(), come, comeCount);
+        tints = BoxSet.NONE;
         seen = this.gone.and(this.come).and(BoxSet.of(after.bvh(), painted, paintedCount));
     }
 
     /** The change of ways to a light alone. */
-    private ShapeChange(ShapeChange of, BoxSet gone, BoxSet come) {
+    private ShapeChange(ShapeChange of, BoxSet gone, BoxSet come, BoxSet tints) {
         before = of.before;
         after = of.after;
         now = of.now;
@@ -104,7 +107,8 @@ public final class ShapeChange {
         keepsIndices = of.keepsIndices;
         this.gone = gone;
         this.come = come;
-        seen = gone.and(come);
+        this.tints = tints;
+        seen = gone.and(come).and(tints);
     }
 
     /**
@@ -135,7 +139,27 @@ public final class ShapeChange {
             }
         }
         int[] come = IntStream.range(0, casts.length).filter(t -> casts[t] && !stays[t]).toArray();
-        return new ShapeChange(this, BoxSet.of(known.bvh(), gone, goneCount), BoxSet.of(later.bvh(), come, come.length));
+        return new ShapeChange(this, BoxSet.of(known.bvh(), gone, goneCount), BoxSet.of(later.bvh(), come, come.length),
+                tints(known, later, from, to));
+    }
+
+    /** Where light passes shapes as it did not, or passes no more, or otherwise. */
+    private BoxSet tints(Geometry known, Geometry later, Links from, Links to) {
+        boolean[] tint = known.tinters(from);
+        boolean[] tints = later.tinters(to);
+        int[] lost = new int[tint == null ? 0 : tint.length];
+        int lostCount = 0;
+        boolean[] stays = new boolean[later.primitiveCount()];
+        for (int s = 0; tint != null && s < tint.length; s++) {
+            int t = before == null ? s : now[s];
+            if (tint[s] && t >= 0 && tints != null && tints[t] && known.primitives().passesLightAs(s, later.primitives(), t)) {
+                stays[t] = true;
+            } else if (tint[s]) {
+                lost[lostCount++] = s;
+            }
+        }
+        int[] got = tints == null ? new int[0] : IntStream.range(0, tints.length).filter(t -> tints[t] && !stays[t]).toArray();
+        return BoxSet.of(known.bvh(), lost, lostCount).and(BoxSet.of(later.bvh(), got, got.length));
     }
 
     /** How many primitives, the first ones, have the same names. */
@@ -180,6 +204,11 @@ public final class ShapeChange {
     /** Where ways to lights that were free may be blocked: no other may. */
     public BoxSet come() {
         return come;
+    }
+
+    /** Where what passes of the light of free ways may be another. */
+    public BoxSet tints() {
+        return tints;
     }
 
     /** Whether every primitive that is the same has the index that it had. */

@@ -230,7 +230,7 @@ class GltfSurfacesTest {
                  'extensions': {'KHR_materials_transmission': {'transmissionFactor': 0.5}, 'KHR_materials_ior': {'ior': 1.33},
                    'KHR_materials_volume': {'thicknessFactor': 1, 'attenuationColor': [1, 0.5, 0.25], 'attenuationDistance': 3}}}""");
         assertThat(glass.clarity()).isEqualTo(new Clarity(new Rgb(0.4, 0.25, 0.125), 1.33, false, new Rgb(1, 0.5, 0.25), 3,
-                ShadowsThrown.FULL));
+                ShadowsThrown.TINTED));
         // Its clearest channel lets 0.4 pass, so 0.6 of this is half of the file's.
         assertThat(glass.base().times(0.6).r()).isCloseTo(0.4, within(1e-15));
         assertThat(glass.base().times(0.6).b()).isCloseTo(0.125, within(1e-15));
@@ -241,7 +241,7 @@ class GltfSurfacesTest {
         Material pane = material("""
                 {'pbrMetallicRoughness': {'metallicFactor': 0},
                  'extensions': {'KHR_materials_transmission': {'transmissionFactor': 1}}}""");
-        assertThat(pane.clarity()).isEqualTo(Clarity.NONE.withClear(Rgb.WHITE).withThin(true).withShadows(ShadowsThrown.NONE));
+        assertThat(pane.clarity()).isEqualTo(Clarity.NONE.withClear(Rgb.WHITE).withThin(true).withShadows(ShadowsThrown.TINTED));
         assertThat(pane.base()).isEqualTo(Rgb.BLACK);
     }
 

@@ -115,10 +115,9 @@ class NffImportTest {
             assertThat(m.clarity().clear()).isEqualTo(Rgb.grey(0.75));
             assertThat(m.clarity().ior()).isEqualTo(1.33);
             assertThat(m.clarity().thin()).isFalse();
-            assertThat(m.clarity().shadows()).isEqualTo(ShadowsThrown.NONE);
+            assertThat(m.clarity().shadows()).isEqualTo(ShadowsThrown.TINTED);
         });
         assertThat(read.scene().picture().depth()).isEqualTo(6);
-        assertThat(read.notes()).containsEntry("materials that light goes through, which throw no shadow here", 1);
     }
 
     @Test

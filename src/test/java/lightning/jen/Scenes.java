@@ -218,7 +218,7 @@ final class Scenes {
     private Clarity clarity() {
         return new Clarity(color(1), chance() ? 1.5 : 1 + 3 * random.nextDouble(), chance(), color(1),
                 chance() ? 1 : Math.abs(scale(1e-9, 1e9)),
-                chance() ? ShadowsThrown.FULL : ShadowsThrown.NONE);
+                ShadowsThrown.values()[random.nextInt(3)]);
     }
 
     private Cutout cutout() {

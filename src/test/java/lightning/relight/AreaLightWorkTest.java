@@ -108,11 +108,11 @@ class AreaLightWorkTest {
 
     @Test
     void samplesSeen_takeTwoBytesForEachSixteen() {
-        assertThat(LightRows.columns(large(StudioScene.key(LightType.POINT)), false)).contains(LightRows.Column.SEEN_0)
+        assertThat(LightRows.columns(large(StudioScene.key(LightType.POINT)), false, false)).contains(LightRows.Column.SEEN_0)
                 .doesNotContain(LightRows.Column.SEEN_1, LightRows.Column.FALLOFF);
         Light fine = StudioScene.key(LightType.POINT).withArea(new Area(1, 0, 0, 0, Vec3.Y, 33));
-        assertThat(LightRows.columns(fine, false)).contains(LightRows.Column.SEEN_2).doesNotContain(LightRows.Column.SEEN_3);
-        assertThat(LightRows.columns(StudioScene.key(LightType.POINT), false)).containsExactlyInAnyOrder(LightRows.Column.STATE,
+        assertThat(LightRows.columns(fine, false, false)).contains(LightRows.Column.SEEN_2).doesNotContain(LightRows.Column.SEEN_3);
+        assertThat(LightRows.columns(StudioScene.key(LightType.POINT), false, false)).containsExactlyInAnyOrder(LightRows.Column.STATE,
                 LightRows.Column.COSINE, LightRows.Column.SPECULAR, LightRows.Column.FALLOFF);
     }
 }

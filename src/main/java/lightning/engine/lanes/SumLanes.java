@@ -17,8 +17,34 @@ final class SumLanes implements Sums {
 
     private final float[] glow = new float[Terms.ROWS];
 
+    /** One channel, where light passed clear shapes. */
+    private static void tinted(int rows, Addends a, float[] weight, float[][] tint, float[][] sums, float[] to) {
+        for (int i = 0; i < rows; i += F.length()) {
+            FloatVector sum = tinted(i, a, weight, tint, 0, a.first).add(tinted(i, a, weight, tint, a.first, a.lights));
+            for (int s = 0; s < a.sums; s++) {
+                sum = sum.add(FloatVector.fromArray(F, sums[s], i));
+            }
+            sum.intoArray(to, i);
+        }
+    }
+
+    private static FloatVector tinted(int i, Addends a, float[] weight, float[][] tint, int from, int to) {
+        FloatVector sum = FloatVector.zero(F);
+        for (int l = from; l < to; l++) {
+            sum = sum.add(FloatVector.fromArray(F, a.term[l], i).mul(FloatVector.fromArray(F, a.falloff[l], i))
+                    .mul(FloatVector.fromArray(F, tint[l], i)).mul(weight[l]));
+        }
+        return sum;
+    }
+
     @Override
     public void sum(int rows, Addends a, float[][] to) {
+        if (a.tinted) {
+            tinted(rows, a, a.red, a.tintRed, a.sumRed, to[0]);
+            tinted(rows, a, a.green, a.tintGreen, a.sumGreen, to[1]);
+            tinted(rows, a, a.blue, a.tintBlue, a.sumBlue, to[2]);
+            return;
+        }
         for (int i = 0; i < rows; i += F.length()) {
             FloatVector r = FloatVector.zero(F);
             FloatVector g = r;

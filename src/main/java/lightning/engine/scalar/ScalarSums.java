@@ -9,20 +9,30 @@ import lightning.trace.HitRows;
 final class ScalarSums implements Sums {
     @Override
     public void sum(int rows, Addends addends, float[][] to) {
-        sum(rows, addends, addends.red, addends.sumRed, to[0]);
-        sum(rows, addends, addends.green, addends.sumGreen, to[1]);
-        sum(rows, addends, addends.blue, addends.sumBlue, to[2]);
+        sum(rows, addends, addends.red, addends.tintRed, addends.sumRed, to[0]);
+        sum(rows, addends, addends.green, addends.tintGreen, addends.sumGreen, to[1]);
+        sum(rows, addends, addends.blue, addends.tintBlue, addends.sumBlue, to[2]);
     }
 
     /** One channel. */
-    private static void sum(int rows, Addends addends, float[] weight, float[][] sums, float[] to) {
+    private static void sum(int rows, Addends addends, float[] weight, float[][] tint, float[][] sums, float[] to) {
         for (int i = 0; i < rows; i++) {
-            float sum = chain(i, addends, weight, 0, addends.first) + chain(i, addends, weight, addends.first, addends.lights);
+            float sum = addends.tinted
+                    ? chain(i, addends, weight, tint, 0, addends.first) + chain(i, addends, weight, tint, addends.first, addends.lights)
+                    : chain(i, addends, weight, 0, addends.first) + chain(i, addends, weight, addends.first, addends.lights);
             for (int s = 0; s < addends.sums; s++) {
                 sum += sums[s][i];
             }
             to[i] = sum;
         }
+    }
+
+    private static float chain(int i, Addends addends, float[] weight, float[][] tint, int from, int to) {
+        float sum = 0;
+        for (int l = from; l < to; l++) {
+            sum += addends.term[l][i] * addends.falloff[l][i] * tint[l][i] * weight[l];
+        }
+        return sum;
     }
 
     private static float chain(int i, Addends addends, float[] weight, int from, int to) {

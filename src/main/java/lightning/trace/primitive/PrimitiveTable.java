@@ -5,6 +5,7 @@ import java.util.List;
 import lightning.math.Transform;
 import lightning.math.Vec3;
 import lightning.scene.Cutout;
+import lightning.scene.Material;
 import lightning.scene.PlacedShape;
 import lightning.scene.Relief;
 import lightning.scene.Shape;
@@ -379,14 +380,7 @@ public final class PrimitiveTable {
         double vy = m[i + 4] * dx + m[i + 5] * dy + m[i + 6] * dz;
         double vz = m[i + 8] * dx + m[i + 9] * dy + m[i + 10] * dz;
         Form form = kind(s).form();
-        double t;
-        if (touch == Touch.NEITHER) {
-            t = form.distance(m, i, px, py, pz, vx, vy, vz);
-        } else {
-            double off = touch == Touch.START ? offEye(s) : offLight(s, far(ox, oy, oz, dx, dy, dz));
-            double margin = 2 * form.tip(m, i) * rate(s) * off / Math.sqrt(vx * vx + vy * vy + vz * vz);
-            t = form.distance(m, i, px, py, pz, vx, vy, vz, touch, margin);
-        }
+        double t = whole(form, i, s, px, py, pz, vx, vy, vz, touch, far(ox, oy, oz, dx, dy, dz));
         if (t == Form.MISS || cutout(s) == null) {
             return t;
         }
@@ -394,8 +388,79 @@ public final class PrimitiveTable {
         if (!holes.passes(0, t)) {
             return t;
         }
-        // A ray crosses a convex surface twice at most: where it comes in, and where it goes out.
-        double out = touch == Touch.NEITHER ? form.distance(m, i, px, py, pz, vx, vy, vz, Touch.START, 0) : Form.MISS;
-        return out > t && out < Form.MISS && !holes.passes(0, out) ? out : Form.MISS;
+        double out = last(form, i, px, py, pz, vx, vy, vz, touch, t);
+        return out < Form.MISS && !holes.passes(0, out) ? out : Form.MISS;
+    }
+
+    /** The distance in own space to a surface without holes; {@code far} is that of the way ({@link #far}). */
+    private double whole(Form form, int i, int s, double px, double py, double pz, double vx, double vy, double vz, Touch touch, double far) {
+        if (touch == Touch.NEITHER) {
+            return form.distance(data, i, px, py, pz, vx, vy, vz);
+        }
+        double off = touch == Touch.START ? offEye(s) : offLight(s, far);
+        double margin = 2 * form.tip(data, i) * rate(s) * off / Math.sqrt(vx * vx + vy * vy + vz * vz);
+        return form.distance(data, i, px, py, pz, vx, vy, vz, touch, margin);
+    }
+
+    /** The distance to where a ray that met a convex surface at {@code t} meets it once more, or {@code +∞}. */
+    private double last(Form form, int i, double px, double py, double pz, double vx, double vy, double vz, Touch touch, double t) {
+        double out = touch == Touch.NEITHER ? form.distance(data, i, px, py, pz, vx, vy, vz, Touch.START, 0) : Form.MISS;
+        return out > t ? out : Form.MISS;
+    }
+
+    /** Whether light on its way to a point passes any primitive. */
+    public boolean haveTints() {
+        return traits.haveTints();
+    }
+
+    /** The material of primitive {@code s} where light on its way to a point passes it; else null. */
+    public Material tint(int s) {
+        return traits.tint(s);
+    }
+
+    /** Whether light passes primitive {@code s} as it passes primitive {@code t} of another table. */
+    public boolean passesLightAs(int s, PrimitiveTable o, int t) {
+        return traits.passesLightAs(s, o.traits, t);
+    }
+
+    /**
+     * Adds all places where a way meets primitive {@code s} before a distance.
+     *
+     * @param ends  whether it ends on the primitive
+     * @param probe for meshes
+     * @param every whether each triangle of a mesh is asked
+     */
+    public void crossings(int s, double ox, double oy, double oz, double dx, double dy, double dz, boolean ends, double limit, MeshProbe probe,
+            boolean every, Crossings to) {
+        Touch touch = ends ? Touch.END : touch(s, ox, oy, oz);
+        Holes holes = cutout(s) == null ? null : holes(s, ox, oy, oz, dx, dy, dz);
+        if (mesh(s) != null) {
+            enter(probe, s, ox, oy, oz, dx, dy, dz, touch);
+            // What is passed is noted, and all is.
+            probe.sift((triangle, t) -> {
+                to.add(s, triangle, t, limit, holes);
+                return true;
+            });
+            if (every) {
+                probe.nearestOfAll();
+            } else {
+                probe.blocked(limit);
+            }
+            return;
+        }
+        double[] m = data;
+        int i = at[s];
+        double px = m[i] * ox + m[i + 1] * oy + m[i + 2] * oz + m[i + 3];
+        double py = m[i + 4] * ox + m[i + 5] * oy + m[i + 6] * oz + m[i + 7];
+        double pz = m[i + 8] * ox + m[i + 9] * oy + m[i + 10] * oz + m[i + 11];
+        double vx = m[i] * dx + m[i + 1] * dy + m[i + 2] * dz;
+        double vy = m[i + 4] * dx + m[i + 5] * dy + m[i + 6] * dz;
+        double vz = m[i + 8] * dx + m[i + 9] * dy + m[i + 10] * dz;
+        Form form = kind(s).form();
+        double t = whole(form, i, s, px, py, pz, vx, vy, vz, touch, far(ox, oy, oz, dx, dy, dz));
+        if (t < Form.MISS) {
+            to.add(s, 0, t, limit, holes);
+            to.add(s, 0, last(form, i, px, py, pz, vx, vy, vz, touch, t), limit, holes);
+        }
     }
 }

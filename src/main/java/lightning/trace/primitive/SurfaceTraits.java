@@ -20,11 +20,14 @@ final class SurfaceTraits {
     private final Clarity[] clarities;
     /** What is cut out of each primitive, null for nothing; null where there is nothing at all. */
     private final Cutout[] cutouts;
+    /** The material of each primitive that light passes, null for others; null where it passes none. */
+    private final Material[] tints;
 
     SurfaceTraits(Stage stage) {
         reliefs = each(stage, Material::relief, r -> !r.isFlat(), Relief[]::new);
         clarities = each(stage, Material::clarity, Clarity::isClear, Clarity[]::new);
         cutouts = each(stage, Material::cutout, Cutout::cuts, Cutout[]::new);
+        tints = each(stage, m -> m, m -> m.clarity().tintsLight(), Material[]::new);
     }
 
     private static <T> T[] each(Stage stage, Function<Material, T> trait, Predicate<T> counts, IntFunction<T[]> array) {
@@ -49,6 +52,23 @@ final class SurfaceTraits {
     /** What is cut out of primitive {@code s}; null for nothing. */
     Cutout cutout(int s) {
         return cutouts == null ? null : cutouts[s];
+    }
+
+    /** The material of primitive {@code s} where light on its way to a point passes it; else null. */
+    Material tint(int s) {
+        return tints == null ? null : tints[s];
+    }
+
+    /** Whether light passes any primitive. */
+    boolean haveTints() {
+        return tints != null;
+    }
+
+    /** Whether light passes primitive {@code s} as it passes primitive {@code t} of others. */
+    boolean passesLightAs(int s, SurfaceTraits o, int t) {
+        Material one = tint(s);
+        Material other = o.tint(t);
+        return one == other || one != null && other != null && one.passesLightAs(other) && isBentAs(s, o, t);
     }
 
     /** Whether anything is cut out of any primitive. */

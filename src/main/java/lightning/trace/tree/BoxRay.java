@@ -33,7 +33,7 @@ public final class BoxRay {
     }
 
     /** Whether the ray may meet the box {@code boxes[at … at + 5]} at a distance up to {@code limit}. */
-    boolean hits(float[] boxes, int at, double limit) {
+    public boolean hits(float[] boxes, int at, double limit) {
         double in = 0;
         double out = limit;
         double a = (boxes[at] - ox) * inverseX;

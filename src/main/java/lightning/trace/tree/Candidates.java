@@ -2,6 +2,7 @@ package lightning.trace.tree;
 
 import java.util.Arrays;
 import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import lightning.trace.primitive.PrimitiveTable;
 
 /**
@@ -32,6 +33,19 @@ public final class Candidates {
         c.boxes = new float[6 * c.count];
         for (int s = 0; s < c.count; s++) {
             System.arraycopy(bvh.boxes, bvh.leaf[s], c.boxes, 6 * s, 6);
+        }
+        c.masks = new int[c.count];
+        return c;
+    }
+
+    /** All primitives of a tree that has not all of a scene's. */
+    public static Candidates all(Bvh bvh, boolean[] kept) {
+        Candidates c = new Candidates();
+        c.primitive = IntStream.range(0, kept.length).filter(s -> kept[s]).toArray();
+        c.count = c.primitive.length;
+        c.boxes = new float[6 * c.count];
+        for (int i = 0; i < c.count; i++) {
+            System.arraycopy(bvh.boxes, bvh.leaf[c.primitive[i]], c.boxes, 6 * i, 6);
         }
         c.masks = new int[c.count];
         return c;

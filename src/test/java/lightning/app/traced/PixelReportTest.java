@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 class PixelReportTest {
     private static LightReport light(String name, LightReport.State state, float diffuse) {
         return new LightReport(Light.of(name, LightType.DIRECTIONAL), state, -1, 1, 1, 1, 0, 0, 1,
-                new float[] {diffuse, diffuse, diffuse}, new float[3], new float[3]);
+                new float[] {diffuse, diffuse, diffuse}, new float[3], new float[3], new float[] {1, 1, 1});
     }
 
     private static PixelReport report(List<LightReport> lights, List<LightReport> sky) {

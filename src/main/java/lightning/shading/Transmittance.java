@@ -1,0 +1,65 @@
+package lightning.shading;
+
+import lightning.math.Vec3;
+import lightning.scene.Clarity;
+import lightning.scene.Material;
+import lightning.trace.Refraction;
+import lightning.trace.primitive.Crossings;
+import lightning.trace.primitive.PrimitiveTable;
+import lightning.trace.primitive.Surface;
+
+/**
+ * What is left of light that passes clear shapes on its straight way to a point, as if nothing bent it: at each surface the share that a ray
+ * seen through it has, (1 − m)·kt, by the angle from outside, and T on each way inside. Holds scratch memory: one for each thread.
+ */
+final class Transmittance {
+    private final Surface surface = new Surface();
+    private final float[] tint = new float[3];
+    /** Red, green, blue, 0…1. */
+    final float[] rgb = new float[3];
+
+    /**
+     * Computes {@link #rgb}; whether any of it is not 1.
+     *
+     * @param met  where the way meets what light passes
+     * @param ends whether it leads to a point, at distance 1; else it has no end
+     */
+    boolean of(PrimitiveTable primitives, Crossings met, Vec3 from, Vec3 way, boolean ends) {
+        return of(primitives, met, from.x(), from.y(), from.z(), way.x(), way.y(), way.z(), ends);
+    }
+
+    /** The same of a way of coordinates. */
+    boolean of(PrimitiveTable primitives, Crossings met, double ox, double oy, double oz, double dx, double dy, double dz, boolean ends) {
+        rgb[0] = 1;
+        rgb[1] = 1;
+        rgb[2] = 1;
+        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        float vx = (float) (dx / length);
+        float vy = (float) (dy / length);
+        float vz = (float) (dz / length);
+        double last = 0;
+        Clarity entered = null;
+        for (int i = 0; i < met.count; i++) {
+            double t = met.t[i];
+            Material material = primitives.tint(met.primitive[i]);
+            Clarity clarity = material.clarity();
+            surface.at(primitives, met.primitive[i], met.part[i], ox, oy, oz, dx, dy, dz, t);
+            boolean leaves = surface.isInside() && !clarity.thin();
+            ClearSums.tint(clarity, leaves ? (float) ((t - last) * length) : -1, tint);
+            float share = Refraction.mirrored(clarity, false, surface.nx, surface.ny, surface.nz, vx, vy, vz);
+            for (int c = 0; c < 3; c++) {
+                rgb[c] *= LightingEquation.passed(ClearSums.channel(material.reflective(), c), share, ClearSums.channel(clarity.clear(), c))
+                        * tint[c];
+            }
+            entered = surface.isInside() || clarity.thin() ? null : clarity;
+            last = t;
+        }
+        if (ends && entered != null) {
+            ClearSums.tint(entered, (float) ((1 - last) * length), tint);
+            for (int c = 0; c < 3; c++) {
+                rgb[c] *= tint[c];
+            }
+        }
+        return rgb[0] != 1 || rgb[1] != 1 || rgb[2] != 1;
+    }
+}
