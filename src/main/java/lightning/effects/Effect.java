@@ -53,9 +53,11 @@ public final class Effect {
     public static final Effect CLEAR = named("clear", "clear materials",
             uses -> uses.materials(m -> m.clarity().isClear() || !m.clarity().throwsShadows()),
             scene -> Without.materials(scene, m -> m.withClarity(Clarity.NONE)), UnaryOperator.identity(), false);
-    public static final Effect TINTED_SHADOWS = named("tinted-shadows", "tinted shadows", uses -> uses.materials(m -> m.clarity().tintsLight()),
-            scene -> Without.materials(scene, m -> m.clarity().tintsLight()
-                    ? m.withClarity(m.clarity().withShadows(ShadowsThrown.FULL)) : m), UnaryOperator.identity(), false);
+    public static final Effect TINTED_SHADOWS =
+            named("tinted-shadows", "tinted shadows", uses -> uses.materials(m -> m.clarity().tintsLight()),
+                    scene -> Without.materials(scene, m -> m.clarity().tintsLight()
+                            ? m.withClarity(m.clarity().withShadows(ShadowsThrown.FULL)) : m),
+                    UnaryOperator.identity(), false);
     public static final Effect ATTENUATION =
             named("attenuation", "attenuation", uses -> uses.lights(l -> l.type().hasPosition() && !l.attenuation().isNone()),
                     scene -> Without.lights(scene, l -> l.withAttenuation(Attenuation.NONE)));

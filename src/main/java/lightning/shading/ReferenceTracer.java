@@ -157,7 +157,8 @@ public final class ReferenceTracer {
             return new float[7];
         }
         float[] tint = tint(lamp, end, at);
-        return new float[] {diffuse(equation, at, cosine), specular(equation, at), equation.falloff(), grazing(equation, at), tint[0], tint[1],
+        return new float[] {diffuse(equation, at, cosine), specular(equation, at), equation.falloff(), grazing(equation, at), tint[0],
+            tint[1],
             tint[2]};
     }
 

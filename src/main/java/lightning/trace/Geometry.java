@@ -152,7 +152,8 @@ public final class Geometry {
 
     /** What ways to a light meet that some shapes do not shadow: primitives keep their indices and their boxes. */
     public Geometry casting(Links links) {
-        return links.isAll() && !hasShadowless ? this : casting.computeIfAbsent(links, asked -> new Geometry(this, casters(asked), tinters(asked)));
+        return links.isAll() && !hasShadowless ? this
+                : casting.computeIfAbsent(links, asked -> new Geometry(this, casters(asked), tinters(asked)));
     }
 
     /** Of each primitive whether it throws shadows in a light that linked shapes shadow; not to be written to. */

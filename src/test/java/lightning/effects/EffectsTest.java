@@ -125,7 +125,8 @@ class EffectsTest {
     @Test
     void bird_callsForNoneOfTheLightsAndSurfacesThatItLacks() throws Exception {
         assertThat(Effects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).absent()).containsExactly(Effect.METALLIC,
-                Effect.CUTOUTS, Effect.BUMPS, Effect.VERTEX_COLORS, Effect.CLEAR, Effect.TINTED_SHADOWS, Effect.BARN_DOORS, Effect.GOBOS, Effect.PROFILES, Effect.LIGHT_LINKS,
+                Effect.CUTOUTS, Effect.BUMPS, Effect.VERTEX_COLORS, Effect.CLEAR, Effect.TINTED_SHADOWS, Effect.BARN_DOORS, Effect.GOBOS,
+                Effect.PROFILES, Effect.LIGHT_LINKS,
                 Effect.SHADOW_LINKS,
                 Effect.BANKS, Effect.SOFT_SHADOWS, Effect.ANTIALIASING, Effect.ENVIRONMENT, Effect.of("rect-lights"),
                 Effect.of("disc-lights"),

@@ -393,7 +393,8 @@ public final class PrimitiveTable {
     }
 
     /** The distance in own space to a surface without holes; {@code far} is that of the way ({@link #far}). */
-    private double whole(Form form, int i, int s, double px, double py, double pz, double vx, double vy, double vz, Touch touch, double far) {
+    private double whole(Form form, int i, int s, double px, double py, double pz, double vx, double vy, double vz, Touch touch,
+            double far) {
         if (touch == Touch.NEITHER) {
             return form.distance(data, i, px, py, pz, vx, vy, vz);
         }
@@ -430,7 +431,8 @@ public final class PrimitiveTable {
      * @param probe for meshes
      * @param every whether each triangle of a mesh is asked
      */
-    public void crossings(int s, double ox, double oy, double oz, double dx, double dy, double dz, boolean ends, double limit, MeshProbe probe,
+    public void crossings(int s, double ox, double oy, double oz, double dx, double dy, double dz, boolean ends, double limit,
+            MeshProbe probe,
             boolean every, Crossings to) {
         Touch touch = ends ? Touch.END : touch(s, ox, oy, oz);
         Holes holes = cutout(s) == null ? null : holes(s, ox, oy, oz, dx, dy, dz);
