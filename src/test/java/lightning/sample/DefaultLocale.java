@@ -1,6 +1,7 @@
 package lightning.sample;
 
 import java.util.Locale;
+import java.util.ResourceBundle;
 import java.util.concurrent.Callable;
 
 /** Another default locale for a while, to show that nothing follows it: the one place that may ask for it. */
@@ -22,5 +23,10 @@ public final class DefaultLocale {
         } finally {
             Locale.setDefault(before);
         }
+    }
+
+    /** What a bundle of others has for the locale that is the default. */
+    public static String text(String bundle, String key) {
+        return ResourceBundle.getBundle(bundle).getString(key);
     }
 }

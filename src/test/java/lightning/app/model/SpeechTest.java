@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.ResourceBundle;
 import lightning.edit.FileThread;
 import lightning.sample.DefaultLocale;
 import org.junit.jupiter.api.Test;
@@ -20,7 +19,7 @@ class SpeechTest {
         String before = System.setProperty(Speech.PROPERTY, asked);
         try {
             Speech.begin(new Preferences(folder, new FileThread(Runnable::run)));
-            return ResourceBundle.getBundle(TOOLKIT).getString("Dialog.cancel.button");
+            return DefaultLocale.text(TOOLKIT, "Dialog.cancel.button");
         } finally {
             System.setProperty(Speech.PROPERTY, before == null ? "" : before);
             Speech.begin(new Preferences(folder, new FileThread(Runnable::run)));
