@@ -31,7 +31,6 @@ import org.jgroups.protocols.pbcast.STABLE;
 import org.jgroups.stack.DiagnosticsHandler;
 import org.jgroups.util.DefaultSocketFactory;
 import org.jgroups.util.DefaultThreadFactory;
-import org.jgroups.util.TLSClientAuth;
 import org.jgroups.util.UUID;
 
 /** A network of members that show the same certificate: JGroups over TLS, both sides of a connection known. */
@@ -91,7 +90,7 @@ public final class TlsNetwork implements Network {
         tcp.setSockConnTimeout(HANDSHAKE_MILLISECONDS);
         // A process that is killed is known to be gone when its connection ends.
         tcp.enableSuspectEvents(true);
-        tcp.tls().enabled(true).setSSLContext(context).setClientAuth(TLSClientAuth.NEED).setProtocols(new String[] {"TLSv1.3"});
+        tcp.tls(new LimitedHandshakes(context));
         return tcp;
     }
 
