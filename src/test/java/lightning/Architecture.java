@@ -62,7 +62,7 @@ final class Architecture {
             row("trace.primitive", "math scene trace.solid trace.mesh"),
             row("trace.tree", "math trace.solid trace.mesh trace.primitive"),
             row("trace", "math column mesh scene trace.solid trace.mesh trace.primitive trace.tree"),
-            row("shading", "math column scene effects image trace.tree trace"),
+            row("shading", "math column scene effects image trace.tree trace trace.mesh trace.primitive"),
             row("engine", "trace shading"),
             row("engine.scalar", "math scene trace.primitive trace.tree trace shading engine"),
             row("engine.lanes", "math scene trace.solid trace.mesh trace.primitive trace.tree trace shading engine engine.scalar"),

@@ -47,8 +47,8 @@ final class TintCaster {
     /**
      * What passes of the light on a way from a row; valid until the next.
      *
-     * @param to   the point that it leads to, or its direction
-     * @param ends whether it is a point
+     * @param toX   of the point that it leads to, or of its direction; likewise {@code toY} and {@code toZ}
+     * @param leads whether it is a point
      * @return red, green and blue, or null where all passes
      */
     float[] tint(HitRows rows, int i, double toX, double toY, double toZ, boolean leads) {
