@@ -160,7 +160,7 @@ public final class Workbench implements AutoCloseable {
     }
 
     /** The same as a step of its own, and selects something then: who shows the document hears of both at once. */
-    public Optional<String> edit(Change change, Selection then) {
+    public Optional<String> editAndSelect(Change change, Selection then) {
         Optional<String> refusal = document.apply(change, null);
         if (refusal.isEmpty()) {
             document.select(then);

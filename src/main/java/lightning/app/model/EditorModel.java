@@ -323,7 +323,7 @@ public final class EditorModel implements AutoCloseable {
     public Optional<String> editAndSelect(Function<Scene, Change> edit, String node) {
         say("");
         materials.inFrontProperty().set(false);
-        return workbench.edit(edit.apply(document().scene()), new Selection.OfNode(node));
+        return workbench.editAndSelect(edit.apply(document().scene()), new Selection.OfNode(node));
     }
 
     /** The frame of the shot that is shown; empty where the scene has none. */
