@@ -185,6 +185,10 @@ final class ClusterPace {
     private static void awaitAll(RelitShot shot) throws InterruptedException {
         while (!shot.isIdle()) {
             shot.awaitIdle();
+            if (!shot.isIdle()) {
+                // Nobody is there at the moment.
+                Thread.sleep(1);
+            }
         }
     }
 
