@@ -145,7 +145,8 @@ public final class CommandPalette extends Stage {
                 place.setText(offer.place());
                 key.setText(model.keys().text(offer.command()));
                 key.setVisible(!key.getText().isEmpty());
-                row.setOpacity(offer.reason().isEmpty() ? 1 : 0.5);
+                // As the notes are, which can be read; half as opaque it could not.
+                title.getStyleClass().setAll("label", offer.reason().isEmpty() ? "palette-title" : "pane-note");
                 setAccessibleText(offer.title() + offer.reason().map(r -> Texts.of(", not now: {0}", r)).orElse(""));
             }
         }
