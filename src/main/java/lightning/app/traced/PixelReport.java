@@ -61,7 +61,7 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<Lig
      */
     String headline(String values) {
         String place = x + ", " + y + "  " + (shape.isEmpty() ? Texts.of("background") : shape) + "  " + values;
-        return place + "\n" + (normal == null ? ""
+        return place + "\n" + (normal == null ? " "
                 : String.format(Texts.locale(), Texts.of("normal %.2f %.2f %.2f"), normal.x(), normal.y(), normal.z()));
     }
 

@@ -42,7 +42,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private static final Insets BADGES = new Insets(12);
     private static final double ZOOM = 1.5;
     /** As many lines as are told of a pixel, so that the picture keeps its room. */
-    private static final String NO_PIXEL = "\n";
+    private static final String NO_PIXEL = " \n ";
 
     private final EditorModel model;
     private final PictureView picture = new PictureView();

@@ -77,6 +77,17 @@ class TracedPaneTest extends EditorDesk {
     }
 
     @Test
+    void picture_staysWhereItIsUnderThePointer() {
+        Point2D before = pixel(32, 24);
+        robot.moveTo(before);
+        waitFor("it tells", () -> text("pixel").contains("ball"));
+        assertThat(pixel(32, 24)).isEqualTo(before);
+        robot.moveTo(pixel(0, 0));
+        waitFor("it tells", () -> !text("pixel").contains("ball"));
+        assertThat(pixel(32, 24)).isEqualTo(before);
+    }
+
+    @Test
     void aim_turnsTheSelectedLightToThePickedPoint() {
         robot.interact(() -> {
             model().selectLight("stage");
