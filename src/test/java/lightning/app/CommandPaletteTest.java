@@ -72,13 +72,13 @@ class CommandPaletteTest extends EditorDesk {
     @Test
     void keyThatIsGiven_isHeardAtOnceAndTheOldOneNoMore() {
         listenFor(Command.DUPLICATE_LIGHT);
-        robot.push(KeyCode.CONTROL, KeyCode.K);
+        robot.push(KeyCode.CONTROL, KeyCode.J);
         closeKeys();
-        robot.push(KeyCode.CONTROL, KeyCode.K);
+        robot.push(KeyCode.CONTROL, KeyCode.J);
         assertThat(model().lights()).hasSize(4);
         robot.push(KeyCode.CONTROL, KeyCode.D);
         assertThat(model().lights()).hasSize(4);
-        assertThat(text(Command.DUPLICATE_LIGHT)).isEqualTo("Ctrl+K");
+        assertThat(text(Command.DUPLICATE_LIGHT)).isEqualTo("Ctrl+J");
     }
 
     /** The key that the menu bar shows. */
