@@ -124,7 +124,7 @@ class RelightCommandTest {
     @ParameterizedTest
     @MethodSource("casesOfAllScenes")
     void everyCaseOfEveryScene_isVerified(Path file, String name) {
-        Cli relit = Cli.run("relight", file, "-o", picture, "--case", name, "--size", "36x24", "--update-reflections", "--verify",
+        Cli relit = Cli.run("relight", file, "-o", picture, "--case", name, "--size", "18x12", "--update-reflections", "--verify",
                 "--no-savings");
         assertThat(relit.isDone().out()).contains("Verified: equal to a full trace in every bit").doesNotContain("NOT KEPT");
     }

@@ -32,7 +32,7 @@ import org.junit.jupiter.api.io.TempDir;
  * against its full trace. {@code -Dlightning.kills=100} kills as often, and stops every tenth for so long that it counts as lost.
  */
 final class NodeKillTest {
-    private static final int KILLS = Integer.getInteger("lightning.kills", 3);
+    private static final int KILLS = Integer.getInteger("lightning.kills", 1);
     private static final int NODES = 3;
     private static final int LAST = 12;
     private static final long PATIENCE_NANOSECONDS = 240_000_000_000L;
