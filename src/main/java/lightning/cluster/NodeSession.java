@@ -125,15 +125,7 @@ final class NodeSession implements AutoCloseable {
             if (isOutdated(wish)) {
                 throw new CancellationException();
             }
-            FrameUpdate update = keeper.bring(wish.frame(), take, new Progress() {
-                @Override
-                public void tiles(int done, int total) {}
-
-                @Override
-                public boolean isCancelled() {
-                    return cancelled.get();
-                }
-            });
+            FrameUpdate update = keeper.bring(wish.frame(), take, Progress.until(cancelled::get));
             synchronized (this) {
                 shown.put(wish.frame(), wish.call());
             }

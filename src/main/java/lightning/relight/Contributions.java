@@ -71,7 +71,7 @@ public record Contributions(List<Contribution> lights, Optional<Contribution> en
         double inRegion = region.luminance(picture);
         List<Contribution> lights = new ArrayList<>();
         int total = scene.lights().size() + 1;
-        Progress silent = new Silent(progress);
+        Progress silent = progress.silent();
         try (Renderer renderer = new Renderer(options)) {
             for (Light one : scene.lights()) {
                 progress.tiles(lights.size(), total);
@@ -138,18 +138,5 @@ public record Contributions(List<Contribution> lights, Optional<Contribution> en
         Set<String> dark = new HashSet<>();
         lights.forEach(dark::add);
         return scene.withLights(scene.lights().stream().map(l -> dark.contains(l.name()) ? l.withOn(false) : l).toList());
-    }
-
-    /** Hears nothing of tiles, and stops with the other. */
-    private record Silent(Progress of) implements Progress {
-        @Override
-        public void tiles(int done, int total) {
-            // Lights are counted, not tiles.
-        }
-
-        @Override
-        public boolean isCancelled() {
-            return of.isCancelled();
-        }
     }
 }

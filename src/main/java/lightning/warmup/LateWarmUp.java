@@ -44,15 +44,7 @@ public final class LateWarmUp implements AutoCloseable {
     }
 
     private Progress stop() {
-        return new Progress() {
-            @Override
-            public void tiles(int done, int total) {}
-
-            @Override
-            public boolean isCancelled() {
-                return closed.getCount() == 0;
-            }
-        };
+        return Progress.until(() -> closed.getCount() == 0);
     }
 
     @Override

@@ -1,5 +1,7 @@
 package lightning.work;
 
+import java.util.function.BooleanSupplier;
+
 /** Hears how far a long work is, and may stop it. Called from any worker thread. */
 public interface Progress {
     /** {@code done} of {@code total} tiles are finished. */
@@ -35,26 +37,22 @@ public interface Progress {
 
     /** Stops with this one and hears nothing: for the parts of a work that is shown as a whole. */
     default Progress silent() {
-        Progress whole = this;
+        return until(this::isCancelled);
+    }
+
+    /** Hears nothing, and stops when it is so: asked on any worker's thread. */
+    static Progress until(BooleanSupplier stops) {
         return new Progress() {
             @Override
             public void tiles(int done, int total) {}
 
             @Override
             public boolean isCancelled() {
-                return whole.isCancelled();
+                return stops.getAsBoolean();
             }
         };
     }
 
     /** Hears nothing and never stops. */
-    Progress NONE = new Progress() {
-        @Override
-        public void tiles(int done, int total) {}
-
-        @Override
-        public boolean isCancelled() {
-            return false;
-        }
-    };
+    Progress NONE = until(() -> false);
 }

@@ -31,17 +31,7 @@ final class ContributionFeed implements AutoCloseable {
     <T> void ask(Function<Progress, Optional<T>> answer, Consumer<T> heard, Consumer<Throwable> failed) {
         var own = new Object();
         newest.set(own);
-        Progress progress = new Progress() {
-            @Override
-            public void tiles(int done, int total) {
-                // It is short.
-            }
-
-            @Override
-            public boolean isCancelled() {
-                return newest.get() != own;
-            }
-        };
+        Progress progress = Progress.until(() -> newest.get() != own);
         thread.execute(() -> {
             if (progress.isCancelled()) {
                 return;

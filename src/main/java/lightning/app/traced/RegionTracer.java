@@ -29,15 +29,7 @@ final class RegionTracer implements AutoCloseable {
         thread.execute(() -> {
             try (var workers = new Workers(Workers.available())) {
                 var tracer = new TraditionalTracer(scene, geometry.apply(scene));
-                heard.accept(tracer.trace(workers, tiles(scene, region), new Progress() {
-                    @Override
-                    public void tiles(int done, int total) {}
-
-                    @Override
-                    public boolean isCancelled() {
-                        return newest != own;
-                    }
-                }).film());
+                heard.accept(tracer.trace(workers, tiles(scene, region), Progress.until(() -> newest != own)).film());
             } catch (CancellationException e) {
                 // A newer region is being traced.
             } catch (RuntimeException | OutOfMemoryError e) {

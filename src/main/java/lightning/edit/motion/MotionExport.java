@@ -64,15 +64,7 @@ public record MotionExport(Scene scene, String light, MotionPath path, int pictu
      * @throws CancellationException if the listener asked for it; the pictures that are finished stay
      */
     public void write(Path folder, String name, Listener listener) throws IOException {
-        Progress stop = new Progress() {
-            @Override
-            public void tiles(int done, int total) {}
-
-            @Override
-            public boolean isCancelled() {
-                return listener.isCancelled();
-            }
-        };
+        Progress stop = Progress.until(listener::isCancelled);
         try (var _ = new LateWarmUp(scene(0)); var renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.CURRENT))) {
             for (int i = 0; i < pictures; i++) {
                 renderer.render(scene(i), stop);
