@@ -37,25 +37,12 @@ public final class FrameRun {
             throws IOException {
         try (var _ = new LateWarmUp(scene.apply(frames.getFirst())); var renderer = new Renderer(options)) {
             for (int frame : frames) {
-                Update update = render(renderer, scene.apply(frame), progress);
+                Update update = renderer.renderOrForget(scene.apply(frame), progress);
                 if (progress.isCancelled()) {
                     throw new CancellationException();
                 }
                 listener.rendered(frame, renderer.film(), update);
             }
-        }
-    }
-
-    /** A first pass that does not fit beside what is known of the frame before begins without that. */
-    private static Update render(Renderer renderer, Scene scene, Progress progress) {
-        try {
-            return renderer.render(scene, progress);
-        } catch (PictureTooLarge e) {
-            if (!renderer.hasPicture()) {
-                throw e;
-            }
-            renderer.forget();
-            return renderer.render(scene, progress);
         }
     }
 }

@@ -108,6 +108,24 @@ public final class Renderer implements AutoCloseable {
     }
 
     /**
+     * The same; where a first pass does not fit beside what is known of the picture, it begins without that.
+     *
+     * @throws PictureTooLarge       if it does not fit even so; nothing is known then
+     * @throws CancellationException likewise
+     */
+    public Update renderOrForget(Scene wanted, Progress progress) {
+        try {
+            return render(wanted, progress);
+        } catch (PictureTooLarge e) {
+            if (!hasPicture()) {
+                throw e;
+            }
+            forget();
+            return render(wanted, progress);
+        }
+    }
+
+    /**
      * Does what was planned; where something else is known of the picture since, it is planned anew.
      *
      * @param planned by {@link #plan}

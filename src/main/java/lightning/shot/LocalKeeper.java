@@ -6,7 +6,6 @@ import java.util.ArrayDeque;
 import java.util.Optional;
 import lightning.cache.PixelCache;
 import lightning.image.Film;
-import lightning.relight.PictureTooLarge;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
 import lightning.relight.plan.Accuracy;
@@ -63,7 +62,7 @@ public final class LocalKeeper implements FrameKeeper {
             PixelCache kept = shelf.get(frame);
             renderer.restore(kept);
             renderer.share(kept == null ? shapes() : null);
-            Update update = render(renderer, wanted, progress);
+            Update update = renderer.renderOrForget(wanted, progress);
             shelf.put(frame, renderer.cache(), kept);
             keepShapes(renderer.cache().geometry());
             Film film = renderer.film();
@@ -72,19 +71,6 @@ public final class LocalKeeper implements FrameKeeper {
         } finally {
             renderer.forget();
             giveBack(renderer);
-        }
-    }
-
-    /** What does not fit beside what is known of the frame begins without that. */
-    private static Update render(Renderer renderer, Scene scene, Progress progress) {
-        try {
-            return renderer.render(scene, progress);
-        } catch (PictureTooLarge e) {
-            if (!renderer.hasPicture()) {
-                throw e;
-            }
-            renderer.forget();
-            return renderer.render(scene, progress);
         }
     }
 
