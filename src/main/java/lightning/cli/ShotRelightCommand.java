@@ -70,9 +70,8 @@ final class ShotRelightCommand implements Callable<Integer> {
     private ClusterOption cluster;
     @ArgGroup(exclusive = true, multiplicity = "1..*", heading = "Edits:%n")
     private List<EditStep> steps;
-    @Option(names = "--frames", paramLabel = "FIRST-LAST", converter = FrameRange.Converter.class,
-            description = "Which frames, as in 1-240 or 17; those of the shot without it.")
-    private FrameRange frames;
+    @Mixin
+    private FramesOption frames;
     @Option(names = "--memory", paramLabel = "GB",
             description = "How much memory frames may take while nobody works on them; as much as Java has without it.")
     private Double memory;
@@ -95,7 +94,7 @@ final class ShotRelightCommand implements Callable<Integer> {
             throw new BadInput("--memory must be 0 or more, was " + memory);
         }
         JenDocument document = input.read();
-        ShotFrames shot = ShotFrames.of(document, input.path(), frames);
+        ShotFrames shot = frames.of(document, input.path());
         Take first = new Take(picture.apply(document.scene()), shot.shot());
         shot.check(first.scene());
         List<Take> edited = edited(document.scene(), shot.shot());

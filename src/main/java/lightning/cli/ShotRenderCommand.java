@@ -50,9 +50,8 @@ final class ShotRenderCommand implements Callable<Integer> {
     private PictureOptions picture;
     @Mixin
     private ThreadsOption threads;
-    @Option(names = "--frames", paramLabel = "FIRST-LAST", converter = FrameRange.Converter.class,
-            description = "Which frames, as in 1-240 or 17; those of the shot without it.")
-    private FrameRange frames;
+    @Mixin
+    private FramesOption frames;
     @Option(names = "--resume", description = "Leaves out frames whose picture is there.")
     private boolean resume;
 
@@ -72,7 +71,7 @@ final class ShotRenderCommand implements Callable<Integer> {
             Ffmpeg.required();
         }
         JenDocument document = input.read();
-        ShotFrames shot = ShotFrames.of(document, input.path(), frames);
+        ShotFrames shot = frames.of(document, input.path());
         FrameRange range = shot.range();
         Scene scene = picture.apply(document.scene());
         shot.check(scene);
