@@ -12,7 +12,6 @@ import lightning.trace.Eye;
 import lightning.trace.Geometry;
 import lightning.trace.MaterialTable;
 import lightning.trace.SurfacePoint;
-import lightning.trace.primitive.Crossings;
 import lightning.trace.tree.WayEnd;
 
 /** Traces single pixels and tells why they have their colour; the colour is the film's in every bit. */
@@ -187,19 +186,8 @@ public final class PixelExplainer {
 
     /** What passes of a light on its free way to a point, red, green and blue. */
     private float[] tint(Lamp lamp, SurfacePoint at) {
-        Geometry casting = geometry.casting(lamp.light().shadowedBy());
-        if (casting.tinting() == null) {
-            return ALL;
-        }
-        boolean ends = lamp.type().hasPosition();
-        Vec3 point = new Vec3(at.px(), at.py(), at.pz());
-        Vec3 way = ends ? lamp.source().minus(point) : lamp.source();
-        var met = new Crossings();
-        casting.crossingsOfAll(new Ray(point, way), ends ? this.ends.computeIfAbsent(lamp.source(), geometry::end) : WayEnd.OPEN,
-                ends ? 1 : Double.POSITIVE_INFINITY, met);
-        var transmittance = new Transmittance();
-        transmittance.of(geometry.primitives(), met, point, way, ends);
-        return transmittance.rgb;
+        WayEnd end = lamp.type().hasPosition() ? ends.computeIfAbsent(lamp.source(), geometry::end) : WayEnd.OPEN;
+        return Transmittance.onWay(geometry, lamp, end, at);
     }
 
     /** The shape between the point and the light that is nearest to the point, or −1. */

@@ -14,7 +14,6 @@ import lightning.trace.Geometry;
 import lightning.trace.HitCode;
 import lightning.trace.MaterialTable;
 import lightning.trace.SurfacePoint;
-import lightning.trace.primitive.Crossings;
 import lightning.trace.tree.WayEnd;
 
 /**
@@ -156,7 +155,7 @@ public final class ReferenceTracer {
         if (state(lamp, at, end, equation, cosine) != LightRows.LIT) {
             return new float[7];
         }
-        float[] tint = tint(lamp, end, at);
+        float[] tint = Transmittance.onWay(geometry, lamp, end, at);
         return new float[] {diffuse(equation, at, cosine), specular(equation, at), equation.falloff(), grazing(equation, at), tint[0],
             tint[1],
             tint[2]};
@@ -174,7 +173,7 @@ public final class ReferenceTracer {
             Lamp sample = lamp.sample(LampArea.turn(at.px(), at.py(), at.pz()), s);
             // Wherever its cone ends, a way that is free counts.
             if (equation(sample, at).cosine(at.nx(), at.ny(), at.nz()) > 0 && isVisible(sample, end(sample), at)) {
-                float[] one = tint(sample, end(sample), at);
+                float[] one = Transmittance.onWay(geometry, sample, end(sample), at);
                 tint[0] += one[0];
                 tint[1] += one[1];
                 tint[2] += one[2];
@@ -236,19 +235,6 @@ public final class ReferenceTracer {
                 : !casting.blockedByAny(new Ray(point, lamp.source()), Double.POSITIVE_INFINITY);
     }
 
-    /** What passes of a light on its free way to a point, red, green and blue. */
-    private float[] tint(Lamp lamp, WayEnd end, SurfacePoint at) {
-        Geometry casting = geometry.casting(lamp.light().shadowedBy());
-        Vec3 point = new Vec3(at.px(), at.py(), at.pz());
-        boolean ends = lamp.type().hasPosition();
-        Vec3 way = ends ? lamp.source().minus(point) : lamp.source();
-        var met = new Crossings();
-        casting.crossingsOfAll(new Ray(point, way), ends ? end : WayEnd.OPEN, ends ? 1 : Double.POSITIVE_INFINITY, met);
-        var transmittance = new Transmittance();
-        transmittance.of(geometry.primitives(), met, point, way, ends);
-        return transmittance.rgb;
-    }
-
     /**
      * Adds what anti-aliasing sees along a ray ({@link EdgeCodes}).
      *
@@ -286,7 +272,7 @@ public final class ReferenceTracer {
         }
         LightingEquation equation = equation(lamp, at);
         int state = state(lamp, at, ends[light], equation, equation.cosine(at.nx(), at.ny(), at.nz()));
-        return EdgeCoder.code(light, state, state == LightRows.LIT && isTinted(tint(lamp, ends[light], at)),
+        return EdgeCoder.code(light, state, state == LightRows.LIT && isTinted(Transmittance.onWay(geometry, lamp, ends[light], at)),
                 materials.isSpecular(at.material()), specular(equation, at));
     }
 

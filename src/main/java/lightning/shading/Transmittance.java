@@ -1,12 +1,16 @@
 package lightning.shading;
 
+import lightning.math.Ray;
 import lightning.math.Vec3;
 import lightning.scene.Clarity;
 import lightning.scene.Material;
+import lightning.trace.Geometry;
 import lightning.trace.Refraction;
+import lightning.trace.SurfacePoint;
 import lightning.trace.primitive.Crossings;
 import lightning.trace.primitive.PrimitiveTable;
 import lightning.trace.primitive.Surface;
+import lightning.trace.tree.WayEnd;
 
 /**
  * What is left of light that passes clear shapes on its straight way to a point, as if nothing bent it: at each surface the share that a ray
@@ -19,16 +23,30 @@ final class Transmittance {
     final float[] rgb = new float[3];
 
     /**
+     * What passes of a light on its free way to a point, red, green and blue.
+     *
+     * @param end where the way ends; unread where the light has no position
+     */
+    static float[] onWay(Geometry geometry, Lamp lamp, WayEnd end, SurfacePoint at) {
+        boolean ends = lamp.type().hasPosition();
+        Vec3 point = new Vec3(at.px(), at.py(), at.pz());
+        Vec3 way = ends ? lamp.source().minus(point) : lamp.source();
+        var met = new Crossings();
+        geometry.casting(lamp.light().shadowedBy()).crossingsOfAll(new Ray(point, way), ends ? end : WayEnd.OPEN,
+                ends ? 1 : Double.POSITIVE_INFINITY, met);
+        var transmittance = new Transmittance();
+        transmittance.of(geometry.primitives(), met, point.x(), point.y(), point.z(), way.x(), way.y(), way.z(), ends);
+        return transmittance.rgb;
+    }
+
+    /**
      * Computes {@link #rgb}; whether any of it is not 1.
      *
      * @param met  where the way meets what light passes
+     * @param ox   where it begins; likewise {@code oy} and {@code oz}
+     * @param dx   the way, of any length; likewise {@code dy} and {@code dz}
      * @param ends whether it leads to a point, at distance 1; else it has no end
      */
-    boolean of(PrimitiveTable primitives, Crossings met, Vec3 from, Vec3 way, boolean ends) {
-        return of(primitives, met, from.x(), from.y(), from.z(), way.x(), way.y(), way.z(), ends);
-    }
-
-    /** The same of a way of coordinates. */
     boolean of(PrimitiveTable primitives, Crossings met, double ox, double oy, double oz, double dx, double dy, double dz, boolean ends) {
         rgb[0] = 1;
         rgb[1] = 1;

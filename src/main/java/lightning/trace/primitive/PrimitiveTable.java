@@ -13,6 +13,7 @@ import lightning.scene.Solid;
 import lightning.scene.Stage;
 import lightning.trace.mesh.MeshProbe;
 import lightning.trace.mesh.MeshSolid;
+import lightning.trace.mesh.Sieve;
 import lightning.trace.solid.Form;
 import lightning.trace.solid.Kind;
 import lightning.trace.solid.Touch;
@@ -324,6 +325,12 @@ public final class PrimitiveTable {
 
     /** The same for a way of which an end may lie on the mesh: it passes the triangles on which it may. */
     public void enter(MeshProbe probe, int s, double ox, double oy, double oz, double dx, double dy, double dz, Touch touch) {
+        enter(probe, s, ox, oy, oz, dx, dy, dz, touch, cutout(s) == null ? null : holes(s, ox, oy, oz, dx, dy, dz));
+    }
+
+    /** The same through a sieve; null for none. */
+    private void enter(MeshProbe probe, int s, double ox, double oy, double oz, double dx, double dy, double dz, Touch touch,
+            Sieve sieve) {
         double[] m = data;
         int i = at[s];
         double px = m[i] * ox + m[i + 1] * oy + m[i + 2] * oz + m[i + 3];
@@ -333,8 +340,8 @@ public final class PrimitiveTable {
         double vy = m[i + 4] * dx + m[i + 5] * dy + m[i + 6] * dz;
         double vz = m[i + 8] * dx + m[i + 9] * dy + m[i + 10] * dz;
         probe.enter(meshes[s], px, py, pz, vx, vy, vz);
-        if (cutout(s) != null) {
-            probe.sift(holes(s, ox, oy, oz, dx, dy, dz));
+        if (sieve != null) {
+            probe.sift(sieve);
         }
         switch (touch) {
             case NEITHER -> {}
@@ -371,6 +378,30 @@ public final class PrimitiveTable {
         if (mesh(s) != null) {
             return distanceOfAll(s, ox, oy, oz, dx, dy, dz, touch);
         }
+        double t = whole(s, ox, oy, oz, dx, dy, dz, touch);
+        if (t == Form.MISS || cutout(s) == null) {
+            return t;
+        }
+        Holes holes = holes(s, ox, oy, oz, dx, dy, dz);
+        if (!holes.passes(0, t)) {
+            return t;
+        }
+        double out = last(s, ox, oy, oz, dx, dy, dz, touch, t);
+        return out < Form.MISS && !holes.passes(0, out) ? out : Form.MISS;
+    }
+
+    /** The distance to a surface without holes. */
+    private double whole(int s, double ox, double oy, double oz, double dx, double dy, double dz, Touch touch) {
+        double off = switch (touch) {
+            case NEITHER -> 0;
+            case START -> offEye(s);
+            case END -> offLight(s, far(ox, oy, oz, dx, dy, dz));
+        };
+        return whole(s, ox, oy, oz, dx, dy, dz, touch, off);
+    }
+
+    /** The same where the end that lies on the surface is off it by so much, in scene space. */
+    private double whole(int s, double ox, double oy, double oz, double dx, double dy, double dz, Touch touch, double off) {
         double[] m = data;
         int i = at[s];
         double px = m[i] * ox + m[i + 1] * oy + m[i + 2] * oz + m[i + 3];
@@ -380,32 +411,16 @@ public final class PrimitiveTable {
         double vy = m[i + 4] * dx + m[i + 5] * dy + m[i + 6] * dz;
         double vz = m[i + 8] * dx + m[i + 9] * dy + m[i + 10] * dz;
         Form form = kind(s).form();
-        double t = whole(form, i, s, px, py, pz, vx, vy, vz, touch, far(ox, oy, oz, dx, dy, dz));
-        if (t == Form.MISS || cutout(s) == null) {
-            return t;
-        }
-        Holes holes = holes(s, ox, oy, oz, dx, dy, dz);
-        if (!holes.passes(0, t)) {
-            return t;
-        }
-        double out = last(form, i, px, py, pz, vx, vy, vz, touch, t);
-        return out < Form.MISS && !holes.passes(0, out) ? out : Form.MISS;
-    }
-
-    /** The distance in own space to a surface without holes; {@code far} is that of the way ({@link #far}). */
-    private double whole(Form form, int i, int s, double px, double py, double pz, double vx, double vy, double vz, Touch touch,
-            double far) {
         if (touch == Touch.NEITHER) {
-            return form.distance(data, i, px, py, pz, vx, vy, vz);
+            return form.distance(m, i, px, py, pz, vx, vy, vz);
         }
-        double off = touch == Touch.START ? offEye(s) : offLight(s, far);
-        double margin = 2 * form.tip(data, i) * rate(s) * off / Math.sqrt(vx * vx + vy * vy + vz * vz);
-        return form.distance(data, i, px, py, pz, vx, vy, vz, touch, margin);
+        double margin = off == 0 ? 0 : 2 * form.tip(m, i) * rate(s) * off / Math.sqrt(vx * vx + vy * vy + vz * vz);
+        return form.distance(m, i, px, py, pz, vx, vy, vz, touch, margin);
     }
 
     /** The distance to where a ray that met a convex surface at {@code t} meets it once more, or {@code +∞}. */
-    private double last(Form form, int i, double px, double py, double pz, double vx, double vy, double vz, Touch touch, double t) {
-        double out = touch == Touch.NEITHER ? form.distance(data, i, px, py, pz, vx, vy, vz, Touch.START, 0) : Form.MISS;
+    private double last(int s, double ox, double oy, double oz, double dx, double dy, double dz, Touch touch, double t) {
+        double out = touch == Touch.NEITHER ? whole(s, ox, oy, oz, dx, dy, dz, Touch.START, 0) : Form.MISS;
         return out > t ? out : Form.MISS;
     }
 
@@ -437,9 +452,8 @@ public final class PrimitiveTable {
         Touch touch = ends ? Touch.END : touch(s, ox, oy, oz);
         Holes holes = cutout(s) == null ? null : holes(s, ox, oy, oz, dx, dy, dz);
         if (mesh(s) != null) {
-            enter(probe, s, ox, oy, oz, dx, dy, dz, touch);
             // What is passed is noted, and all is.
-            probe.sift((triangle, t) -> {
+            enter(probe, s, ox, oy, oz, dx, dy, dz, touch, (triangle, t) -> {
                 to.add(s, triangle, t, limit, holes);
                 return true;
             });
@@ -450,19 +464,10 @@ public final class PrimitiveTable {
             }
             return;
         }
-        double[] m = data;
-        int i = at[s];
-        double px = m[i] * ox + m[i + 1] * oy + m[i + 2] * oz + m[i + 3];
-        double py = m[i + 4] * ox + m[i + 5] * oy + m[i + 6] * oz + m[i + 7];
-        double pz = m[i + 8] * ox + m[i + 9] * oy + m[i + 10] * oz + m[i + 11];
-        double vx = m[i] * dx + m[i + 1] * dy + m[i + 2] * dz;
-        double vy = m[i + 4] * dx + m[i + 5] * dy + m[i + 6] * dz;
-        double vz = m[i + 8] * dx + m[i + 9] * dy + m[i + 10] * dz;
-        Form form = kind(s).form();
-        double t = whole(form, i, s, px, py, pz, vx, vy, vz, touch, far(ox, oy, oz, dx, dy, dz));
+        double t = whole(s, ox, oy, oz, dx, dy, dz, touch);
         if (t < Form.MISS) {
             to.add(s, 0, t, limit, holes);
-            to.add(s, 0, last(form, i, px, py, pz, vx, vy, vz, touch, t), limit, holes);
+            to.add(s, 0, last(s, ox, oy, oz, dx, dy, dz, touch, t), limit, holes);
         }
     }
 }
