@@ -2,6 +2,7 @@ package lightning.cli;
 
 import java.util.List;
 import java.util.Optional;
+import lightning.cluster.HostPort;
 import lightning.cluster.Place;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -10,7 +11,7 @@ import picocli.CommandLine.Option;
 final class ClusterOption {
     @Mixin
     private MemberOptions member;
-    @Option(names = "--cluster", paramLabel = "HOST:PORT", converter = HostPort.Converter.class,
+    @Option(names = "--cluster", paramLabel = "HOST:PORT", converter = HostPortConverter.class,
             description = "Lets the nodes of a cluster hold the frames; any of them is named. 'lightning node --help' tells more.")
     private HostPort cluster;
 

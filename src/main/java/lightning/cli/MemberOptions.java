@@ -1,11 +1,12 @@
 package lightning.cli;
 
-import java.io.ObjectInputFilter;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import lightning.cluster.HostPort;
+import lightning.cluster.JoinException;
 import lightning.cluster.Place;
 import picocli.CommandLine.Option;
 
@@ -31,36 +32,22 @@ final class MemberOptions {
                     + "'lightning node --make-certificate FILE' makes one");
         }
         try {
-            Class.forName("org.jgroups.JChannel", false, MemberOptions.class.getClassLoader());
-        } catch (ClassNotFoundException e) {
-            throw new BadInput("the libraries for other machines are not at hand; start with bin/lightning");
-        }
-        InetAddress own = bind == null ? InetAddress.getLoopbackAddress() : HostPort.address(bind);
-        if (own.isAnyLocalAddress()) {
-            throw new BadInput("--bind must be one address of this machine, was " + bind);
-        }
-        List<InetSocketAddress> join = new ArrayList<>();
-        for (HostPort other : others) {
-            InetSocketAddress address = other.address();
-            if (own.isLoopbackAddress() && !address.getAddress().isLoopbackAddress()) {
-                throw new BadInput(option + " " + other.host() + " is another machine, and this one can be reached by none: "
-                        + "state --bind ADDRESS, an address of this machine that others reach");
+            InetAddress own = bind == null ? InetAddress.getLoopbackAddress() : HostPort.address(bind);
+            if (own.isAnyLocalAddress()) {
+                throw new BadInput("--bind must be one address of this machine, was " + bind);
             }
-            join.add(address);
+            List<InetSocketAddress> join = new ArrayList<>();
+            for (HostPort other : others) {
+                InetSocketAddress address = other.address();
+                if (own.isLoopbackAddress() && !address.getAddress().isLoopbackAddress()) {
+                    throw new BadInput(option + " " + other.host() + " is another machine, and this one can be reached by none: "
+                            + "state --bind ADDRESS, an address of this machine that others reach");
+                }
+                join.add(address);
+            }
+            return Place.of(own, port, ports, join, certificate);
+        } catch (JoinException e) {
+            throw new BadInput(e.getMessage());
         }
-        refuseObjects();
-        return new Place(own, port, ports, join, certificate, Place.Timing.DEFAULT);
-    }
-
-    /** Whatever others send, Java makes no object of it. The launcher says so already, other ways to start do not. */
-    private static void refuseObjects() {
-        if (ObjectInputFilter.Config.getSerialFilter() == null) {
-            ObjectInputFilter.Config.setSerialFilter(ObjectInputFilter.Config.createFilter("!*"));
-        }
-    }
-
-    /** What machines that go together must agree in: who traces otherwise might see other bits. */
-    static String release() {
-        return new RootCommand.Version().getVersion()[0] + " on " + System.getProperty("os.arch");
     }
 }

@@ -6,12 +6,14 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import lightning.cluster.FrameNode;
+import lightning.cluster.HostPort;
 import lightning.cluster.JoinException;
 import lightning.cluster.Place;
 import lightning.cluster.SelfSigned;
 import lightning.cluster.TlsNetwork;
 import lightning.relight.tile.Options;
 import lightning.shot.LocalKeeper;
+import lightning.text.Release;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -43,7 +45,7 @@ final class NodeCommand implements Callable<Integer> {
     private MemberOptions member;
     @Mixin
     private ThreadsOption threads;
-    @Option(names = "--join", paramLabel = "HOST:PORT", converter = HostPort.Converter.class,
+    @Option(names = "--join", paramLabel = "HOST:PORT", converter = HostPortConverter.class,
             description = "A node that is there, of port " + Place.NODE_PORT + " where none is said; several where one may be gone.")
     private List<HostPort> join = List.of();
     @Option(names = "--port", paramLabel = "N", defaultValue = "" + Place.NODE_PORT, description = "The port, ${DEFAULT-VALUE} without it.")
@@ -83,7 +85,7 @@ final class NodeCommand implements Callable<Integer> {
         Options options = Options.DEFAULT.withThreads(threads.count());
         long resting = memory == null ? options.memory() / 2 : (long) (memory * GB);
         Path own = own();
-        var settings = new FrameNode.Settings(MemberOptions.release(), threads.count(), resting, own,
+        var settings = new FrameNode.Settings(Release.ofMachine(), threads.count(), resting, own,
                 () -> new LocalKeeper(options, resting / FrameNode.MOST_SESSIONS, own,
                         Files.getFileStore(own).getUsableSpace() / FrameNode.MOST_SESSIONS),
                 sentence -> console.line("%s", sentence));

@@ -10,10 +10,9 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
+import lightning.cluster.DistributedShot;
 import lightning.cluster.JoinException;
-import lightning.cluster.Machines;
 import lightning.cluster.Place;
-import lightning.cluster.TlsNetwork;
 import lightning.image.Film;
 import lightning.movie.FrameFiles;
 import lightning.shot.FrameState;
@@ -72,19 +71,17 @@ record RelightElsewhere(Console console, PictureOutput output, Place place, Path
      */
     void run(Take first, List<Take> edited, List<FrameFiles> groups, FrameRange range) throws Exception {
         var tally = new Tally(console);
-        try (RelitShot shot = RelitShot.of(range.first(), range.last(), tally);
-                Machines machines = new Machines(new TlsNetwork(place), MemberOptions.release(), folder, shot,
-                        sentence -> console.remark("%s", sentence))) {
-            machines.start();
-            double tracing = bring(shot, machines, first, tally, "tracing");
-            console.line("%d frames traced by %s in %.1f ms", range.count(), nodes(machines), tracing);
+        try (DistributedShot shot = DistributedShot.join(place, folder, range.first(), range.last(), tally,
+                sentence -> console.remark("%s", sentence))) {
+            double tracing = bring(shot, first, tally, "tracing");
+            console.line("%d frames traced by %s in %.1f ms", range.count(), nodes(shot), tracing);
             for (int group = 0; group < edited.size(); group++) {
                 long start = System.nanoTime();
-                double relighting = bring(shot, machines, edited.get(group), tally, "relighting");
+                double relighting = bring(shot, edited.get(group), tally, "relighting");
                 int traced = tally.traced.get();
-                write(shot, machines, groups.get(group), range, tally);
+                write(shot, groups.get(group), range, tally);
                 console.line("%d. %d frames relit by %s in %.1f ms, %d of them traced again; %.1f ms with their pictures", group + 1,
-                        range.count(), nodes(machines), relighting, traced, (System.nanoTime() - start) / 1e6);
+                        range.count(), nodes(shot), relighting, traced, (System.nanoTime() - start) / 1e6);
             }
         } catch (JoinException e) {
             throw new BadInput(e.getMessage());
@@ -94,22 +91,23 @@ record RelightElsewhere(Console console, PictureOutput output, Place place, Path
     }
 
     /** Brings all frames to a take; returns how long that took, milliseconds. */
-    private double bring(RelitShot shot, Machines machines, Take take, Tally tally, String what) throws Exception {
+    private double bring(DistributedShot shot, Take take, Tally tally, String what) throws Exception {
         long start = System.nanoTime();
         tally.made.set(0);
         tally.traced.set(0);
         try (ProgressBar bar = new ProgressBar(console, what)) {
-            shot.edit(take);
-            await(shot, machines, tally, bar);
+            shot.frames().edit(take);
+            await(shot, tally, bar);
         }
         return (System.nanoTime() - start) / 1e6;
     }
 
-    private void await(RelitShot shot, Machines machines, Tally tally, ProgressBar bar) throws Exception {
-        int count = shot.last() - shot.first() + 1;
+    private void await(DistributedShot shot, Tally tally, ProgressBar bar) throws Exception {
+        RelitShot frames = shot.frames();
+        int count = frames.last() - frames.first() + 1;
         long seen = System.nanoTime();
-        while (!shot.isIdle()) {
-            if (machines.count() > 0) {
+        while (!frames.isIdle()) {
+            if (shot.machines() > 0) {
                 seen = System.nanoTime();
             } else if (System.nanoTime() - seen > PATIENCE_NANOSECONDS) {
                 throw new BadInput("no node answers at " + place.join().getFirst() + ": none is there, or it has another certificate");
@@ -122,14 +120,14 @@ record RelightElsewhere(Console console, PictureOutput output, Place place, Path
         }
     }
 
-    private void write(RelitShot shot, Machines machines, FrameFiles files, FrameRange range, Tally tally) throws Exception {
+    private void write(DistributedShot shot, FrameFiles files, FrameRange range, Tally tally) throws Exception {
         List<Future<?>> pictures = new ArrayList<>();
         ExecutorService writers = Executors.newFixedThreadPool(threads, OwnThread.named("lightning-pictures"));
         try (ProgressBar bar = new ProgressBar(console, "writing")) {
             for (int frame = range.first(); frame <= range.last(); frame++) {
                 int next = frame;
                 pictures.add(writers.submit(() -> {
-                    output.write(film(shot, machines, next, tally, bar), files.file(next));
+                    output.write(film(shot, next, tally, bar), files.file(next));
                     return null;
                 }));
             }
@@ -145,11 +143,11 @@ record RelightElsewhere(Console console, PictureOutput output, Place place, Path
     }
 
     /** The film of a frame; where the node that has it is lost meanwhile, another's. */
-    private Film film(RelitShot shot, Machines machines, int frame, Tally tally, ProgressBar bar) throws Exception {
+    private Film film(DistributedShot shot, int frame, Tally tally, ProgressBar bar) throws Exception {
         for (int attempt = 0; attempt < MOST_ATTEMPTS; attempt++) {
-            await(shot, machines, tally, bar);
-            var film = shot.film(frame);
-            if (film.isPresent() && shot.state(frame) == FrameState.CURRENT) {
+            await(shot, tally, bar);
+            var film = shot.frames().film(frame);
+            if (film.isPresent() && shot.frames().state(frame) == FrameState.CURRENT) {
                 return film.get();
             }
             Thread.sleep(LOOK_MILLISECONDS);
@@ -160,7 +158,8 @@ record RelightElsewhere(Console console, PictureOutput output, Place place, Path
         throw new BadInput("frame " + frame + ": no node had room to keep it; start more of them, or give them more --memory");
     }
 
-    private static String nodes(Machines machines) {
-        return machines.count() == 1 ? "1 node" : machines.count() + " nodes";
+    private static String nodes(DistributedShot shot) {
+        int count = shot.machines();
+        return count == 1 ? "1 node" : count + " nodes";
     }
 }

@@ -1,14 +1,8 @@
 package lightning.cli;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.lang.module.InvalidModuleDescriptorException;
-import java.lang.module.ModuleDescriptor;
-import java.net.URL;
 import java.nio.file.Path;
-import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.stream.Stream;
+import lightning.text.Release;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.CommandSpec;
@@ -58,26 +52,7 @@ final class RootCommand implements Callable<Integer> {
     static final class Version implements IVersionProvider {
         @Override
         public String[] getVersion() {
-            String number = descriptor().flatMap(ModuleDescriptor::rawVersion).orElse("of a build");
-            return new String[] {"Lightning " + number + " on Java " + Runtime.version()};
-        }
-
-        /** The program is a module wherever it lies, but on a class path runs as none: its descriptor is a file of it there. */
-        private static Optional<ModuleDescriptor> descriptor() {
-            Module module = Lightning.class.getModule();
-            if (module.isNamed()) {
-                return Optional.of(module.getDescriptor());
-            }
-            return Lightning.class.getClassLoader().resources("module-info.class").flatMap(Version::read)
-                    .filter(descriptor -> descriptor.name().equals("lightning")).findFirst();
-        }
-
-        private static Stream<ModuleDescriptor> read(URL file) {
-            try (InputStream in = file.openStream()) {
-                return Stream.of(ModuleDescriptor.read(in));
-            } catch (IOException | InvalidModuleDescriptorException e) {
-                return Stream.empty();
-            }
+            return new String[] {Release.text()};
         }
     }
 }

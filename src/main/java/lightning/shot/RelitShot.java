@@ -53,10 +53,16 @@ public final class RelitShot implements AutoCloseable {
     }
 
     /** Lets another keeper hold some of the frames; it is closed with this. Frames stay with whoever holds them. */
-    public synchronized void join(FrameKeeper keeper) {
+    public void join(FrameKeeper keeper) {
+        if (admit(keeper)) {
+            listener.joined();
+        }
+    }
+
+    private synchronized boolean admit(FrameKeeper keeper) {
         if (closed) {
             keeper.close();
-            return;
+            return false;
         }
         int number = queue.join();
         keepers.add(keeper);
@@ -66,6 +72,7 @@ public final class RelitShot implements AutoCloseable {
             threads.add(thread);
             thread.start();
         }
+        return true;
     }
 
     /** A keeper is known to be gone, though nobody asked it: the frames that it held are missing, and others trace them. */

@@ -18,6 +18,9 @@ public interface ShotListener {
     /** The newest edit cannot be made in a frame; it is tried again at the next edit. */
     default void failed(int frame, Throwable problem) {}
 
+    /** One more holds frames from here on. */
+    default void joined() {}
+
     /** What held frames is gone; these are missing, and others trace them, if there are any. */
     default void gone(KeeperGoneException problem) {}
 

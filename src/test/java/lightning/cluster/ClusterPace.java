@@ -25,6 +25,7 @@ import lightning.shot.LocalKeeper;
 import lightning.shot.RelitShot;
 import lightning.shot.ShotListener;
 import lightning.shot.Take;
+import lightning.text.Release;
 import lightning.work.Progress;
 
 /**
@@ -88,7 +89,7 @@ final class ClusterPace {
         Take take = take(scene);
         try (RelitShot shot = RelitShot.of(1, frames, ShotListener.NONE);
                 Machines machines =
-                        new Machines(new TlsNetwork(place), new NodeRelease().text(), scene.getParent(), shot, System.out::println)) {
+                        new Machines(new TlsNetwork(place), Release.ofMachine(), scene.getParent(), shot, System.out::println)) {
             for (int port : ports) {
                 processes.add(new NodeProcess(port, ports, folder, "--threads", String.valueOf(THREADS)));
             }

@@ -20,6 +20,7 @@ import lightning.shot.KeeperGoneException;
 import lightning.shot.RelitShot;
 import lightning.shot.ShotListener;
 import lightning.shot.Take;
+import lightning.text.Release;
 import lightning.work.Progress;
 import lightning.work.Workers;
 import org.junit.jupiter.api.Test;
@@ -69,7 +70,7 @@ final class NodeKillTest {
                     ports.stream().map(port -> new InetSocketAddress(here, port)).toList(), folder.resolve("shared.p12"),
                     Place.Timing.DEFAULT);
             try (RelitShot shot = RelitShot.of(1, LAST, listener);
-                    Machines machines = new Machines(new TlsNetwork(place), new NodeRelease().text(), folder, shot, _ -> {});
+                    Machines machines = new Machines(new TlsNetwork(place), Release.ofMachine(), folder, shot, _ -> {});
                     Workers workers = new Workers(2)) {
                 machines.start();
                 shot.edit(take);

@@ -1,0 +1,17 @@
+package lightning.cli;
+
+import lightning.cluster.HostPort;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+
+/** Reads where a member of a cluster is heard. */
+final class HostPortConverter implements ITypeConverter<HostPort> {
+    @Override
+    public HostPort convert(String text) {
+        try {
+            return HostPort.of(text);
+        } catch (IllegalArgumentException e) {
+            throw new TypeConversionException(e.getMessage());
+        }
+    }
+}
