@@ -1,5 +1,6 @@
 package lightning.app;
 
+import com.sun.javafx.scene.NodeHelper;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -117,7 +118,8 @@ public final class QuickRobot extends FxRobot {
                 for (Window window : List.copyOf(Window.getWindows())) {
                     Scene scene = window.getScene();
                     if (scene != null && scene.getRoot() != null) {
-                        scene.getRoot().applyCss();
+                        // As a pulse does it: what is not out of date is left alone, as Node.applyCss does not.
+                        NodeHelper.processCSS(scene.getRoot());
                         scene.getRoot().layout();
                     }
                 }
