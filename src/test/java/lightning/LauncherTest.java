@@ -122,12 +122,13 @@ class LauncherTest {
 
     @ParameterizedTest
     @CsvSource({"node, true", "shot --cluster host:7800, true", "shot --cluster=host:7800, true", "render, false", "a-node.jen, false"})
-    void librariesOfACluster_areOnTheClassPathOfWhatGoesToOtherMachinesAlone(String words, boolean given) throws Exception {
+    void objectsOfOthers_areRefusedFromTheStartByWhatGoesToOtherMachines_whoseLibrariesLieBehindAllOthers(String words, boolean given)
+            throws Exception {
         Path java = java("25", "printf '[%s]' \"$@\"");
         String home = folder.toRealPath() + "/installed here";
         String out = run(Map.of("JAVA_HOME", java), "", launcher, words.split(" ")).out();
         assertThat(out.contains("[-Djdk.serialFilter=!*]")).isEqualTo(given);
-        assertThat(out).contains("[-cp][" + home + "/lib/*" + (given ? ":" + home + "/cluster/*" : "") + "]");
+        assertThat(out).contains("[-cp][" + home + "/lib/*:" + home + "/cluster/*]");
     }
 
     @ParameterizedTest
