@@ -109,6 +109,7 @@ public final class Editor implements AutoCloseable {
         PreviewLook look = model.previewLook();
         for (Observable choice : List.of(model.precisionProperty(), model.viewProperty().map(ViewTransform::curve), look.glowingProperty(),
                 look.sizeProperty(), model.keys().changesProperty(), model.arrangement().canvasesProperty(), model.speechProperty(),
+                model.machineChoice().hostsProperty(), model.machineChoice().certificateProperty(),
                 model.switched(Command.LIGHT_THEME).orElseThrow())) {
             choice.addListener(_ -> remember());
         }
@@ -123,6 +124,7 @@ public final class Editor implements AutoCloseable {
         model.previewLook().remember(preferences);
         model.keys().remember(preferences);
         model.arrangement().remember(preferences);
+        model.machineChoice().remember(preferences);
         preferences.set("precision", model.precisionProperty().get().name());
         preferences.save();
     }

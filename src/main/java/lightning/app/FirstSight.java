@@ -33,6 +33,7 @@ final class FirstSight implements AutoCloseable {
         model.previewLook().restore(preferences);
         model.keys().restore(preferences);
         model.arrangement().restore(preferences);
+        model.machineChoice().restore(preferences);
         model.speechProperty().set(Speech.of(preferences));
         traced = new TracedPane(model);
         this.frame = frame;

@@ -15,6 +15,7 @@ import java.util.function.Consumer;
 import lightning.cluster.wire.Hash;
 import lightning.cluster.wire.Message;
 import lightning.cluster.wire.WireException;
+import lightning.image.Downscale;
 import lightning.image.Film;
 import lightning.jen.JenException;
 import lightning.relight.PictureTooLarge;
@@ -153,10 +154,14 @@ final class NodeSession implements AutoCloseable {
 
     void ask(Message.Ask ask) {
         execute(films, () -> {
-            byte[] bytes = film(ask).map(f -> FilmTiles.encode(f, ask.firstTile(), ask.tiles())).orElse(new byte[0]);
+            byte[] bytes = film(ask).map(f -> FilmTiles.encode(small(f, ask), ask.firstTile(), ask.tiles())).orElse(new byte[0]);
             send.accept(bytes.length == 0 ? new Message.Gone(id, ask.call(), ask.frame())
-                    : new Message.Pixels(id, ask.call(), ask.frame(), ask.firstTile(), bytes));
+                    : new Message.Pixels(id, ask.call(), ask.frame(), ask.mostWidth(), ask.mostHeight(), ask.firstTile(), bytes));
         });
+    }
+
+    private static Film small(Film film, Message.Ask ask) {
+        return Downscale.into(film.width(), film.height(), Math.max(1, ask.mostWidth()), Math.max(1, ask.mostHeight())).of(film);
     }
 
     /** On the one thread of films, which keeps the last: its tiles are asked for one after the other. */

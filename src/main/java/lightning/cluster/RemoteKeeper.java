@@ -9,6 +9,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import lightning.cluster.wire.Message;
+import lightning.image.Downscale;
 import lightning.image.Film;
 import lightning.shot.FrameKeeper;
 import lightning.shot.FrameUpdate;
@@ -29,7 +30,7 @@ final class RemoteKeeper implements FrameKeeper {
     private final Map<Integer, Message.Brought> brought = new ConcurrentHashMap<>();
     private volatile KeptBytes bytes = KeptBytes.NONE;
 
-    private record Piece(long call, int firstTile) {}
+    private record Piece(long call, int mostWidth, int mostHeight, int firstTile) {}
 
     /**
      * @param name what people call the node
@@ -63,7 +64,7 @@ final class RemoteKeeper implements FrameKeeper {
                 brought.put(frame, made);
                 bytes = new KeptBytes(brought.size(), made.memory(), 0, made.disk());
                 yield new FrameUpdate(frame, made.traced(), made.plan(), made.rays(), System.nanoTime() - start,
-                        () -> film(frame, made).orElseThrow(CancellationException::new));
+                        () -> film(frame, made, made.width(), made.height()).orElseThrow(CancellationException::new));
             }
             case Message.Failed failed -> throw failure(failed);
             default -> throw new IllegalStateException("an answer that is none: " + answer);
@@ -89,18 +90,26 @@ final class RemoteKeeper implements FrameKeeper {
 
     @Override
     public Optional<Film> film(int frame) {
-        return Optional.ofNullable(brought.get(frame)).flatMap(made -> film(frame, made));
+        return Optional.ofNullable(brought.get(frame)).flatMap(made -> film(frame, made, made.width(), made.height()));
+    }
+
+    /** Made smaller by the node, so that little travels. */
+    @Override
+    public Optional<Film> film(int frame, int mostWidth, int mostHeight) {
+        return Optional.ofNullable(brought.get(frame)).flatMap(made -> film(frame, made, mostWidth, mostHeight));
     }
 
     /** The film that an answer tells of; empty where it is there no more. */
-    private Optional<Film> film(int frame, Message.Brought made) {
-        Film film = Film.black(made.width(), made.height());
+    private Optional<Film> film(int frame, Message.Brought made, int mostWidth, int mostHeight) {
+        Downscale size = Downscale.into(made.width(), made.height(), mostWidth, mostHeight);
+        Film film = Film.black(size.width(), size.height());
         try {
             for (int first = 0; first < film.tileCount(); first += FilmTiles.MOST) {
                 int from = first;
                 int count = Math.min(FilmTiles.MOST, film.tileCount() - first);
-                byte[] tiles = films.ask(new Piece(made.call(), first),
-                        () -> send.accept(new Message.Ask(id, made.call(), frame, from, count)), Thread.currentThread()::isInterrupted);
+                byte[] tiles = films.ask(new Piece(made.call(), mostWidth, mostHeight, first),
+                        () -> send.accept(new Message.Ask(id, made.call(), frame, mostWidth, mostHeight, from, count)),
+                        Thread.currentThread()::isInterrupted);
                 if (!FilmTiles.decode(tiles, film, first, count)) {
                     return Optional.empty();
                 }
@@ -116,7 +125,7 @@ final class RemoteKeeper implements FrameKeeper {
             case Message.Brought m -> wishes.answered(m.call(), m);
             case Message.Failed m -> wishes.answered(m.call(), m);
             case Message.Need m -> send.accept(new Message.Part(id, m.hash(), m.offset(), parcels.part(m.hash(), m.offset())));
-            case Message.Pixels m -> films.answered(new Piece(m.call(), m.firstTile()), m.bytes());
+            case Message.Pixels m -> films.answered(new Piece(m.call(), m.mostWidth(), m.mostHeight(), m.firstTile()), m.bytes());
             case Message.Gone m -> films.answeredAll(piece -> piece.call() == m.call(), new byte[0]);
             case Message.Hello _,Message.Ready _,Message.Bring _,Message.Cancel _,Message.Part _,Message.Ask _,Message.Focus _,Message.Forget _,Message.End _,Message.Alive _ -> {
                 // Not for a coordinator.

@@ -52,7 +52,7 @@ final class SharedKey {
             return context;
         } catch (IOException | GeneralSecurityException e) {
             throw new JoinException(Quote.path(file) + ": expected a key and its certificate as 'lightning node --make-certificate' makes "
-                    + "them, but cannot use it: " + (e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage()), e);
+                    + "them, but cannot use it: " + (e.getMessage() == null ? "it is none" : e.getMessage()), e);
         }
     }
 

@@ -2,6 +2,7 @@ package lightning.shot;
 
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import lightning.image.Downscale;
 import lightning.image.Film;
 import lightning.work.Progress;
 
@@ -27,6 +28,15 @@ public interface FrameKeeper extends AutoCloseable {
 
     /** The film that {@link #bring} made last; empty where nothing is kept. */
     Optional<Film> film(int frame);
+
+    /**
+     * The same, made smaller so as to have room: see {@link Downscale#into}.
+     *
+     * @param mostWidth pixels, ≥ 1; likewise {@code mostHeight}
+     */
+    default Optional<Film> film(int frame, int mostWidth, int mostHeight) {
+        return film(frame).map(film -> Downscale.into(film.width(), film.height(), mostWidth, mostHeight).of(film));
+    }
 
     /** Tells which frame is looked at: those near it are wanted first, so they are kept where they are at hand. */
     void focus(int frame);

@@ -120,8 +120,17 @@ public final class RelitShot implements AutoCloseable {
      * @throws IndexOutOfBoundsException if the shot has no such frame
      */
     public Optional<Film> film(int frame) {
+        return holder(frame).flatMap(keeper -> keeper.film(frame));
+    }
+
+    /** The same, made smaller so as to have room: see {@link FrameKeeper#film(int, int, int)}. */
+    public Optional<Film> film(int frame, int mostWidth, int mostHeight) {
+        return holder(frame).flatMap(keeper -> keeper.film(frame, mostWidth, mostHeight));
+    }
+
+    private Optional<FrameKeeper> holder(int frame) {
         int holder = queue.holder(frame);
-        return holder < 0 ? Optional.empty() : held().get(holder).film(frame);
+        return holder < 0 ? Optional.empty() : Optional.of(held().get(holder));
     }
 
     /** What all keepers keep. */

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
+import lightning.image.Downscale;
 import lightning.image.Film;
 import lightning.image.FilmAssert;
 import lightning.jen.JenDocument;
@@ -92,6 +93,23 @@ final class ClusterTest {
             shot.edit(edited);
             checkAll(shot, edited);
             assertThat(shot.bytes().memory()).isPositive();
+        }
+        closeAll();
+    }
+
+    @Test
+    void smallFilm_isTheMeanOfTheWholeOne() throws Exception {
+        Take take = textured();
+        var network = new LocalNetwork(1, 0);
+        node(network.end(), "r");
+        try (RelitShot shot = RelitShot.of(1, LAST, ShotListener.NONE);
+                Machines machines = new Machines(network.end(), "r", folder, shot, _ -> {})) {
+            machines.start();
+            shot.edit(take);
+            awaitAll(shot);
+            Film whole = new ReferenceTracer(take.at(3)).trace();
+            FilmAssert.assertSameBits(shot.film(3, 20, 9).orElseThrow(), new Downscale(12, 9).of(whole), "small-3");
+            FilmAssert.assertSameBits(shot.film(3, 50, 30).orElseThrow(), whole, "whole-3");
         }
         closeAll();
     }

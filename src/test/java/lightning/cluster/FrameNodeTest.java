@@ -185,11 +185,11 @@ final class FrameNodeTest {
         peer.await(Message.Brought.class);
         peer.bring(2, Map.of(), text());
         peer.await(Message.Brought.class);
-        peer.send(new Message.Ask(SESSION, 1, 1, 0, 1));
+        peer.send(new Message.Ask(SESSION, 1, 1, 1000, 1000, 0, 1));
         assertThat(peer.await(Message.Gone.class).call()).isEqualTo(1);
-        peer.send(new Message.Ask(SESSION, 2, 1, 0, 2));
+        peer.send(new Message.Ask(SESSION, 2, 1, 1000, 1000, 0, 2));
         assertThat(peer.await(Message.Pixels.class).bytes()).hasSize(2 * 3 * 1024 * 4);
-        peer.send(new Message.Ask(SESSION, 2, 1, 1, 2));
+        peer.send(new Message.Ask(SESSION, 2, 1, 1000, 1000, 1, 2));
         peer.await(Message.Gone.class);
     }
 

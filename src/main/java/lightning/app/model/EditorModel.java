@@ -30,6 +30,7 @@ import lightning.edit.Situation;
 import lightning.edit.Workbench;
 import lightning.edit.loop.Frame;
 import lightning.edit.loop.RenderState;
+import lightning.image.Film;
 import lightning.image.ViewTransform;
 import lightning.scene.Light;
 import lightning.scene.Node;
@@ -60,6 +61,7 @@ public final class EditorModel implements AutoCloseable {
     private final Keys keys = new Keys();
     private final UpdateLog updates = new UpdateLog();
     private final Arrangement arrangement = new Arrangement();
+    private final MachineChoice machineChoice = new MachineChoice();
     private final ObjectProperty<Speech> speech = new SimpleObjectProperty<>(Speech.SYSTEM);
     private final TracedRaster raster = new TracedRaster();
     private final FileThread files;
@@ -340,6 +342,17 @@ public final class EditorModel implements AutoCloseable {
         }
     }
 
+    /**
+     * Shows a film of the scene that is being worked at, as another machine made it, until its own picture is there; nothing where that is
+     * there already, something else is worked at, or only a part of the picture is looked at.
+     */
+    public void showAhead(Film film, Scene of) {
+        if (situation.get().inWork().filter(s -> s == of).isPresent() && look.isPlain()) {
+            raster.ahead(film, of);
+            repaint();
+        }
+    }
+
     /** Which keys of the shot are chosen. */
     public KeyChoice keyChoice() {
         return keyChoice;
@@ -436,6 +449,11 @@ public final class EditorModel implements AutoCloseable {
     /** How the window's room is shared. */
     public Arrangement arrangement() {
         return arrangement;
+    }
+
+    /** Which other machines hold frames, where the artist wants that. */
+    public MachineChoice machineChoice() {
+        return machineChoice;
     }
 
     /** What the editor speaks from its next start on; titles and labels that stand on the screen stay as they are. */

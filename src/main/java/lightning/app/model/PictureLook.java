@@ -37,6 +37,11 @@ public final class PictureLook {
         model.setSwitch(command, effects.map(shown::test), () -> effects.set(with.apply(effects.get(), !shown.test(effects.get()))));
     }
 
+    /** Whether all of the picture is looked at. */
+    public boolean isPlain() {
+        return wanted.isPlain();
+    }
+
     /** Whether the selected light's share alone is shown, whichever light that is. */
     public BooleanProperty onlySelectedProperty() {
         return onlySelected;

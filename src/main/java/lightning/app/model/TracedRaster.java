@@ -35,6 +35,11 @@ public final class TracedRaster implements RenderListener {
     private Pixels pixels;
     private Film shown;
     private Film coarse;
+    /** What another machine made of the scene that is being traced; null where that shows none. Likewise the scene. */
+    private Film ahead;
+    private Scene aheadOf;
+    /** The scene whose picture is shown last, with all its samples; null where it lacks some. */
+    private Scene finished;
     private ViewTransform view = ViewTransform.DEFAULT;
     private Dirty dirty = Dirty.NONE;
     private Dirty patch = Dirty.NONE;
@@ -49,12 +54,21 @@ public final class TracedRaster implements RenderListener {
     }
 
     @Override
-    public void rendered(Frame frame) {
-        show(frame.seen());
+    public synchronized void rendered(Frame frame) {
+        finished = frame.finished() ? frame.scene() : null;
+        // What it lacks is seen already.
+        if (frame.finished() || frame.scene() != aheadOf || !frame.look().isPlain()) {
+            show(frame.seen());
+        } else {
+            shown = frame.seen();
+        }
     }
 
     @Override
-    public void coarse(Film film, Scene scene) {
+    public synchronized void coarse(Film film, Scene scene) {
+        if (scene == aheadOf) {
+            return;
+        }
         coarse(film, scene.picture().width(), scene.picture().height());
     }
 
@@ -63,7 +77,7 @@ public final class TracedRaster implements RenderListener {
     public synchronized void tile(Scene scene, int tile, float[][] film) {
         int width = scene.picture().width();
         int height = scene.picture().height();
-        if (!fits(width, height)) {
+        if (!fits(width, height) || scene == aheadOf) {
             return;
         }
         int across = (width - 1) / Film.TILE + 1;
@@ -93,6 +107,30 @@ public final class TracedRaster implements RenderListener {
         }
     }
 
+    /**
+     * Shows the picture of a scene that is being traced, as it was made elsewhere, until it is finished here or given up; nothing where it is
+     * finished.
+     */
+    public synchronized void ahead(Film film, Scene scene) {
+        if (scene == finished) {
+            return;
+        }
+        forgetAhead();
+        coarse = null;
+        size(film.width(), film.height());
+        pack(film, IntStream.range(0, film.tileCount()).toArray());
+        ahead = film;
+        aheadOf = scene;
+        unfinished = true;
+        untold = Dirty.NONE;
+        patch = Dirty.NONE;
+    }
+
+    private void forgetAhead() {
+        ahead = null;
+        aheadOf = null;
+    }
+
     /** The picture of another document is none of this one. */
     @Override
     public synchronized void forgotten(long number) {
@@ -103,6 +141,8 @@ public final class TracedRaster implements RenderListener {
         pixels = null;
         shown = null;
         coarse = null;
+        forgetAhead();
+        finished = null;
         unfinished = false;
         untold = Dirty.NONE;
         dirty = Dirty.NONE;
@@ -124,6 +164,7 @@ public final class TracedRaster implements RenderListener {
                 || film.green(tile) != shown.green(tile) || film.blue(tile) != shown.blue(tile)).toArray());
         shown = film;
         coarse = null;
+        forgetAhead();
         unfinished = false;
         untold = Dirty.NONE;
         patch = Dirty.NONE;
@@ -152,6 +193,7 @@ public final class TracedRaster implements RenderListener {
     /** Shows a small picture, enlarged to the size of the one that is being traced. */
     synchronized void coarse(Film film, int width, int height) {
         size(width, height);
+        forgetAhead();
         coarse = film;
         int[] small = view.toPixels(film);
         int[] large = pixels.pixels();
@@ -167,7 +209,9 @@ public final class TracedRaster implements RenderListener {
     /** Another exposure: everything is packed again. */
     synchronized void setView(ViewTransform v) {
         view = v;
-        if (coarse != null) {
+        if (ahead != null) {
+            pack(ahead, IntStream.range(0, ahead.tileCount()).toArray());
+        } else if (coarse != null) {
             coarse(coarse, pixels.width(), pixels.height());
         } else if (shown != null) {
             Film film = shown;

@@ -1,112 +1,91 @@
 package lightning.app.timeline;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
+import lightning.image.Downscale;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
-import lightning.relight.MemoryNeed;
-import lightning.relight.plan.Reflections;
-import lightning.relight.tile.Options;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 import lightning.shot.FrameState;
-import lightning.shot.FrameUpdate;
-import lightning.shot.LocalKeeper;
-import lightning.shot.RelitShot;
-import lightning.shot.ShotListener;
 import lightning.shot.Take;
 import lightning.work.OwnThread;
-import lightning.work.Workers;
 
 /**
- * Small pictures of all frames of a shot, exact at their size, which follow every edit: the frame that is looked at first. It gives way to
- * the large picture wherever that is worked at. Belongs to the window's thread; the work is done on others.
+ * Small pictures of the frames of a shot that are seen, which follow every edit: the frame that is looked at first. Belongs to the window's
+ * thread; the work is done on others.
  */
 final class FilmStrip implements AutoCloseable {
     /** Of a picture, pixels. */
     static final int HEIGHT = 72;
     private static final int MOST_WIDTH = 256;
 
+    private final StripFrames frames;
+    private final StripNews news;
     private final Executor window;
     private final Runnable changed;
-    private final RelitShot frames;
     private final Map<Integer, Small> pictures = new ConcurrentHashMap<>();
+    /** By frame, which of its films could not be had: that is told by the next. */
+    private final Map<Integer, Long> missed = new ConcurrentHashMap<>();
+    private final ExecutorService painter = OwnThread.inTurn("lightning-strip");
+    private final ExecutorService fetcher = OwnThread.inTurn("lightning-strip-film");
+    private final ExecutorService looks = OwnThread.inTurn("lightning-strip-focus");
     private final AtomicBoolean told = new AtomicBoolean();
-    private volatile boolean urgent;
+    private final AtomicBoolean painting = new AtomicBoolean();
     private volatile boolean closed;
     private volatile ViewTransform view;
+    private volatile List<Integer> seen = List.of();
     private AnimatedScene shown;
 
     /**
      * A picture as the display shows it.
      *
+     * @param film   what it was made of
+     * @param number which film of its frame that is
+     * @param view   how it is shown
      * @param pixels {@code int[width * height]}, opaque 0xFFRRGGBB
      */
-    record Small(int width, int height, int[] pixels) {
+    record Small(Film film, long number, ViewTransform view, int[] pixels) {
         // An array in a record: written once by its maker, never after.
     }
 
     /**
      * Begins nothing before {@link #show}.
      *
+     * @param frames  closed with this
+     * @param news    hears of them
      * @param window  runs tasks in turn on the window's thread
      * @param changed called there after pictures or states changed
+     * @param said    gets there what else is to be told
      */
-    FilmStrip(Shot shot, Scene scene, ViewTransform view, Executor window, Runnable changed) {
+    FilmStrip(StripFrames frames, StripNews news, ViewTransform view, Executor window, Runnable changed, Consumer<String> said) {
+        this.frames = frames;
+        this.news = news;
+        this.view = view;
         this.window = window;
         this.changed = changed;
-        this.view = view;
-        int threads = Math.max(1, Workers.available() - 1);
-        var keeper = new LocalKeeper(options().withThreads(threads), bytes(scene, shot));
-        frames = RelitShot.of(shot.first(), shot.last(), new PatientKeeper(keeper, () -> urgent), new ShotListener() {
-            @Override
-            public void updated(FrameUpdate update, FrameState state) {
-                pictures.put(update.frame(), picture(update.film()));
-                tell();
-            }
-
-            @Override
-            public void failed(int frame, Throwable problem) {
-                tell();
-            }
-
-            @Override
-            public void idle() {
-                tell();
-            }
-        });
-    }
-
-    private static Options options() {
-        return Options.DEFAULT.withReflections(Reflections.CURRENT);
-    }
-
-    /** The most bytes that the pictures of a shot take with all that they are relit from. */
-    static long bytes(Scene scene, Shot shot) {
-        Scene small = small(scene);
-        Picture picture = small.picture();
-        long each = MemoryNeed.most(small, options()) + 4L * picture.width() * picture.height();
-        return each * ((long) shot.last() - shot.first() + 1);
+        news.follow(frames.shot(), () -> {
+            paint();
+            tell();
+        }, sentence -> window.execute(() -> said.accept(sentence)));
     }
 
     /** The scene as a picture of the strip. */
     static Scene small(Scene scene) {
         Picture picture = scene.picture();
-        double shrink = Math.min(1, Math.min((double) HEIGHT / picture.height(), (double) MOST_WIDTH / picture.width()));
-        return scene.withPicture(picture.withSize(side(picture.width() * shrink), side(picture.height() * shrink)));
-    }
-
-    private static int side(double pixels) {
-        return (int) Math.max(1, Math.rint(pixels));
-    }
-
-    private Small picture(Film film) {
-        return new Small(film.width(), film.height(), view.toPixels(film));
+        Downscale small = Downscale.into(picture.width(), picture.height(), MOST_WIDTH, HEIGHT);
+        return scene.withPicture(picture.withSize(small.width(), small.height()));
     }
 
     private void tell() {
@@ -122,49 +101,148 @@ final class FilmStrip implements AutoCloseable {
 
     /** Brings all frames to a scene, which has a shot of the same frames. */
     void show(AnimatedScene scene, int frame) {
-        frames.focus(frame);
         if (scene != shown) {
             shown = scene;
-            frames.edit(new Take(small(scene.still()), scene.shot().orElseThrow()));
+            news.edit(new Take(frames.kept(scene.still()), scene.shot().orElseThrow()));
             tell();
+        }
+        // Others are told, which may wait for them.
+        execute(looks, () -> frames.shot().focus(frame));
+    }
+
+    private static void execute(ExecutorService thread, Runnable task) {
+        try {
+            thread.execute(task);
+        } catch (RejectedExecutionException e) {
+            // Closed meanwhile.
         }
     }
 
     /** Whether the large picture is worked at. */
     void setUrgent(boolean v) {
-        urgent = v;
+        frames.setUrgent(v);
     }
 
-    /** Shows the pictures in another way; takes a while, on a thread of its own. */
+    /** Shows the pictures in another way. */
     void setView(ViewTransform v) {
         view = v;
-        OwnThread.of("lightning-strip", () -> {
-            for (int frame = frames.first(); frame <= frames.last() && !closed && v == view; frame++) {
-                int number = frame;
-                frames.film(frame).ifPresent(film -> pictures.put(number, picture(film)));
-            }
-            tell();
-        }).start();
+        paint();
+    }
+
+    /** Which frames are seen, those first whose pictures are wanted first; of others none are kept. */
+    void see(List<Integer> now) {
+        if (!now.equals(seen)) {
+            seen = List.copyOf(now);
+            pictures.keySet().retainAll(Set.copyOf(now));
+            paint();
+        }
+    }
+
+    private void paint() {
+        if (painting.compareAndSet(false, true)) {
+            execute(painter, () -> {
+                painting.set(false);
+                for (Optional<Integer> frame = next(); frame.isPresent() && !closed; frame = next()) {
+                    paint(frame.get());
+                    tell();
+                }
+            });
+        }
+    }
+
+    private Optional<Integer> next() {
+        return seen.stream().filter(this::isWanted).findFirst();
+    }
+
+    private boolean isWanted(int frame) {
+        Small small = pictures.get(frame);
+        return isOld(frame, small) || small != null && small.view != view;
+    }
+
+    /** Whether there is a newer film that can be had. */
+    private boolean isOld(int frame, Small small) {
+        long number = news.films(frame);
+        return number != (small == null ? 0 : small.number) && number != missed.getOrDefault(frame, 0L);
+    }
+
+    private void paint(int frame) {
+        Small small = pictures.get(frame);
+        ViewTransform now = view;
+        if (!isOld(frame, small)) {
+            put(frame, new Small(small.film, small.number, now, now.toPixels(small.film)));
+            return;
+        }
+        long number = news.films(frame);
+        Optional<Film> film = frames.shot().film(frame, MOST_WIDTH, HEIGHT);
+        if (film.isEmpty()) {
+            missed.put(frame, number);
+        } else {
+            put(frame, new Small(film.get(), number, now, now.toPixels(film.get())));
+        }
+    }
+
+    private void put(int frame, Small small) {
+        if (seen.contains(frame)) {
+            pictures.put(frame, small);
+        }
+    }
+
+    /** Has the film of a frame at its full size brought: it is given on another thread, or nothing is where it is gone. */
+    void fetch(int frame, Consumer<Film> then) {
+        execute(fetcher, () -> frames.shot().film(frame).ifPresent(then));
     }
 
     /** Whether it is of a shot's frames. */
     boolean isOf(Shot shot) {
-        return frames.first() == shot.first() && frames.last() == shot.last();
+        return frames.shot().first() == shot.first() && frames.shot().last() == shot.last();
+    }
+
+    StripFrames frames() {
+        return frames;
+    }
+
+    StripNews news() {
+        return news;
     }
 
     Optional<Small> picture(int frame) {
         return Optional.ofNullable(pictures.get(frame));
     }
 
+    /** What there is of a frame; one is current whose film is, though its picture may be on the way. */
     FrameState state(int frame) {
-        return frames.state(frame);
+        FrameState state = frames.shot().state(frame);
+        return state == FrameState.CURRENT && !news.isCurrent(frame) ? FrameState.STALE : state;
+    }
+
+    /** Whether the picture of a frame shows the newest edit. */
+    boolean showsNewest(int frame) {
+        Small small = pictures.get(frame);
+        return small != null && small.number == news.films(frame) && state(frame) == FrameState.CURRENT;
+    }
+
+    /** How many frames are in a state. */
+    int count(FrameState state) {
+        int count = 0;
+        for (int frame = frames.shot().first(); frame <= frames.shot().last(); frame++) {
+            count += state(frame) == state ? 1 : 0;
+        }
+        return count;
+    }
+
+    /** How many other machines hold the frames; empty where they are kept here. */
+    OptionalInt machines() {
+        return frames.machines();
     }
 
     /** Returns at once; what is under way ends on a thread of its own. */
     @Override
     public void close() {
         closed = true;
-        urgent = false;
+        frames.setUrgent(false);
+        painter.shutdownNow();
+        fetcher.shutdownNow();
+        looks.shutdown();
         OwnThread.of("lightning-strip-close", frames::close).start();
     }
 }

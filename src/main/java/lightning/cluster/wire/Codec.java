@@ -41,8 +41,10 @@ public final class Codec {
             case Cancel m -> to.large(m.call());
             case Need m -> to.hash(m.hash()).large(m.offset());
             case Part m -> to.hash(m.hash()).large(m.offset()).bytes(m.bytes());
-            case Ask m -> to.large(m.call()).number(m.frame()).number(m.firstTile()).number(m.tiles());
-            case Pixels m -> to.large(m.call()).number(m.frame()).number(m.firstTile()).bytes(m.bytes());
+            case Ask m -> to.large(m.call()).number(m.frame()).number(m.mostWidth()).number(m.mostHeight()).number(m.firstTile())
+                    .number(m.tiles());
+            case Pixels m -> to.large(m.call()).number(m.frame()).number(m.mostWidth()).number(m.mostHeight()).number(m.firstTile())
+                    .bytes(m.bytes());
             case Gone m -> to.large(m.call()).number(m.frame());
             case Focus m -> to.number(m.frame());
             case Forget m -> to.number(m.frame());
@@ -107,9 +109,10 @@ public final class Codec {
             case 6 -> new Cancel(session, from.large("the call"));
             case 7 -> new Need(session, from.hash("the content"), from.large("the offset"));
             case 8 -> new Part(session, from.hash("the content"), from.large("the offset"), from.bytes("the part", Message.PART_BYTES));
-            case 9 ->
-                    new Ask(session, from.large("the call"), frame(from), from.number("the first tile", SIDE), from.number("tiles", SIDE));
-            case 10 -> new Pixels(session, from.large("the call"), frame(from), from.number("the first tile", SIDE),
+            case 9 -> new Ask(session, from.large("the call"), frame(from), from.number("the most width", SIDE),
+                    from.number("the most height", SIDE), from.number("the first tile", SIDE), from.number("tiles", SIDE));
+            case 10 -> new Pixels(session, from.large("the call"), frame(from), from.number("the most width", SIDE),
+                    from.number("the most height", SIDE), from.number("the first tile", SIDE),
                     from.bytes("the pixels", Message.PART_BYTES));
             case 11 -> new Gone(session, from.large("the call"), frame(from));
             case 12 -> new Focus(session, frame(from));

@@ -60,11 +60,15 @@ public sealed interface Message {
     /** Some of the content, at most {@link #PART_BYTES}; empty at its end, and where there is none such. */
     record Part(UUID session, Hash hash, long offset, byte[] bytes) implements Message {}
 
-    /** Asks for tiles of the film that a call made. */
-    record Ask(UUID session, long call, int frame, int firstTile, int tiles) implements Message {}
+    /**
+     * Asks for tiles of the film that a call made, made smaller so as to have room.
+     *
+     * @param mostWidth pixels; likewise {@code mostHeight}
+     */
+    record Ask(UUID session, long call, int frame, int mostWidth, int mostHeight, int firstTile, int tiles) implements Message {}
 
-    /** Tiles of a film: of each all red, all green, all blue, floats with their highest byte first. */
-    record Pixels(UUID session, long call, int frame, int firstTile, byte[] bytes) implements Message {}
+    /** Tiles of that film: of each all red, all green, all blue, floats with their highest byte first. */
+    record Pixels(UUID session, long call, int frame, int mostWidth, int mostHeight, int firstTile, byte[] bytes) implements Message {}
 
     /** The film of that call is there no more. */
     record Gone(UUID session, long call, int frame) implements Message {}

@@ -3,6 +3,8 @@ package lightning.app.model;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import lightning.edit.loop.Frame;
+import lightning.edit.loop.Look;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
 import lightning.scene.Camera;
@@ -95,6 +97,52 @@ class TracedRasterTest {
         assertThat(raster.takeDirty()).isEqualTo(new TracedRaster.Dirty(32, 32, 64, 40));
         assertThat(pixels()[32 * WIDTH + 32]).isEqualTo(ViewTransform.DEFAULT.toPixels(filled(0.9f))[0]);
         assertThat(pixels()[31 * WIDTH + 32]).isEqualTo(ViewTransform.DEFAULT.toPixels(filled(0.2f))[0]);
+    }
+
+    private static Frame frame(Film film, Scene scene, boolean finished) {
+        return new Frame(film, film, Look.PLAIN, scene, scene, null, null, finished);
+    }
+
+    private void assertShows(Film film) {
+        assertThat(pixels()).isEqualTo(ViewTransform.DEFAULT.toPixels(film));
+    }
+
+    @Test
+    void filmFromElsewhere_staysWhileItsSceneIsTraced() {
+        Scene scene = scene(WIDTH, HEIGHT);
+        Film elsewhere = filled(0.7f);
+        raster.coarse(filled(4, 2, 0.2f), scene);
+        raster.ahead(elsewhere, scene);
+        raster.coarse(filled(4, 2, 0.3f), scene);
+        raster.tile(scene, 4, tile(0.9f));
+        raster.rendered(frame(filled(0.1f), scene, false));
+        assertShows(elsewhere);
+        raster.rendered(frame(filled(0.7f), scene, true));
+        assertShows(elsewhere);
+        raster.setView(ViewTransform.DEFAULT.withExposure(1));
+        assertThat(pixels()).isEqualTo(ViewTransform.DEFAULT.withExposure(1).toPixels(elsewhere));
+    }
+
+    @Test
+    void filmFromElsewhere_givesWayToAnotherScene_andGoesWhereItsOwnIsGivenUp() {
+        Film elsewhere = filled(0.7f);
+        raster.ahead(elsewhere, scene(WIDTH, HEIGHT));
+        raster.setView(ViewTransform.DEFAULT.withExposure(1));
+        assertThat(pixels()).isEqualTo(ViewTransform.DEFAULT.withExposure(1).toPixels(elsewhere));
+        raster.setView(ViewTransform.DEFAULT);
+        raster.idle();
+        assertShows(first);
+        raster.ahead(elsewhere, scene(WIDTH, HEIGHT));
+        raster.rendered(frame(filled(0.1f), scene(WIDTH, HEIGHT), false));
+        assertShows(filled(0.1f));
+    }
+
+    @Test
+    void filmFromElsewhere_comesTooLateForAPictureThatIsFinished() {
+        Scene scene = scene(WIDTH, HEIGHT);
+        raster.rendered(frame(filled(0.1f), scene, true));
+        raster.ahead(filled(0.7f), scene);
+        assertShows(filled(0.1f));
     }
 
     @Test

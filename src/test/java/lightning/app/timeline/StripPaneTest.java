@@ -37,7 +37,8 @@ class StripPaneTest extends EditorDesk {
     }
 
     private void waitForStrip() {
-        waitFor("all frames are current", () -> text("strip-progress").isEmpty() && pixels(1).length > 0 && !isStale(1));
+        waitFor("all frames are current", () -> text("strip-progress").isEmpty() && pixels(1).length > 0
+                && robot.lookup(".strip-slot").queryAll().stream().noneMatch(StripPaneTest::isStale));
     }
 
     private Node slot(int frame) {
@@ -45,7 +46,11 @@ class StripPaneTest extends EditorDesk {
     }
 
     private boolean isStale(int frame) {
-        return slot(frame).getPseudoClassStates().contains(PseudoClass.getPseudoClass("stale"));
+        return isStale(slot(frame));
+    }
+
+    private static boolean isStale(Node slot) {
+        return slot.getPseudoClassStates().contains(PseudoClass.getPseudoClass("stale"));
     }
 
     private int[] pixels(int frame) {

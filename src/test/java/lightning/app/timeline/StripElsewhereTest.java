@@ -1,0 +1,204 @@
+package lightning.app.timeline;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import javafx.scene.control.TextField;
+import lightning.app.EditorDesk;
+import lightning.app.model.Preferences;
+import lightning.cluster.FrameNode;
+import lightning.cluster.Place;
+import lightning.cluster.SelfSigned;
+import lightning.cluster.TlsNetwork;
+import lightning.edit.Command;
+import lightning.edit.Dial;
+import lightning.edit.OpenDocument;
+import lightning.image.Downscale;
+import lightning.image.Film;
+import lightning.relight.tile.Options;
+import lightning.scene.LightAttribute;
+import lightning.scene.Scene;
+import lightning.shading.ReferenceTracer;
+import lightning.shot.FrameState;
+import lightning.shot.LocalKeeper;
+import lightning.text.Release;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.testfx.util.WaitForAsyncUtils;
+
+/** The film strip on nodes, here in the same process: they are asked for as an artist does, and are heard over TLS. */
+class StripElsewhereTest extends EditorDesk {
+    private static final String SHOT = "shot { frames 1 4  light lamp { intensity { 1 0.5  4 2.5 } } }";
+    private static final int PATIENCE_SECONDS = 120;
+
+    private final InetAddress loopback = InetAddress.getLoopbackAddress();
+    private final List<FrameNode> nodes = new ArrayList<>();
+    private Path certificate;
+
+    @BeforeEach
+    void openStrip() throws Exception {
+        certificate = folder.resolve("shared.p12");
+        SelfSigned.write(certificate);
+        var file = folder.resolve("desk.jen");
+        Files.writeString(file, Files.readString(file) + SHOT);
+        OpenDocument opened = OpenDocument.open(file);
+        robot.interact(() -> model().open(opened));
+        waitForPicture();
+        robot.interact(() -> model().run(Command.FILM_STRIP));
+    }
+
+    @AfterEach
+    void endNodes() {
+        nodes.forEach(FrameNode::close);
+    }
+
+    private static int freePort() throws IOException {
+        try (var socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            return socket.getLocalPort();
+        }
+    }
+
+    private FrameNode node(int port, int join) throws Exception {
+        var place = new Place(loopback, port, 1, List.of(new InetSocketAddress(loopback, join)), certificate, Place.Timing.DEFAULT);
+        Path own = folder.resolve("node-" + port);
+        var node = new FrameNode(new TlsNetwork(place), new FrameNode.Settings(Release.ofMachine(), 1, 1 << 30, own,
+                () -> new LocalKeeper(Options.DEFAULT.withThreads(1), 1 << 28), _ -> {}));
+        nodes.add(node);
+        node.start();
+        return node;
+    }
+
+    private void type(String field, String text) {
+        robot.interact(() -> robot.lookup("#" + field).<TextField>query().clear());
+        robot.clickOn("#" + field).write(text);
+    }
+
+    private void ask(String hosts, Path file) {
+        click("strip-elsewhere");
+        type("machines-hosts", hosts);
+        type("machines-certificate", file.toString());
+        click("machines-begin");
+    }
+
+    private void waitToBeTold(String what) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (!told().equals(what)) {
+            assertThat(System.nanoTime()).as("waited until the strip says %s; it says %s", what, told()).isLessThan(end);
+            WaitForAsyncUtils.sleep(20, TimeUnit.MILLISECONDS);
+        }
+    }
+
+    private String told() {
+        return WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(() -> text("strip-progress")));
+    }
+
+    private FilmStrip strip() {
+        return robot.lookup("#strip").<StripPane>query().strip().orElseThrow();
+    }
+
+    /** The films that the nodes hold, in every bit, and the small pictures that are seen of them. */
+    private void assertAllExact() throws Exception {
+        for (int frame = 1; frame <= 4; frame++) {
+            Scene scene = model().document().content().at(frame);
+            Film exact = new ReferenceTracer(scene).trace();
+            assertThat(film(frame).sameBits(exact)).as("every bit of frame " + frame).isTrue();
+            int number = frame;
+            waitFor("the small picture is there", () -> strip().showsNewest(number));
+            Film small = strip().picture(frame).orElseThrow().film();
+            assertThat(small.sameBits(Downscale.into(exact.width(), exact.height(), small.width(), small.height()).of(exact))).isTrue();
+        }
+    }
+
+    /** Where the machine that has it is lost in that moment, another traces it. */
+    private Film film(int frame) throws Exception {
+        var film = new CompletableFuture<Film>();
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (!film.isDone()) {
+            assertThat(System.nanoTime()).as("waited for the film of frame " + frame).isLessThan(end);
+            if (strip().state(frame) == FrameState.CURRENT) {
+                strip().fetch(frame, film::complete);
+            }
+            WaitForAsyncUtils.sleep(200, TimeUnit.MILLISECONDS);
+        }
+        return film.get();
+    }
+
+    @Test
+    void frames_areHeldByTheMachinesThatAreNamed_andExactAfterAnEdit() throws Exception {
+        int port = freePort();
+        int other = freePort();
+        node(port, port);
+        node(other, port);
+        ask("127.0.0.1:" + port + ", 127.0.0.1:" + other, certificate);
+        waitToBeTold("2 machines, 4 of 4 frames");
+        assertThat(robot.lookup("#machines").tryQuery()).isEmpty();
+        assertAllExact();
+        robot.interact(() -> {
+            model().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 2));
+            assertThat(strip().showsNewest(4)).isFalse();
+        });
+        waitToBeTold("2 machines, 4 of 4 frames");
+        assertAllExact();
+    }
+
+    @Test
+    void machineThatGoes_isTold_andItsFramesAreTracedByAnother() throws Exception {
+        int port = freePort();
+        int other = freePort();
+        node(port, port);
+        FrameNode going = node(other, port);
+        ask("127.0.0.1:" + port, certificate);
+        waitToBeTold("2 machines, 4 of 4 frames");
+        going.close();
+        waitToBeTold("1 machine, 4 of 4 frames");
+        assertAllExact();
+        nodes.removeFirst().close();
+        waitToBeTold("all machines are gone; one that comes goes on, 0 of 4 frames");
+    }
+
+    @Test
+    void keepHereAgain_letsGoOfTheMachines() throws Exception {
+        int port = freePort();
+        node(port, port);
+        ask("127.0.0.1:" + port, certificate);
+        waitToBeTold("1 machine, 4 of 4 frames");
+        click("strip-here");
+        waitToBeTold("");
+        assertThat(strip().machines()).isEmpty();
+        assertThat(isShown("strip-here")).isFalse();
+    }
+
+    @Test
+    void noMachine_isTold() throws Exception {
+        int port = freePort();
+        ask("127.0.0.1:" + port, certificate);
+        waitToBeTold("no machine answers at 127.0.0.1:" + port + ": none is there yet, or it has another certificate, 0 of 4 frames");
+    }
+
+    @Test
+    void fileThatIsNoCertificate_isToldInASentence_andWhatWasTypedIsKept() throws Exception {
+        Path none = Files.writeString(folder.resolve("none.p12"), "words");
+        ask("127.0.0.1:1", none);
+        waitFor("it is told", () -> text("machines-status").contains("none.p12: expected a key and its certificate"));
+        assertThat(text("machines-status")).doesNotContain("Exception");
+        type("machines-certificate", folder.resolve("gone.p12").toString());
+        click("machines-begin");
+        waitFor("it is told", () -> text("machines-status").contains("gone.p12"));
+        assertThat(robot.lookup("#strip-1").tryQuery()).isEmpty();
+        type("machines-hosts", "a b");
+        click("machines-begin");
+        assertThat(text("machines-status")).contains("expected a machine and a port");
+        robot.interact(() -> model().machineChoice().remember(new Preferences(folder.resolve("p"), Runnable::run)));
+        assertThat(model().machineChoice().hostsProperty().get()).isEqualTo("127.0.0.1:1");
+    }
+}
