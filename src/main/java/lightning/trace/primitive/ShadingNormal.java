@@ -39,7 +39,15 @@ final class ShadingNormal {
         double ry = twice * y - vy;
         double rz = twice * z - vz;
         double rises = rx * gx + ry * gy + rz * gz;
-        double least = Math.min(LOW, vx * gx + vy * gy + vz * gz);
+        double seen = vx * gx + vy * gy + vz * gz;
+        double least = Math.min(LOW, seen);
+        if (twice < 0 && rises >= least) {
+            // It leads into the surface, and mirrors as its opposite does. Bent on from where it is seen from its side.
+            rx = -vx;
+            ry = -vy;
+            rz = -vz;
+            rises = -seen;
+        }
         if (rises < least) {
             rx += (least - rises) * gx;
             ry += (least - rises) * gy;
