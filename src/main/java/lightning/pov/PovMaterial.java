@@ -2,9 +2,11 @@ package lightning.pov;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
 import lightning.math.Rgb;
 import lightning.scene.Clarity;
 import lightning.scene.Material;
+import lightning.scene.Relief;
 import lightning.scene.ShadowsThrown;
 import lightning.scene.Solid;
 import lightning.scene.SurfaceModel;
@@ -18,6 +20,9 @@ final class PovMaterial {
     /** Stands for a pigment of 0 where something is emitted: far below half a step of 8 bits. */
     private static final double LEAST_PIGMENT = 1e-5;
 
+    /** POV-Ray's amount for a height of 1. */
+    private static final double BUMP = 7.5;
+
     private final List<String> losses;
 
     PovMaterial(List<String> losses) {
@@ -29,9 +34,11 @@ final class PovMaterial {
      *
      * @param image the texture's file
      * @param mask  the file of what is there
+     * @param bumps the file of heights
      */
-    String text(Material material, Solid solid, String image, String mask) {
-        String text = text(material, solid, image);
+    String text(Material material, Solid solid, String image, String mask, String bumps) {
+        String text =
+                text(material, solid, image).replaceFirst("\n    finish", Matcher.quoteReplacement(relief(material, solid, bumps)) + "$0");
         return material.cutout().cuts() ? cut(material, solid, text, mask) : text;
     }
 
@@ -59,14 +66,39 @@ final class PovMaterial {
     }
 
     private String text(Material material, Solid solid, String image) {
-        if (!material.relief().isFlat()) {
-            lose("material " + material.name() + ": bump and normal maps are left out");
-        }
         Material m = material.isMetallic() ? phong(material) : material;
         if (m.clarity().isClear()) {
             return clear(m) + shadows(m);
         }
         return (m.texture().isPresent() ? textured(m, m.texture().get(), solid, image) : plain(m)) + shadows(m);
+    }
+
+    /**
+     * POV-Ray takes Σ 0.1·amount/accuracy·f(p + accuracy·e)·e from a normal, e being the four corners of a tetrahedron, which is
+     * 0.1·amount·4/3·∇f, and without a scale of bumps of normals in the scene. Its bump_map would lean along the axes of space instead of the picture's.
+     */
+    private String relief(Material m, Solid solid, String bumps) {
+        Relief relief = m.relief();
+        if (relief.leans()) {
+            lose("material " + m.name() + ": its normal map is left out, POV-Ray has none");
+        }
+        if (relief.bumps() && solid instanceof Solid.Triangles) {
+            lose("material " + m.name() + ": its bump map is left out on meshes, on which POV-Ray knows no slopes of pictures");
+        }
+        if (!relief.bumps() || solid instanceof Solid.Triangles) {
+            return "";
+        }
+        TextureMap map = relief.bump().orElseThrow();
+        return "\n    normal { pigment_pattern { image_map { png \"" + bumps + "\" gamma 1.0 " + mapping(solid) + " interpolate 2 } } "
+                + BUMP * relief.height() + " no_bump_scale accuracy " + step(map, solid) + " " + String.join(" ", placing(m, map, solid))
+                + " }";
+    }
+
+    /** About a pixel of a picture, in the space of POV-Ray's maps: on a square, or around a body of radius 1. */
+    private static double step(TextureMap map, Solid solid) {
+        double around = solid instanceof Solid.Plane ? 1 : 2 * Math.PI;
+        double along = solid instanceof Solid.Sphere ? Math.PI : 1;
+        return Math.sqrt(around / map.image().width() * along / map.image().height());
     }
 
     private static String shadows(Material m) {

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import lightning.file.SafeFile;
+import lightning.image.DisplayCurve;
 import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
@@ -28,11 +29,13 @@ public final class PovScene {
     private final String text;
     private final List<String> losses;
     private final Map<String, Texture> images;
+    private final Map<String, Texture> heights;
 
-    private PovScene(String text, List<String> losses, Map<String, Texture> images) {
+    private PovScene(String text, List<String> losses, Map<String, Texture> images, Map<String, Texture> heights) {
         this.text = text;
         this.losses = List.copyOf(losses);
         this.images = images;
+        this.heights = heights;
     }
 
     /**
@@ -43,6 +46,7 @@ public final class PovScene {
     public static PovScene of(Scene scene, String name) {
         List<String> losses = new ArrayList<>();
         Map<String, Texture> images = new LinkedHashMap<>();
+        Map<String, Texture> heights = new LinkedHashMap<>();
         var body = new StringBuilder();
         body.append("global_settings {\n  assumed_gamma 1.0\n  max_trace_level ")
                 .append(scene.picture().depth() + 1 + (cuts(scene) ? HOLES : 0))
@@ -63,13 +67,15 @@ public final class PovScene {
         for (PlacedShape shape : scene.placedShapes()) {
             String image = shape.material().texture().map(t -> image(images, t, name)).orElse("");
             String mask = shape.material().cutout().cutout().map(t -> image(images, t, name + "-cutout")).orElse("");
+            String bumps = shape.material().relief().bump().filter(_ -> shape.material().relief().bumps())
+                    .map(t -> image(heights, t, name + "-bump")).orElse("");
             body.append("// ").append(shape.shape().name()).append('\n').append(solid(shape.shape().solid(), meshes)).append("\n  ")
-                    .append(materials.text(shape.material(), shape.shape().solid(), image, mask)).append("\n  ")
+                    .append(materials.text(shape.material(), shape.shape().solid(), image, mask, bumps)).append("\n  ")
                     .append(PovText.matrix(shape.toWorld())).append("\n}\n");
         }
         var lights = new PovLight(Extent.of(scene), losses);
         scene.rig().actingLights().forEach(light -> body.append(lights.text(scene, light)));
-        return new PovScene(head(scene, losses) + body, losses, images);
+        return new PovScene(head(scene, losses) + body, losses, images, heights);
     }
 
     private static boolean cuts(Scene scene) {
@@ -129,7 +135,22 @@ public final class PovScene {
         for (var image : images.entrySet()) {
             PictureFile.write(file.resolveSibling(image.getKey()), film(image.getValue()), ViewTransform.DEFAULT);
         }
+        for (var image : heights.entrySet()) {
+            // Slopes are differences of neighbours: 8 bits would make steps of them.
+            PictureFile.write(file.resolveSibling(image.getKey()), gray(image.getValue()), new ViewTransform(0, DisplayCurve.LINEAR), 16);
+        }
         SafeFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+    }
+
+    /** Of the luminance, which POV-Ray weighs otherwise. */
+    private static Film gray(Texture texture) {
+        float[] rgb = new float[3 * texture.width() * texture.height()];
+        for (int i = 0; i < rgb.length; i++) {
+            int x = i / 3 % texture.width();
+            int y = i / 3 / texture.width();
+            rgb[i] = (float) texture.luminance(x, y, x, y, 0, 0);
+        }
+        return Film.ofScanlines(texture.width(), texture.height(), rgb);
     }
 
     private static Film film(Texture texture) {

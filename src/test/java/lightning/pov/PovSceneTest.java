@@ -3,12 +3,15 @@ package lightning.pov;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import javax.imageio.ImageIO;
 import lightning.jen.JenReader;
 import lightning.math.Transform;
 import lightning.math.Vec3;
@@ -16,14 +19,18 @@ import lightning.sample.Meshes;
 import lightning.sample.SceneArbitraries;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
+import lightning.scene.Material;
 import lightning.scene.Node;
 import lightning.scene.Panorama;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
+import lightning.scene.Relief;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Sky;
 import lightning.scene.Solid;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
 import lightning.scene.World;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
@@ -32,8 +39,12 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.DoubleRange;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 class PovSceneTest {
+    @TempDir
+    Path folder;
+
     @Provide
     Arbitrary<Scene> scenes() {
         return SceneArbitraries.scenes();
@@ -125,6 +136,40 @@ class PovSceneTest {
         assertThat(pov.losses()).containsExactly("material pane: light passes its shapes",
                 "material pane: a thin pane mirrors nothing by its angle",
                 "material pane: its body loses nothing where its angle mirrors more");
+    }
+
+    @Test
+    void bumpMaps_arePatternsOfTheirHeights() throws Exception {
+        Path textures = Path.of("textures").toAbsolutePath();
+        Files.copy(textures.resolve("brick.png"), folder.resolve("brick.png"));
+        Scene scene = JenReader.read("""
+                jen 1
+                material wall { bump "brick.png" height 0.2 bump_repeat 4 2 }
+                plane wall { material wall }
+                """, "p.jen", folder).scene();
+        PovScene pov = PovScene.of(scene, "x");
+        assertThat(pov.losses()).isEmpty();
+        assertThat(pov.text()).contains("normal { pigment_pattern { image_map { png \"x-bump-brick_png.png\" gamma 1.0 map_type 0 ",
+                " } } 1.5 no_bump_scale accuracy ", " scale <0.25, 0.5, 1> rotate");
+        pov.write(folder.resolve("p.pov"));
+        Texture heights = scene.materials().getLast().relief().bump().orElseThrow().image();
+        BufferedImage written = ImageIO.read(folder.resolve("x-bump-brick_png.png").toFile());
+        assertThat(written.getRaster().getSample(7, 5, 1)).isEqualTo((int) Math.round(65535 * heights.luminance(7, 5, 7, 5, 0, 0)));
+    }
+
+    @Test
+    void reliefsThatPovRayLacks_areToldByTheirMaterial() {
+        var image = new TextureMap("a.png", 1, 1, new Texture(1, 1, new float[3]));
+        Material bumpy = Material.of("bumpy").withRelief(Relief.NONE.withBump(Optional.of(image)));
+        Material leaning = Material.of("leaning").withRelief(Relief.NONE.withNormals(Optional.of(image)));
+        List<Node> nodes = List.of(new Shape(Meshes.solid(Meshes.cube()), "one", "bumpy", Placement.IDENTITY),
+                new Shape(Solid.PLANE, "two", "leaning", Placement.IDENTITY));
+        PovScene pov =
+                PovScene.of(new Scene(Picture.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(bumpy, leaning), nodes, List.of()), "x");
+        assertThat(pov.losses()).containsExactly(
+                "material bumpy: its bump map is left out on meshes, on which POV-Ray knows no slopes of pictures",
+                "material leaning: its normal map is left out, POV-Ray has none");
+        assertThat(pov.text()).doesNotContain("normal {");
     }
 
     @Test
