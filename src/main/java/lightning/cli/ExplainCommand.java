@@ -1,15 +1,24 @@
 package lightning.cli;
 
+import java.util.Arrays;
 import java.util.concurrent.Callable;
+import lightning.fulltrace.TraditionalTracer;
+import lightning.image.Film;
 import lightning.image.ViewTransform;
 import lightning.math.Vec3;
+import lightning.relight.MemoryNeed;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.shading.LightReport;
 import lightning.shading.PixelExplainer;
 import lightning.shading.PointReport;
+import lightning.trace.Geometry;
+import lightning.trace.NormalSteps;
 import lightning.trace.SurfacePoint;
+import lightning.work.Memory;
+import lightning.work.Progress;
+import lightning.work.Workers;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
@@ -19,7 +28,8 @@ import picocli.CommandLine.Parameters;
         description = {
             "Traces one pixel: what the eye sees there, where and how it lies, and for each light whether it reaches the point",
             "(facing away, outside the cone, shadowed by a shape, lit), its cosine, specular term and falloff, and what it adds",
-            "to the point's colour, with its share in percent. Mirrored and refracted rays follow, indented; of those that clear",
+            "to the point's colour, with its share in percent. Where bump and normal maps or a mesh's vertices make another normal than",
+            "the surface's own, each step to it is told, and which lights it faces though they are below the surface. Mirrored and refracted rays follow, indented; of those that clear",
             "surfaces send on, those that bring more than 0.2 %% of the pixel. Colours are linear red, green, blue; the last line",
             "is the pixel as the film and as the display have it, equal to render's in every bit."},
         footer = {
@@ -57,11 +67,37 @@ final class ExplainCommand implements Callable<Integer> {
         PointReport report = explainer.pixel(pixel.x(), pixel.y());
         console.line("pixel %d,%d of %d x %d", pixel.x(), pixel.y(), width, height);
         print(explainer, report, "", 1);
-        float[] c = report.color();
+        last(scene, explainer.geometry(), report.color());
+        return ExitCode.DONE;
+    }
+
+    /** The pixel: with finer samples it is the mean of several rays where it is on an edge, of which the centre's was told. */
+    private void last(Scene scene, Geometry geometry, float[] center) {
+        float[] c = center;
+        if (scene.picture().sampling().isFine()) {
+            c = mean(scene, geometry);
+            if (!Arrays.equals(c, center)) {
+                console.line("center: linear %s %s %s; the pixel is the mean of %d rays", center[0], center[1], center[2],
+                        scene.picture().sampling().perPixel());
+            }
+        }
         ViewTransform view = ViewTransform.DEFAULT;
         console.line("pixel: linear %s %s %s, displayed %d %d %d", c[0], c[1], c[2], view.encode(c[0]), view.encode(c[1]),
                 view.encode(c[2]));
-        return ExitCode.DONE;
+    }
+
+    /** The pixel as the film has it. */
+    private float[] mean(Scene scene, Geometry geometry) {
+        MemoryNeed.checkFilm(scene.picture(), Memory.available());
+        int x = pixel.x();
+        int y = pixel.y();
+        try (Workers workers = new Workers(1)) {
+            Film film = new TraditionalTracer(scene, geometry)
+                    .trace(workers, new int[] {y / Film.TILE * ((scene.picture().width() - 1) / Film.TILE + 1) + x / Film.TILE},
+                            Progress.NONE)
+                    .film();
+            return new float[] {film.red(x, y), film.green(x, y), film.blue(x, y)};
+        }
     }
 
     /** @param share which part of the pixel's colour the point brings, about */
@@ -77,6 +113,9 @@ final class ExplainCommand implements Callable<Integer> {
         Vec3 point = geometry.toScene(new Vec3(at.px(), at.py(), at.pz()));
         console.line("%s%s of material %s", indent, shape.name(), material.name());
         console.line("%s  at %.6g %.6g %.6g, normal %.6g %.6g %.6g", indent, point.x(), point.y(), point.z(), at.nx(), at.ny(), at.nz());
+        if (report.normals() != null) {
+            normals(report.normals(), indent);
+        }
         double all = total(report.color());
         PointParts parts = PointParts.of(material, at);
         console.line("%s  %-12s adds %s %s", indent, "ambient", rgb(report.ambient()), share(report.ambient(), all));
@@ -106,6 +145,26 @@ final class ExplainCommand implements Callable<Integer> {
         }
     }
 
+    private void normals(NormalSteps steps, String indent) {
+        console.line("%s    the surface's own    %s", indent, normal(steps.surface()));
+        if (steps.smooth() != null) {
+            console.line("%s    between vertices     %s", indent, normal(steps.smooth()));
+        }
+        if (steps.mapped() != null) {
+            console.line("%s    by bump, normal map  %s", indent, normal(steps.mapped()));
+        }
+        if (steps.bent()) {
+            console.line("%s    bent towards the viewer, so that what is mirrored leaves the surface", indent);
+        }
+        if (steps.lift() > 0) {
+            console.line("%s    shadows are asked from %.6g above the flat triangle", indent, steps.lift());
+        }
+    }
+
+    private static String normal(Vec3 n) {
+        return Console.text("%.6g %.6g %.6g", n.x(), n.y(), n.z());
+    }
+
     private void part(String name, float[] added, double all, String indent) {
         if (added != null) {
             console.line("%s  %-12s adds %s %s", indent, name, rgb(added), share(added, all));
@@ -119,11 +178,17 @@ final class ExplainCommand implements Callable<Integer> {
             case OUTSIDE -> Console.text("outside the cone, cosine %.6g", light.cosine());
             case UNLINKED -> Console.text("not linked, cosine %.6g", light.cosine());
             case SHADOWED -> Console.text("shadowed by %s, cosine %.6g", explainer.geometry().shape(light.blocker()).name(),
-                    light.cosine());
+                    light.cosine()) + below(light);
             case LIT -> (light.samples() > 1 ? samples(explainer, light)
                     : Console.text("lit, cosine %.6g, specular %.6g, falloff %.6g", light.cosine(), light.specular(), light.falloff()))
-                    + through(light.tint());
+                    + below(light) + through(light.tint());
         };
+    }
+
+    /** That a light which the normal faces is below the surface itself, which is then in between. */
+    private static String below(LightReport light) {
+        return light.below() == 0 ? "" : light.samples() == 1 ? ", from below the surface"
+                : Console.text(", %d from below the surface", light.below());
     }
 
     /** What passes of a light through clear shapes; nothing where there are none. */

@@ -11,6 +11,7 @@ import lightning.scene.Scene;
 import lightning.trace.Eye;
 import lightning.trace.Geometry;
 import lightning.trace.MaterialTable;
+import lightning.trace.NormalSteps;
 import lightning.trace.SurfacePoint;
 import lightning.trace.tree.WayEnd;
 
@@ -63,15 +64,16 @@ public final class PixelExplainer {
     private PointReport ray(Ray ray, int depth) {
         int shape = geometry.nearest(ray);
         if (shape < 0) {
-            return new PointReport(null, Backdrop.color(scene.world(), ray.direction()), NONE, List.of(), null, null);
+            return new PointReport(null, null, Backdrop.color(scene.world(), ray.direction()), NONE, List.of(), null, null);
         }
         SurfacePoint at = geometry.surface(shape, ray);
+        NormalSteps normals = geometry.normalSteps(shape, ray);
         PointReport reflected = materials.isReflective(at.material()) && depth > 0 ? ray(at.mirrored(), depth - 1) : null;
         Ray through = materials.isClear(at.material()) && depth > 0 ? at.refracted() : null;
         PointReport refracted = through == null ? null : ray(through, depth - 1);
         List<LightReport> reports = new ArrayList<>();
         for (Luminaire light : lights) {
-            reports.add(report(light, at));
+            reports.add(report(light, at, normals));
         }
         float[] color = new float[3];
         float[] ambient = new float[3];
@@ -89,7 +91,7 @@ public final class PixelExplainer {
                             at.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
                             reflected == null ? 0 : reflected.color()[c]);
         }
-        return new PointReport(at, color, ambient, reports, reflected, refracted);
+        return new PointReport(at, normals, color, ambient, reports, reflected, refracted);
     }
 
     private static float sum(List<LightReport> lights, int channel, Function<LightReport, float[]> part) {
@@ -100,23 +102,24 @@ public final class PixelExplainer {
         return LightingEquation.sum(terms, 0, terms.length);
     }
 
-    private LightReport report(Luminaire light, SurfacePoint at) {
-        return light.lamp().isArea() && !light.isDark() ? area(light, at) : report(light, light.lamp(), at);
+    private LightReport report(Luminaire light, SurfacePoint at, NormalSteps normals) {
+        return light.lamp().isArea() && !light.isDark() ? area(light, at, normals) : report(light, light.lamp(), at, normals);
     }
 
     /** The means of a light's samples; of those that do not reach the point, the one that comes farthest tells why. */
-    private LightReport area(Luminaire light, SurfacePoint at) {
+    private LightReport area(Luminaire light, SurfacePoint at, NormalSteps normals) {
         int samples = light.lamp().area().samples();
         double diffuse = 0;
         double specular = 0;
         double grazing = 0;
         int seen = 0;
+        int below = 0;
         LightReport farthest = null;
         LightReport blocked = null;
         double[] tints = new double[3];
         int free = 0;
         for (int s = 0; s < samples; s++) {
-            LightReport one = report(light, light.lamp().sample(LampArea.turn(at.px(), at.py(), at.pz()), s), at);
+            LightReport one = report(light, light.lamp().sample(LampArea.turn(at.px(), at.py(), at.pz()), s), at, normals);
             // A way counts wherever the cone ends, as in rows, which are not asked again when it moves.
             Lamp sample = light.lamp().sample(LampArea.turn(at.px(), at.py(), at.pz()), s);
             if (one.state() != LightReport.State.AWAY && (one.state() == LightReport.State.LIT || blocker(sample, at) < 0)) {
@@ -130,6 +133,7 @@ public final class PixelExplainer {
             specular += (double) one.specular() * one.falloff();
             grazing += (double) one.grazing() * one.falloff();
             seen += one.state() == LightReport.State.LIT ? 1 : 0;
+            below += one.below();
             farthest = farthest == null || one.state().compareTo(farthest.state()) > 0 ? one : farthest;
             blocked = blocked == null && one.state() == LightReport.State.SHADOWED ? one : blocked;
         }
@@ -138,15 +142,16 @@ public final class PixelExplainer {
         float sheen = LightingEquation.mean(grazing, samples);
         float[] tint = free == 0 ? ALL : new float[] {LightingEquation.mean(tints[0], free), LightingEquation.mean(tints[1], free),
             LightingEquation.mean(tints[2], free)};
-        return new LightReport(light.light(), farthest.state(), blocked == null ? -1 : blocked.blocker(), seen, samples,
+        return new LightReport(light.light(), farthest.state(), blocked == null ? -1 : blocked.blocker(), seen, samples, below,
                 seen == 0 ? farthest.cosine() : cosine, highlight, sheen, seen == 0 ? 0 : 1, contribution(light, cosine, 1, tint),
                 contribution(light, highlight, 1, tint), contribution(light, sheen, 1, tint), tint);
     }
 
-    private LightReport report(Luminaire light, Lamp lamp, SurfacePoint at) {
+    private LightReport report(Luminaire light, Lamp lamp, SurfacePoint at, NormalSteps normals) {
         var equation = new LightingEquation(lamp);
         equation.at(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz());
         float cosine = equation.cosine(at.nx(), at.ny(), at.nz());
+        int below = cosine > 0 && normals != null && !light.isDark() && !(cosine(equation, normals.surface()) > 0) ? 1 : 0;
         int blocker = -1;
         LightReport.State state;
         if (light.isDark()) {
@@ -162,7 +167,7 @@ public final class PixelExplainer {
             state = blocker < 0 ? LightReport.State.LIT : LightReport.State.SHADOWED;
         }
         if (state != LightReport.State.LIT) {
-            return new LightReport(light.light(), state, blocker, 0, 1, cosine, 0, 0, 0, NONE, NONE, NONE, ALL);
+            return new LightReport(light.light(), state, blocker, 0, 1, below, cosine, 0, 0, 0, NONE, NONE, NONE, ALL);
         }
         boolean metallic = materials.isMetallic(at.material());
         double alpha = materials.alpha(at.material());
@@ -172,9 +177,13 @@ public final class PixelExplainer {
         float grazing = metallic ? equation.grazing(at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz(), alpha) : 0;
         float falloff = equation.falloff();
         float[] tint = tint(lamp, at);
-        return new LightReport(light.light(), state, blocker, 1, 1, diffuse, specular, grazing, falloff,
+        return new LightReport(light.light(), state, blocker, 1, 1, below, diffuse, specular, grazing, falloff,
                 contribution(light, diffuse, falloff, tint), contribution(light, specular, falloff, tint),
                 contribution(light, grazing, falloff, tint), tint);
+    }
+
+    private static float cosine(LightingEquation equation, Vec3 normal) {
+        return equation.cosine((float) normal.x(), (float) normal.y(), (float) normal.z());
     }
 
     private static float[] contribution(Luminaire light, float term, float falloff, float[] tint) {

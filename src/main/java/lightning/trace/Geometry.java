@@ -468,6 +468,19 @@ public final class Geometry {
                         primitives.part(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z()), ray, t);
     }
 
+    /**
+     * How the normal came about by which a ray's hit on a primitive is shaded; null where it is the surface's own.
+     *
+     * @throws IllegalArgumentException if the ray misses the primitive
+     */
+    public NormalSteps normalSteps(int primitive, Ray ray) {
+        RayWalk walk = bvh.walk(ray);
+        if (walk.only(primitive) < 0) {
+            missed(primitive);
+        }
+        return new SurfaceProbe(primitives, materials).steps(primitive, walk.part(), ray, walk.distance());
+    }
+
     private static SurfacePoint missed(int primitive) {
         throw new IllegalArgumentException("the ray misses primitive " + primitive);
     }

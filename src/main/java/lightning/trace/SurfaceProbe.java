@@ -3,6 +3,7 @@ package lightning.trace;
 import lightning.math.Ray;
 import lightning.math.Vec3;
 import lightning.scene.Clarity;
+import lightning.scene.Relief;
 import lightning.trace.primitive.PrimitiveTable;
 import lightning.trace.primitive.Surface;
 import lightning.trace.primitive.TextureLookup;
@@ -41,6 +42,22 @@ record SurfaceProbe(PrimitiveTable primitives, MaterialTable materials) {
         }
         return new SurfacePoint(primitive, material, surface.px, surface.py, surface.pz, surface.nx, surface.ny, surface.nz,
                 (float) d.x(), (float) d.y(), (float) d.z(), diffuse, specular, texel, behind);
+    }
+
+    /** How the normal came about by which a ray's hit is shaded; null where it is the surface's own. */
+    NormalSteps steps(int primitive, int part, Ray ray, double t) {
+        Vec3 o = ray.origin();
+        Vec3 d = ray.direction();
+        Surface surface = new Surface();
+        surface.at(primitives, primitive, part, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
+        boolean round = surface.isRound(primitives, primitive);
+        Relief relief = primitives.relief(primitive);
+        Vec3 smooth = round ? surface.unbent(primitives, primitive, true, null) : null;
+        Vec3 mapped = relief == null ? null : surface.unbent(primitives, primitive, round, relief);
+        Vec3 last = mapped == null ? smooth : mapped;
+        boolean bent = last != null
+                && !((float) last.x() == surface.nx && (float) last.y() == surface.ny && (float) last.z() == surface.nz);
+        return last == null ? null : new NormalSteps(surface.own(), smooth, mapped, bent, round ? surface.lift() : 0);
     }
 
     /** The way that a ray came inside to a surface that was computed last; below 0 where it came from outside. */

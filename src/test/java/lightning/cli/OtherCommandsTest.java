@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
 import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
@@ -96,6 +99,42 @@ class OtherCommandsTest {
             assertThat(Cli.run("explain", scene, x + ",20").isDone().out().lines().toList().getLast())
                     .startsWith("pixel: linear " + film.red(x, 20) + " " + film.green(x, 20) + " " + film.blue(x, 20) + ",");
         }
+    }
+
+    @Test
+    void explainedBumps_areToldStepByStep() throws Exception {
+        Files.copy(Path.of("textures/brick.png"), folder.resolve("brick.png"));
+        Files.writeString(scene, """
+                jen 1
+                picture { size 48 32 }
+                camera { from 0 5 6 to 0 0 0 fov 40 }
+                material brick { bump "brick.png" height 0.4 bump_repeat 9 9 }
+                plane floor { material brick scale 9 1 9 }
+                light low directional { direction -1 0.05 0 }
+                """);
+        StringBuilder all = new StringBuilder();
+        for (int x = 0; x < 48; x++) {
+            all.append(Cli.run("explain", scene, x + ",20").isDone().out());
+        }
+        assertThat(all.toString()).contains("    the surface's own    0.00000 1.00000 0.00000\n", "    by bump, normal map  ",
+                "shadowed by floor, cosine ",
+                ", from below the surface\n");
+    }
+
+    /** Pixels on edges are means of several rays; the one that is explained is the centre's. */
+    @Test
+    void explainedColorOnAnEdge_isToldBesideThePixelOfRender() throws Exception {
+        Path picture = folder.resolve("a.pfm");
+        Cli.run("render", scene, "-o", picture, "--antialias", "edges").isDone();
+        Film film = PictureFile.read(picture);
+        Set<Boolean> edges = new HashSet<>();
+        for (int x = 0; x < 48; x += 3) {
+            List<String> lines = Cli.run("explain", scene, x + ",20", "--antialias", "edges").isDone().out().lines().toList();
+            assertThat(lines.getLast())
+                    .startsWith("pixel: linear " + film.red(x, 20) + " " + film.green(x, 20) + " " + film.blue(x, 20) + ",");
+            edges.add(lines.get(lines.size() - 2).startsWith("center: linear "));
+        }
+        assertThat(edges).containsExactlyInAnyOrder(true, false);
     }
 
     @Test

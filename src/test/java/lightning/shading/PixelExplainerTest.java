@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import lightning.jen.JenReader;
@@ -16,12 +17,17 @@ import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Links;
+import lightning.scene.Material;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
+import lightning.scene.Relief;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
 import lightning.scene.World;
+import lightning.trace.NormalSteps;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
@@ -81,6 +87,52 @@ class PixelExplainerTest {
         }
         assertThat(seen).containsExactlyInAnyOrder(LightReport.State.values());
         assertThat(mirrored).isTrue();
+    }
+
+    /** Whatever made a normal, the last step is the one that shades, unless it was bent. */
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    void lastStepOfANormal_isTheOneThatShades(@ForAll("scenes") Scene scene, @ForAll Random pixels) {
+        var explainer = new PixelExplainer(scene);
+        for (int i = 0; i < 30; i++) {
+            PointReport report = explainer.pixel(pixels.nextInt(scene.picture().width()), pixels.nextInt(scene.picture().height()));
+            NormalSteps steps = report.normals();
+            if (steps != null) {
+                Vec3 last = steps.mapped() == null ? steps.smooth() : steps.mapped();
+                var shades = new Vec3(report.at().nx(), report.at().ny(), report.at().nz());
+                assertThat(shades.minus(last).maxAbs() < 1e-7).isEqualTo(!steps.bent());
+                assertThat(shades.dot(steps.surface())).isPositive();
+            }
+        }
+    }
+
+    /** By its bumps the ball's night side faces the light here and there; the ball itself is in between. */
+    @Test
+    void lightBelowABumpySurface_isToldToBeThere() {
+        float[] grey = new float[3 * 8 * 8];
+        for (int i = 0; i < grey.length; i++) {
+            grey[i] = (i / 6 + i / 48) % 2;
+        }
+        var bumps = new TextureMap("a.png", 4, 4, new Texture(8, 8, grey));
+        Scene scene = new Scene(new Picture(40, 40, 0), new Camera(new Vec3(0, 0, 9), Vec3.ZERO, Vec3.Y, 14), new World(0, Rgb.BLACK),
+                List.of(Material.of("m").withRelief(Relief.NONE.withBump(Optional.of(bumps)).withHeight(0.1))),
+                List.of(new Shape(Solid.SPHERE, "ball", "m", Placement.IDENTITY)),
+                List.of(Light.of("key", LightType.POINT).withPosition(new Vec3(-9, 3, -3))));
+        var explainer = new PixelExplainer(scene);
+        int below = 0;
+        for (int pixel = 0; pixel < 1600; pixel++) {
+            PointReport report = explainer.pixel(pixel % 40, pixel / 40);
+            for (LightReport light : report.lights()) {
+                Vec3 way = new Vec3(-9, 3, -3).minus(explainer.geometry().toScene(new Vec3(report.at().px(), report.at().py(),
+                        report.at().pz()))).normalized();
+                double own = report.normals() == null ? 1 : report.normals().surface().dot(way);
+                if (Math.abs(own) > 1e-6) {
+                    assertThat(light.below()).isEqualTo(own < 0 && light.cosine() > 0 ? 1 : 0);
+                }
+                assertThat(light.below() == 1 && light.state() != LightReport.State.SHADOWED).isFalse();
+                below += light.below();
+            }
+        }
+        assertThat(below).isGreaterThan(50);
     }
 
     /** A ball over a floor, a light above it: the floor below is in the ball's shadow. */

@@ -9,6 +9,7 @@ import lightning.math.Ray;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.mesh.Mesh;
+import lightning.sample.Meshes;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -100,9 +101,62 @@ class ReliefTest {
                 new Vec3(0, 0.6, 0.8));
     }
 
+    /** No picture of normals has such pixels; a photograph has. */
+    @Example
+    void normalThatLeadsIntoTheSurface_isBentUntilItFacesTheViewer() {
+        SurfacePoint at =
+                new Geometry(plane(normals(0, 0, -1, 1), 2)).surface(0, new Ray(new Vec3(0.1, 5, 0.1).minus(EYE), new Vec3(0, -1, 0)));
+        assertThat(at.ny()).isPositive();
+        NormalSteps steps = steps(plane(normals(0.6f, 0, -0.8f, 1), 2), new Vec3(0.1, 5, 0.1), new Vec3(0, -1, 0));
+        assertThat(steps.mapped().minus(new Vec3(0.6, -0.8, 0)).maxAbs()).isLessThan(1e-7);
+        assertThat(steps.bent()).isTrue();
+    }
+
     @Example
     void strength_isAFactorOnWhatLeans() {
         assertNormal(plane(normals(0.6f, 0, 0.8f, 0.5), 2), new Vec3(0.1, 5, 0.1), new Vec3(0, -1, 0), new Vec3(0.3, 0.8, 0));
+    }
+
+    @Example
+    void steps_areTheSurfacesOwnNormalAndTheMaps() {
+        NormalSteps steps = steps(plane(bump(ACROSS, 0.5), 2), new Vec3(0.01, -5, 0.02), new Vec3(0, 1, 0));
+        assertThat(steps.surface().minus(new Vec3(0, -1, 0)).maxAbs()).isLessThan(1e-15);
+        assertThat(steps.mapped().minus(new Vec3(0.25, -1, 0).normalized()).maxAbs()).isLessThan(1e-15);
+        assertThat(steps.smooth()).isNull();
+        assertThat(steps.bent()).isFalse();
+        assertThat(steps.lift()).isZero();
+    }
+
+    @Example
+    void stepsOfASmoothSurface_areNone() {
+        assertThat(steps(plane(Relief.NONE, 2), new Vec3(0.01, 5, 0.02), new Vec3(0, -1, 0))).isNull();
+        assertThat(steps(plane(bump(heights(2, 2, 0.5f, 0.5f, 0.5f, 0.5f), 9), 2), new Vec3(0.01, 5, 0.02), new Vec3(0, -1, 0))).isNull();
+    }
+
+    /** A mirror on that slope would look below the square. */
+    @Example
+    void steepSlopeSeenFlat_isToldToBeBent() {
+        Scene scene = plane(normals(0.6f, 0, 0.8f, 1), 2);
+        Vec3 from = new Vec3(-5, 1, 0);
+        Vec3 direction = new Vec3(5, -1, 0).normalized();
+        NormalSteps steps = steps(scene, from, direction);
+        assertThat(steps.bent()).isTrue();
+        assertThat(steps.mapped().minus(new Vec3(0.6, 0.8, 0)).maxAbs()).isLessThan(1e-7);
+        SurfacePoint at = new Geometry(scene).surface(0, new Ray(from.minus(EYE), direction));
+        assertThat(at.nx()).isLessThan(0.2f);
+        assertThat(steps(scene, new Vec3(0.1, 5, 0), new Vec3(0, -1, 0)).bent()).isFalse();
+    }
+
+    @Example
+    void stepsOfASmoothMesh_beginBetweenItsVertices() {
+        Scene scene = scene(Meshes.solid(Meshes.ball(6, 9, true)), bump(ACROSS, 0.2), Placement.IDENTITY);
+        NormalSteps steps = steps(scene, new Vec3(0.03, 0.21, 9), new Vec3(0, 0, -1));
+        // A ball's normals lead away from its middle; the triangle is flat.
+        Vec3 out = new Vec3(0.03, 0.21, Math.sqrt(1 - 0.03 * 0.03 - 0.21 * 0.21));
+        assertThat(steps.smooth().dot(out)).isGreaterThan(Math.cos(Math.toRadians(4)));
+        assertThat(steps.surface().dot(steps.smooth())).isBetween(0.9, 1 - 1e-6);
+        assertThat(steps.mapped().minus(steps.smooth()).maxAbs()).isGreaterThan(1e-3);
+        assertThat(steps.lift()).isPositive();
     }
 
     @Property(tries = 100)
@@ -141,6 +195,10 @@ class ReliefTest {
             }
         }
         assertThat(seen).isGreaterThan(100);
+    }
+
+    private static NormalSteps steps(Scene scene, Vec3 from, Vec3 direction) {
+        return new Geometry(scene).normalSteps(0, new Ray(from.minus(EYE), direction));
     }
 
     private static boolean same(SurfacePoint a, SurfacePoint b) {

@@ -16,19 +16,20 @@ import lightning.trace.Geometry;
  * @param shape  the shape's name; empty for the background
  * @param point  where it is in the scene; null for the background
  * @param normal of the surface there; null for the background
+ * @param surface the normal of the surface itself, where another one shades it; null where none does
  * @param lights what each light does there, in the scene's order
  * @param sky    what each lamp of the environment does there
  */
-record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<LightReport> lights,
-        List<LightReport> sky) {
+record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 surface, List<LightReport> lights, List<LightReport> sky) {
     /** @param own how many lights the scene has without those of its environment */
     static PixelReport of(Geometry geometry, PointReport report, int own, int x, int y) {
         if (report.isBackground()) {
-            return new PixelReport(x, y, "", null, null, List.of(), List.of());
+            return new PixelReport(x, y, "", null, null, null, List.of(), List.of());
         }
         var at = report.at();
         return new PixelReport(x, y, geometry.shape(at.primitive()).name(),
-                geometry.toScene(new Vec3(at.px(), at.py(), at.pz())), new Vec3(at.nx(), at.ny(), at.nz()), report.lights().subList(0, own),
+                geometry.toScene(new Vec3(at.px(), at.py(), at.pz())), new Vec3(at.nx(), at.ny(), at.nz()),
+                report.normals() == null ? null : report.normals().surface(), report.lights().subList(0, own),
                 report.lights().subList(own, report.lights().size()));
     }
 
@@ -55,14 +56,18 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<Lig
     }
 
     /**
-     * Two lines: the place, the shape, the values; its normal.
+     * Two lines: the place, the shape, the values; its normals.
      *
      * @param values as {@link PixelValues} has them
      */
     String headline(String values) {
         String place = x + ", " + y + "  " + (shape.isEmpty() ? Texts.of("background") : shape) + "  " + values;
-        return place + "\n" + (normal == null ? " "
-                : String.format(Texts.locale(), Texts.of("normal %.2f %.2f %.2f"), normal.x(), normal.y(), normal.z()));
+        return place + "\n" + (normal == null ? " " : text(Texts.key("normal %.2f %.2f %.2f"), normal)
+                + (surface == null ? "" : text(Texts.key(", the surface's own %.2f %.2f %.2f"), surface)));
+    }
+
+    private static String text(String pattern, Vec3 v) {
+        return String.format(Texts.locale(), Texts.of(pattern), v.x(), v.y(), v.z());
     }
 
     /** What each light does, as in {@code key 64 %}. */
@@ -83,7 +88,7 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, List<Lig
                 case AWAY -> Texts.of("facing away");
                 case OUTSIDE -> Texts.of("outside the cone");
                 case UNLINKED -> Texts.of("not linked");
-                case SHADOWED -> Texts.of("shadowed");
+                case SHADOWED -> light.below() == light.samples() ? Texts.of("below the surface") : Texts.of("shadowed");
                 case LIT -> percent(share(light), total) + samples(light);
             });
         }

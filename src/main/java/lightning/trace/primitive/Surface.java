@@ -1,5 +1,6 @@
 package lightning.trace.primitive;
 
+import lightning.math.Vec3;
 import lightning.scene.Relief;
 import lightning.trace.mesh.Facet;
 import lightning.trace.mesh.MeshSolid;
@@ -106,7 +107,7 @@ public final class Surface {
         }
         Relief relief = primitives.relief(s);
         if (round || relief != null) {
-            shade(primitives, s, relief, round ? smooth.side : facing < 0 ? -1 : 1, round, bx, by, bz, dx, dy, dz);
+            shade(primitives, s, relief, round, dx, dy, dz);
         }
         double off = (Math.abs(x * bx) + Math.abs(y * by) + Math.abs(z * bz)) * OFFSET + slack;
         px = (float) (x + bx * off);
@@ -127,20 +128,54 @@ public final class Surface {
         return inside;
     }
 
-    /** Shades by another normal than the surface's own, by the relief and the mesh's normals, as far as there are any. */
-    private void shade(PrimitiveTable primitives, int s, Relief relief, double side, boolean round, double gx, double gy, double gz,
-            double dx, double dy, double dz) {
-        if (!round) {
-            shading.x = gx;
-            shading.y = gy;
-            shading.z = gz;
+    /** The normal of the surface that was computed last, whatever shades it: of length 1, on the side that is seen. */
+    public Vec3 own() {
+        return new Vec3(unitX, unitY, unitZ);
+    }
+
+    /**
+     * By what the primitive that was computed last would be shaded if nothing bent it towards the viewer: computed once more.
+     *
+     * @param round  by the normals of a mesh's vertices, which there are
+     * @param relief null for none
+     * @return of length 1, on the side that is seen; null where the relief tilts nothing
+     */
+    public Vec3 unbent(PrimitiveTable primitives, int s, boolean round, Relief relief) {
+        if (round) {
+            smooth.at(facet, primitives.data, primitives.at[s], unitX, unitY, unitZ, shading);
         }
-        boolean tilts = relief != null && tilted.at(primitives, s, relief, facet, ownX, ownY, ownZ, side, shading);
-        if (round || tilts) {
-            shading.bend(gx, gy, gz, dx, dy, dz);
+        boolean tilts = tilt(primitives, s, relief, round);
+        return relief != null && !tilts ? null : new Vec3(shading.x, shading.y, shading.z);
+    }
+
+    /** How far the vertices' normals lifted the point that was computed last, scene units. */
+    public double lift() {
+        return Math.sqrt(smooth.liftX * smooth.liftX + smooth.liftY * smooth.liftY + smooth.liftZ * smooth.liftZ);
+    }
+
+    /** Whether the primitive that was computed last is a mesh with normals at its vertices. */
+    public boolean isRound(PrimitiveTable primitives, int s) {
+        return primitives.mesh(s) != null && facet.isSmooth();
+    }
+
+    /** Shades by another normal than the surface's own, by the relief and the mesh's normals, as far as there are any. */
+    private void shade(PrimitiveTable primitives, int s, Relief relief, boolean round, double dx, double dy, double dz) {
+        if (tilt(primitives, s, relief, round) || round) {
+            shading.bend(unitX, unitY, unitZ, dx, dy, dz);
             nx = (float) shading.x;
             ny = (float) shading.y;
             nz = (float) shading.z;
         }
+    }
+
+    /** Begins with the surface's own normal, unless a mesh's is there already; whether the relief tilts it. */
+    private boolean tilt(PrimitiveTable primitives, int s, Relief relief, boolean round) {
+        if (!round) {
+            shading.x = unitX;
+            shading.y = unitY;
+            shading.z = unitZ;
+        }
+        return relief != null
+                && tilted.at(primitives, s, relief, facet, ownX, ownY, ownZ, round ? smooth.side : inside ? -1 : 1, shading);
     }
 }

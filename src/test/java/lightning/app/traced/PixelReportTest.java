@@ -14,12 +14,12 @@ import org.junit.jupiter.api.Test;
 /** What the card of a pixel says. */
 class PixelReportTest {
     private static LightReport light(String name, LightReport.State state, float diffuse) {
-        return new LightReport(Light.of(name, LightType.DIRECTIONAL), state, -1, 1, 1, 1, 0, 0, 1,
+        return new LightReport(Light.of(name, LightType.DIRECTIONAL), state, -1, 1, 1, 0, 1, 0, 0, 1,
                 new float[] {diffuse, diffuse, diffuse}, new float[3], new float[3], new float[] {1, 1, 1});
     }
 
     private static PixelReport report(List<LightReport> lights, List<LightReport> sky) {
-        return new PixelReport(3, 4, "ball", Vec3.ZERO, new Vec3(0, 1, 0), lights, sky);
+        return new PixelReport(3, 4, "ball", Vec3.ZERO, new Vec3(0, 1, 0), null, lights, sky);
     }
 
     @Test
@@ -34,6 +34,20 @@ class PixelReportTest {
     @Test
     void withoutAnEnvironment_nothingIsSaidOfIt() {
         assertThat(report(List.of(light("key", LightReport.State.LIT, 1)), List.of()).lightLines()).containsExactly("key  100 %");
+    }
+
+    @Test
+    void normalThatAMapMade_isToldWithTheSurfacesOwn() {
+        assertThat(report(List.of(), List.of()).headline("").lines().toList().getLast()).isEqualTo("normal 0.00 1.00 0.00");
+        var bumpy = new PixelReport(3, 4, "ball", Vec3.ZERO, new Vec3(0.6, 0.8, 0), new Vec3(0, 1, 0), List.of(), List.of());
+        assertThat(bumpy.headline("").lines().toList().getLast()).isEqualTo("normal 0.60 0.80 0.00, the surface's own 0.00 1.00 0.00");
+    }
+
+    @Test
+    void lightBelowTheSurface_isToldToBeThere() {
+        var light = new LightReport(Light.of("key", LightType.POINT), LightReport.State.SHADOWED, 0, 0, 1, 1, 0.5f, 0, 0, 0, new float[3],
+                new float[3], new float[3], new float[] {1, 1, 1});
+        assertThat(report(List.of(light), List.of()).lightLines()).containsExactly("key  below the surface");
     }
 
     @Test
