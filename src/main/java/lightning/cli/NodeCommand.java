@@ -51,7 +51,7 @@ final class NodeCommand implements Callable<Integer> {
     @Option(names = "--port", paramLabel = "N", defaultValue = "" + Place.NODE_PORT, description = "The port, ${DEFAULT-VALUE} without it.")
     private int port;
     @Option(names = "--memory", paramLabel = "GB",
-            description = "How much memory frames may take, half of what Java has without it; more go to disk.")
+            description = "How much memory frames may take, half of what Java has without it; more go to disk, and what has no room there to other nodes.")
     private Double memory;
     @Option(names = "--folder", paramLabel = "FOLDER",
             description = "Where the node makes a folder of its own for what comes from others and frames beyond memory; the program's own without it.")
@@ -86,7 +86,7 @@ final class NodeCommand implements Callable<Integer> {
         long resting = memory == null ? options.memory() / 2 : (long) (memory * GB);
         Path own = own();
         var settings = new FrameNode.Settings(Release.ofMachine(), threads.count(), resting, own,
-                () -> new LocalKeeper(options, resting / FrameNode.MOST_SESSIONS, own,
+                () -> LocalKeeper.firm(options, resting / FrameNode.MOST_SESSIONS, own,
                         Files.getFileStore(own).getUsableSpace() / FrameNode.MOST_SESSIONS),
                 sentence -> console.line("%s", sentence));
         try (var node = new FrameNode(new TlsNetwork(place), settings)) {

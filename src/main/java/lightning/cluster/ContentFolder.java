@@ -52,23 +52,26 @@ final class ContentFolder {
      * The file that holds some content, which is fetched where it is not there.
      *
      * @param most bytes that it may have
-     * @throws IOException if it is longer, or what came has another hash, or it cannot be kept
+     * @throws ContentException if it is longer, or what came has another hash
+     * @throws IOException      if it cannot be kept
      */
     synchronized Path file(Bill.Content content, long most, Parts parts) throws IOException {
         Path file = contents.resolve(content.hash().hex());
         if (Files.exists(file)) {
             return file;
         }
-        if (content.bytes() > most || bytes + content.bytes() > MOST_BYTES) {
-            throw new IOException("expected content of at most " + Math.min(most, MOST_BYTES - bytes) + " bytes, found "
-                    + content.bytes());
+        if (content.bytes() > most) {
+            throw new ContentException("expected content of at most " + most + " bytes, found " + content.bytes());
+        }
+        if (bytes + content.bytes() > MOST_BYTES) {
+            throw new IOException("there is room for " + (MOST_BYTES - bytes) + " bytes of content more, and this has " + content.bytes());
         }
         SafeFile.at(file).forOwnerOnly().write(out -> {
             long at = 0;
             while (at < content.bytes()) {
                 byte[] part = parts.from(content.hash(), at);
                 if (part.length == 0 || part.length > content.bytes() - at) {
-                    throw new IOException("expected " + content.bytes() + " bytes of content, found " + (at + part.length));
+                    throw new ContentException("expected " + content.bytes() + " bytes of content, found " + (at + part.length));
                 }
                 out.write(part);
                 at += part.length;
@@ -76,7 +79,7 @@ final class ContentFolder {
         });
         if (!Hash.of(file).equals(content.hash())) {
             Files.delete(file);
-            throw new IOException("content has other bytes than its hash says; the file was written to meanwhile");
+            throw new ContentException("content has other bytes than its hash says; the file was written to meanwhile");
         }
         bytes += content.bytes();
         return file;
@@ -85,14 +88,15 @@ final class ContentFolder {
     /**
      * The folder where the files of a bill have the names that its scene writes.
      *
-     * @throws IOException if a name leads elsewhere, or as {@link #file}
+     * @throws ContentException if a name leads elsewhere, or as {@link #file}
+     * @throws IOException      as {@link #file}
      */
     synchronized Path scene(Bill bill, Parts parts) throws IOException {
         Path folder = scenes.resolve(Hash.of(new Bill(new Bill.Content(NO_TEXT, 0), bill.files()).encode()).hex());
         PrivateFolder.make(folder);
         for (Map.Entry<String, Bill.Content> named : bill.files().entrySet()) {
             if (!NamedFiles.isAllowed(named.getKey())) {
-                throw new IOException("expected the name of a file beside a scene, found " + Quote.of(named.getKey()));
+                throw new ContentException("expected the name of a file beside a scene, found " + Quote.of(named.getKey()));
             }
             Path file = file(named.getValue(), MeshLimits.FILE_BYTES, parts);
             Path link = folder.resolve(named.getKey());

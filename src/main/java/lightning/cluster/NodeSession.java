@@ -20,6 +20,7 @@ import lightning.image.Film;
 import lightning.jen.JenException;
 import lightning.relight.PictureTooLarge;
 import lightning.shot.FrameKeeper;
+import lightning.shot.FrameRefusedException;
 import lightning.shot.FrameUpdate;
 import lightning.shot.KeeperGoneException;
 import lightning.shot.KeptBytes;
@@ -104,12 +105,15 @@ final class NodeSession implements AutoCloseable {
         } catch (CancellationException e) {
             return failed(wish, Message.Reason.CANCELLED, "");
         } catch (PictureTooLarge e) {
-            return failed(wish, Message.Reason.TOO_LARGE, e.getMessage());
+            forget(wish.frame());
+            return failed(wish, Message.Reason.REFUSED, e.getMessage());
         } catch (OutOfMemoryError e) {
-            keeper.forget(wish.frame());
-            return failed(wish, Message.Reason.TOO_LARGE, "the node has not enough memory for it");
-        } catch (IOException | WireException | JenException | IllegalArgumentException | KeeperGoneException e) {
+            forget(wish.frame());
+            return failed(wish, Message.Reason.REFUSED, "it has not enough memory");
+        } catch (ContentException | WireException | JenException | IllegalArgumentException | KeeperGoneException e) {
             return failed(wish, Message.Reason.UNUSABLE, String.valueOf(e.getMessage()));
+        } catch (FrameRefusedException | IOException e) {
+            return failed(wish, Message.Reason.REFUSED, String.valueOf(e.getMessage()));
         } catch (RuntimeException | Error e) {
             return failed(wish, Message.Reason.ERROR, e.toString());
         }

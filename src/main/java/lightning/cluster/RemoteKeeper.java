@@ -12,6 +12,7 @@ import lightning.cluster.wire.Message;
 import lightning.image.Downscale;
 import lightning.image.Film;
 import lightning.shot.FrameKeeper;
+import lightning.shot.FrameRefusedException;
 import lightning.shot.FrameUpdate;
 import lightning.shot.KeeperGoneException;
 import lightning.shot.KeptBytes;
@@ -66,7 +67,12 @@ final class RemoteKeeper implements FrameKeeper {
                 yield new FrameUpdate(frame, made.traced(), made.plan(), made.rays(), System.nanoTime() - start,
                         () -> film(frame, made, made.width(), made.height()).orElseThrow(CancellationException::new));
             }
-            case Message.Failed failed -> throw failure(failed);
+            case Message.Failed failed -> {
+                if (failed.reason() == Message.Reason.REFUSED) {
+                    brought.remove(frame);
+                }
+                throw failure(failed);
+            }
             default -> throw new IllegalStateException("an answer that is none: " + answer);
         };
     }
@@ -83,7 +89,7 @@ final class RemoteKeeper implements FrameKeeper {
         return switch (failed.reason()) {
             case CANCELLED -> new CancellationException();
             case UNUSABLE -> new IllegalArgumentException("the node " + name + ": " + failed.sentence());
-            case TOO_LARGE -> new IllegalArgumentException("the node " + name + ": " + failed.sentence());
+            case REFUSED -> new FrameRefusedException("the node " + name + ": " + failed.sentence());
             case ERROR -> new IllegalStateException("the node " + name + ": " + failed.sentence());
         };
     }

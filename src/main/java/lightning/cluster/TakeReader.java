@@ -30,9 +30,10 @@ final class TakeReader {
     /**
      * The take of a bill.
      *
-     * @throws IOException   if its content does not come or is not what the bill says
-     * @throws WireException if it is no bill
-     * @throws JenException  if its text is no scene, or a file that it names cannot be used
+     * @throws ContentException if its content does not come or is not what the bill says
+     * @throws IOException      if its content cannot be kept
+     * @throws WireException    if it is no bill
+     * @throws JenException     if its text is no scene, or a file that it names cannot be used
      */
     synchronized Take take(Hash bill, int bytes) throws IOException, WireException, JenException {
         if (bill.equals(known)) {
@@ -54,7 +55,7 @@ final class TakeReader {
     private byte[] bill(Hash hash, int bytes) throws IOException {
         byte[] bill = parts.from(hash, 0);
         if (bill.length != bytes || !Hash.of(bill).equals(hash)) {
-            throw new IOException("expected a bill of " + bytes + " bytes with its hash, found " + bill.length + " bytes");
+            throw new ContentException("expected a bill of " + bytes + " bytes with its hash, found " + bill.length + " bytes");
         }
         return bill;
     }

@@ -44,6 +44,11 @@ final class FrameFolder implements AutoCloseable {
         this.room = room;
     }
 
+    /** Bytes that files may still take. */
+    long room() {
+        return Math.max(0, room - bytes.get());
+    }
+
     /** Writes rows, layers and codes; null where there is no room, or that fails. */
     Part writeRows(PixelCache cache) {
         return write("rows-", cache, CacheColumns::writeRows);

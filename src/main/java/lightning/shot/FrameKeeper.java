@@ -22,6 +22,7 @@ public interface FrameKeeper extends AutoCloseable {
      * @throws CancellationException                if {@code progress} asked to stop; what is kept is as before
      * @throws IllegalArgumentException             if the take has no such frame, or its scene cannot be
      * @throws lightning.relight.PictureTooLarge    if it does not fit into memory
+     * @throws FrameRefusedException                if it cannot be held here; nothing is kept of it, and others are asked
      * @throws KeeperGoneException                  if frames are held here no more; nobody asks again
      */
     FrameUpdate bring(int frame, Take take, Progress progress) throws KeeperGoneException;

@@ -2,6 +2,7 @@ package lightning.shot;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import lightning.work.Progress;
 
@@ -60,6 +61,8 @@ final class FrameQueue {
     private final long[] failed;
     private final boolean[] busy;
     private final int[] holder;
+    /** Of each frame the keepers that have no room for it, as far as they were asked since the newest take. */
+    private final BitSet[] refused;
     /** Of each keeper whether it is there, and what its front lane does. */
     private final List<Boolean> there = new ArrayList<>();
     private final List<Work> front = new ArrayList<>();
@@ -77,6 +80,8 @@ final class FrameQueue {
         busy = new boolean[count];
         holder = new int[count];
         Arrays.fill(holder, NOBODY);
+        refused = new BitSet[count];
+        Arrays.setAll(refused, _ -> new BitSet());
         focus = firstFrame;
     }
 
@@ -84,6 +89,12 @@ final class FrameQueue {
     synchronized int join() {
         there.add(true);
         front.add(null);
+        for (int i = 0; i < failed.length; i++) {
+            if (!refused[i].isEmpty()) {
+                // It may have room for what nobody else had room for.
+                failed[i] = NONE;
+            }
+        }
         notifyAll();
         return there.size() - 1;
     }
@@ -96,6 +107,7 @@ final class FrameQueue {
                 holder[i] = NOBODY;
                 shown[i] = NONE;
             }
+            askAnew(i);
         }
         notifyAll();
         return news;
@@ -104,6 +116,9 @@ final class FrameQueue {
     synchronized void edit(Take take) {
         newest = take;
         newestNumber++;
+        for (BitSet keepers : refused) {
+            keepers.clear();
+        }
         notifyAll();
     }
 
@@ -168,11 +183,27 @@ final class FrameQueue {
 
     /** Whether a keeper may begin with a frame: nobody is at it, and nobody else holds what it can be made from. */
     private boolean isOpen(int i, int keeper) {
-        return isWanted(i) && !busy[i] && (holder[i] == keeper || holder[i] == NOBODY);
+        return isWanted(i) && !busy[i] && !refused[i].get(keeper) && (holder[i] == keeper || holder[i] == NOBODY);
     }
 
     private boolean isWanted(int i) {
         return i >= 0 && i < shown.length && shown[i] != newestNumber && failed[i] != newestNumber;
+    }
+
+    /** Where whoever was left to be asked is gone, it is for the others to say again that they have no room. */
+    private void askAnew(int i) {
+        if (isWanted(i) && !busy[i] && isRefusedByAll(i)) {
+            refused[i].clear();
+        }
+    }
+
+    private boolean isRefusedByAll(int i) {
+        for (int keeper = 0; keeper < there.size(); keeper++) {
+            if (there.get(keeper) && !refused[i].get(keeper)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private synchronized boolean shallStop(Work work) {
@@ -230,9 +261,25 @@ final class FrameQueue {
         return work.number == newestNumber;
     }
 
+    /**
+     * A work's keeper cannot hold the frame, and keeps nothing of it: others are asked. Returns whether there is nobody else, and that is of
+     * interest.
+     */
+    synchronized boolean refuse(Work work) {
+        int i = work.frame - firstFrame;
+        holder[i] = NOBODY;
+        shown[i] = NONE;
+        if (work.number != newestNumber || !there.get(work.keeper)) {
+            return false;
+        }
+        refused[i].set(work.keeper);
+        return isRefusedByAll(i) && fail(work);
+    }
+
     /** A work is over, whatever came of it. Returns whether there is nothing left to do. */
     synchronized boolean end(Work work) {
         busy[work.frame - firstFrame] = false;
+        askAnew(work.frame - firstFrame);
         working--;
         if (front.get(work.keeper) == work) {
             front.set(work.keeper, null);

@@ -16,6 +16,7 @@ final class FrameShelf implements AutoCloseable {
     private final long memory;
     /** Null where nothing is kept on disk. */
     private final FrameFolder folder;
+    private final boolean firm;
     private final Map<Integer, Resting> frames = new TreeMap<>();
     private long bytes;
     private int focus;
@@ -42,10 +43,18 @@ final class FrameShelf implements AutoCloseable {
     /**
      * @param memory bytes that frames may take in memory
      * @param folder closed with this; null for none
+     * @param firm   whether what is kept stays: a frame that comes finds no room, in place of those that go
      */
-    FrameShelf(long memory, FrameFolder folder) {
+    FrameShelf(long memory, FrameFolder folder, boolean firm) {
         this.memory = memory;
         this.folder = folder;
+        this.firm = firm;
+    }
+
+    /** Bytes that frames may still take. */
+    synchronized long room() {
+        long half = Long.MAX_VALUE / 2;
+        return Math.min(half, memory - bytes) + (folder == null ? 0 : Math.min(half, folder.room()));
     }
 
     /** What is kept of a frame; null for nothing. */
@@ -86,8 +95,9 @@ final class FrameShelf implements AutoCloseable {
      * Keeps a frame in place of what was kept of it, if there is room.
      *
      * @param before what {@link #get} gave of it; may be null
+     * @return whether nothing had to go for it that should stay; else nothing is kept of the frame
      */
-    void put(int frame, PixelCache cache, PixelCache before) {
+    boolean put(int frame, PixelCache cache, PixelCache before) {
         Resting resting = new Resting(frame, cache);
         synchronized (this) {
             Resting old = frames.put(frame, resting);
@@ -102,8 +112,12 @@ final class FrameShelf implements AutoCloseable {
             }
         }
         for (Resting far = farthest(); far != null; far = farthest()) {
-            toDisk(far);
+            if (!toDisk(far) && firm) {
+                remove(frame);
+                return false;
+            }
         }
+        return true;
     }
 
     /** The frame that must leave memory next, which is about to; null where all have room. */
@@ -125,13 +139,18 @@ final class FrameShelf implements AutoCloseable {
         return farthest;
     }
 
-    /** Nobody waits for the disk but who put the frame here. */
-    private void toDisk(Resting resting) {
+    /** Nobody waits for the disk but who put the frame here. Returns whether the disk took it. */
+    private boolean toDisk(Resting resting) {
         FrameFolder.Part rows = folder == null || resting.rows != null ? resting.rows : folder.writeRows(resting.cache);
         FrameFolder.Part colors = rows == null ? null : folder.writeColors(resting.cache);
         synchronized (this) {
             resting.rows = rows;
             resting.colors = colors;
+            if (firm && colors == null && frames.get(resting.frame) == resting) {
+                resting.leaves = false;
+                bytes += resting.bytes;
+                return false;
+            }
             resting.cache = null;
             if (frames.get(resting.frame) != resting) {
                 drop(resting);
@@ -139,6 +158,7 @@ final class FrameShelf implements AutoCloseable {
                 frames.remove(resting.frame);
                 drop(resting);
             }
+            return colors != null;
         }
     }
 

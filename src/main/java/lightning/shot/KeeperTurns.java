@@ -24,6 +24,10 @@ record KeeperTurns(FrameQueue queue, int number, FrameQueue.Lane lane, FrameKeep
             listener.updated(update, queue.made(work));
         } catch (CancellationException e) {
             // Something else is wanted.
+        } catch (FrameRefusedException e) {
+            if (queue.refuse(work)) {
+                listener.failed(work.frame, new FrameRefusedException("nobody has room for it: " + e.getMessage()));
+            }
         } catch (KeeperGoneException e) {
             if (queue.leave(number)) {
                 listener.gone(e);

@@ -3,9 +3,11 @@ package lightning.shot;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
+import java.util.Locale;
 import java.util.Optional;
 import lightning.cache.PixelCache;
 import lightning.image.Film;
+import lightning.relight.MemoryNeed;
 import lightning.relight.Renderer;
 import lightning.relight.Update;
 import lightning.relight.plan.Accuracy;
@@ -21,6 +23,7 @@ import lightning.work.Progress;
 public final class LocalKeeper implements FrameKeeper {
     private final Options options;
     private final FrameShelf shelf;
+    private final boolean firm;
     /** Those that nobody works with. */
     private final ArrayDeque<Renderer> free = new ArrayDeque<>();
     /** Of the frame that was made last: most frames show the same shapes. */
@@ -34,7 +37,7 @@ public final class LocalKeeper implements FrameKeeper {
      * @param memory  bytes that frames may take which nobody works on
      */
     public LocalKeeper(Options options, long memory) {
-        this(options, new FrameShelf(memory, null));
+        this(options, new FrameShelf(memory, null, false), false);
     }
 
     /**
@@ -45,12 +48,22 @@ public final class LocalKeeper implements FrameKeeper {
      * @throws IOException if it cannot be made; a sentence that begins with {@code place}
      */
     public LocalKeeper(Options options, long memory, Path place, long disk) throws IOException {
-        this(options, new FrameShelf(memory, new FrameFolder(place, disk)));
+        this(options, new FrameShelf(memory, new FrameFolder(place, disk), false), false);
     }
 
-    private LocalKeeper(Options options, FrameShelf shelf) {
+    /**
+     * A keeper that never drops a frame for another, as those need who look at films later: a frame for which it has no room it refuses.
+     *
+     * @throws IOException as the constructor
+     */
+    public static LocalKeeper firm(Options options, long memory, Path place, long disk) throws IOException {
+        return new LocalKeeper(options, new FrameShelf(memory, new FrameFolder(place, disk), true), true);
+    }
+
+    private LocalKeeper(Options options, FrameShelf shelf, boolean firm) {
         this.options = options.withAccuracy(Accuracy.EXACT).withReflections(Reflections.CURRENT).withStorage(MirrorStorage.FULL_ROWS);
         this.shelf = shelf;
+        this.firm = firm;
     }
 
     @Override
@@ -60,10 +73,15 @@ public final class LocalKeeper implements FrameKeeper {
         Renderer renderer = borrow();
         try {
             PixelCache kept = shelf.get(frame);
+            if (firm && kept == null) {
+                checkRoom(wanted);
+            }
             renderer.restore(kept);
             renderer.share(kept == null ? shapes() : null);
             Update update = renderer.renderOrForget(wanted, progress);
-            shelf.put(frame, renderer.cache(), kept);
+            if (!shelf.put(frame, renderer.cache(), kept)) {
+                throw refusal(MemoryNeed.of(renderer.cache()));
+            }
             keepShapes(renderer.cache().geometry());
             Film film = renderer.film();
             return new FrameUpdate(frame, update.plan() instanceof UpdatePlan.FirstPass, update.plan().text(), update.rays().all(),
@@ -72,6 +90,22 @@ public final class LocalKeeper implements FrameKeeper {
             renderer.forget();
             giveBack(renderer);
         }
+    }
+
+    /** Before anything is traced in vain. */
+    private void checkRoom(Scene wanted) {
+        long room = shelf.room();
+        if (MemoryNeed.most(wanted, options) > room) {
+            long need = MemoryNeed.forecast(wanted, options);
+            if (need > room) {
+                throw refusal(need);
+            }
+        }
+    }
+
+    private FrameRefusedException refusal(long need) {
+        return new FrameRefusedException(String.format(Locale.ROOT, "the frame takes about %s, and there is room for %s more",
+                ShotNeed.text(need), ShotNeed.text(Math.max(0, shelf.room()))));
     }
 
     private synchronized Renderer borrow() {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
@@ -22,6 +23,7 @@ import lightning.shot.LocalKeeper;
 import lightning.shot.RelitShot;
 import lightning.shot.ShotListener;
 import lightning.shot.Take;
+import lightning.work.Progress;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -38,9 +40,14 @@ final class ClusterTest {
     private final List<AutoCloseable> open = new ArrayList<>();
 
     private FrameNode node(LocalNetwork.End end, String release) throws Exception {
+        return node(end, release, 1 << 28);
+    }
+
+    /** @param room bytes that its frames may take */
+    private FrameNode node(LocalNetwork.End end, String release, long room) throws Exception {
         Path own = folder.resolve("node" + open.size());
         var node = new FrameNode(end, new FrameNode.Settings(release, 1, 1 << 30, own,
-                () -> new LocalKeeper(Options.DEFAULT.withThreads(1), 1 << 28), _ -> {}));
+                () -> LocalKeeper.firm(Options.DEFAULT.withThreads(1), room, own, 0), _ -> {}));
         node.start();
         open.add(node);
         return node;
@@ -230,6 +237,40 @@ final class ClusterTest {
             }
             assertThat(said).containsExactly("member 0 is left aside: it runs other, this machine r");
             assertThat(machines.count()).isZero();
+        }
+        closeAll();
+    }
+
+    @Test
+    void framesThatANodeHasNoRoomFor_areTracedByAnother_andFailWithASentenceWhereThereIsNone() throws Exception {
+        Take take = textured();
+        long each;
+        try (LocalKeeper keeper = new LocalKeeper(Options.DEFAULT.withThreads(1), 1 << 28)) {
+            keeper.bring(1, take, Progress.NONE);
+            each = keeper.bytes().memory();
+        }
+        List<String> failed = Collections.synchronizedList(new ArrayList<>());
+        var listener = new ShotListener() {
+            @Override
+            public void failed(int frame, Throwable problem) {
+                failed.add(problem.getMessage());
+            }
+        };
+        var network = new LocalNetwork(1, 0);
+        node(network.end(), "r", 5 * each / 2);
+        try (RelitShot shot = RelitShot.of(1, LAST, listener);
+                Machines machines = new Machines(network.end(), "r", folder, shot, _ -> {})) {
+            machines.start();
+            shot.edit(take);
+            awaitAll(shot);
+            assertThat(failed).hasSize(LAST - 2).allSatisfy(sentence -> assertThat(sentence)
+                    .matches("nobody has room for it: the node member 0: the frame takes about .* MB, and there is room for .* MB more"));
+            node(network.end(), "r", LAST * each);
+            checkAll(shot, take);
+            Take edited = edited(take, "lamp.at=2 4 3");
+            shot.edit(edited);
+            checkAll(shot, edited);
+            assertThat(failed).hasSize(LAST - 2);
         }
         closeAll();
     }

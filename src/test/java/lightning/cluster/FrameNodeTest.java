@@ -148,6 +148,14 @@ final class FrameNodeTest {
     }
 
     @Test
+    void contentThatTheDiskDoesNotTake_isForAnotherNode() throws Exception {
+        Files.delete(folder.resolve("own/contents"));
+        Files.writeString(folder.resolve("own/contents"), "no folder");
+        peer.bring(1, Map.of(), text());
+        assertThat(peer.await(Message.Failed.class).reason()).isEqualTo(Message.Reason.REFUSED);
+    }
+
+    @Test
     void contentLongerThanItsKindMayBe_isRefusedBeforeItIsAskedFor() throws Exception {
         peer.bring(1, Map.of(), new Bill.Content(Hash.of(TEXT), 1L << 40));
         assertThat(peer.await(Message.Failed.class).sentence())

@@ -133,6 +133,41 @@ class LocalKeeperTest {
     }
 
     @Test
+    void firmKeeperWithoutRoom_refusesWhatComesAndKeepsWhatItHas() throws Exception {
+        long each;
+        try (LocalKeeper keeper = new LocalKeeper(Options.DEFAULT.withThreads(1), ALL)) {
+            keeper.bring(1, FIRST, Progress.NONE);
+            each = keeper.bytes().memory();
+        }
+        // Room that a forecast may take for enough, and room that is none.
+        for (long left : new long[] {each - 1, each / 10}) {
+            try (LocalKeeper keeper = LocalKeeper.firm(Options.DEFAULT.withThreads(1), each + left, place, 0)) {
+                keeper.focus(2);
+                keeper.bring(1, FIRST, Progress.NONE);
+                assertThatThrownBy(() -> keeper.bring(2, FIRST, Progress.NONE)).isInstanceOf(FrameRefusedException.class)
+                        .hasMessageMatching("the frame takes about .* MB, and there is room for .* MB more");
+                assertThat(keeper.film(2)).isEmpty();
+                assertThat(keeper.bytes()).isEqualTo(new KeptBytes(1, each, 0, 0));
+                FrameUpdate relit = keeper.bring(1, BRIGHTER, Progress.NONE);
+                assertThat(relit.traced()).isFalse();
+                assertExact(relit, BRIGHTER);
+                keeper.forget(1);
+                assertExact(keeper.bring(2, BRIGHTER, Progress.NONE), BRIGHTER);
+            }
+        }
+    }
+
+    @Test
+    void firmKeeper_takesMemoryAndDiskTogether() throws Exception {
+        try (LocalKeeper keeper = LocalKeeper.firm(Options.DEFAULT.withThreads(1), 0, place, ALL)) {
+            for (int frame = 1; frame <= 3; frame++) {
+                keeper.bring(frame, FIRST, Progress.NONE);
+            }
+            assertThat(keeper.bytes().onDisk()).isEqualTo(3);
+        }
+    }
+
+    @Test
     void cancelledFrame_isAsBefore() throws Exception {
         try (LocalKeeper keeper = onDisk()) {
             FrameUpdate first = keeper.bring(1, FIRST, Progress.NONE);

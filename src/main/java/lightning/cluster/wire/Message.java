@@ -43,10 +43,10 @@ public sealed interface Message {
     enum Reason {
         /** It was asked to stop. */
         CANCELLED,
-        /** The take has no such frame, or its files cannot be read. */
+        /** The take has no such frame, or is none. */
         UNUSABLE,
-        /** It does not fit into memory. */
-        TOO_LARGE,
+        /** This node has no room for it, or for what it needs; another may. */
+        REFUSED,
         /** An error of the program. */
         ERROR
     }
