@@ -12,6 +12,7 @@ import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
@@ -19,9 +20,20 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import javax.net.ssl.SSLException;
 import javax.net.ssl.SSLSocket;
+import org.jgroups.Address;
 import org.jgroups.BytesMessage;
+import org.jgroups.LongMessage;
 import org.jgroups.Message;
 import org.jgroups.MessageFactory;
+import org.jgroups.ObjectMessage;
+import org.jgroups.View;
+import org.jgroups.util.ByteArrayDataInputStream;
+import org.jgroups.util.ByteArrayDataOutputStream;
+import org.jgroups.util.Digest;
+import org.jgroups.util.MutableDigest;
+import org.jgroups.util.ObjectWrapperSerializable;
+import org.jgroups.util.SeqnoList;
+import org.jgroups.util.UUID;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -102,6 +114,30 @@ final class TlsNetworkTest {
         }
     }
 
+    /** JGroups lets a member send some megabytes before it must hear that these were taken. */
+    @Test
+    void moreThanAMemberTakesAtOnce_arrivesWhole() throws Exception {
+        int first = freePort();
+        var a = new Heard();
+        var b = new Heard();
+        try (var one = new TlsNetwork(place(first, first, certificate)); var two = new TlsNetwork(place(freePort(), first, certificate))) {
+            one.join(a);
+            two.join(b);
+            Member to = a.awaitOthers(1).iterator().next();
+            Thread sender = Thread.ofPlatform().daemon().start(() -> {
+                for (int i = 0; i < 24; i++) {
+                    byte[] message = new byte[1 << 20];
+                    message[0] = (byte) i;
+                    one.send(to, message);
+                }
+            });
+            for (int i = 0; i < 24; i++) {
+                assertThat(b.messages.poll(PATIENCE_SECONDS, TimeUnit.SECONDS)).as("message " + i).hasSize(1 << 20).startsWith(i);
+            }
+            sender.join();
+        }
+    }
+
     @Test
     void strangerWithAnotherCertificate_staysAlone() throws Exception {
         int first = freePort();
@@ -173,11 +209,43 @@ final class TlsNetworkTest {
         int port = freePort();
         try (var one = new TlsNetwork(place(port, port, certificate))) {
             one.join(new Heard());
-            for (short type : new short[] {Message.OBJ_MSG, Message.LONG_MSG, Message.NIO_MSG, Message.COMPOSITE_MSG, Message.FRAG_MSG,
-                Message.EARLYBATCH_MSG}) {
+            for (short type : new short[] {Message.NIO_MSG, Message.COMPOSITE_MSG, Message.FRAG_MSG, Message.EARLYBATCH_MSG}) {
                 assertThatThrownBy(() -> MessageFactory.create(type)).isInstanceOf(IllegalArgumentException.class);
             }
             assertThat((Message) MessageFactory.create(Message.BYTES_MSG)).isInstanceOf(BytesMessage.class);
+            for (Object object : List.of("words", 1, new View(UUID.randomUUID(), 1, List.of(UUID.randomUUID())),
+                    new ObjectWrapperSerializable(new ArrayList<>()))) {
+                assertThatThrownBy(() -> again(new ObjectMessage(null, object))).isInstanceOf(IOException.class)
+                        .hasMessageContaining("expected numbers of messages, found an object");
+            }
+        }
+    }
+
+    /** What a message is to who reads it. */
+    private static Message again(Message message) throws Exception {
+        var out = new ByteArrayDataOutputStream();
+        message.writeTo(out);
+        Message read = MessageFactory.create(message.getType());
+        read.readFrom(new ByteArrayDataInputStream(out.buffer(), 0, out.position()));
+        return read;
+    }
+
+    @Test
+    void messagesOfItsProtocols_areRead() throws Exception {
+        int port = freePort();
+        try (var one = new TlsNetwork(place(port, port, certificate))) {
+            one.join(new Heard());
+            SeqnoList missing = new SeqnoList(200, 7).add(8, 100, 206);
+            SeqnoList wanted = again(new ObjectMessage(null, missing)).getObject();
+            assertThat(wanted).containsExactly(8L, 100L, 206L);
+            Address[] members = {UUID.randomUUID()};
+            var digest = new Digest(members, new long[] {3, 5});
+            assertThat(again(new ObjectMessage(null, digest)).<Digest>getObject()).isEqualTo(digest);
+            MutableDigest sofar = new MutableDigest(members).set(digest);
+            assertThat(again(new ObjectMessage(null, sofar)).<Digest>getObject()).isEqualTo(digest);
+            assertThat(again(new LongMessage(null, 5_000_000)).<Long>getObject()).isEqualTo(5_000_000);
+            assertThatThrownBy(() -> again(new ObjectMessage(null, new SeqnoList(1 << 21, 7)))).isInstanceOf(IOException.class)
+                    .hasMessageContaining("expected 1 to 1048576 numbers of messages");
         }
     }
 
