@@ -120,6 +120,9 @@ final class EditorFrame extends BorderPane {
                 SplitPane.setResizableWithParent(timeline, false);
             }
             if (on && work.getItems().size() == 1) {
+                // A pane that comes while its neighbours' room is about to change gets the least that it can do with.
+                applyCss();
+                layout();
                 work.getItems().add(timeline);
                 if (below > 0) {
                     work.setDividerPositions(below);

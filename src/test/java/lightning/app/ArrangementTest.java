@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.util.List;
+import javafx.scene.control.SplitPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
+import javafx.scene.layout.Region;
 import lightning.app.model.Arrangement.Canvases;
 import lightning.app.model.Preferences;
 import lightning.app.widget.PictureView;
@@ -68,6 +70,32 @@ class ArrangementTest extends EditorDesk {
         robot.push(KeyCode.TAB);
         assertThat(isThere("#lights")).isTrue();
         assertThat(isShown("toolbar")).isTrue();
+    }
+
+    private void showTimeline(boolean shown) {
+        robot.interact(() -> model().arrangement().timelineShownProperty().set(shown));
+        QuickRobot.settle();
+    }
+
+    private double timeline() {
+        return robot.lookup("#timeline").<Region>query().getHeight();
+    }
+
+    @Test
+    void timelineThatIsFirstShown_hasRoomForItsRows() {
+        showTimeline(true);
+        assertThat(timeline()).isBetween(198.0, 200.0);
+    }
+
+    @Test
+    void timelineThatIsShownAgain_isAsHighAsItWasLeft() {
+        showTimeline(true);
+        robot.interact(() -> ((SplitPane) robot.lookup("#timeline").query().getParent().getParent()).setDividerPositions(0.5));
+        QuickRobot.settle();
+        double left = timeline();
+        showTimeline(false);
+        showTimeline(true);
+        assertThat(timeline()).isBetween(left - 1, left + 1);
     }
 
     @Test
