@@ -7,11 +7,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import lightning.bench.EditResult;
 import lightning.bench.Reporter;
 import lightning.bench.Results;
 import lightning.bench.ResultsFile;
 import lightning.bench.SceneResult;
+import lightning.sample.DefaultLocale;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -53,12 +55,17 @@ class BenchCommandTest {
         assertThat(out.resolve("report.html")).content().contains("<svg", "data:image/");
     }
 
+    /** It takes long, so it is once for both: Egypt's digits are the ones that can be told from plain ones. */
     @Test
-    void wholeQuickRun_hasCurvesAndPrintedEdits() throws Exception {
-        bench(scene).isDone();
+    void wholeQuickRun_hasCurvesAndPrintedEditsInPlainDigitsInEgyptToo() throws Exception {
+        Cli run = DefaultLocale.during(Locale.of("ar", "EG"), () -> bench(scene).isDone());
         assertThat(results().scenes().getFirst().edits()).hasSize(15);
         assertThat(results().growth()).hasSize(4);
         assertThat(results().drift()).hasSize(1);
+        String report = Files.readString(out.resolve("report.html"));
+        assertThat(report).containsPattern("<svg class=\"chart\" viewBox=\"0 0 [0-9]+ [0-9]+\" style=\"max-width:[0-9]+px\"");
+        assertThat(List.of(run.out(), report, Files.readString(out.resolve("results.csv")), Files.readString(out.resolve("results.json"))))
+                .allSatisfy(LocaleTest::assertPlainDigits);
     }
 
     @Test
