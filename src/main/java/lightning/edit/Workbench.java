@@ -348,9 +348,11 @@ public final class Workbench implements AutoCloseable {
         changed.run();
     }
 
-    /** Stops what runs and forgets what waits; what only waited may be gone without a word. */
+    /** Stops what runs and forgets what waits. */
     public void cancel() {
-        loop.cancel();
+        if (loop.cancel()) {
+            feed.cancelledUnbegun();
+        }
         refresh();
         changed.run();
     }

@@ -17,6 +17,7 @@ import javafx.scene.control.MenuBar;
 import javafx.stage.WindowEvent;
 import lightning.app.model.Precision;
 import lightning.app.model.Preferences;
+import lightning.app.widget.PictureView;
 import lightning.edit.Command;
 import lightning.edit.Desk;
 import lightning.edit.OpenDocument;
@@ -180,24 +181,44 @@ class FilesTest extends EditorDesk {
         assertThat(telemetry()).startsWith("first pass: no picture yet");
     }
 
-    /** The picture is that of the scene in the title, or none. */
-    @Test
-    void titleOfAnotherScene_standsOverNothingOfTheLast() throws Exception {
-        // Small enough for no coarse picture; its samples and lights take their time on any machine.
+    /** A scene of the size that no other test has, and of so much work that it can be cancelled on any machine. */
+    private OpenDocument large() throws IOException, JenException {
         String text = Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 170 170  antialias every  samples 8");
         String lights = IntStream.range(0, 100).mapToObj(i -> "light more_" + i + " point { at 1 3 4 }\n").collect(Collectors.joining());
-        answer = Files.writeString(folder.resolve("other.jen"), text + lights);
-        var opened = OpenDocument.open(answer);
-        AtomicBoolean gone = new AtomicBoolean();
+        return OpenDocument.open(Files.writeString(folder.resolve("other.jen"), text + lights));
+    }
+
+    /** The picture is that of the scene in the title, or none, whichever thread comes first. */
+    @Test
+    void titleOfAnotherScene_standsOverNothingOfTheLast() throws Exception {
+        OpenDocument opened = large();
+        List<String> wrong = new ArrayList<>();
         robot.interact(() -> {
-            model().repaintsProperty().addListener((_, _, _) -> gone.set(gone.get() || model().raster().pixels() == null));
+            PictureView picture = robot.lookup("#traced-picture").query();
+            stage.titleProperty().subscribe(title -> {
+                if (title.startsWith("other.jen") && !picture.isEmpty() && picture.pixels().length == 64 * 48) {
+                    wrong.add(title);
+                }
+            });
             model().open(opened);
         });
-        waitFor("the old picture is gone", gone::get);
         robot.interact(() -> model().run(Command.CANCEL));
         waitFor("it is stopped", () -> model().renderingProperty().get().cancelled());
+        waitFor("what was seen of it is gone", () -> isShown("waiting"));
         assertThat(stage.getTitle()).startsWith("other.jen");
-        assertThat(isShown("waiting")).isTrue();
+        assertThat(wrong).isEmpty();
+    }
+
+    @Test
+    void anotherSceneCancelledAtOnce_saysSo() throws Exception {
+        OpenDocument opened = large();
+        robot.interact(() -> {
+            model().open(opened);
+            model().run(Command.CANCEL);
+        });
+        waitFor("nothing is in work", () -> model().situationProperty().get().inWork().isEmpty());
+        waitFor("it is told", () -> isShown("waiting") && text("waiting").equals("Cancelled. Go traces the picture."));
+        assertThat(isEnabled(Command.GO)).isTrue();
     }
 
     @Test

@@ -259,6 +259,20 @@ class WorkbenchTest {
     }
 
     @Test
+    void otherDocumentCancelledBeforeItIsBegun_isToldAsCancelled() throws Exception {
+        LoopEar.Hold hold = ear.holdNextTile();
+        bench.go();
+        hold.awaitReached();
+        bench.open(OpenDocument.open(Files.writeString(folder.resolve("other.jen"), Desk.TEXT)));
+        bench.cancel();
+        assertThat(bench.rendering().cancelled()).isTrue();
+        hold.release();
+        settle();
+        assertThat(bench.frame()).isEmpty();
+        assertThat(bench.rendering().cancelled()).as("once the loop has left the document before").isTrue();
+    }
+
+    @Test
     void recoveredDocument_isKeptUntilItIsSaved() throws Exception {
         var crashed = new Recovery(folder.resolve("kept"), "999999999999-1");
         Path file = Files.writeString(folder.resolve("lost.jen"), Desk.TEXT);

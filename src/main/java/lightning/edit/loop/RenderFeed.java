@@ -58,6 +58,11 @@ public final class RenderFeed implements RenderListener {
         }
     }
 
+    /** What waited was cancelled, also where the loop has not left the document before. */
+    public synchronized void cancelledUnbegun() {
+        state = state.stopped(null);
+    }
+
     private synchronized boolean isOfTheOpenDocument() {
         return dropped == open;
     }

@@ -104,10 +104,15 @@ public final class RenderLoop implements AutoCloseable {
         queue.look();
     }
 
-    /** Stops what runs, a verification too, and forgets what waits. The last picture stays. */
-    public void cancel() {
-        queue.cancel();
+    /**
+     * Stops what runs, a verification too, and forgets what waits. The last picture stays.
+     *
+     * @return whether a scene waited: the listener does not hear that it is cancelled, since it was not begun
+     */
+    public boolean cancel() {
+        boolean waited = queue.cancel();
         verifier.cancel();
+        return waited;
     }
 
     /**

@@ -158,8 +158,9 @@ final class RenderQueue {
         render(wantedScene);
     }
 
-    /** Forgets what waits and stops what runs. */
-    synchronized void cancel() {
+    /** Forgets what waits and stops what runs; returns whether a scene waited, of which nobody else hears. */
+    synchronized boolean cancel() {
+        boolean waited = scene != null;
         scene = null;
         reflections = false;
         finish = false;
@@ -167,6 +168,7 @@ final class RenderQueue {
         if (stop != null) {
             stop.ask();
         }
+        return waited;
     }
 
     synchronized void close() {
