@@ -2,6 +2,7 @@ package lightning.app;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -11,29 +12,46 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.IntConsumer;
 import java.util.function.UnaryOperator;
 import javafx.application.Platform;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuBar;
+import javafx.scene.control.TabPane;
+import javafx.stage.Stage;
+import javafx.stage.Window;
+import lightning.app.model.Arrangement.Canvases;
 import lightning.app.model.EditorModel;
+import lightning.app.model.Speech;
 import lightning.edit.Command;
 import lightning.edit.LightEdits;
 import lightning.edit.NodeEdits;
+import lightning.image.DisplayCurve;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Light;
 import lightning.scene.Placement;
 
 /**
- * How long the window's thread is away in an hour's work told in a minute: for each step the longest time that a task waited for it, and the
- * processor time that the thread took meanwhile, which other work on the machine does not lengthen.
+ * How long the window's thread is away in an hour's work told in two minutes: for each thing that an artist does the longest time that a
+ * task waited for that thread, and the processor time that the thread took meanwhile, which other work on the machine does not
+ * lengthen. Arguments: a scene, another one that is opened after it, and a glTF file that does not tell the units of its lights.
  */
 public final class Pauses {
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private static final int DRAG = 40;
     private static final long DRAG_MS = 30;
-    private static final long LOOK_MS = 1200;
+    private static final long LOOK_MS = 700;
+    /** How long an artist looks at the first picture: some seconds, or none. */
+    private static final long NOBODY_MS = Long.getLong("look", 8000);
+
+    /** What is being done. */
+    static volatile String step = "";
+
+    private static List<String> arguments;
 
     private Pauses() {}
 
     public static void main(String[] args) {
-        LightningApp.open(Story.class, List.of(args[0]));
+        arguments = List.of(args);
+        LightningApp.open(Story.class, arguments.subList(0, 1));
         System.exit(0);
     }
 
@@ -43,7 +61,7 @@ public final class Pauses {
         void opened(Editor editor) {
             Thread.ofPlatform().daemon().start(() -> {
                 try {
-                    new Hour(editor.model()).work();
+                    new Hour(editor).work();
                 } catch (Throwable e) {
                     e.printStackTrace();
                 }
@@ -88,45 +106,146 @@ public final class Pauses {
 
     /** What is done, a step after the other. */
     private static final class Hour {
+        private final Editor editor;
         private final EditorModel model;
         private Pulse pulse;
 
-        Hour(EditorModel model) {
-            this.model = model;
+        Hour(Editor editor) {
+            this.editor = editor;
+            model = editor.model();
         }
 
         void work() throws Exception {
             pulse = new Pulse(onWindow(() -> Thread.currentThread().threadId()));
             rest("the first seconds after the window is there");
+            Thread.sleep(NOBODY_MS);
+            rest("nobody works, and panels are made ahead");
             step("live", () -> model.liveProperty().set(true));
             String light = model.lights().getFirst().name();
             step("a light selected", () -> model.selectLight(light));
             drag("its intensity dragged", i -> edit(light, l -> l.withIntensity(0.5 + 0.01 * i)));
             drag("its colour dragged", i -> edit(light, l -> l.withColor(new Rgb(1, 0.5 + 0.01 * i, 0.7))));
             drag("its place dragged", i -> edit(light, l -> l.withPosition(l.position().plus(new Vec3(0.01, 0, 0.01)))));
+            menus();
             for (Command panel : List.of(Command.MIXER, Command.CONTRIBUTIONS, Command.CUES, Command.SCOPES, Command.EFFECTS_PANEL,
-                    Command.ACCURACY_PANEL, Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.PALETTE, Command.KEYS, Command.ABOUT)) {
-                step(panel.plainTitle(), () -> model.run(panel));
+                    Command.ACCURACY_PANEL, Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.KEYS, Command.PALETTE, Command.ABOUT,
+                    Command.MAKE_ANIMATION)) {
+                beside(panel.plainTitle(), () -> model.run(panel));
+                beside(panel.plainTitle() + ", again", () -> model.run(panel));
             }
+            model();
+            arrange();
+            for (Command panel : List.of(Command.MIXER, Command.CONTRIBUTIONS, Command.CUES, Command.SCOPES, Command.EFFECTS_PANEL,
+                    Command.ACCURACY_PANEL, Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.KEYS)) {
+                onWindow(() -> {
+                    model.run(panel);
+                    return null;
+                });
+            }
+            rest("nine panels opened at once");
             drag("its intensity dragged, all panels open", i -> edit(light, l -> l.withIntensity(0.5 + 0.01 * i)));
+            command(Command.LIGHT_THEME, ", all panels open");
+            command(Command.LIGHT_THEME, ", all panels open");
+            step("all panels closed", this::closeAll);
+            scenes();
+        }
+
+        private void menus() throws Exception {
+            for (Menu menu : onWindow(() -> List.copyOf(((MenuBar) main().getScene().lookup(".menu-bar")).getMenus()))) {
+                step("menu " + menu.getText(), menu::show);
+                step("menu closed", menu::hide);
+                step("menu " + menu.getText() + ", again", menu::show);
+                step("menu closed", menu::hide);
+            }
+        }
+
+        private void model() throws Exception {
             for (Command command : List.of(Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.SOLO, Command.SOLO, Command.NEW_BANK,
                     Command.DELETE_LIGHT, Command.LOOK_THROUGH_LIGHT, Command.LOOK_THROUGH_LIGHT, Command.ONLY_SELECTED,
-                    Command.ONLY_SELECTED, Command.VERIFY, Command.HIDE_PANELS, Command.HIDE_PANELS, Command.LIGHT_THEME,
-                    Command.LIGHT_THEME, Command.UNDO, Command.REDO, Command.SAVE_SCENE)) {
-                step(command.plainTitle(), () -> model.run(command));
+                    Command.ONLY_SELECTED, Command.VERIFY, Command.UNDO, Command.REDO, Command.SAVE_SCENE)) {
+                command(command, "");
             }
+            step("the material's tab", () -> model.materials().inFrontProperty().set(true));
             String shape = model.scene().placedShapes().getFirst().shape().name();
             step("a shape selected", () -> model.selectNode(shape));
             drag("it is moved", _ -> model.edit(scene -> NodeEdits.placement(scene, shape,
                     p -> new Placement(p.at().plus(new Vec3(0, 0.001, 0)), p.rotate(), p.scale()))));
-            step(Command.RELOAD.plainTitle(), () -> model.run(Command.RELOAD));
+            String light = model.lights().getFirst().name();
+            step("a light selected again", () -> model.selectLight(light));
+            step("the list of shapes", () -> ((TabPane) main().getScene().lookup("#lists")).getSelectionModel().select(1));
+            step("the list of lights", () -> ((TabPane) main().getScene().lookup("#lists")).getSelectionModel().select(0));
+            command(Command.NEW_SHOT, "");
+            command(Command.TIMELINE, " hidden");
+            command(Command.TIMELINE, " shown");
+            command(Command.SET_KEY, "");
+            command(Command.NEXT_FRAME, "");
+            command(Command.FILM_STRIP, "");
+            command(Command.FILM_STRIP, " hidden");
+            beside(Command.EXPORT_SHOT.plainTitle(), () -> model.run(Command.EXPORT_SHOT));
+            command(Command.DELETE_SHOT, "");
+            command(Command.TIMELINE, " hidden");
+        }
+
+        private void arrange() throws Exception {
+            for (DisplayCurve curve : List.of(DisplayCurve.FALSE, DisplayCurve.SRGB)) {
+                step("curve " + curve, () -> model.viewProperty().set(model.viewProperty().get().withCurve(curve)));
+            }
+            command(Command.MARK_CLIPPING, "");
+            command(Command.MARK_CLIPPING, "");
+            for (Canvases canvases : List.of(Canvases.PICTURE_ALONE, Canvases.PREVIEW_ALONE, Canvases.SIDE_BY_SIDE)) {
+                step(canvases.toString(), () -> model.arrangement().canvasesProperty().set(canvases));
+            }
+            command(Command.HIDE_PANELS, " (Tab)");
+            command(Command.HIDE_PANELS, " (Tab), again");
+            command(Command.FULL_SCREEN, " (F11)");
+            command(Command.FULL_SCREEN, " (F11), again");
+            command(Command.LIGHT_THEME, "");
+            command(Command.LIGHT_THEME, ", back");
+            command(Command.LIGHT_THEME, ", second time");
+            command(Command.LIGHT_THEME, ", back, second time");
+            step(Command.LANGUAGE.plainTitle(), () -> model.speechProperty().set(Speech.GERMAN));
+        }
+
+        private void scenes() throws Exception {
+            command(Command.RELOAD, "");
+            String light = model.lights().getFirst().name();
+            step("an edit", () -> edit(light, l -> l.withIntensity(0.77)));
+            beside("question about unsaved edits", () -> editor.files().load(Path.of(arguments.get(1))));
+            command(Command.SAVE_SCENE, ", again");
+            later("another scene opened", () -> editor.files().load(Path.of(arguments.get(1))));
+            beside("import asks for units", () -> editor.files().load(Path.of(arguments.get(2))));
+        }
+
+        private void command(Command command, String how) throws Exception {
+            step(command.plainTitle() + how, () -> model.run(command));
         }
 
         private void edit(String light, UnaryOperator<Light> change) {
             model.edit(scene -> LightEdits.with(scene, light, change));
         }
 
+        private static Stage main() {
+            return (Stage) Window.getWindows().stream().filter(w -> w instanceof Stage s && s.getOwner() == null).findFirst().orElseThrow();
+        }
+
+        private void closeAll() {
+            List.copyOf(Window.getWindows()).stream().filter(w -> w != main()).forEach(Window::hide);
+        }
+
+        /** What opens a window, which may wait for an answer, and is closed then. */
+        private void beside(String what, Runnable action) throws Exception {
+            later(what, action);
+            step(what + ": closed", this::closeAll);
+        }
+
+        private void later(String what, Runnable action) throws Exception {
+            step = what;
+            Platform.runLater(action);
+            rest(what);
+        }
+
         private void drag(String what, IntConsumer move) throws Exception {
+            step = what;
             for (int i = 0; i < DRAG; i++) {
                 int at = i;
                 onWindow(() -> {
@@ -139,6 +258,7 @@ public final class Pauses {
         }
 
         private void step(String what, Runnable action) throws Exception {
+            step = what;
             onWindow(() -> {
                 action.run();
                 return null;
@@ -149,7 +269,7 @@ public final class Pauses {
         private void rest(String after) throws Exception {
             do {
                 Thread.sleep(LOOK_MS);
-            } while (onWindow(() -> model.frame() == null || model.situationProperty().get().isPending()
+            } while (onWindow(() -> model.frame() == null || model.reading() != null || model.situationProperty().get().isPending()
                     || model.situationProperty().get().inWork().isPresent()));
             System.out.println(pulse.longest() + "  " + after);
         }
