@@ -74,6 +74,11 @@ public final class Editor implements AutoCloseable {
         return window;
     }
 
+    /** Whether the picture is there, and nothing is being done about another. */
+    boolean rests() {
+        return model.frame() != null && model.reading() == null && model.situationProperty().get().inWork().isEmpty();
+    }
+
     public FileActions files() {
         return files;
     }

@@ -1,5 +1,6 @@
 package lightning.app;
 
+import javafx.scene.Group;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
 import javafx.scene.image.Image;
@@ -28,9 +29,10 @@ final class EditorStage {
      */
     static void show(Stage stage, Parent content, Preferences preferences, double mostWidth, double mostHeight) {
         if (stage.getScene() == null) {
-            var scene = new Scene(content, Math.min(mostWidth, preferences.number("width", LEAST_SIDE, MOST_SIDE, WIDTH)),
+            var scene = new Scene(new Group(), Math.min(mostWidth, preferences.number("width", LEAST_SIDE, MOST_SIDE, WIDTH)),
                     Math.min(mostHeight, preferences.number("height", LEAST_SIDE, MOST_SIDE, HEIGHT)));
             Looks.dress(scene);
+            scene.setRoot(content);
             stage.setScene(scene);
             stage.getIcons().add(new Image(String.valueOf(EditorStage.class.getResource("icon.png")), true));
             stage.setMinWidth(Math.min(mostWidth, LEAST_WIDTH));

@@ -3,6 +3,7 @@ package lightning.app;
 import java.io.File;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.scene.Node;
@@ -36,6 +37,7 @@ public final class EditorWindow implements AutoCloseable {
     private final FileActions files;
     private final Panels panels;
     private final VBox bars;
+    private final SidePane side;
     /** Null before it was first shown. */
     private TimelinePane timeline;
     private final BooleanProperty fullScreen = new SimpleBooleanProperty();
@@ -58,7 +60,8 @@ public final class EditorWindow implements AutoCloseable {
         tools.visibleProperty().bind(model.arrangement().panelsHiddenProperty().not());
         tools.managedProperty().bind(tools.visibleProperty());
         bars = new VBox(menu, tools);
-        frame.fill(bars, preview, new ListTabs(model), new SidePane(model), new StatusLine(model));
+        side = new SidePane(model);
+        frame.fill(bars, preview, new ListTabs(model), side, new StatusLine(model));
         frame.follow(model.arrangement());
         frame.addTimeline(model.arrangement(), () -> {
             timeline = new TimelinePane(model, playback);
@@ -116,6 +119,11 @@ public final class EditorWindow implements AutoCloseable {
     private void dropped(DragEvent e) {
         e.setDropCompleted(drop(e.getDragboard().getFiles()));
         e.consume();
+    }
+
+    /** What can be made before somebody asks for it, a step after the other. */
+    Stream<Runnable> ahead() {
+        return Stream.concat(side.ahead(), panels.ahead());
     }
 
     /** Opens the first scene among files; returns whether there is one. */

@@ -1,5 +1,6 @@
 package lightning.app;
 
+import java.util.Iterator;
 import java.util.List;
 import java.util.stream.Stream;
 import javafx.scene.control.Button;
@@ -10,6 +11,8 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import lightning.app.command.KeyButton;
 import lightning.app.model.EditorModel;
+import lightning.app.widget.Slices;
+import lightning.app.widget.WhileSeen;
 import lightning.edit.Command;
 import lightning.text.Texts;
 
@@ -82,13 +85,28 @@ final class KeysPane extends GridPane {
         section(Texts.of("Numbers"), NUMBERS);
         addRow(getRowCount(), label(Texts.of("Commands"), "keys-title"), label(Texts.of("Click a key to change it"), "caption"),
                 resetAll(model));
-        Stream.of(Command.values()).filter(model::isDone).forEach(c -> {
-            var what = label(c.plainTitle(), "keys-what");
-            var told = label("", "keys-how");
-            told.setWrapText(true);
-            told.setMaxWidth(TOLD);
-            addRow(getRowCount(), what, told, new KeyButton(model.keys(), c, told));
+        Iterator<Command> commands = Stream.of(Command.values()).filter(model::isDone).toList().iterator();
+        // They are below what is seen first, and so many that all together would hold up the window.
+        var slices = new Slices(() -> {
+            if (commands.hasNext()) {
+                add(commands.next(), model);
+            }
+            return commands.hasNext();
         });
+        WhileSeen.follow(this, () -> {
+            slices.begin();
+            return slices::end;
+        });
+    }
+
+    private void add(Command command, EditorModel model) {
+        var what = label(command.plainTitle(), "keys-what");
+        var told = label("", "keys-how");
+        told.setWrapText(true);
+        told.setMaxWidth(TOLD);
+        var key = new KeyButton(model.keys(), command, told);
+        addRow(getRowCount(), what, told, key);
+        List.of(what, told, key).forEach(Slices::style);
     }
 
     private static Button resetAll(EditorModel model) {

@@ -34,6 +34,7 @@ public class LightningApp extends Application {
     private Preferences preferences;
     private FirstSight sight;
     private Editor editor;
+    private Ahead beforehand;
 
     /**
      * Opens the editor and returns when its window is closed. At most once in a process.
@@ -142,6 +143,7 @@ public class LightningApp extends Application {
         if (opening.failed() != null) {
             editor.failed(opening.failed(), opening.why());
         }
+        beforehand = new Ahead(stage.getScene(), editor::rests, editor.window().ahead().iterator());
         opened(editor);
         editor.offer(opening.left());
         if (opening.next() != null) {
@@ -155,6 +157,7 @@ public class LightningApp extends Application {
     @Override
     public void stop() {
         if (editor != null) {
+            beforehand.close();
             editor.close();
         } else if (sight != null) {
             sight.close();

@@ -4,6 +4,8 @@ import java.util.EnumMap;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
+import javafx.scene.Parent;
 import javafx.scene.layout.Region;
 import javafx.stage.Stage;
 import javafx.stage.Window;
@@ -53,8 +55,23 @@ final class Panels implements AutoCloseable {
         PANELS.keySet().forEach(command -> editor.setAction(command, () -> open(command)));
     }
 
+    /** For each window the steps that make it before it is wanted, each of which takes a moment of the window's thread. */
+    Stream<Runnable> ahead() {
+        return PANELS.keySet().stream().sorted().flatMap(command -> Stream.of(() -> made(command), () -> layOut(made(command))));
+    }
+
+    private Stage made(Command command) {
+        return opened.computeIfAbsent(command, c -> window(c, PANELS.get(c)));
+    }
+
+    private static void layOut(Stage stage) {
+        Parent root = stage.getScene().getRoot();
+        root.applyCss();
+        root.layout();
+    }
+
     private void open(Command command) {
-        Stage stage = opened.computeIfAbsent(command, c -> window(c, PANELS.get(c)));
+        Stage stage = made(command);
         stage.show();
         stage.toFront();
     }

@@ -1,14 +1,25 @@
 package lightning.app;
 
+import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
+import java.util.stream.Stream;
 import javafx.animation.PauseTransition;
 import javafx.application.Platform;
+import javafx.scene.control.MenuBar;
+import javafx.stage.Window;
 import javafx.util.Duration;
+import lightning.app.model.EditorModel;
+import lightning.app.widget.Looks;
+import lightning.edit.Command;
 
-/** The editor's program as far as its start goes: it opens the first scene, and closes when the picture was seen. */
+/**
+ * The editor's program as far as its start goes, and what is opened beside it most: it opens the first scene, then menus and panels one
+ * after the other, and closes.
+ */
 public final class Rehearsal extends LightningApp {
-    /** In this time the picture comes from the window's thread onto the screen. */
-    private static final Duration A_LOOK = Duration.millis(500);
+    /** In this time what was opened comes from the window's thread onto the screen. */
+    private static final Duration A_LOOK = Duration.millis(300);
 
     /** Opens the editor where a window can be opened, and returns when it is closed. At most once in a process. */
     public static void open() {
@@ -17,12 +28,37 @@ public final class Rehearsal extends LightningApp {
 
     @Override
     void opened(Editor editor) {
+        Iterator<Runnable> steps = steps(editor.model()).iterator();
         var look = new PauseTransition(A_LOOK);
-        look.setOnFinished(_ -> Platform.exit());
+        look.setOnFinished(_ -> {
+            if (steps.hasNext()) {
+                steps.next().run();
+                look.playFromStart();
+            } else {
+                Platform.exit();
+            }
+        });
         editor.model().renderingProperty().subscribe(state -> {
             if (state.frame() != null) {
                 look.play();
             }
         });
+    }
+
+    private static List<Runnable> steps(EditorModel model) {
+        List<Runnable> steps = new ArrayList<>();
+        Stream.of(Command.MIXER, Command.CONTRIBUTIONS, Command.CUES, Command.SCOPES, Command.EFFECTS_PANEL, Command.ACCURACY_PANEL,
+                Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.KEYS, Command.PALETTE, Command.ABOUT, Command.TIMELINE)
+                .forEach(command -> steps.add(() -> model.run(command)));
+        steps.add(() -> model.materials().inFrontProperty().set(true));
+        steps.add(() -> model.scene().placedShapes().stream().findFirst().ifPresent(s -> model.selectNode(s.shape().name())));
+        steps.add(Rehearsal::openMenu);
+        steps.add(Looks.LIGHT::wear);
+        return steps;
+    }
+
+    private static void openMenu() {
+        Window.getWindows().stream().map(w -> w.getScene().lookup(".menu-bar")).filter(MenuBar.class::isInstance).findFirst()
+                .ifPresent(bar -> ((MenuBar) bar).getMenus().getFirst().show());
     }
 }

@@ -57,8 +57,8 @@ class CommandPaletteTest extends EditorDesk {
     }
 
     private void listenFor(Command command) {
+        robot.interact(() -> model().run(Command.KEYS));
         robot.interact(() -> {
-            model().run(Command.KEYS);
             robot.lookup("#key-" + command.id()).<Button>query().requestFocus();
             robot.lookup("#key-" + command.id()).<Button>query().fire();
         });

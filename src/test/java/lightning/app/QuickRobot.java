@@ -20,6 +20,7 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.robot.Robot;
 import javafx.stage.Stage;
 import javafx.stage.Window;
+import lightning.app.widget.Slices;
 import org.testfx.api.FxRobot;
 import org.testfx.robot.Motion;
 import org.testfx.service.query.PointQuery;
@@ -85,6 +86,7 @@ public final class QuickRobot extends FxRobot {
             awaitPulses();
             layOut();
         }
+        awaitSlices();
         windowsBefore = windows;
     }
 
@@ -109,6 +111,14 @@ public final class QuickRobot extends FxRobot {
             }
         } catch (InterruptedException e) {
             throw new AssertionError(e);
+        }
+    }
+
+    /** What is put into the window pulse by pulse is in it then. */
+    private static void awaitSlices() {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (await(Slices::isAnyGoing) && System.nanoTime() < end) {
+            awaitPulses();
         }
     }
 

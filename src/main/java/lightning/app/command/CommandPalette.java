@@ -2,6 +2,7 @@ package lightning.app.command;
 
 import java.util.List;
 import javafx.geometry.Pos;
+import javafx.scene.Group;
 import javafx.scene.Scene;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
@@ -60,8 +61,9 @@ public final class CommandPalette extends Stage {
         var content = new VBox(query, found, about);
         content.setId("palette");
         content.getStyleClass().add("palette");
-        var scene = new Scene(content, WIDTH, HEIGHT);
+        var scene = new Scene(new Group(), WIDTH, HEIGHT);
         Looks.dress(scene);
+        scene.setRoot(content);
         setScene(scene);
         setX(owner.getX() + (owner.getWidth() - WIDTH) / 2);
         setY(owner.getY() + Math.min(FROM_TOP, Math.max(0, owner.getHeight() - HEIGHT)));

@@ -10,12 +10,14 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
+import javafx.util.Subscription;
 import lightning.accuracy.Grade;
 import lightning.accuracy.Ladder;
 import lightning.accuracy.LadderMeter;
 import lightning.accuracy.Rung;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.PictureView;
+import lightning.app.widget.WhileSeen;
 import lightning.edit.LastEdit;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
@@ -71,8 +73,8 @@ public final class AccuracyPane extends BorderPane {
         difference.setAccessibleText(Texts.of("Show the difference from the full trace"));
         difference.selectedProperty().subscribe(_ -> paint());
         table.getSelectionModel().selectedItemProperty().subscribe(_ -> paint());
-        model.situationProperty().subscribe(_ -> update());
-        model.viewProperty().subscribe(_ -> paint());
+        WhileSeen.follow(this, () -> Subscription.combine(model.situationProperty().subscribe(_ -> update()),
+                model.viewProperty().subscribe(_ -> paint())));
     }
 
     private Node head() {

@@ -16,12 +16,14 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
+import javafx.util.Subscription;
 import lightning.accuracy.EffectCosts;
 import lightning.accuracy.PaperCase;
 import lightning.accuracy.PaperCases;
 import lightning.app.model.EditorModel;
 import lightning.app.model.StatusText;
 import lightning.app.widget.Obstacle;
+import lightning.app.widget.WhileSeen;
 import lightning.edit.LastEdit;
 import lightning.effects.Effect;
 import lightning.effects.Effects;
@@ -95,8 +97,7 @@ public final class EffectsPane extends VBox {
         var bottom = new HBox(hint(), allBox);
         bottom.getStyleClass().add("effects-bottom");
         getChildren().addAll(head, scroll, bottom);
-        view.subscribe(this::show);
-        model.sceneProperty().subscribe(this::tell);
+        WhileSeen.follow(this, () -> Subscription.combine(view.subscribe(this::show), model.sceneProperty().subscribe(this::tell)));
     }
 
     private static Node hint() {

@@ -39,6 +39,7 @@ final class ColorPopup {
     void show(Node below) {
         var pane = new StackPane(sliders);
         pane.getStyleClass().addAll("color-popup", "root");
+        Looks.color(pane);
         pane.setId("color-popup");
         pane.setPrefWidth(WIDTH);
         var popup = new Popup();

@@ -1,8 +1,9 @@
 package lightning.app.mixer;
 
-import java.util.LinkedHashMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import javafx.scene.Node;
 import javafx.scene.control.ChoiceBox;
@@ -20,6 +21,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
 import lightning.app.model.EditorModel;
+import lightning.app.widget.Slices;
 import lightning.app.widget.WhileSeen;
 import lightning.edit.Channel;
 import lightning.edit.loop.Frame;
@@ -34,7 +36,10 @@ public final class MixerPane extends VBox {
     private final EditorModel model;
     private final Board board;
     private final ShareFeed feed;
-    private final Map<Channel, Strip> strips = new LinkedHashMap<>();
+    /** In the order of the scene; those that are still to be made have no strip. */
+    private List<Channel> channels = List.of();
+    private final Map<Channel, Strip> strips = new HashMap<>();
+    private final Slices making = new Slices(this::makeNext);
     private final HBox row = new HBox();
     private final MasterStrip master;
     private final TextField search = new TextField();
@@ -76,7 +81,7 @@ public final class MixerPane extends VBox {
                     if (light != null && board.selectedProperty().get().size() <= 1) {
                         board.set(List.of(new Channel.OfLight(light.name())));
                     }
-                }));
+                }), making::end);
     }
 
     private Node tools() {
@@ -138,19 +143,30 @@ public final class MixerPane extends VBox {
 
     private void show(Scene scene) {
         List<Channel> all = Channel.all(scene);
-        if (!List.copyOf(strips.keySet()).equals(all)) {
-            Map<Channel, Strip> before = new LinkedHashMap<>(strips);
-            strips.clear();
-            for (Channel channel : all) {
-                Strip strip = before.get(channel);
-                strips.put(channel, strip == null ? new Strip(board, channel) : strip);
-            }
+        if (!channels.equals(all)) {
+            channels = all;
+            strips.keySet().retainAll(all);
             board.set(board.selectedProperty().get().stream().filter(all::contains).toList());
             showPictures();
-            choose();
         }
         strips.values().forEach(strip -> strip.show(scene));
         arrange();
+        making.begin();
+    }
+
+    /** Makes the strip of the first channel that has none: with many lights all together would hold up the window. */
+    private boolean makeNext() {
+        Optional<Channel> next = channels.stream().filter(channel -> !strips.containsKey(channel)).findFirst();
+        next.ifPresent(channel -> {
+            var strip = new Strip(board, channel);
+            strips.put(channel, strip);
+            strip.show(model.scene());
+            strip.setChosen(board.isSelected(channel));
+            showPicture(strip);
+            arrange();
+            Slices.style(strip);
+        });
+        return next.isPresent();
     }
 
     private void show(SharePictures now) {
@@ -160,8 +176,12 @@ public final class MixerPane extends VBox {
     }
 
     private void showPictures() {
+        strips.values().forEach(this::showPicture);
+    }
+
+    private void showPicture(Strip strip) {
         if (pictures != null) {
-            strips.forEach((channel, strip) -> strip.show(pictures.of(channel, model.scene())));
+            strip.show(pictures.of(strip.channel(), model.scene()));
         }
     }
 
@@ -177,11 +197,27 @@ public final class MixerPane extends VBox {
     private void arrange() {
         Scene scene = model.scene();
         StripFilter chosen = Optional.ofNullable(filter.getValue()).orElse(StripFilter.ALL);
-        List<Strip> wanted = strips.values().stream().filter(s -> s.channel().isIn(scene))
-                .filter(s -> chosen.shows(s.channel(), scene) && StripFilter.finds(search.getText(), s.channel(), scene)).toList();
+        List<Channel> found = channels.stream().filter(c -> c.isIn(scene))
+                .filter(c -> chosen.shows(c, scene) && StripFilter.finds(search.getText(), c, scene)).toList();
+        List<Strip> wanted = found.stream().map(strips::get).filter(Objects::nonNull).toList();
         if (!shown().equals(wanted)) {
+            put(wanted);
+        }
+        count.setText(found.size() == channels.size() ? "" : Texts.of("{0} of {1} strips", found.size(), channels.size()));
+    }
+
+    /** A strip that is put in again would take on its looks anew. */
+    private void put(List<Strip> wanted) {
+        List<Node> there = row.getChildren();
+        there.retainAll(wanted);
+        if (there.equals(wanted.stream().filter(there::contains).toList())) {
+            for (int i = 0; i < wanted.size(); i++) {
+                if (i == there.size() || there.get(i) != wanted.get(i)) {
+                    there.add(i, wanted.get(i));
+                }
+            }
+        } else {
             row.getChildren().setAll(wanted);
         }
-        count.setText(wanted.size() == strips.size() ? "" : Texts.of("{0} of {1} strips", wanted.size(), strips.size()));
     }
 }

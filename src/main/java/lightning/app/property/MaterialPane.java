@@ -100,7 +100,7 @@ final class MaterialPane extends VBox {
         users.setWrapText(true);
         var header = new VBox(row, users);
         header.getStyleClass().add("light-header");
-        ScrollPane scroll = Sections.scroll(Stream.concat(Stream.of(header), Arrays.stream(Section.values()).map(this::section))
+        ScrollPane scroll = Sections.gradual(Stream.concat(Stream.of(header), Arrays.stream(Section.values()).map(this::section))
                 .toArray(Node[]::new));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);

@@ -1,11 +1,15 @@
 package lightning.app.property;
 
+import java.util.Iterator;
+import java.util.List;
 import java.util.Locale;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.TitledPane;
 import javafx.scene.layout.VBox;
+import lightning.app.widget.Slices;
+import lightning.app.widget.WhileSeen;
 import lightning.text.Texts;
 
 /** How properties are laid out: sections below each other, which can be folded and are scrolled. */
@@ -18,6 +22,25 @@ final class Sections {
         var scroll = new ScrollPane(box);
         scroll.setFitToWidth(true);
         scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
+        return scroll;
+    }
+
+    /** As {@link #scroll}, where the sections come one after the other, so that the window's thread is never away for long. */
+    static ScrollPane gradual(Node... sections) {
+        ScrollPane scroll = scroll();
+        List<Node> box = ((VBox) scroll.getContent()).getChildren();
+        Iterator<Node> next = List.of(sections).iterator();
+        var slices = new Slices(() -> {
+            if (next.hasNext()) {
+                box.add(next.next());
+                Slices.style(box.getLast());
+            }
+            return next.hasNext();
+        });
+        WhileSeen.follow(scroll.getContent(), () -> {
+            slices.begin();
+            return slices::end;
+        });
         return scroll;
     }
 

@@ -1,6 +1,7 @@
 package lightning.app.property;
 
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import javafx.scene.Node;
 import javafx.scene.control.Tab;
 import javafx.scene.control.TabPane;
@@ -44,13 +45,24 @@ public final class SidePane extends TabPane {
         }
     }
 
+    /** What can be made before a tab is in front, a step for each. */
+    public Stream<Runnable> ahead() {
+        return getTabs().stream().map(tab -> () -> ((Runnable) tab.getUserData()).run());
+    }
+
     /** @param content made when the tab is first in front: each is a third of all that is in the window */
     static Tab tab(String title, String id, Supplier<Node> content) {
         var tab = new Tab(title);
         tab.setId(id);
-        tab.selectedProperty().subscribe(inFront -> {
-            if (inFront && tab.getContent() == null) {
+        Runnable make = () -> {
+            if (tab.getContent() == null) {
                 tab.setContent(content.get());
+            }
+        };
+        tab.setUserData(make);
+        tab.selectedProperty().subscribe(inFront -> {
+            if (inFront) {
+                make.run();
             }
         });
         return tab;

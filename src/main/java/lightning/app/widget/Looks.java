@@ -1,50 +1,106 @@
 package lightning.app.widget;
 
 import atlantafx.base.theme.PrimerDark;
-import atlantafx.base.theme.PrimerLight;
 import atlantafx.base.theme.Theme;
-import java.util.ArrayList;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.List;
+import java.util.stream.Stream;
+import javafx.animation.AnimationTimer;
 import javafx.application.Application;
+import javafx.collections.ListChangeListener;
+import javafx.css.PseudoClass;
+import javafx.scene.Parent;
 import javafx.scene.Scene;
 import javafx.stage.Window;
 
-/** The theme: calm and dark, so that the pictures stand out, or light for bright rooms. Belongs to the window's thread. */
+/**
+ * The theme: calm and dark, so that the pictures stand out, or light for bright rooms. Belongs to the window's thread.
+ *
+ * <p>Both have the same style sheets, and the light one is a state of each window's root: no rule is matched anew where another theme is put
+ * on, which would take most of its time.
+ */
 public enum Looks {
     DARK, LIGHT;
 
-    private static final List<String> SHEETS = List.of("window.css", "lightning.css", "mixer.css", "timeline.css");
+    private static final PseudoClass BRIGHT = PseudoClass.getPseudoClass("bright");
+    private static final List<String> SHEETS =
+            Stream.of("dark.css", "light.css", "window.css", "lightning.css", "mixer.css", "timeline.css").map(Looks::url).toList();
+    private static final Theme THEME = new PrimerDark();
+    /** Windows that still wear the other theme. */
+    private static final Deque<Window> WAITING = new ArrayDeque<>();
     private static Looks worn = DARK;
+    private static boolean begun;
 
-    Theme theme() {
-        return switch (this) {
-            case DARK -> new PrimerDark();
-            case LIGHT -> new PrimerLight();
-        };
+    /** The theme that all rules are of. */
+    static Theme theme() {
+        return THEME;
     }
 
-    /** For all windows, those that are open too. */
+    /** For all windows, those that are open too: the editor's at once, the others one after the other. */
     public void wear() {
         worn = this;
-        // Compiled: parsing it takes a tenth of a second at each start.
-        Application.setUserAgentStylesheet(theme().getUserAgentStylesheetBSS());
-        Window.getWindows().stream().map(Window::getScene).filter(s -> s != null && s.getStylesheets().contains(url(SHEETS.getFirst())))
-                .forEach(Looks::dress);
+        begin();
+        WAITING.clear();
+        WAITING.addAll(Window.getWindows());
+        if (!WAITING.isEmpty()) {
+            color(WAITING.remove());
+            goOn();
+        }
+    }
+
+    /** One window in each pulse: each takes its time. */
+    private static void goOn() {
+        new AnimationTimer() {
+            @Override
+            public void handle(long now) {
+                if (WAITING.isEmpty()) {
+                    stop();
+                } else {
+                    color(WAITING.remove());
+                }
+            }
+        }.start();
+    }
+
+    private static void begin() {
+        if (!begun) {
+            begun = true;
+            // Compiled: parsing it takes a tenth of a second at each start.
+            Application.setUserAgentStylesheet(THEME.getUserAgentStylesheetBSS());
+            // Menus and tooltips are windows too, which nobody else gives the theme.
+            Window.getWindows().addListener((ListChangeListener<Window>) change -> {
+                while (change.next()) {
+                    change.getAddedSubList().forEach(Looks::color);
+                }
+            });
+        }
     }
 
     public static Looks worn() {
         return worn;
     }
 
-    /** What the theme lacks. */
+    /** Gives a scene the style sheets, unless it has them, and the theme. It is quickest before the scene has content. */
     public static void dress(Scene scene) {
-        List<String> sheets = new ArrayList<>();
-        sheets.add(url(switch (worn) {
-            case DARK -> "dark.css";
-            case LIGHT -> "light.css";
-        }));
-        SHEETS.forEach(sheet -> sheets.add(url(sheet)));
-        scene.getStylesheets().setAll(sheets);
+        if (!scene.getStylesheets().equals(SHEETS)) {
+            scene.getStylesheets().setAll(SHEETS);
+            scene.rootProperty().subscribe(Looks::color);
+        }
+        color(scene.getRoot());
+    }
+
+    private static void color(Window window) {
+        if (window.getScene() != null) {
+            color(window.getScene().getRoot());
+        }
+    }
+
+    /** Gives the theme to what is styled as the root of a window. */
+    public static void color(Parent root) {
+        if (root != null) {
+            root.pseudoClassStateChanged(BRIGHT, worn == LIGHT);
+        }
     }
 
     private static String url(String sheet) {

@@ -26,7 +26,9 @@ public class PanelWindow extends Stage {
         scroll.setFitToWidth(true);
         scroll.setFitToHeight(true);
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
-        var content = new Scene(new StackPane(scroll), Math.min(width, screen.getWidth()), Math.min(height, screen.getHeight()));
+        var content = new Scene(new StackPane(), Math.min(width, screen.getWidth()), Math.min(height, screen.getHeight()));
+        Looks.dress(content);
+        content.setRoot(new StackPane(scroll));
         content.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {
                 close();
