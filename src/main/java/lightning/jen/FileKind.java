@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import lightning.hdr.HdrReader;
 import lightning.ies.IesReader;
@@ -71,6 +72,21 @@ public enum FileKind {
      */
     public List<String> names(Path scene) {
         return folders(scene).names(pattern);
+    }
+
+    /**
+     * Where a scene finds the one of a name; empty where there is none, or a link leads out of the folders.
+     *
+     * @param scene the folder that holds the scene file
+     * @throws IOException              if the folders cannot be read
+     * @throws IllegalArgumentException if no scene can name it so
+     */
+    public Optional<Path> find(Path scene, String name) throws IOException {
+        try {
+            return Optional.of(folders(scene).find(name));
+        } catch (UnusableFileException e) {
+            return Optional.empty();
+        }
     }
 
     /** Where a scene in a folder looks for them. */

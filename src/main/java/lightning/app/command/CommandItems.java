@@ -67,10 +67,21 @@ public final class CommandItems {
             item.setDisable(!command.isEnabled(now));
         });
         item.setOnAction(_ -> {
+            close(item);
             model.run(command);
             mark(item, on);
         });
         return item;
+    }
+
+    /** Closes its menus, which would else be open until the action ends, over a question that this asks. */
+    private static void close(MenuItem item) {
+        for (Menu above = item.getParentMenu(); above != null; above = above.getParentMenu()) {
+            above.hide();
+        }
+        if (item.getParentPopup() != null) {
+            item.getParentPopup().hide();
+        }
     }
 
     private static CheckMenuItem checked(ObservableValue<Boolean> on) {
@@ -169,6 +180,7 @@ public final class CommandItems {
     private void value(MenuItem item, Command command, Runnable action) {
         item.setUserData(command);
         item.setOnAction(_ -> {
+            close(item);
             if (model.enabled(command)) {
                 action.run();
             }

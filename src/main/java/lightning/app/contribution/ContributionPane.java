@@ -53,6 +53,8 @@ public final class ContributionPane extends VBox {
     private final TableView<Contribution> table = new TableView<>();
     private final Label summary = new Label("…");
     private final Label proof = new Label();
+    /** In the place of the lights; empty while nothing is known of them. */
+    private final Label none = new Label();
     private final Label regionText = new Label(Texts.of("Region: the whole picture"));
     private final Obstacle nothingIdle;
     private final PauseTransition rest = new PauseTransition(REST);
@@ -111,7 +113,7 @@ public final class ContributionPane extends VBox {
     private void fillTable() {
         table.setId("contribution-table");
         table.setAccessibleText(Texts.of("lights and what they give"));
-        table.setPlaceholder(new Label(Texts.of("No lights")));
+        table.setPlaceholder(none);
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
         table.getColumns().setAll(List.of(
                 column(Texts.of("Light"), Contribution::light, Function.identity(), 130),
@@ -206,6 +208,7 @@ public final class ContributionPane extends VBox {
 
     private void show(Answer answer) {
         shown = answer.contributions();
+        none.setText(Texts.of("No lights"));
         shownOf = answer.scene();
         List<TableColumn<Contribution, ?>> order = List.copyOf(table.getSortOrder());
         table.getItems().setAll(Stream.concat(shown.lights().stream(), shown.environment().stream()).toList());

@@ -55,7 +55,7 @@ final class FileMenu extends MenuButton {
     private List<Found> found(Path folder) {
         List<String> all = kind.names(folder);
         return IntStream.range(0, all.size())
-                .mapToObj(i -> new Found(all.get(i), i < SMALL ? FileThumbnail.of(folder, all.get(i)) : Optional.empty())).toList();
+                .mapToObj(i -> new Found(all.get(i), i < SMALL ? FileThumbnail.of(kind, folder, all.get(i)) : Optional.empty())).toList();
     }
 
     private void offer(List<Found> names) {

@@ -2,7 +2,6 @@ package lightning.app.property;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.Optional;
@@ -12,6 +11,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import lightning.app.widget.PixelImage;
+import lightning.jen.FileKind;
 
 /**
  * A picture file, small.
@@ -24,19 +24,15 @@ record FileThumbnail(int width, int height, int[] pixels) {
     /** A larger picture is not looked at. */
     private static final long MOST_PIXELS = 1L << 26;
 
-    /** Beside the window's thread: that of a file of a scene's folder or its textures; empty where it is none, lies elsewhere, or is too large. */
-    static Optional<FileThumbnail> of(Path folder, String name) {
+    /** Beside the window's thread: that of a file where a scene of that folder finds it; empty where it does not, or it is too large. */
+    static Optional<FileThumbnail> of(FileKind kind, Path folder, String name) {
         try {
-            Path root = folder.toRealPath();
-            for (Path path : Stream.of(folder.resolve(name), folder.resolve("textures").resolve(name)).toList()) {
-                if (Files.isRegularFile(path) && path.toRealPath().startsWith(root)) {
-                    return read(path);
-                }
-            }
+            Optional<Path> file = kind.find(folder, name);
+            return file.isEmpty() ? Optional.empty() : read(file.get());
         } catch (IOException | RuntimeException e) {
             // A picture that cannot be read has its name alone.
+            return Optional.empty();
         }
-        return Optional.empty();
     }
 
     private static Optional<FileThumbnail> read(Path path) throws IOException {

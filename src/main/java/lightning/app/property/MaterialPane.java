@@ -100,8 +100,8 @@ final class MaterialPane extends VBox {
         users.setWrapText(true);
         var header = new VBox(row, users);
         header.getStyleClass().add("light-header");
-        ScrollPane scroll = Sections.gradual(Stream.concat(Stream.of(header), Arrays.stream(Section.values()).map(this::section))
-                .toArray(Node[]::new));
+        ScrollPane scroll = Sections.gradual(Stream.concat(Stream.of(() -> header),
+                Arrays.stream(Section.values()).map(section -> () -> filled(section))));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);
         name.valueProperty().addListener((_, _, now) -> {
@@ -115,6 +115,12 @@ final class MaterialPane extends VBox {
                 show(model.materials().material());
             }
         });
+    }
+
+    private Node filled(Section section) {
+        Node pane = section(section);
+        show(model.materials().material());
+        return pane;
     }
 
     private Node section(Section section) {

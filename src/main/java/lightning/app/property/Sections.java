@@ -3,6 +3,8 @@ package lightning.app.property;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
@@ -25,14 +27,14 @@ final class Sections {
         return scroll;
     }
 
-    /** As {@link #scroll}, where the sections come one after the other, so that the window's thread is never away for long. */
-    static ScrollPane gradual(Node... sections) {
+    /** As {@link #scroll}, where the sections are made one after the other, so that the window's thread is never away for long. */
+    static ScrollPane gradual(Stream<Supplier<Node>> sections) {
         ScrollPane scroll = scroll();
         List<Node> box = ((VBox) scroll.getContent()).getChildren();
-        Iterator<Node> next = List.of(sections).iterator();
+        Iterator<Supplier<Node>> next = sections.iterator();
         var slices = new Slices(() -> {
             if (next.hasNext()) {
-                box.add(next.next());
+                box.add(next.next().get());
                 Slices.style(box.getLast());
             }
             return next.hasNext();

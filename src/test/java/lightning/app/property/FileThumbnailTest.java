@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
+import lightning.jen.FileKind;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -25,10 +26,17 @@ class FileThumbnailTest {
     @Test
     void pictureOfTheTextures_isMadeSmallInItsShape() throws IOException {
         picture(folder.resolve("scene/textures/wide.png"), 800, 200);
-        FileThumbnail small = FileThumbnail.of(folder.resolve("scene"), "wide.png").orElseThrow();
+        FileThumbnail small = FileThumbnail.of(FileKind.TEXTURE, folder.resolve("scene"), "wide.png").orElseThrow();
         assertThat(small.width()).isEqualTo(40);
         assertThat(small.height()).isEqualTo(10);
         assertThat(small.pixels()[0]).isEqualTo(0xFF123456);
+    }
+
+    @Test
+    void pictureOfTheTexturesAbove_isFoundAsTheSceneFindsIt() throws IOException {
+        picture(folder.resolve("textures/above.png"), 80, 80);
+        Path scene = Files.createDirectories(folder.resolve("scenes"));
+        assertThat(FileThumbnail.of(FileKind.TEXTURE, scene, "above.png")).isPresent();
     }
 
     @Test
@@ -36,14 +44,14 @@ class FileThumbnailTest {
         Path secret = picture(folder.resolve("secret.png"), 8, 8);
         Path scene = Files.createDirectories(folder.resolve("scene"));
         Files.createSymbolicLink(scene.resolve("link.png"), secret);
-        assertThat(FileThumbnail.of(scene, "link.png")).isEmpty();
-        assertThat(FileThumbnail.of(scene, "../secret.png")).isEmpty();
+        assertThat(FileThumbnail.of(FileKind.TEXTURE, scene, "link.png")).isEmpty();
+        assertThat(FileThumbnail.of(FileKind.TEXTURE, scene, "../secret.png")).isEmpty();
     }
 
     @Test
     void whatIsNoPicture_hasNone() throws IOException {
         Files.writeString(folder.resolve("text.png"), "no picture");
-        assertThat(FileThumbnail.of(folder, "text.png")).isEmpty();
-        assertThat(FileThumbnail.of(folder, "missing.png")).isEmpty();
+        assertThat(FileThumbnail.of(FileKind.TEXTURE, folder, "text.png")).isEmpty();
+        assertThat(FileThumbnail.of(FileKind.TEXTURE, folder, "missing.png")).isEmpty();
     }
 }

@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.util.Optional;
+import java.util.List;
+import java.util.ArrayList;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javax.imageio.ImageIO;
@@ -66,6 +69,23 @@ class GoboPartTest extends EditorDesk {
         waitFor("it is read", () -> light("stage").gobo().map(Gobo::file).orElse("").equals("dots.png"));
         assertThat(folder.resolve("textures/dots.png")).hasSameBinaryContentAs(answer);
         assertGoShowsTheScene();
+    }
+
+    @Test
+    void menu_isGoneWhenAFileIsAskedFor() {
+        select("stage");
+        List<Boolean> open = new ArrayList<>();
+        robot.interact(() -> model().bringer().setBrowse((_, _) -> {
+            open.add(choice().isShowing());
+            return Optional.empty();
+        }));
+        // The headless platform cannot draw a menu that is partly beside the screen.
+        robot.interact(() -> {
+            choice().show();
+            choice().getItems().get(1).fire();
+            choice().hide();
+        });
+        assertThat(open).containsExactly(false);
     }
 
     @Test
