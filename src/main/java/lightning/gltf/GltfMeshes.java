@@ -13,6 +13,7 @@ import lightning.mesh.MeshLimits;
 import lightning.mesh.Normals;
 import lightning.mesh.Notes;
 import lightning.mesh.PartNames;
+import lightning.mesh.Tangents;
 import lightning.mesh.VertexColors;
 import lightning.work.Memory;
 
@@ -125,11 +126,15 @@ public final class GltfMeshes {
         int[] used = compact(triangles, vertices);
         Json uv = attributes.get("TEXCOORD_" + texture.set());
         take(triangles.length + (long) used.length * (3 + (attributes.get("NORMAL").isThere() ? 3 : 0) + (uv.isThere() ? 2 : 0)
-                + (attributes.get("COLOR_0").isThere() ? 3 : 0)), primitive);
+                + (attributes.get("COLOR_0").isThere() ? 3 : 0) + (hasTangents(attributes) ? 4 : 0)), primitive);
         float[] positions = picked(attributes.get("POSITION"), 3, vertices, used);
         float[] normals = picked(attributes.get("NORMAL"), 3, vertices, used);
         float[] coordinates = picked(uv, 2, vertices, used);
         float[] colors = picked(attributes.get("COLOR_0"), 3, vertices, used);
+        float[] tangents = hasTangents(attributes) ? picked(attributes.get("TANGENT"), 4, vertices, used) : null;
+        if (tangents != null) {
+            Tangents.makeUnit(tangents, notes);
+        }
         if (colors != null) {
             VertexColors.cut(colors, notes);
         }
@@ -141,7 +146,7 @@ public final class GltfMeshes {
             texture.apply(coordinates);
         }
         try {
-            return new Mesh(positions, triangles, normals, coordinates, colors);
+            return new Mesh(positions, triangles, normals, coordinates, colors, tangents);
         } catch (IllegalArgumentException e) {
             throw primitive.problem(e.getMessage());
         }
@@ -156,14 +161,21 @@ public final class GltfMeshes {
     }
 
     private void tell(Json primitive, int set) throws MeshException {
+        boolean tangents = hasTangents(primitive.get("attributes"));
         primitive.get("attributes").node().propertyNames().forEach(name -> {
-            if (!name.equals("POSITION") && !name.equals("NORMAL") && !name.equals("COLOR_0") && !name.equals("TEXCOORD_" + set)) {
+            if (!name.equals("POSITION") && !name.equals("NORMAL") && !name.equals("COLOR_0") && !name.equals("TEXCOORD_" + set)
+                    && !(tangents && name.equals("TANGENT"))) {
                 notes.add("attributes " + name + " of primitives");
             }
         });
         if (primitive.get("targets").isThere()) {
             notes.add("primitives with morph targets");
         }
+    }
+
+    /** Tangents without normals must be ignored: glTF 2.0, §3.7.2.1. */
+    private static boolean hasTangents(Json attributes) throws MeshException {
+        return attributes.get("TANGENT").isThere() && attributes.get("NORMAL").isThere();
     }
 
     /** Renumbers the vertices that are named, and tells which they were. */

@@ -12,7 +12,7 @@ final class MeshUnion {
 
     /**
      * The triangles of all meshes, in their order. Where only some have normals, the others' triangles get vertices of their own
-     * and are flat all the same; missing texture coordinates are 0, missing colours white.
+     * and are flat all the same; missing texture coordinates are 0, missing colours white, missing tangents none.
      */
     static Mesh of(List<Mesh> meshes) {
         boolean normals = meshes.stream().anyMatch(m -> m.normals() != null);
@@ -28,7 +28,16 @@ final class MeshUnion {
         }
         return new Mesh(column(all, Mesh::positions, 3, 0), triangles, normals ? column(all, Mesh::normals, 3, 0) : null,
                 all.stream().anyMatch(m -> m.coordinates() != null) ? column(all, Mesh::coordinates, 2, 0) : null,
-                all.stream().anyMatch(m -> m.colors() != null) ? column(all, Mesh::colors, 3, 1) : null);
+                all.stream().anyMatch(m -> m.colors() != null) ? column(all, Mesh::colors, 3, 1) : null,
+                all.stream().anyMatch(m -> m.tangents() != null) ? tangents(all) : null);
+    }
+
+    private static float[] tangents(List<Mesh> meshes) {
+        float[] tangents = column(meshes, Mesh::tangents, 4, 0);
+        for (int i = 3; i < tangents.length; i += 4) {
+            tangents[i] = tangents[i] < 0 ? -1 : 1;
+        }
+        return tangents;
     }
 
     private static float[] column(List<Mesh> meshes, Function<Mesh, float[]> of, int each, float missing) {

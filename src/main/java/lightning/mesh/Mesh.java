@@ -27,6 +27,12 @@ public final class Mesh {
     private final float[] normals;
     private final float[] coordinates;
     private final float[] colors;
+    private final float[] tangents;
+
+    /** Without tangents. */
+    public Mesh(float[] positions, int[] triangles, float[] normals, float[] coordinates, float[] colors) {
+        this(positions, triangles, normals, coordinates, colors, null);
+    }
 
     /**
      * @param positions   x, y, z of each vertex, {@code float[3 * vertices]}, each of at most 1e12 in absolute value; taken over,
@@ -36,10 +42,12 @@ public final class Mesh {
      * @param coordinates u, v of each vertex in a texture, v upwards, {@code float[2 * vertices]}, each of at most 1e6 in
      *                    absolute value; null where there are none
      * @param colors      linear red, green, blue of each vertex, {@code float[3 * vertices]}, from 0 to 1; null where there are none
+     * @param tangents    x, y, z of a direction along the surface in which u grows, of length 1 or 0 where there is none, and 1, or −1 where
+     *                    v grows against normal × tangent, {@code float[4 * vertices]}; null where a normal map goes by the texture coordinates
      * @throws IllegalArgumentException if an array has another length, a triangle names a vertex that there is not, or a number is
-     *                                  out of its range or no number; the message says which
+     *                                  out of its range or no number, or there are tangents without normals; the message says which
      */
-    public Mesh(float[] positions, int[] triangles, float[] normals, float[] coordinates, float[] colors) {
+    public Mesh(float[] positions, int[] triangles, float[] normals, float[] coordinates, float[] colors, float[] tangents) {
         if (positions.length % 3 != 0) {
             throw new IllegalArgumentException("positions must be three numbers for each vertex, were " + positions.length + " numbers");
         }
@@ -51,11 +59,20 @@ public final class Mesh {
         this.normals = normals;
         this.coordinates = coordinates;
         this.colors = colors;
+        this.tangents = tangents;
         checkRange("position", positions, 3, -MAX_COORDINATE, MAX_COORDINATE);
         checkTriangles();
         if (normals != null) {
             checkLength("normals", normals, 3);
-            checkUnit();
+            checkUnit("normal", normals, 3, false);
+        }
+        if (tangents != null) {
+            if (normals == null) {
+                throw new IllegalArgumentException("tangents must have normals beside them, were alone");
+            }
+            checkLength("tangents", tangents, 4);
+            checkUnit("tangent", tangents, 4, true);
+            checkHands();
         }
         if (coordinates != null) {
             checkLength("texture coordinates", coordinates, 2);
@@ -100,11 +117,17 @@ public final class Mesh {
         return colors;
     }
 
+    /** x, y, z of a direction in which u grows and 1 or −1, {@code float[4 * vertexCount()]}, or null; not to be written. */
+    public float[] tangents() {
+        return tangents;
+    }
+
     /** Whether all numbers are the same, 0 and −0 told apart. */
     @Override
     public boolean equals(Object o) {
         return this == o || o instanceof Mesh m && Arrays.equals(positions, m.positions) && Arrays.equals(triangles, m.triangles)
-                && Arrays.equals(normals, m.normals) && Arrays.equals(coordinates, m.coordinates) && Arrays.equals(colors, m.colors);
+                && Arrays.equals(normals, m.normals) && Arrays.equals(coordinates, m.coordinates) && Arrays.equals(colors, m.colors)
+                && Arrays.equals(tangents, m.tangents);
     }
 
     @Override
@@ -149,14 +172,24 @@ public final class Mesh {
         }
     }
 
-    private void checkUnit() {
-        for (int i = 0; i < normals.length; i += 3) {
-            double x = normals[i];
-            double y = normals[i + 1];
-            double z = normals[i + 2];
-            if (!(Math.abs(x * x + y * y + z * z - 1) <= UNIT)) {
-                throw new IllegalArgumentException("vertex " + i / 3 + ": its normal must have length 1, was " + text(normals[i]) + " "
-                        + text(normals[i + 1]) + " " + text(normals[i + 2]));
+    private static void checkUnit(String what, float[] numbers, int each, boolean orNone) {
+        for (int i = 0; i < numbers.length; i += each) {
+            double x = numbers[i];
+            double y = numbers[i + 1];
+            double z = numbers[i + 2];
+            double square = x * x + y * y + z * z;
+            if (!(Math.abs(square - 1) <= UNIT) && !(orNone && square == 0)) {
+                throw new IllegalArgumentException("vertex " + i / each + ": its " + what + " must have length 1, was " + text(numbers[i])
+                        + " " + text(numbers[i + 1]) + " " + text(numbers[i + 2]));
+            }
+        }
+    }
+
+    private void checkHands() {
+        for (int i = 3; i < tangents.length; i += 4) {
+            if (Math.abs(tangents[i]) != 1) {
+                throw new IllegalArgumentException("vertex " + i / 4 + ": the fourth number of its tangent must be 1 or -1, was "
+                        + text(tangents[i]));
             }
         }
     }

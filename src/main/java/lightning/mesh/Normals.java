@@ -56,7 +56,7 @@ public final class Normals {
     }
 
     /** Writes a direction at length 1; zero, and false, where there is none. */
-    private static boolean normalize(float[] to, int at, double x, double y, double z) {
+    static boolean normalize(float[] to, int at, double x, double y, double z) {
         double most = Math.max(Math.max(Math.abs(x), Math.abs(y)), Math.abs(z));
         boolean is = most > 0 && Double.isFinite(most);
         double length = Math.sqrt(x / most * (x / most) + y / most * (y / most) + z / most * (z / most));

@@ -30,7 +30,8 @@ public final class MeshMemory {
     }
 
     private static long bytes(Mesh m) {
-        return (long) Float.BYTES * (m.positions().length + length(m.normals()) + length(m.coordinates()) + length(m.colors()))
+        return (long) Float.BYTES * (m.positions().length + length(m.normals()) + length(m.coordinates()) + length(m.colors())
+                + length(m.tangents()))
                 + (long) Integer.BYTES * m.triangles().length + TREE * m.triangleCount();
     }
 

@@ -72,6 +72,27 @@ class GltfMeshesTest {
         assertThat(mesh.positions()).containsExactly(0, 0, 0, 1, 1, 0, 1, 1, 0, 0, 1, 0);
     }
 
+    /** Positions serve as tangents: four numbers from a place on. */
+    @Test
+    void tangents_areReadWhereThereAreNormals() throws IOException, MeshException {
+        String tangents = json("'accessors': [",
+                "'accessors': [{'bufferView': 0, 'byteOffset': 64, 'componentType': 5126, 'count': 4, 'type': 'VEC4'},")
+                .replace("'POSITION': 0, 'NORMAL': 1, 'TEXCOORD_0': 2}, 'indices': 3",
+                        "'POSITION': 1, 'NORMAL': 2, 'TANGENT': 0}, 'indices': 4");
+        // The numbers are 0 1 0 0, 1 0 0 1, 0 0 1 0, 1 1 0 1.
+        float half = (float) Math.sqrt(0.5);
+        assertThat(only(tangents).tangents()).containsExactly(0, 1, 0, 1, 1, 0, 0, 1, 0, 0, 1, 1, half, half, 0, 1);
+        assertThat(notes.counts()).doesNotContainKey("attributes TANGENT of primitives")
+                .containsEntry("tangents whose fourth number is neither 1 nor -1", 2);
+        assertThat(only(tangents.replace("'NORMAL': 2, ", "")).tangents()).isNull();
+        assertThat(notes.counts()).containsEntry("attributes TANGENT of primitives", 1);
+    }
+
+    @Test
+    void tangentsOfThreeNumbers_areRefused() {
+        assertRefused(json("'TEXCOORD_0': 2}", "'TANGENT': 1}"), "accessors[1].type: must have 4 numbers each, has 3");
+    }
+
     @Test
     void textureTransform_movesCoordinates() throws IOException, MeshException {
         Mesh mesh = only(json("'indices': 3", "'indices': 3, 'material': 0").replace("'accessors'", "'materials': [{'pbrMetallicRoughness':"

@@ -13,7 +13,8 @@ public final class Meshes {
     /** A few of every sort. */
     public static List<Solid.Triangles> some() {
         return Stream.concat(Stream.of(solid(tinted(ball(3, 5, true))).withColors(false)),
-                Stream.of(cube(), ball(3, 4, true), tinted(ball(6, 9, false)), ball(5, 8, true), cone(7), soup(40, 1), tinted(soup(9, 2)),
+                Stream.of(cube(), ball(3, 4, true), tinted(ball(6, 9, false)), leaning(ball(5, 8, true)), cone(7), soup(40, 1),
+                        tinted(soup(9, 2)),
                         empty())
                         .map(Meshes::solid))
                 .toList();
@@ -32,6 +33,19 @@ public final class Meshes {
             colors[i] = Math.clamp(random.nextFloat() * 1.5f - 0.25f, 0, 1);
         }
         return new Mesh(m.positions(), m.triangles(), m.normals(), m.coordinates(), colors);
+    }
+
+    /** With tangents at its vertices in all directions, some without one, and of both hands. */
+    public static Mesh leaning(Mesh m) {
+        Random random = new Random(m.vertexCount());
+        float[] tangents = new float[4 * m.vertexCount()];
+        for (int v = 0; v < m.vertexCount(); v++) {
+            double angle = random.nextDouble() * 2 * Math.PI;
+            tangents[4 * v] = v % 5 == 0 ? 0 : (float) Math.cos(angle);
+            tangents[4 * v + 1] = v % 5 == 0 ? 0 : (float) Math.sin(angle);
+            tangents[4 * v + 3] = v % 2 * 2 - 1;
+        }
+        return new Mesh(m.positions(), m.triangles(), m.normals(), m.coordinates(), m.colors(), tangents);
     }
 
     public static Mesh empty() {

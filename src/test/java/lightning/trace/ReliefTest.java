@@ -112,6 +112,35 @@ class ReliefTest {
         assertThat(steps.bent()).isTrue();
     }
 
+    /** As the coordinates would have it, a quarter turn from that, and with the other hand. */
+    @Example
+    void tangentsOfAMesh_sayWhereNormalsLean() {
+        Vec3 from = new Vec3(-0.01, 5, 0.02);
+        Vec3 down = new Vec3(0, -1, 0);
+        assertNormal(leaning(1, 0, 0, 1, Placement.IDENTITY), from, down, new Vec3(0.48, 0.8, -0.36));
+        assertNormal(leaning(0, 0, -1, 1, Placement.IDENTITY), from, down, new Vec3(-0.36, 0.8, -0.48));
+        assertNormal(leaning(1, 0, 0, -1, Placement.IDENTITY), from, down, new Vec3(0.48, 0.8, 0.36));
+    }
+
+    /** A tangent is stretched as the surface is; a mirrored mesh shows a mirrored picture. */
+    @Example
+    void tangentsOfAPlacedMesh_goWithIt() {
+        float half = (float) Math.sqrt(0.5);
+        Placement stretched = new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(4, 1, 3));
+        Vec3 t = new Vec3(4, 0, -3).normalized();
+        Vec3 b = Vec3.Y.cross(t);
+        assertNormal(leaning(half, 0, -half, 1, stretched), new Vec3(-0.01, 5, 0.02), new Vec3(0, -1, 0),
+                t.times(0.48).plus(b.times(0.36)).plus(new Vec3(0, 0.8, 0)));
+        Placement mirrored = new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(-1, 1, 1));
+        assertNormal(leaning(1, 0, 0, 1, mirrored), new Vec3(0.01, 5, 0.02), new Vec3(0, -1, 0), new Vec3(-0.48, 0.8, -0.36));
+    }
+
+    @Example
+    void tangentsWithoutADirection_leaveItToTheCoordinates() {
+        assertNormal(leaning(0, 0, 0, 1, Placement.IDENTITY), new Vec3(-0.01, 5, 0.02), new Vec3(0, -1, 0), new Vec3(0.48, 0.8, -0.36));
+        assertNormal(leaning(0, 1, 0, 1, Placement.IDENTITY), new Vec3(-0.01, 5, 0.02), new Vec3(0, -1, 0), new Vec3(0.48, 0.8, -0.36));
+    }
+
     @Example
     void strength_isAFactorOnWhatLeans() {
         assertNormal(plane(normals(0.6f, 0, 0.8f, 0.5), 2), new Vec3(0.1, 5, 0.1), new Vec3(0, -1, 0), new Vec3(0.3, 0.8, 0));
@@ -195,6 +224,14 @@ class ReliefTest {
             }
         }
         assertThat(seen).isGreaterThan(100);
+    }
+
+    /** A triangle whose coordinates are u along x, v along −z, under a normal that leans by 0.48 along u and 0.36 along v. */
+    private static Scene leaning(float x, float y, float z, float hand, Placement placement) {
+        float[] tangents = {x, y, z, hand, x, y, z, hand, x, y, z, hand};
+        Mesh mesh = new Mesh(new float[] {-1, 0, 1, 1, 0, 1, -1, 0, -1}, new int[] {0, 1, 2}, new float[] {0, 1, 0, 0, 1, 0, 0, 1, 0},
+                new float[] {0, 0, 1, 0, 0, 1}, null, tangents);
+        return scene(new Solid.Triangles("a.glb", "", true, mesh), normals(0.48f, 0.36f, 0.8f, 1), placement);
     }
 
     private static NormalSteps steps(Scene scene, Vec3 from, Vec3 direction) {

@@ -86,6 +86,17 @@ public final class Facet {
         return mesh.normals()[3 * vertex[v] + axis];
     }
 
+    /** Whether the mesh has tangents at its vertices. */
+    public boolean hasTangents() {
+        return mesh.tangents() != null;
+    }
+
+    /** Coordinate {@code axis} of the tangent between those of the vertices, of any length; 3 for the hand, below 0 for −1. */
+    public double tangent(int axis) {
+        float[] t = mesh.tangents();
+        return weight[0] * t[4 * vertex[0] + axis] + weight[1] * t[4 * vertex[1] + axis] + weight[2] * t[4 * vertex[2] + axis];
+    }
+
     /** How far the point lies before the plane through vertex {@code v} at a right angle to the normal there. */
     public double before(int v) {
         float[] p = mesh.positions();

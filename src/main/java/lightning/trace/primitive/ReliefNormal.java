@@ -15,7 +15,7 @@ import lightning.trace.mesh.MeshSolid;
  * <p><b>Heights</b> h tilt N to N − ∇h, ∇h = h′u·∇u + h′v·∇v (Blinn 1978, Simulation of Wrinkled Surfaces, in the form of Mikkelsen 2010,
  * Bump Mapping Unparametrized Surfaces on the GPU): the normal of the surface that lies h above this one, but for its curvature. <b>A
  * picture's normal</b> (x, y, z) = 2·rgb − 1 is x·s·T + y·s·B + z·N as in glTF 2.0, s the strength: B is the unit vector along ∇v, and T
- * that at a right angle to B and N on the side where u grows. With both it is x·s·T + y·s·B + z·(N − ∇h).
+ * that at a right angle to B and N on the side where u grows; on a mesh with tangents they are those of the {@link TangentFrame}. With both it is x·s·T + y·s·B + z·(N − ∇h).
  *
  * <p>A normal that nothing tilts keeps its bits, and so does one where u and v have no gradient: at the pole of a sphere, at an apex, on a
  * mesh without texture coordinates.
@@ -27,6 +27,7 @@ final class ReliefNormal {
     private final double[] own = new double[6];
     private final double[] rise = new double[6];
     private final float[] rgb = new float[3];
+    private final TangentFrame frame = new TangentFrame();
 
     /**
      * Tilts a normal.
@@ -64,6 +65,12 @@ final class ReliefNormal {
         }
         if (hu == 0 && hv == 0 && tx == 0 && ty == 0 && tz > 0) {
             return false;
+        }
+        if (relief.leans() && primitives.mesh(s) != null && facet.hasTangents()
+                && frame.at(facet, primitives.data, primitives.at[s], nx, ny, nz)) {
+            return normal.take(side * (tz * (nx - hu * rise[0] - hv * rise[3]) + tx * frame.tx + ty * frame.bx),
+                    side * (tz * (ny - hu * rise[1] - hv * rise[4]) + tx * frame.ty + ty * frame.by),
+                    side * (tz * (nz - hu * rise[2] - hv * rise[5]) + tx * frame.tz + ty * frame.bz));
         }
         double upX = rise[3];
         double upY = rise[4];
