@@ -11,6 +11,7 @@ import lightning.scene.Camera;
 import lightning.scene.Clarity;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Limits;
 import lightning.scene.Material;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
@@ -95,6 +96,35 @@ class TintedShadowTest {
         assertThat(floor(List.of(glass.withClarity(glass.clarity().withIor(1.5))), sun())[0]).isCloseTo(1 - 0.08f / 1.04f, within(1e-6f));
         Material mirror = glass.withReflective(new Rgb(0.5, 0, 0));
         assertThat(floor(List.of(mirror), sun())).containsExactly(0.5f, 1, 1);
+    }
+
+    /** The product goes through all sizes of floats down to 0, never below, and is no NaN beside the brightest light. */
+    @Test
+    void manyPanes_endInDarkness() {
+        Light brightest = sun().withIntensity(Limits.MAX_INTENSITY);
+        float last = Float.POSITIVE_INFINITY;
+        for (int n = 1; n < 12; n++) {
+            List<Material> glass = new ArrayList<>();
+            for (int i = 0; i < n; i++) {
+                glass.add(pane("dark " + i, new Rgb(1e-5, 1e-5, 1)));
+            }
+            float[] lit = floor(glass, brightest);
+            assertThat(lit[2]).isEqualTo((float) Limits.MAX_INTENSITY);
+            assertThat(lit[0]).isBetween(0f, last);
+            // What floats cannot hold is less than anyone sees.
+            assertThat((double) lit[0]).isCloseTo(Limits.MAX_INTENSITY * Math.pow(1e-5, n), within(1e-6 * lit[0] + 1e-14));
+            last = lit[0];
+        }
+        assertThat(last).isZero();
+    }
+
+    /** A billion distances inside: a tint that is nearly white is black there, and white stays white in every bit. */
+    @Test
+    void hugeWayInside_leavesWhiteWhite() {
+        Material liquid = Material.of("liquid").withDiffuse(Rgb.BLACK).withClarity(new Clarity(Rgb.WHITE, 1, false,
+                new Rgb(1, 0.999999, 0), 1e-3, ShadowsThrown.TINTED));
+        Shape ball = new Shape(Solid.SPHERE, "ball", "liquid", new Placement(new Vec3(0, 2e6, 0), Vec3.ZERO, Vec3.ONE.times(1e6)));
+        assertThat(pixel(List.of(WHITE, liquid), List.of(square("floor", "white", 0, 20), ball), sun())).containsExactly(1, 0, 0);
     }
 
     /** A ball of radius 1, which the way passes through its middle: 2 units inside. */

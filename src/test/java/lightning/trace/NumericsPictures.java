@@ -10,8 +10,11 @@ import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
 import lightning.math.Ray;
+import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Camera;
+import lightning.scene.Clarity;
+import lightning.scene.Cutout;
 import lightning.scene.Material;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
@@ -49,6 +52,8 @@ final class NumericsPictures {
         write("penumbra", panel(x -> soft(x, small, 1e-4, Leaving.BY_EPSILON)), panel(x -> soft(x, small, 1e-4, Leaving.LIGHTNING)));
         write("lamp", panel(x -> lamp(x, false)), panel(x -> lamp(x, true)));
         write("relief", panel(x -> bumpy(x, false)), panel(x -> bumpy(x, true)));
+        write("hole", panel(x -> fence(x, true)), panel(x -> fence(x, false)));
+        write("glass-shadow", panel(x -> glassShadow(x, true)), panel(x -> glassShadow(x, false)));
         write("far-scene", panel(x -> normalFromFloats(x, new Vec3(4e6, 2e6, -3e6))), panel(x -> normalFromFloats(x, Vec3.ZERO)));
     }
 
@@ -161,6 +166,46 @@ final class NumericsPictures {
         return new Scene(Picture.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT,
                 List.of(Material.of("bumps").withRelief(relief)),
                 List.of(new Shape(Solid.SPHERE, "ball", "bumps", new Placement(new Vec3(0, 0, -9), Vec3.ZERO, Vec3.ONE))), List.of());
+    }
+
+    /** A fence 5·10⁻⁵ before a wall; {@code anew} is whether a ray that found a hole begins anew 10⁻⁴ behind it. */
+    private static double fence(double[] x, boolean anew) {
+        int side = 16;
+        float[] there = new float[3 * side * side];
+        for (int i = 0; i < there.length; i++) {
+            there[i] = i / 3 % side < 5 || i / 3 / side < 5 ? 1 : 0;
+        }
+        var laths = new TextureMap("fence.png", 5, 5, new Texture(side, side, there));
+        Vec3 upright = new Vec3(90, 0, 0);
+        Vec3 size = new Vec3(2, 1, 2);
+        Scene scene = new Scene(Picture.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT,
+                List.of(Material.of("cut").withCutout(Cutout.NONE.withCutout(Optional.of(laths)))),
+                List.of(new Shape(Solid.PLANE, "fence", "cut", new Placement(new Vec3(0, 0, -4), upright, size)),
+                        new Shape(Solid.PLANE, "wall", "default", new Placement(new Vec3(0, 0, -4 - 5e-5), upright, size))),
+                List.of());
+        Geometry geometry = new Geometry(scene);
+        Geometry whole = new Geometry(scene.withMaterials(List.of(Material.of("cut"))));
+        Ray ray = new Ray(Vec3.ZERO, new Vec3(x[0], x[1], -4).normalized());
+        int met = geometry.nearestOfAll(ray);
+        if (anew && whole.nearestOfAll(ray) == 0 && met != 0) {
+            Vec3 behind = ray.direction().times(whole.distance(0, ray) + 1e-4);
+            met = whole.nearestOfAll(new Ray(behind, ray.direction()));
+        }
+        return met == 0 ? 0.8 : met == 1 ? 0.25 : 0.02;
+    }
+
+    /** A floor under a ball of glass and a sun; {@code inside} is whether the share at which light leaves is that of its angle inside. */
+    private static double glassShadow(double[] x, boolean inside) {
+        Clarity glass = Clarity.NONE.withClear(Rgb.WHITE).withIor(1.5);
+        double out = Math.sqrt(x[0] * x[0] + x[1] * x[1]);
+        if (out >= 1) {
+            return 0.8;
+        }
+        float sine = (float) out;
+        float cosine = (float) Math.sqrt(1 - out * out);
+        float enters = Refraction.mirrored(glass, false, 0, cosine, sine, 0, -1, 0);
+        float leaves = Refraction.mirrored(glass, inside, 0, cosine, sine, 0, -1, 0);
+        return 0.8 * (1 - enters) * (1 - leaves);
     }
 
     /** A lamp on a tilted square above a floor, seen from above; {@code lies} is whether it is asked if the lamp lies on the square. */
