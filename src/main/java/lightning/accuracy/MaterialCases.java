@@ -6,8 +6,11 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import lightning.math.Rgb;
+import lightning.scene.Clarity;
+import lightning.scene.Cutout;
 import lightning.scene.Limits;
 import lightning.scene.Material;
+import lightning.scene.Relief;
 import lightning.scene.Scene;
 
 /**
@@ -42,6 +45,11 @@ final class MaterialCases {
         builder.edit("reflectivity", mirrors, m -> m.withReflective(m.reflective().times(share)));
         builder.offAndOn("mirror", mirrors, m -> m.withReflective(Rgb.BLACK));
         builder.offAndOn("texture", TEXTURED, m -> m.withTexture(Optional.empty()));
+        builder.edit("roughness", Material::isMetallic, m -> m.withRoughness(m.roughness() * share));
+        builder.edit("tint", m -> m.clarity().isTinted(), m -> m.withClarity(m.clarity().withTint(m.clarity().tint().times(share))));
+        builder.offAndOn("clear", m -> m.clarity().isClear(), m -> m.withClarity(Clarity.NONE));
+        builder.offAndOn("relief", m -> !m.relief().isFlat(), m -> m.withRelief(Relief.NONE));
+        builder.offAndOn("cutout", m -> m.cutout().cuts(), m -> m.withCutout(Cutout.NONE));
         return builder.cases;
     }
 

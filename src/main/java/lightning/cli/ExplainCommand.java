@@ -2,6 +2,7 @@ package lightning.cli;
 
 import java.util.Arrays;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
@@ -102,6 +103,10 @@ final class ExplainCommand implements Callable<Integer> {
 
     /** @param share which part of the pixel's colour the point brings, about */
     private void print(PixelExplainer explainer, PointReport report, String indent, double share) {
+        if (!report.holes().isEmpty()) {
+            console.line("%sthrough holes of %s", indent, report.holes().stream().map(s -> explainer.geometry().shape(s).name())
+                    .collect(Collectors.joining(", ")));
+        }
         if (report.isBackground()) {
             console.line("%snothing: the background, %s", indent, rgb(report.color()));
             return;

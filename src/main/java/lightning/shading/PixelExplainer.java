@@ -5,8 +5,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 import lightning.math.Ray;
 import lightning.math.Vec3;
+import lightning.scene.Cutout;
 import lightning.scene.Scene;
 import lightning.trace.Eye;
 import lightning.trace.Geometry;
@@ -23,32 +25,35 @@ public final class PixelExplainer {
     private final Scene scene;
     private final Geometry geometry;
     private final MaterialTable materials;
+    private final Geometry whole;
     private final List<Luminaire> lights;
 
     /** Where ways to lights end, by the place of a light. */
     private final Map<Vec3, WayEnd> ends;
 
+    /** Tells the holes that rays pass, too, for which it builds a second tree. */
     public PixelExplainer(Scene scene) {
-        this(scene, new Geometry(scene), new HashMap<>());
+        this(scene, new Geometry(scene), new HashMap<>(), whole(scene));
     }
 
     /** @param known a geometry that serves the scene, as a picture of it was traced with */
     public PixelExplainer(Scene scene, Geometry known) {
-        this(scene, known.forScene(scene, known.mirrors()), new HashMap<>());
+        this(scene, known.forScene(scene, known.mirrors()), new HashMap<>(), null);
     }
 
-    private PixelExplainer(Scene scene, Geometry geometry, Map<Vec3, WayEnd> ends) {
+    private PixelExplainer(Scene scene, Geometry geometry, Map<Vec3, WayEnd> ends, Geometry whole) {
         this.scene = scene;
         this.geometry = geometry;
         this.ends = ends;
         materials = geometry.materials();
+        this.whole = whole;
         lights = scene.rig().actingLights().stream().map(light -> Luminaire.of(light, scene)).toList();
     }
 
     /** The explainer of another scene, which shares with this one what it knows of the shapes. */
     public PixelExplainer forScene(Scene other, Geometry known) {
         boolean same = geometry.serves(other);
-        return new PixelExplainer(other, (same ? geometry : known).forScene(other, known.mirrors()), same ? ends : new HashMap<>());
+        return new PixelExplainer(other, (same ? geometry : known).forScene(other, known.mirrors()), same ? ends : new HashMap<>(), null);
     }
 
     /** The shapes and materials that the reports point to. */
@@ -64,7 +69,8 @@ public final class PixelExplainer {
     private PointReport ray(Ray ray, int depth) {
         int shape = geometry.nearest(ray);
         if (shape < 0) {
-            return new PointReport(null, null, Backdrop.color(scene.world(), ray.direction()), NONE, List.of(), null, null);
+            return new PointReport(null, holes(ray, Double.POSITIVE_INFINITY), null, Backdrop.color(scene.world(), ray.direction()), NONE,
+                    List.of(), null, null);
         }
         SurfacePoint at = geometry.surface(shape, ray);
         NormalSteps normals = geometry.normalSteps(shape, ray);
@@ -91,7 +97,20 @@ public final class PixelExplainer {
                             at.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
                             reflected == null ? 0 : reflected.color()[c]);
         }
-        return new PointReport(at, normals, color, ambient, reports, reflected, refracted);
+        return new PointReport(at, holes(ray, geometry.distance(shape, ray)), normals, color, ambient, reports, reflected, refracted);
+    }
+
+    /** The primitives that the ray would meet before a distance if nothing were cut out of them. */
+    private List<Integer> holes(Ray ray, double before) {
+        return whole == null ? List.of() : IntStream.range(0, whole.primitiveCount())
+                .filter(s -> whole.material(s).cutout() != geometry.material(s).cutout() && whole.distance(s, ray) < before)
+                .filter(s -> whole.distance(s, ray) < geometry.distance(s, ray)).boxed().toList();
+    }
+
+    /** The same shapes with nothing cut out of them; null where nothing is. */
+    private static Geometry whole(Scene scene) {
+        return scene.materials().stream().noneMatch(m -> m.cutout().cuts()) ? null : new Geometry(
+                scene.withMaterials(scene.materials().stream().map(m -> m.cutout().cuts() ? m.withCutout(Cutout.NONE) : m).toList()));
     }
 
     private static float sum(List<LightReport> lights, int channel, Function<LightReport, float[]> part) {

@@ -8,6 +8,7 @@ import lightning.trace.SurfacePoint;
  * The lighting equation at one point with all its parts.
  *
  * @param at        what the ray met; null where it met nothing and brought the background
+ * @param holes     the primitives through whose holes the ray came, each once; none where nobody looked
  * @param normals   how its normal came about; null where it is the surface's own
  * @param color     the colour that the ray brings, linear, {@code float[3]}
  * @param ambient   ka·ambience·(1 − kr), linear, {@code float[3]}
@@ -16,7 +17,8 @@ import lightning.trace.SurfacePoint;
  *                  ends here
  * @param reflected what the mirrored ray brings; null if the material does not mirror or the depth ends here
  */
-public record PointReport(SurfacePoint at, NormalSteps normals, float[] color, float[] ambient, List<LightReport> lights,
+public record PointReport(SurfacePoint at, List<Integer> holes, NormalSteps normals, float[] color, float[] ambient,
+        List<LightReport> lights,
         PointReport reflected,
         PointReport refracted) {
     /** Whether the ray met nothing. */

@@ -245,6 +245,17 @@ class PaperCasesTest {
     }
 
     @Test
+    void whatSurfacesHave_isEditedWhereTheyHaveIt() throws Exception {
+        assertThat(names("arbor")).contains("relief-off", "relief-on", "cutout-off", "cutout-on").doesNotContain("roughness", "tint");
+        assertThat(names("product")).contains("roughness", "tint", "clear-off", "clear-on").doesNotContain("relief-off", "cutout-off");
+        assertThat(names("bird")).doesNotContain("roughness", "tint", "clear-off", "relief-off", "cutout-off");
+    }
+
+    private static List<String> names(String scene) {
+        return PaperCases.of(SceneFiles.read(scene)).stream().map(PaperCase::name).toList();
+    }
+
+    @Test
     void directionalLightWithoutAPlace_becomesAPointLightOnItsWay() {
         Scene bird = SceneFiles.read("bird");
         Scene plain = bird.withLights(List.of(Light.of("key", LightType.DIRECTIONAL)));

@@ -14,6 +14,7 @@ import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.sample.SceneArbitraries;
 import lightning.scene.Camera;
+import lightning.scene.Cutout;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Links;
@@ -133,6 +134,24 @@ class PixelExplainerTest {
             }
         }
         assertThat(below).isGreaterThan(50);
+    }
+
+    /** A card of which the left half is there, twice, before a ball; the ball is cut out wholly where its picture says nothing. */
+    @Test
+    void holesThatARayPasses_areNamedOnce() {
+        var left = new TextureMap("left.png", 1, 1, new Texture(2, 1, new float[] {1, 1, 1, 0, 0, 0}));
+        Material cut = Material.of("cut").withCutout(Cutout.NONE.withCutout(Optional.of(left)));
+        Vec3 upright = new Vec3(90, 0, 0);
+        Scene scene = new Scene(new Picture(2, 1, 0), new Camera(new Vec3(0, 0, 9), Vec3.ZERO, Vec3.Y, 10), new World(0, Rgb.BLACK),
+                List.of(cut), List.of(
+                        new Shape(Solid.SPHERE, "ball", "default", Placement.IDENTITY),
+                        new Shape(Solid.PLANE, "far", "cut", new Placement(new Vec3(0, 0, -5), upright, new Vec3(9, 1, 9))),
+                        new Shape(Solid.PLANE, "near", "cut", new Placement(new Vec3(0, 0, 5), upright, new Vec3(9, 1, 9)))),
+                List.of());
+        var explainer = new PixelExplainer(scene);
+        assertThat(explainer.pixel(0, 0).holes()).isEmpty();
+        assertThat(explainer.pixel(1, 0).holes()).containsExactly(2);
+        assertThat(explainer.geometry().shape(explainer.pixel(1, 0).at().primitive()).name()).isEqualTo("ball");
     }
 
     /** A ball over a floor, a light above it: the floor below is in the ball's shadow. */
