@@ -1,20 +1,25 @@
 package lightning.app.timeline;
 
+import java.util.function.BiConsumer;
 import lightning.app.model.EditorModel;
 import lightning.edit.Situation;
+import lightning.image.Film;
 import lightning.scene.Scene;
 import lightning.shot.FrameState;
 
 /** Shows a frame that the artist goes to in the large picture as another machine has it, while this one makes it. On the window's thread. */
 final class FilmAhead {
     private final EditorModel model;
+    private final BiConsumer<Film, Scene> show;
     private int frame = -1;
     /** The scene of the frame gone to, until its picture is there; null then. */
-    private Scene awaited;
+    private volatile Scene awaited;
     private Scene asked;
 
-    FilmAhead(EditorModel model) {
+    /** @param show gets the film of a scene, on the window's thread */
+    FilmAhead(EditorModel model, BiConsumer<Film, Scene> show) {
         this.model = model;
+        this.show = show;
     }
 
     void follow(Situation now, FilmStrip strip) {
@@ -30,7 +35,7 @@ final class FilmAhead {
         if (awaited != null && awaited != asked && strip.machines().isPresent() && strip.state(to) == FrameState.CURRENT) {
             Scene scene = awaited;
             asked = scene;
-            strip.fetch(to, film -> model.window().execute(() -> model.showAhead(film, scene)));
+            strip.fetch(to, () -> awaited == scene, film -> model.window().execute(() -> show.accept(film, scene)));
         }
     }
 }

@@ -10,6 +10,7 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import lightning.image.Downscale;
 import lightning.image.Film;
@@ -187,9 +188,17 @@ final class FilmStrip implements AutoCloseable {
         }
     }
 
-    /** Has the film of a frame at its full size brought: it is given on another thread, or nothing is where it is gone. */
-    void fetch(int frame, Consumer<Film> then) {
-        execute(fetcher, () -> frames.shot().film(frame).ifPresent(then));
+    /**
+     * Has the film of a frame at its full size brought, one after the other: it is given on another thread, or nothing is where it is gone.
+     *
+     * @param wanted whether it still is, when its turn has come
+     */
+    void fetch(int frame, BooleanSupplier wanted, Consumer<Film> then) {
+        execute(fetcher, () -> {
+            if (wanted.getAsBoolean()) {
+                frames.shot().film(frame).ifPresent(then);
+            }
+        });
     }
 
     /** Whether it is of a shot's frames. */

@@ -73,7 +73,7 @@ final class StripPane extends StackPane implements AutoCloseable {
     StripPane(EditorModel model, Timeline timeline) {
         this.model = model;
         this.timeline = timeline;
-        ahead = new FilmAhead(model);
+        ahead = new FilmAhead(model, model::showAhead);
         setId("strip");
         getStyleClass().add("film-strip");
         setMinHeight(HEIGHT + 4);

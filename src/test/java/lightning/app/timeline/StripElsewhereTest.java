@@ -10,10 +10,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import javafx.scene.control.TextField;
 import lightning.app.EditorDesk;
+import lightning.app.model.MachineChoice;
 import lightning.app.model.Preferences;
 import lightning.cluster.FrameNode;
 import lightning.cluster.Place;
@@ -38,7 +40,8 @@ import org.testfx.util.WaitForAsyncUtils;
 
 /** The film strip on nodes, here in the same process: they are asked for as an artist does, and are heard over TLS. */
 class StripElsewhereTest extends EditorDesk {
-    private static final String SHOT = "shot { frames 1 4  light lamp { intensity { 1 0.5  4 2.5 } } }";
+    private static final String SHOT =
+            "shot { frames 1 4  camera { from { 1 0 2 9  4 1 2 9 } }  light lamp { intensity { 1 0.5  4 2.5 } } }";
     private static final int PATIENCE_SECONDS = 120;
 
     private final InetAddress loopback = InetAddress.getLoopbackAddress();
@@ -126,7 +129,7 @@ class StripElsewhereTest extends EditorDesk {
         while (!film.isDone()) {
             assertThat(System.nanoTime()).as("waited for the film of frame " + frame).isLessThan(end);
             if (strip().state(frame) == FrameState.CURRENT) {
-                strip().fetch(frame, film::complete);
+                strip().fetch(frame, () -> true, film::complete);
             }
             WaitForAsyncUtils.sleep(200, TimeUnit.MILLISECONDS);
         }
@@ -179,10 +182,36 @@ class StripElsewhereTest extends EditorDesk {
     }
 
     @Test
-    void noMachine_isTold() throws Exception {
+    void noMachine_isTold_andOneThatComesGetsTheFrames() throws Exception {
         int port = freePort();
         ask("127.0.0.1:" + port, certificate);
         waitToBeTold("no machine answers at 127.0.0.1:" + port + ": none is there yet, or it has another certificate, 0 of 4 frames");
+        node(port, port);
+        waitToBeTold("1 machine, 4 of 4 frames");
+        assertAllExact();
+    }
+
+    @Test
+    void frameThatAMachineHas_isBroughtWhileItIsTracedHere() throws Exception {
+        int port = freePort();
+        node(port, port);
+        ask("127.0.0.1:" + port, certificate);
+        waitToBeTold("1 machine, 4 of 4 frames");
+        var film = new CompletableFuture<Film>();
+        Scene fourth = model().document().content().at(4);
+        robot.interact(() -> {
+            model().showFrame(4);
+            Scene scene = model().scene();
+            var ahead = new FilmAhead(model(), (brought, of) -> {
+                assertThat(of).isSameAs(scene);
+                film.complete(brought);
+            });
+            // However soon it is traced here.
+            ahead.follow(model().situationProperty().get().withInWork(Optional.of(scene)), strip());
+        });
+        assertThat(film.get(PATIENCE_SECONDS, TimeUnit.SECONDS).sameBits(new ReferenceTracer(fourth).trace())).isTrue();
+        waitForPicture();
+        assertCanvasShows(new ReferenceTracer(fourth).trace());
     }
 
     @Test
@@ -198,7 +227,11 @@ class StripElsewhereTest extends EditorDesk {
         type("machines-hosts", "a b");
         click("machines-begin");
         assertThat(text("machines-status")).contains("expected a machine and a port");
-        robot.interact(() -> model().machineChoice().remember(new Preferences(folder.resolve("p"), Runnable::run)));
-        assertThat(model().machineChoice().hostsProperty().get()).isEqualTo("127.0.0.1:1");
+        var preferences = new Preferences(folder.resolve("p"), Runnable::run);
+        var next = new MachineChoice();
+        robot.interact(() -> model().machineChoice().remember(preferences));
+        next.restore(preferences);
+        assertThat(next.hostsProperty().get()).isEqualTo("127.0.0.1:1");
+        assertThat(next.certificateProperty().get()).endsWith("gone.p12");
     }
 }
