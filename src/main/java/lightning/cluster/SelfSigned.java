@@ -19,8 +19,10 @@ import java.time.ZoneOffset;
 import java.time.ZonedDateTime;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
+import lightning.file.ChangedFileException;
 import lightning.file.FileState;
 import lightning.file.SafeFile;
+import lightning.text.Quote;
 
 /**
  * Makes a new key and its certificate, signed by itself (X.509 of version 3 in DER, a key on the curve P-256): what
@@ -63,6 +65,8 @@ public final class SelfSigned {
             var bytes = new ByteArrayOutputStream();
             store.store(bytes, SharedKey.PASSWORD);
             SafeFile.at(file).forOwnerOnly().ifStill(FileState.NONE).write(bytes.toByteArray());
+        } catch (ChangedFileException e) {
+            throw new IOException(Quote.path(file) + ": is there already, and is not written over: all machines of a cluster have one file", e);
         } catch (GeneralSecurityException e) {
             throw new IOException("this Java cannot make a certificate: " + e.getMessage(), e);
         }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.Socket;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
 import java.security.KeyStore;
@@ -50,6 +51,8 @@ final class SharedKey {
             SSLContext context = SSLContext.getInstance("TLSv1.3");
             context.init(keys.getKeyManagers(), new TrustManager[] {new SameCertificate(own)}, new SecureRandom());
             return context;
+        } catch (NoSuchFileException e) {
+            throw new JoinException(Quote.path(file) + ": there is no such file; 'lightning node --make-certificate' makes one", e);
         } catch (IOException | GeneralSecurityException e) {
             throw new JoinException(Quote.path(file) + ": expected a key and its certificate as 'lightning node --make-certificate' makes "
                     + "them, but cannot use it: " + (e.getMessage() == null ? "it is none" : e.getMessage()), e);

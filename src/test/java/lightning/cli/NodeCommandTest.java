@@ -37,6 +37,11 @@ final class NodeCommandTest {
     void certificateThatIsThere_isNotWrittenOver() {
         Path file = folder.resolve("c.p12");
         Cli.run("node", "--make-certificate", file).isDone();
-        Cli.run("node", "--make-certificate", file).isRefusedSaying("c.p12");
+        Cli.run("node", "--make-certificate", file).isRefusedSaying("c.p12: is there already");
+    }
+
+    @Test
+    void certificateThatIsNotThere_isMissedByItsName() {
+        Cli.run("node", "--certificate", folder.resolve("none.p12")).isRefusedSaying("none.p12: there is no such file", "--make-certificate");
     }
 }
