@@ -66,7 +66,8 @@ public final class SelfSigned {
             store.store(bytes, SharedKey.PASSWORD);
             SafeFile.at(file).forOwnerOnly().ifStill(FileState.NONE).write(bytes.toByteArray());
         } catch (ChangedFileException e) {
-            throw new IOException(Quote.path(file) + ": is there already, and is not written over: all machines of a cluster have one file", e);
+            throw new IOException(Quote.path(file) + ": is there already, and is not written over: all machines of a cluster have one file",
+                    e);
         } catch (GeneralSecurityException e) {
             throw new IOException("this Java cannot make a certificate: " + e.getMessage(), e);
         }

@@ -42,6 +42,7 @@ final class NodeCommandTest {
 
     @Test
     void certificateThatIsNotThere_isMissedByItsName() {
-        Cli.run("node", "--certificate", folder.resolve("none.p12")).isRefusedSaying("none.p12: there is no such file", "--make-certificate");
+        Cli.run("node", "--certificate", folder.resolve("none.p12")).isRefusedSaying("none.p12: there is no such file",
+                "--make-certificate");
     }
 }

@@ -14,6 +14,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.zip.Deflater;
 import lightning.image.Film;
 import lightning.jen.JenDocument;
@@ -65,6 +67,51 @@ final class ClusterPace {
         run(folder, scene, frames, edits, nodes);
     }
 
+    /** Counts what goes through a network. */
+    private record Counting(Network network, AtomicLong messages, AtomicLong bytes) implements Network {
+        @Override
+        public void join(Listener listener) throws JoinException {
+            network.join(new Listener() {
+                @Override
+                public void heard(Member from, byte[] heard) {
+                    count(heard);
+                    listener.heard(from, heard);
+                }
+
+                @Override
+                public void changed(Set<Member> others) {
+                    listener.changed(others);
+                }
+            });
+        }
+
+        private void count(byte[] message) {
+            messages.incrementAndGet();
+            bytes.addAndGet(message.length);
+        }
+
+        @Override
+        public void send(Member to, byte[] sent) {
+            count(sent);
+            network.send(to, sent);
+        }
+
+        @Override
+        public void rejoin() {
+            network.rejoin();
+        }
+
+        @Override
+        public String name(Member member) {
+            return network.name(member);
+        }
+
+        @Override
+        public void close() {
+            network.close();
+        }
+    }
+
     private static Take take(Path scene) throws Exception {
         JenDocument document = JenReader.read(scene);
         return new Take(document.scene(), document.shot().orElseThrow());
@@ -87,9 +134,10 @@ final class ClusterPace {
                 ports.stream().map(port -> new InetSocketAddress(here, port)).toList(), folder.resolve("shared.p12"),
                 Place.Timing.DEFAULT);
         Take take = take(scene);
+        var network = new Counting(new TlsNetwork(place), new AtomicLong(), new AtomicLong());
         try (RelitShot shot = RelitShot.of(1, frames, ShotListener.NONE);
                 Machines machines =
-                        new Machines(new TlsNetwork(place), Release.ofMachine(), scene.getParent(), shot, System.out::println)) {
+                        new Machines(network, Release.ofMachine(), scene.getParent(), shot, System.out::println)) {
             for (int port : ports) {
                 processes.add(new NodeProcess(port, ports, folder, "--threads", String.valueOf(THREADS)));
             }
@@ -108,11 +156,17 @@ final class ClusterPace {
             }
             double[] across = new double[edits];
             double[] alone = new double[edits];
+            double[] messages = new double[edits];
+            double[] bytes = new double[edits];
             for (int edit = 0; edit < 2 * edits; edit++) {
+                long sent = network.messages.get();
+                long length = network.bytes.get();
                 long start = System.nanoTime();
                 shot.edit(edited(take, edit));
                 awaitAll(shot);
                 double first = (System.nanoTime() - start) / 1e6;
+                long made = network.messages.get();
+                long carried = network.bytes.get();
                 start = System.nanoTime();
                 for (Piped pipe : pipes) {
                     pipe.out.println(edit);
@@ -123,6 +177,8 @@ final class ClusterPace {
                 double second = (System.nanoTime() - start) / 1e6;
                 // The first half is for the compilers.
                 if (edit >= edits) {
+                    messages[edit - edits] = made - sent;
+                    bytes[edit - edits] = carried - length;
                     across[edit - edits] = first;
                     alone[edit - edits] = second;
                 }
@@ -134,6 +190,7 @@ final class ClusterPace {
             System.out.printf(Locale.ROOT,
                     "%d frames on %d nodes: an edit %.1f ms, the same work by pipes %.1f ms, median of ratios %.2f%n", frames,
                     nodes, median(across), median(alone), median(ratios));
+            System.out.printf(Locale.ROOT, "%.0f messages to and from the nodes, %.1f kB%n", median(messages), median(bytes) / 1e3);
             films(shot, frames);
         } finally {
             for (NodeProcess process : processes) {
