@@ -6,6 +6,7 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
+import java.net.URI;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -21,6 +22,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -109,11 +111,27 @@ final class Release {
                 "-Dlightning.data=" + training.resolve("data").toAbsolutePath(), "-Dglass.platform=Headless", "-Dprism.order=sw",
                 "lightning.Training", training.resolve("picture.png").toAbsolutePath().toString());
         List<String> classes = Files.readAllLines(list).stream().filter(line -> !line.startsWith("#") && !line.startsWith("@cp"))
-                .map(line -> line.replaceFirst(" id: .*", "")).distinct().sorted().toList();
-        Files.write(list, classes);
+                .map(line -> line.replaceFirst(" id: .*", "")).toList();
+        Files.write(list, Stream.concat(classes.stream(), waiting(classes)).distinct().sorted().toList());
         java(training, "-Xshare:dump", "-XX:SharedClassListFile=" + list.toAbsolutePath(),
                 "-XX:SharedArchiveFile=" + shipped.resolve("lightning.jsa").toAbsolutePath());
         Files.setLastModifiedTime(shipped.resolve("lightning.jsa"), time);
+    }
+
+    /**
+     * What lies within the classes of {@code java.util.concurrent} that a start loads: some of it is loaded only by a thread that must wait for another,
+     * as {@code Phaser$QNode}, and so by some starts and not by others.
+     */
+    private static Stream<String> waiting(List<String> classes) throws IOException {
+        String place = "java/util/concurrent/";
+        Set<String> loaded = Set.copyOf(classes);
+        Path folder = Path.of(URI.create("jrt:/java.base/" + place));
+        List<String> all;
+        try (Stream<Path> files = Files.walk(folder)) {
+            all = files.map(file -> place + folder.relativize(file)).filter(file -> file.endsWith(".class"))
+                    .map(file -> file.substring(0, file.length() - ".class".length())).toList();
+        }
+        return all.stream().filter(name -> name.contains("$") && loaded.contains(name.substring(0, name.indexOf('$'))));
     }
 
     /** Runs the linked Java in the folder of what is shipped, on the class path that the launcher will give to it. */
@@ -124,8 +142,11 @@ final class Release {
                 .collect(Collectors.joining(File.pathSeparator))));
         line.addAll(List.of(words));
         Path log = logs.resolve("log");
-        Process process =
-                new ProcessBuilder(line).directory(shipped.toFile()).redirectErrorStream(true).redirectOutput(log.toFile()).start();
+        ProcessBuilder builder =
+                new ProcessBuilder(line).directory(shipped.toFile()).redirectErrorStream(true).redirectOutput(log.toFile());
+        // The archive has texts that hang on the user's language and encoding.
+        builder.environment().put("LC_ALL", "C.UTF-8");
+        Process process = builder.start();
         if (process.waitFor() != 0) {
             throw new IOException(String.join(" ", line) + " ended with " + process.exitValue() + ":\n" + Files.readString(log));
         }
