@@ -121,7 +121,7 @@ public abstract class EditorDesk {
         return model().scene().light(name).orElseThrow();
     }
 
-    /** Waits until something holds, as seen from the window's thread. */
+    /** Waits until something holds, as seen from the window's thread, and the window shows it. */
     public void waitFor(String what, Callable<Boolean> holds) {
         try {
             WaitForAsyncUtils.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS,
@@ -129,6 +129,7 @@ public abstract class EditorDesk {
         } catch (TimeoutException e) {
             throw new AssertionError("waited " + PATIENCE_SECONDS + " s until " + what, e);
         }
+        QuickRobot.settle();
     }
 
     /** Waits until the picture shows everything. */
