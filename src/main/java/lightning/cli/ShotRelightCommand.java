@@ -8,10 +8,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
+import lightning.accuracy.WarmSaving;
+import lightning.cache.PixelCache;
 import lightning.cluster.Place;
-import lightning.fulltrace.TraditionalTracer;
 import lightning.jen.JenDocument;
 import lightning.movie.FrameFiles;
+import lightning.relight.Renderer;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
 import lightning.scene.shot.Key;
@@ -41,7 +43,7 @@ import picocli.CommandLine.Option;
             "frame's scene in every bit. Edits up to a --then (or the end) are made at once. Without a --then pictures are named",
             "as by 'shot render'; with some, those of the first group go into a folder 1 where these would be, of the second into",
             "2, and so on: several lightings are tried in one go. --set refuses what has keys in the shot, and tells the keys. At",
-            "the end stands what was saved of tracing all frames of the last group in full, measured by some of them;",
+            "the end stands what the last group saves of tracing its frames in full, measured as by 'relight' with some of them;",
             "--no-savings leaves that out. With --cluster, nodes on other machines hold the frames; --memory, --disk and",
             "--no-savings are then not used.",
             "",
@@ -52,9 +54,10 @@ import picocli.CommandLine.Option;
             "  lightning shot relight scenes/dusk.jen --frames 1-24 --delete sky --then --set \"world.ambience=0.1\" -o tries"})
 final class ShotRelightCommand implements Callable<Integer> {
     private static final double GB = 1e9;
-    /** Frames that are traced in full to tell the saving; each again where it was cold the first time, unless that takes long. */
+    /** Frames that tell the saving, as many of them as are measured in so long. */
     private static final int MEASURED = 3;
-    private static final double LONG_MS = 3000;
+    private static final long LONG_NANOSECONDS = 5_000_000_000L;
+    private static final double WARM_UP_MS = 5000;
 
     private final Console console;
 
@@ -79,7 +82,7 @@ final class ShotRelightCommand implements Callable<Integer> {
             description = "Where frames are kept that find no room in memory; the system's folder for temporary files without it.")
     private Path disk = Path.of(System.getProperty("java.io.tmpdir"));
     @Option(names = "--no-savings",
-            description = "Leaves out what relighting saves of tracing each frame, which takes some frames to measure.")
+            description = "Leaves out what relighting saves of a full trace, which takes a second or more to measure.")
     private boolean noSavings;
 
     ShotRelightCommand(Console console) {
@@ -167,11 +170,12 @@ final class ShotRelightCommand implements Callable<Integer> {
         LocalKeeper keeper =
                 fits ? new LocalKeeper(room.options, room.memory) : new LocalKeeper(room.options, room.memory, disk, room.disk);
         var watch = new ShotWatch(range.count());
+        KeptBytes kept;
         try (var _ = new LateWarmUp(first.at(range.first()));
                 RelitShot shot = RelitShot.of(range.first(), range.last(), keeper, watch)) {
             watch.run(shot, first, console, "tracing", null);
             console.line("%s traced in %.1f ms", frames(range.count()), watch.work());
-            KeptBytes kept = shot.bytes();
+            kept = shot.bytes();
             console.line("kept: %s, %s, in memory, and %d, %s, on disk", frames(kept.inMemory()), ShotNeed.text(kept.memory()),
                     kept.onDisk(),
                     ShotNeed.text(kept.disk()));
@@ -192,37 +196,40 @@ final class ShotRelightCommand implements Callable<Integer> {
                 console.line("%d. %s: %s relit in %.1f ms, %d of them traced again, %d rays; %.1f ms with their pictures", group + 1,
                         files.folder(), frames(range.count()), watch.work(), watch.traced(), watch.rays(), whole);
             }
-            if (!noSavings) {
-                double each = traditional(edited.getLast(), range);
-                console.line("tracing each frame takes %.1f ms, all of them about %.1f: saves %.1f %%", each, each * range.count(),
-                        100 * (1 - watch.work() / (each * range.count())));
-            }
+        }
+        if (!noSavings) {
+            tellSaving(edited.size() == 1 ? first : edited.get(edited.size() - 2), edited.getLast(), range, room, kept);
         }
     }
 
-    /** The mean time of a full trace of some frames, milliseconds. */
-    private double traditional(Take take, FrameRange range) {
-        double sum = 0;
+    /** What a take saves of tracing its frames, each as for a single picture: some of them, where one does not take long. */
+    private void tellSaving(Take before, Take after, FrameRange range, Room room, KeptBytes kept) {
+        List<WarmSaving> savings = new ArrayList<>();
         int count = Math.min(MEASURED, range.count());
-        try (Workers workers = new Workers(threads.count()); ProgressBar bar = new ProgressBar(console, "tracing in full")) {
-            for (int i = 0; i < count; i++) {
+        try (Workers workers = new Workers(threads.count()); ProgressBar bar = new ProgressBar(console, "measuring what that saves")) {
+            long start = System.nanoTime();
+            for (int i = 0; i < count && (i == 0 || System.nanoTime() - start < LONG_NANOSECONDS); i++) {
                 int frame = count == 1 ? range.first() : range.first() + (int) ((long) (range.count() - 1) * i / (count - 1));
-                TraditionalTracer tracer = new TraditionalTracer(take.at(frame));
-                double best = time(tracer, workers, bar.silent());
-                for (int again = 0; again < 2 && best < LONG_MS; again++) {
-                    best = Math.min(best, time(tracer, workers, bar.silent()));
-                }
-                sum += best;
+                saving(before.at(frame), after.at(frame), room.options, workers, bar.silent()).ifPresent(savings::add);
                 bar.tiles(i + 1, count);
             }
         }
-        return sum / count;
+        double update = savings.stream().mapToDouble(s -> s.update().median()).sum();
+        double full = savings.stream().mapToDouble(s -> s.full().median()).sum();
+        if (!savings.isEmpty()) {
+            console.line("once Java is warm, a frame takes %.1f ms of a full trace's %.1f (saves %.1f %%)%s", update / savings.size(),
+                    full / savings.size(), 100 * (1 - update / full), kept.onDisk() == 0 ? "" : ", and those on disk are read besides");
+        }
     }
 
-    private static double time(TraditionalTracer tracer, Workers workers, Progress progress) {
-        long start = System.nanoTime();
-        tracer.trace(workers, progress);
-        return (System.nanoTime() - start) / 1e6;
+    private static Optional<WarmSaving> saving(Scene before, Scene after, Options options, Workers workers, Progress progress) {
+        try (Renderer renderer = new Renderer(options)) {
+            renderer.render(before, progress);
+            PixelCache start = renderer.cache();
+            WarmSaving.Step step = (r, p) -> r.render(after, p);
+            return WarmSaving.Edit.of(step.on(renderer, progress), start, options, step)
+                    .flatMap(edit -> WarmSaving.measure(edit, workers, WARM_UP_MS, progress));
+        }
     }
 
     /** The take after each group of edits. */
