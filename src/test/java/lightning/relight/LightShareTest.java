@@ -33,7 +33,7 @@ class LightShareTest {
     }
 
     /** Each case traces the reference for each light of each scene: as many as take no longer than another property's. */
-    @Property(tries = 30, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 10, edgeCases = EdgeCasesMode.NONE)
     void share_isTheReferenceOfThatLightAlone(@ForAll("sessions") Session session, @ForAll Reflections reflections,
             @ForAll @IntRange(min = 1, max = 2) int threads) {
         try (Renderer renderer = new Renderer(new Options(Accuracy.EXACT, reflections, MirrorStorage.FULL_ROWS, threads))) {

@@ -62,7 +62,7 @@ class ViewEffectsTest {
         return Arbitraries.of(Effect.ALL).set().list().ofSize(13);
     }
 
-    @Property(edgeCases = EdgeCasesMode.NONE, tries = 100)
+    @Property(edgeCases = EdgeCasesMode.NONE)
     void hiddenEffects_areAReRenderOfTheSceneWithoutThem(@ForAll("sessions") Session session,
             @ForAll("hidden") List<Set<Effect>> hidden) {
         try (Renderer renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.CURRENT).withThreads(1))) {

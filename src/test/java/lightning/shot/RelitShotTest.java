@@ -71,7 +71,7 @@ class RelitShotTest {
         return Arbitraries.of(0L, 100_000L, 1_000_000L, Long.MAX_VALUE);
     }
 
-    @Property(edgeCases = EdgeCasesMode.NONE, tries = 25)
+    @Property(edgeCases = EdgeCasesMode.NONE, tries = 10)
     void everyFrame_equalsItsReferenceAfterAllEdits(@ForAll("stories") Story story, @ForAll("budgets") long memory,
             @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll @IntRange(min = 1, max = 15) int settles,
             @ForAll @IntRange(max = ShotArbitraries.LAST - FRAMES) int first, @ForAll("budgets") long disk) throws Exception {
