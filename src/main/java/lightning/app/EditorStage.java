@@ -1,8 +1,6 @@
 package lightning.app;
 
-import javafx.scene.Group;
 import javafx.scene.Parent;
-import javafx.scene.Scene;
 import javafx.scene.image.Image;
 import javafx.stage.Stage;
 import lightning.app.model.Preferences;
@@ -29,11 +27,8 @@ final class EditorStage {
      */
     static void show(Stage stage, Parent content, Preferences preferences, double mostWidth, double mostHeight) {
         if (stage.getScene() == null) {
-            var scene = new Scene(new Group(), Math.min(mostWidth, preferences.number("width", LEAST_SIDE, MOST_SIDE, WIDTH)),
-                    Math.min(mostHeight, preferences.number("height", LEAST_SIDE, MOST_SIDE, HEIGHT)));
-            Looks.dress(scene);
-            scene.setRoot(content);
-            stage.setScene(scene);
+            stage.setScene(Looks.scene(content, Math.min(mostWidth, preferences.number("width", LEAST_SIDE, MOST_SIDE, WIDTH)),
+                    Math.min(mostHeight, preferences.number("height", LEAST_SIDE, MOST_SIDE, HEIGHT))));
             stage.getIcons().add(new Image(String.valueOf(EditorStage.class.getResource("icon.png")), true));
             stage.setMinWidth(Math.min(mostWidth, LEAST_WIDTH));
             stage.setMinHeight(Math.min(mostHeight, LEAST_HEIGHT));

@@ -1,6 +1,5 @@
 package lightning.app;
 
-import java.util.Iterator;
 import java.util.List;
 import java.util.stream.Stream;
 import javafx.scene.control.Button;
@@ -12,7 +11,6 @@ import javafx.scene.layout.Region;
 import lightning.app.command.KeyButton;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.Slices;
-import lightning.app.widget.WhileSeen;
 import lightning.edit.Command;
 import lightning.text.Texts;
 
@@ -85,18 +83,8 @@ final class KeysPane extends GridPane {
         section(Texts.of("Numbers"), NUMBERS);
         addRow(getRowCount(), label(Texts.of("Commands"), "keys-title"), label(Texts.of("Click a key to change it"), "caption"),
                 resetAll(model));
-        Iterator<Command> commands = Stream.of(Command.values()).filter(model::isDone).toList().iterator();
         // They are below what is seen first, and so many that all together would hold up the window.
-        var slices = new Slices(() -> {
-            if (commands.hasNext()) {
-                add(commands.next(), model);
-            }
-            return commands.hasNext();
-        });
-        WhileSeen.follow(this, () -> {
-            slices.begin();
-            return slices::end;
-        });
+        Slices.whileSeen(this, Stream.of(Command.values()).filter(model::isDone).<Runnable>map(c -> () -> add(c, model)).toList().iterator());
     }
 
     private void add(Command command, EditorModel model) {

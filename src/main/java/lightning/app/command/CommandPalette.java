@@ -2,7 +2,6 @@ package lightning.app.command;
 
 import java.util.List;
 import javafx.geometry.Pos;
-import javafx.scene.Group;
 import javafx.scene.Scene;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
@@ -61,9 +60,7 @@ public final class CommandPalette extends Stage {
         var content = new VBox(query, found, about);
         content.setId("palette");
         content.getStyleClass().add("palette");
-        var scene = new Scene(new Group(), WIDTH, HEIGHT);
-        Looks.dress(scene);
-        scene.setRoot(content);
+        Scene scene = Looks.scene(content, WIDTH, HEIGHT);
         setScene(scene);
         setX(owner.getX() + (owner.getWidth() - WIDTH) / 2);
         setY(owner.getY() + Math.min(FROM_TOP, Math.max(0, owner.getHeight() - HEIGHT)));

@@ -1,6 +1,5 @@
 package lightning.app.property;
 
-import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
@@ -11,7 +10,6 @@ import javafx.scene.control.ScrollPane;
 import javafx.scene.control.TitledPane;
 import javafx.scene.layout.VBox;
 import lightning.app.widget.Slices;
-import lightning.app.widget.WhileSeen;
 import lightning.text.Texts;
 
 /** How properties are laid out: sections below each other, which can be folded and are scrolled. */
@@ -31,18 +29,10 @@ final class Sections {
     static ScrollPane gradual(Stream<Supplier<Node>> sections) {
         ScrollPane scroll = scroll();
         List<Node> box = ((VBox) scroll.getContent()).getChildren();
-        Iterator<Supplier<Node>> next = sections.iterator();
-        var slices = new Slices(() -> {
-            if (next.hasNext()) {
-                box.add(next.next().get());
-                Slices.style(box.getLast());
-            }
-            return next.hasNext();
-        });
-        WhileSeen.follow(scroll.getContent(), () -> {
-            slices.begin();
-            return slices::end;
-        });
+        Slices.whileSeen(scroll.getContent(), sections.<Runnable>map(section -> () -> {
+            box.add(section.get());
+            Slices.style(box.getLast());
+        }).iterator());
         return scroll;
     }
 

@@ -26,9 +26,7 @@ public class PanelWindow extends Stage {
         scroll.setFitToWidth(true);
         scroll.setFitToHeight(true);
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
-        var content = new Scene(new StackPane(), Math.min(width, screen.getWidth()), Math.min(height, screen.getHeight()));
-        Looks.dress(content);
-        content.setRoot(new StackPane(scroll));
+        Scene content = Looks.scene(new StackPane(scroll), Math.min(width, screen.getWidth()), Math.min(height, screen.getHeight()));
         content.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {
                 close();

@@ -1,5 +1,6 @@
 package lightning.app.widget;
 
+import java.util.Iterator;
 import java.util.function.BooleanSupplier;
 import javafx.animation.AnimationTimer;
 import javafx.scene.Node;
@@ -26,6 +27,20 @@ public final class Slices {
     /** @param part does the next part; returns whether there was one */
     public Slices(BooleanSupplier part) {
         this.part = part;
+    }
+
+    /** Does all parts once, as far as it comes each time that a pane is seen. */
+    public static void whileSeen(Node pane, Iterator<Runnable> parts) {
+        var slices = new Slices(() -> {
+            if (parts.hasNext()) {
+                parts.next().run();
+            }
+            return parts.hasNext();
+        });
+        WhileSeen.follow(pane, () -> {
+            slices.begin();
+            return slices::end;
+        });
     }
 
     /** Does the first parts at once, and goes on in the pulses that follow until there is none left. */
