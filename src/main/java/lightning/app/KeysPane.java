@@ -84,7 +84,8 @@ final class KeysPane extends GridPane {
         addRow(getRowCount(), label(Texts.of("Commands"), "keys-title"), label(Texts.of("Click a key to change it"), "caption"),
                 resetAll(model));
         // They are below what is seen first, and so many that all together would hold up the window.
-        Slices.whileSeen(this, Stream.of(Command.values()).filter(model::isDone).<Runnable>map(c -> () -> add(c, model)).toList().iterator());
+        Slices.whileSeen(this,
+                Stream.of(Command.values()).filter(model::isDone).<Runnable>map(c -> () -> add(c, model)).toList().iterator());
     }
 
     private void add(Command command, EditorModel model) {

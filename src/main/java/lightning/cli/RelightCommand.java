@@ -44,7 +44,7 @@ import picocli.CommandLine.Option;
             "  lightning relight scenes/bird.jen -o new.png --add \"fill point intensity=0.5 at=0 3 2\" --save new.jen"})
 final class RelightCommand implements Callable<Integer> {
     /** How long the times of one line may take to come to rest, milliseconds. */
-    private static final double WARM_UP_MS = 5000;
+    static final double WARM_UP_MS = 5000;
 
     private final Console console;
 

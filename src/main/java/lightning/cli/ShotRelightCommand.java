@@ -57,7 +57,6 @@ final class ShotRelightCommand implements Callable<Integer> {
     /** Frames that tell the saving, as many of them as are measured in so long. */
     private static final int MEASURED = 3;
     private static final long LONG_NANOSECONDS = 5_000_000_000L;
-    private static final double WARM_UP_MS = 5000;
 
     private final Console console;
 
@@ -228,7 +227,7 @@ final class ShotRelightCommand implements Callable<Integer> {
             PixelCache start = renderer.cache();
             WarmSaving.Step step = (r, p) -> r.render(after, p);
             return WarmSaving.Edit.of(step.on(renderer, progress), start, options, step)
-                    .flatMap(edit -> WarmSaving.measure(edit, workers, WARM_UP_MS, progress));
+                    .flatMap(edit -> WarmSaving.measure(edit, workers, RelightCommand.WARM_UP_MS, progress));
         }
     }
 

@@ -51,6 +51,11 @@ final class FrameShelf implements AutoCloseable {
         this.firm = firm;
     }
 
+    /** Whether what is kept stays. */
+    boolean isFirm() {
+        return firm;
+    }
+
     /** Bytes that frames may still take. */
     synchronized long room() {
         long half = Long.MAX_VALUE / 2;

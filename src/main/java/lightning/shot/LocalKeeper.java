@@ -23,7 +23,6 @@ import lightning.work.Progress;
 public final class LocalKeeper implements FrameKeeper {
     private final Options options;
     private final FrameShelf shelf;
-    private final boolean firm;
     /** Those that nobody works with. */
     private final ArrayDeque<Renderer> free = new ArrayDeque<>();
     /** Of the frame that was made last: most frames show the same shapes. */
@@ -37,7 +36,7 @@ public final class LocalKeeper implements FrameKeeper {
      * @param memory  bytes that frames may take which nobody works on
      */
     public LocalKeeper(Options options, long memory) {
-        this(options, new FrameShelf(memory, null, false), false);
+        this(options, new FrameShelf(memory, null, false));
     }
 
     /**
@@ -48,7 +47,7 @@ public final class LocalKeeper implements FrameKeeper {
      * @throws IOException if it cannot be made; a sentence that begins with {@code place}
      */
     public LocalKeeper(Options options, long memory, Path place, long disk) throws IOException {
-        this(options, new FrameShelf(memory, new FrameFolder(place, disk), false), false);
+        this(options, new FrameShelf(memory, new FrameFolder(place, disk), false));
     }
 
     /**
@@ -57,13 +56,12 @@ public final class LocalKeeper implements FrameKeeper {
      * @throws IOException as the constructor
      */
     public static LocalKeeper firm(Options options, long memory, Path place, long disk) throws IOException {
-        return new LocalKeeper(options, new FrameShelf(memory, new FrameFolder(place, disk), true), true);
+        return new LocalKeeper(options, new FrameShelf(memory, new FrameFolder(place, disk), true));
     }
 
-    private LocalKeeper(Options options, FrameShelf shelf, boolean firm) {
+    private LocalKeeper(Options options, FrameShelf shelf) {
         this.options = options.withAccuracy(Accuracy.EXACT).withReflections(Reflections.CURRENT).withStorage(MirrorStorage.FULL_ROWS);
         this.shelf = shelf;
-        this.firm = firm;
     }
 
     @Override
@@ -73,7 +71,7 @@ public final class LocalKeeper implements FrameKeeper {
         Renderer renderer = borrow();
         try {
             PixelCache kept = shelf.get(frame);
-            if (firm && kept == null) {
+            if (shelf.isFirm() && kept == null) {
                 checkRoom(wanted);
             }
             renderer.restore(kept);
