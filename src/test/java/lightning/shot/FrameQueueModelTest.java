@@ -6,10 +6,8 @@ import static lightning.model.Schedules.law;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.edit.Desk;
-import lightning.image.Film;
 import lightning.model.Schedules;
 import lightning.scene.shot.Shot;
 import lightning.work.Progress;
@@ -24,7 +22,7 @@ class FrameQueueModelTest {
     private static final int LAST = 2;
 
     /** Frames of one tile, each known by the take that it shows. */
-    private static final class Tiles implements FrameKeeper {
+    private static final class Tiles extends FilmlessKeeper {
         private final Take[] kept = new Take[LAST + 1];
         private final boolean[] inWork = new boolean[LAST + 1];
         /** The frame that it is asked for when it goes away; −1 for never. */
@@ -60,25 +58,6 @@ class FrameQueueModelTest {
         synchronized Take kept(int frame) {
             return kept[frame];
         }
-
-        @Override
-        public Optional<Film> film(int frame) {
-            return Optional.empty();
-        }
-
-        @Override
-        public void focus(int frame) {}
-
-        @Override
-        public void forget(int frame) {}
-
-        @Override
-        public KeptBytes bytes() {
-            return KeptBytes.NONE;
-        }
-
-        @Override
-        public void close() {}
     }
 
     /** A queue of frames 1 and 2, the lanes of its keepers, and what was told. */

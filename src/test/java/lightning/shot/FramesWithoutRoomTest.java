@@ -6,12 +6,10 @@ import static org.assertj.core.api.InstanceOfAssertFactories.STRING;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import lightning.edit.Desk;
-import lightning.image.Film;
 import lightning.scene.shot.Shot;
 import lightning.work.Progress;
 import org.junit.jupiter.api.Test;
@@ -25,7 +23,7 @@ class FramesWithoutRoomTest {
     private static final int LAST = 5;
 
     /** Holds so many frames and refuses others. */
-    private static final class Narrow implements FrameKeeper {
+    private static final class Narrow extends FilmlessKeeper {
         final Set<Integer> held = new TreeSet<>();
         final List<Integer> refused = new ArrayList<>();
         private final int room;
@@ -43,25 +41,6 @@ class FramesWithoutRoomTest {
             held.add(frame);
             return new FrameUpdate(frame, true, "", 0, 0, () -> null);
         }
-
-        @Override
-        public Optional<Film> film(int frame) {
-            return Optional.empty();
-        }
-
-        @Override
-        public void focus(int frame) {}
-
-        @Override
-        public void forget(int frame) {}
-
-        @Override
-        public KeptBytes bytes() {
-            return KeptBytes.NONE;
-        }
-
-        @Override
-        public void close() {}
     }
 
     private final List<String> failures = Collections.synchronizedList(new ArrayList<>());

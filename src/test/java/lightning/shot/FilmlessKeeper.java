@@ -1,0 +1,26 @@
+package lightning.shot;
+
+import java.util.Optional;
+import lightning.image.Film;
+
+/** A keeper that has no films and keeps no bytes: what is done with frames is all that it is asked. */
+abstract class FilmlessKeeper implements FrameKeeper {
+    @Override
+    public Optional<Film> film(int frame) {
+        return Optional.empty();
+    }
+
+    @Override
+    public void focus(int frame) {}
+
+    @Override
+    public void forget(int frame) {}
+
+    @Override
+    public KeptBytes bytes() {
+        return KeptBytes.NONE;
+    }
+
+    @Override
+    public void close() {}
+}
