@@ -76,7 +76,8 @@ final class StripNews implements ShotListener {
     @Override
     public void gone(KeeperGoneException problem) {
         synchronized (this) {
-            lost = true;
+            // Others may have traced its frames before this is heard.
+            lost = shot == null || !shot.isIdle();
         }
         tell();
     }

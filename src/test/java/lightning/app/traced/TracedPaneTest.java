@@ -333,7 +333,7 @@ class TracedPaneTest extends EditorDesk {
         assertThat(after[24 * 64 + 32]).isNotEqualTo(before[24 * 64 + 32]);
         assertThat(after[40 * 64 + 10]).isEqualTo(before[40 * 64 + 10]);
         assertThat(isEnabled(Command.GO)).isTrue();
-        assertThat(text("pending")).isEqualTo("A region shows edits that the rest does not");
+        waitFor("it is told", () -> text("pending").equals("A region shows edits that the rest does not"));
         click("undo");
         assertThat(text("pending")).isEqualTo("A region shows other edits than the rest");
         click("redo");
