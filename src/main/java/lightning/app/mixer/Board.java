@@ -14,6 +14,7 @@ import lightning.app.model.EditorModel;
 import lightning.edit.Change;
 import lightning.edit.Channel;
 import lightning.edit.ChannelEdits;
+import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.text.Texts;
 
@@ -84,6 +85,13 @@ final class Board {
         selected.set(now);
         if (now.size() == 1 && now.iterator().next() instanceof Channel.OfLight(String name)) {
             model.selectLight(name);
+        }
+    }
+
+    /** Another light is selected in the editor: it alone here too, unless several are. */
+    void follow(Light light) {
+        if (selected.get().size() <= 1) {
+            selected.set(Set.of(new Channel.OfLight(light.name())));
         }
     }
 

@@ -78,8 +78,8 @@ public final class MixerPane extends VBox {
                 model.renderingProperty().subscribe(state -> look(state.frame())),
                 model.viewProperty().subscribe(_ -> feed.look()),
                 model.selectedLightProperty().subscribe(light -> {
-                    if (light != null && board.selectedProperty().get().size() <= 1) {
-                        board.set(List.of(new Channel.OfLight(light.name())));
+                    if (light != null) {
+                        board.follow(light);
                     }
                 }), making::end);
     }

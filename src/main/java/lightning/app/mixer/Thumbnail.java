@@ -1,5 +1,6 @@
 package lightning.app.mixer;
 
+import java.util.Arrays;
 import java.util.Optional;
 import javafx.scene.control.Label;
 import javafx.scene.image.ImageView;
@@ -28,7 +29,8 @@ final class Thumbnail extends VBox {
 
     void show(Optional<SharePictures.One> one) {
         one.ifPresentOrElse(p -> {
-            if (p.pixels() != pixels) {
+            // A picture that is another object is drawn anew, and an edit of one light leaves most pictures as they are.
+            if (!Arrays.equals(p.pixels(), pixels)) {
                 pixels = p.pixels();
                 image.setImage(PixelImage.of(p.width(), p.height(), pixels));
             }

@@ -125,6 +125,25 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
+    void draggedFaderOfTheSelectedLight_leavesTheMaterialInFront() {
+        drag("lamp", 0, 1);
+        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        drag("lamp", 1, 2);
+        assertThat(light("lamp").intensity()).isBetween(3.7, 4.3);
+        assertThat(model().materials().inFrontProperty().get()).isTrue();
+    }
+
+    @Test
+    void editOfOneLight_leavesTheImagesOfOthers() {
+        var ofStage = robot.lookup("#thumbnail-stage").<ImageView>query().getImage();
+        var ofLamp = robot.lookup("#thumbnail-lamp").<ImageView>query().getImage();
+        drag("lamp", 0, 1);
+        waitForPicture();
+        waitFor("the lamp has another picture", () -> robot.lookup("#thumbnail-lamp").<ImageView>query().getImage() != ofLamp);
+        assertThat(robot.lookup("#thumbnail-stage").<ImageView>query().getImage()).isSameAs(ofStage);
+    }
+
+    @Test
     void escapeInADrag_takesItBack() {
         press("lamp", 0, 3);
         robot.push(KeyCode.ESCAPE);
