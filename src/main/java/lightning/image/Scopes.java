@@ -1,5 +1,7 @@
 package lightning.image;
 
+import java.util.Arrays;
+
 /**
  * How the codes of a displayed picture are spread: how many pixels have each (a histogram), and how many of each column have it (a
  * waveform). By the curve and exposure of a view; false colours are no codes, and count as sRGB.
@@ -14,6 +16,8 @@ public record Scopes(int[][] histogram, int[][] waveform, int columns, long pixe
     public static final int CODES = 256;
 
     private static final int MOST_COLUMNS = 512;
+    /** Of so many codes that occur one may rise above the histogram. */
+    private static final int OUTLIERS = 16;
     private static final int BACKGROUND = 0x16;
     private static final int BRIGHT = 0xE6;
 
@@ -35,18 +39,14 @@ public record Scopes(int[][] histogram, int[][] waveform, int columns, long pixe
     }
 
     /**
-     * The histogram as a picture of 256 columns, black at the left, opaque 0xFFRRGGBB; where channels overlap their colours add. The highest
-     * bar is that of the most frequent code but black and white, which may be cut off.
+     * The histogram as a picture of 256 columns, black at the left, opaque 0xFFRRGGBB; where channels overlap their colours add. Black,
+     * white and one in sixteen of the other codes that occur, the most frequent ones, may be cut off at the top: one even background would
+     * press all else into the ground line.
      *
      * @param height pixels
      */
     public int[] histogramPixels(int height) {
-        int most = 1;
-        for (int[] channel : histogram) {
-            for (int code = 1; code < CODES - 1; code++) {
-                most = Math.max(most, channel[code]);
-            }
-        }
+        int most = most();
         int[] to = new int[CODES * height];
         for (int y = 0; y < height; y++) {
             for (int code = 0; code < CODES; code++) {
@@ -60,6 +60,13 @@ public record Scopes(int[][] histogram, int[][] waveform, int columns, long pixe
             }
         }
         return to;
+    }
+
+    /** How many pixels reach the top of the histogram's picture. */
+    private int most() {
+        int[] bars = Arrays.stream(histogram).flatMapToInt(channel -> Arrays.stream(channel, 1, CODES - 1)).filter(n -> n > 0).sorted()
+                .toArray();
+        return bars.length == 0 ? 1 : bars[bars.length - 1 - bars.length / OUTLIERS];
     }
 
     /** The waveform as a picture of {@link #columns} × 256 pixels, white at the top, opaque; brighter where more pixels have the code. */

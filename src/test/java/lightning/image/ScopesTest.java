@@ -50,6 +50,22 @@ class ScopesTest {
         assertThat(Arrays.stream(scopes.waveform()[1]).sum()).isEqualTo(3 * 1025);
     }
 
+    /** One line of codes 20 to 59, three pixels of each, below 100 lines of code 200. */
+    @Test
+    void histogramsPicture_isNotPressedDownByOneEvenBackground() {
+        int width = 120;
+        float[] rgb = new float[3 * width * 101];
+        Arrays.fill(rgb, ViewTransform.linear(200));
+        for (int i = 0; i < 3 * width; i++) {
+            rgb[i] = ViewTransform.linear(20 + i / 9);
+        }
+        int[] pixels = Scopes.of(Film.ofScanlines(width, 101, rgb), ViewTransform.DEFAULT).histogramPixels(10);
+        assertThat(pixels[20]).isEqualTo(0xFFE6E6E6);
+        assertThat(pixels[59]).isEqualTo(0xFFE6E6E6);
+        assertThat(pixels[200]).isEqualTo(0xFFE6E6E6);
+        assertThat(pixels[9 * 256 + 60]).isEqualTo(0xFF161616);
+    }
+
     @Test
     void histogramsPicture_hasABarForEachCode() {
         int[] pixels = Scopes.of(halves(), ViewTransform.DEFAULT).histogramPixels(10);

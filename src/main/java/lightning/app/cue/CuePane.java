@@ -21,6 +21,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
+import lightning.app.command.AtOnce;
 import lightning.app.model.EditorModel;
 import lightning.app.model.Sentence;
 import lightning.app.widget.Obstacle;
@@ -119,7 +120,7 @@ public final class CuePane extends VBox {
     /** Lists the cues and follows the editor. */
     private Subscription follow() {
         return Subscription.combine(model.documentProperty().subscribe(_ -> list()),
-                model.situationProperty().subscribe(now -> cannotKeep.set(obstacle(now))));
+                model.situationProperty().subscribe(now -> cannotKeep.set(obstacle(now))), AtOnce.whileFocused(this, model));
     }
 
     private static Optional<String> obstacle(Situation now) {
@@ -234,9 +235,7 @@ public final class CuePane extends VBox {
     private void light(Lighting lighting, Object step) {
         model.edit(scene -> lit(scene, lighting), step).ifPresentOrElse(this::say, () -> {
             say("");
-            if (!model.liveProperty().get() && model.frame() != null && model.situationProperty().get().isPending()) {
-                model.go();
-            }
+            AtOnce.render(model);
         });
     }
 

@@ -10,6 +10,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
+import lightning.app.command.AtOnce;
 import lightning.app.model.EditorModel;
 import lightning.edit.Change;
 import lightning.edit.Channel;
@@ -154,19 +155,18 @@ final class Board {
     Optional<String> edit(Function<Scene, Change> edit, Object gesture) {
         Optional<String> refusal = model.edit(edit, gesture);
         if (refusal.isEmpty()) {
-            render();
+            AtOnce.render(model);
         }
         return told(refusal);
+    }
+
+    /** Says why a text is no value; nothing for an empty reason. */
+    void tell(String refusal) {
+        told(Optional.of(refusal).filter(reason -> !reason.isEmpty()));
     }
 
     private Optional<String> told(Optional<String> refusal) {
         refusal.ifPresent(model::say);
         return refusal;
-    }
-
-    private void render() {
-        if (!model.liveProperty().get() && model.frame() != null && model.situationProperty().get().isPending()) {
-            model.go();
-        }
     }
 }

@@ -20,6 +20,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
+import lightning.app.command.AtOnce;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.Slices;
 import lightning.app.widget.WhileSeen;
@@ -81,7 +82,7 @@ public final class MixerPane extends VBox {
                     if (light != null) {
                         board.follow(light);
                     }
-                }), making::end);
+                }), AtOnce.whileFocused(this, model), making::end);
     }
 
     private Node tools() {

@@ -61,6 +61,7 @@ final class Strip extends VBox {
         name.setText(id);
         // Names of one kind differ at their ends.
         name.setTextOverrun(OverrunStyle.CENTER_ELLIPSIS);
+        name.setWrapText(true);
         name.setTooltip(new Tooltip(id));
         if (channel instanceof Channel.OfBank) {
             getStyleClass().add("bank-strip");
@@ -78,6 +79,8 @@ final class Strip extends VBox {
         noStops = new Obstacle(around, stops, Texts.of("Stops: 0 is intensity 1, one more is twice the light"));
         intensity = new NumberField(Texts.of("{0} intensity", id), Gauge.of("intensity", new Steps(0.1, 0, channel.most()), this::set));
         intensity.setId("intensity-" + id);
+        stops.refusalProperty().subscribe(board::tell);
+        intensity.refusalProperty().subscribe(board::tell);
         intensity.setTooltip(new Tooltip(Texts.of("Intensity")));
         solo.setId("solo-" + id);
         solo.setAccessibleText(Texts.of("{0} solo", id));

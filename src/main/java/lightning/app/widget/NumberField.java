@@ -45,7 +45,8 @@ public final class NumberField extends TextField {
         setText(shown());
         setOnAction(_ -> {
             commit();
-            selectAll();
+            // Of a long number its begin is seen, where the caret is.
+            selectRange(getLength(), 0);
         });
         focusedProperty().addListener((_, wasFocused, _) -> {
             if (wasFocused) {

@@ -63,6 +63,8 @@ class CuePaneTest extends EditorDesk {
         assertFilmIs(new ReferenceTracer(day).trace());
         robot.push(KeyCode.CONTROL, KeyCode.Z);
         assertThat(model().scene()).isEqualTo(night);
+        waitForPicture();
+        assertFilmIs(new ReferenceTracer(night).trace());
         robot.clickOn("#cue-name-day");
         robot.interact(() -> robot.lookup("#cue-name-day").<TextField>query().setText("noon"));
         robot.push(KeyCode.ENTER);
@@ -120,8 +122,8 @@ class CuePaneTest extends EditorDesk {
 
     @Test
     void pictureThatIsBehind_isNotKept() {
-        robot.push(KeyCode.SHIFT, KeyCode.F4);
         robot.interact(() -> model().edit(s -> LightEdits.on(s, "sun", false)));
+        robot.push(KeyCode.SHIFT, KeyCode.F4);
         assertThat(robot.lookup("#cue-keep").query().isDisabled()).isTrue();
     }
 

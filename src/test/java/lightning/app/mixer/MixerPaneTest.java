@@ -125,6 +125,30 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
+    void undoInTheMixer_isInThePictureAtOnce() {
+        drag("lamp", 0, 1);
+        waitForPicture();
+        robot.push(KeyCode.CONTROL, KeyCode.Z);
+        assertThat(model().scene()).isEqualTo(first);
+        assertPictureShowsTheScene();
+    }
+
+    @Test
+    void refusedText_isToldInTheMixer() {
+        type("intensity-lamp", "abc");
+        assertThat(robot.lookup("#mixer-message").<Labeled>query().getText()).contains("'abc'");
+    }
+
+    @Test
+    void longNumberThatWasSet_showsItsBegin() {
+        type("intensity-lamp", "1/3");
+        TextField field = robot.lookup("#intensity-lamp").query();
+        assertThat(field.getText()).isEqualTo("0.3333333333333333");
+        assertThat(field.getSelectedText()).isEqualTo(field.getText());
+        assertThat(field.getCaretPosition()).isZero();
+    }
+
+    @Test
     void draggedFaderOfTheSelectedLight_leavesTheMaterialInFront() {
         drag("lamp", 0, 1);
         robot.interact(() -> model().materials().inFrontProperty().set(true));
