@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * of boxes and without it. And a way is blocked by a shape nearer than its end, never by one exactly there.
  */
 class TiesTest {
-    private static final int PACKETS = 200;
+    private static final int PACKETS = 100;
 
     static Stream<Arguments> scenes() {
         return Stream.of(
