@@ -1,10 +1,12 @@
 package lightning.app;
 
+
 import java.nio.file.Path;
 import java.util.List;
 import javafx.beans.Observable;
 import javafx.scene.control.ButtonType;
 import javafx.stage.Stage;
+import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 import lightning.app.command.FileActions;
 import lightning.app.command.FilePrompt;
@@ -57,6 +59,7 @@ public final class Editor implements AutoCloseable {
             e.consume();
             files.leave(() -> {
                 remember();
+                closeOthers();
                 stage.hide();
             });
         });
@@ -134,8 +137,14 @@ public final class Editor implements AutoCloseable {
         preferences.save();
     }
 
+    /** Windows go before the one that owns them: the toolkit may touch one once more that its owner took with it. */
+    private void closeOthers() {
+        List.copyOf(Window.getWindows()).reversed().stream().filter(window -> window != stage).forEach(Window::hide);
+    }
+
     @Override
     public void close() {
+        closeOthers();
         disk.close();
         window.close();
         sight.close();

@@ -1,11 +1,32 @@
 package lightning.app;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.lang.ref.WeakReference;
+import java.util.ArrayList;
+import java.util.List;
+import javafx.stage.Window;
+import javafx.stage.WindowEvent;
 import lightning.app.model.EditorModel;
+import lightning.edit.Command;
 import org.junit.jupiter.api.Test;
 
 class ClosedEditorTest extends EditorDesk {
     private WeakReference<EditorModel> before;
+
+    /** The toolkit may touch a window once more that its owner took with it. */
+    @Test
+    void windowsBesideTheEditors_closeBeforeIt() {
+        List<Window> closed = new ArrayList<>();
+        robot.interact(() -> {
+            model().run(Command.MIXER);
+            model().run(Command.HISTORY_PANEL);
+            List.copyOf(Window.getWindows()).forEach(w -> w.addEventHandler(WindowEvent.WINDOW_HIDING, _ -> closed.add(w)));
+            assertThat(Window.getWindows()).hasSizeGreaterThanOrEqualTo(3);
+            model().run(Command.QUIT);
+        });
+        assertThat(closed).hasSizeGreaterThanOrEqualTo(3).endsWith(stage);
+    }
 
     /** Its pictures and caches would stay for as long as the process lives. */
     @Test
