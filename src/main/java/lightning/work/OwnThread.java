@@ -20,6 +20,11 @@ public final class OwnThread {
         return task -> of(name, task);
     }
 
+    /** A light thread for each task, for those that wait for others most of the time. */
+    public static ExecutorService forEach(String name) {
+        return Executors.newThreadPerTaskExecutor(Thread.ofVirtual().name(name).factory());
+    }
+
     /** A thread that does what it is given in turn; it begins with the first task. */
     public static ExecutorService inTurn(String name) {
         return Executors.newSingleThreadExecutor(named(name));

@@ -39,11 +39,12 @@ final class FilmStrip implements AutoCloseable {
     private final Map<Integer, Small> pictures = new ConcurrentHashMap<>();
     /** By frame, which of its films could not be had: that is told by the next. */
     private final Map<Integer, Long> missed = new ConcurrentHashMap<>();
-    private final ExecutorService painter = OwnThread.inTurn("lightning-strip");
+    /** A film may be on a machine that has fallen silent: other frames do not wait for it. */
+    private final ExecutorService painters = OwnThread.forEach("lightning-strip");
+    private final Set<Integer> painted = ConcurrentHashMap.newKeySet();
     private final ExecutorService fetcher = OwnThread.inTurn("lightning-strip-film");
     private final ExecutorService looks = OwnThread.inTurn("lightning-strip-focus");
     private final AtomicBoolean told = new AtomicBoolean();
-    private final AtomicBoolean painting = new AtomicBoolean();
     private volatile boolean closed;
     private volatile ViewTransform view;
     private volatile List<Integer> seen = List.of();
@@ -140,24 +141,30 @@ final class FilmStrip implements AutoCloseable {
     }
 
     private void paint() {
-        if (painting.compareAndSet(false, true)) {
-            execute(painter, () -> {
-                painting.set(false);
-                for (Optional<Integer> frame = next(); frame.isPresent() && !closed; frame = next()) {
-                    paint(frame.get());
-                    tell();
+        seen.forEach(this::begin);
+    }
+
+    /** Has a frame's picture made, unless that is being done. */
+    private void begin(int frame) {
+        if (isWanted(frame) && painted.add(frame)) {
+            execute(painters, () -> {
+                try {
+                    while (isWanted(frame)) {
+                        paint(frame);
+                        tell();
+                    }
+                } finally {
+                    painted.remove(frame);
                 }
+                // What came while the last was put away.
+                begin(frame);
             });
         }
     }
 
-    private Optional<Integer> next() {
-        return seen.stream().filter(this::isWanted).findFirst();
-    }
-
     private boolean isWanted(int frame) {
         Small small = pictures.get(frame);
-        return isOld(frame, small) || small != null && small.view != view;
+        return !closed && seen.contains(frame) && (isOld(frame, small) || small != null && small.view != view);
     }
 
     /** Whether there is a newer film that can be had. */
@@ -249,7 +256,7 @@ final class FilmStrip implements AutoCloseable {
     public void close() {
         closed = true;
         frames.setUrgent(false);
-        painter.shutdownNow();
+        painters.shutdownNow();
         fetcher.shutdownNow();
         looks.shutdown();
         OwnThread.of("lightning-strip-close", frames::close).start();

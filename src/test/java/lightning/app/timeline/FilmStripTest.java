@@ -1,0 +1,111 @@
+package lightning.app.timeline;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import lightning.edit.Desk;
+import lightning.image.Film;
+import lightning.image.ViewTransform;
+import lightning.scene.Scene;
+import lightning.scene.shot.AnimatedScene;
+import lightning.scene.shot.Shot;
+import lightning.shot.FrameKeeper;
+import lightning.shot.FrameUpdate;
+import lightning.shot.KeptBytes;
+import lightning.shot.RelitShot;
+import lightning.shot.Take;
+import lightning.work.Progress;
+import org.junit.jupiter.api.Test;
+
+class FilmStripTest {
+    private static final int SILENT = 1;
+
+    private final CountDownLatch answer = new CountDownLatch(1);
+    private final CountDownLatch asked = new CountDownLatch(1);
+
+    /** Makes frames at once, and does not say what one of them looks like. */
+    private final class Keeper implements FrameKeeper {
+        @Override
+        public FrameUpdate bring(int frame, Take take, Progress progress) {
+            return new FrameUpdate(frame, true, "", 0, 0, () -> Film.black(4, 3));
+        }
+
+        @Override
+        public Optional<Film> film(int frame) {
+            if (frame == SILENT) {
+                asked.countDown();
+                try {
+                    answer.await();
+                } catch (InterruptedException e) {
+                    return Optional.empty();
+                }
+            }
+            return Optional.of(Film.black(4, 3));
+        }
+
+        @Override
+        public void focus(int frame) {}
+
+        @Override
+        public void forget(int frame) {}
+
+        @Override
+        public KeptBytes bytes() {
+            return KeptBytes.NONE;
+        }
+
+        @Override
+        public void close() {
+            answer.countDown();
+        }
+    }
+
+    private record Frames(RelitShot shot) implements StripFrames {
+        @Override
+        public Scene kept(Scene scene) {
+            return scene;
+        }
+
+        @Override
+        public OptionalInt machines() {
+            return OptionalInt.of(1);
+        }
+
+        @Override
+        public void setUrgent(boolean v) {}
+
+        @Override
+        public void close() {
+            shot.close();
+        }
+    }
+
+    @Test
+    void framesBesideOneWhoseMachineIsSilent_haveTheirPictures() throws Exception {
+        var news = new StripNews();
+        RelitShot shot = RelitShot.of(1, 4, new Keeper(), news);
+        try (var strip = new FilmStrip(new Frames(shot), news, ViewTransform.DEFAULT, Runnable::run, () -> {}, _ -> {})) {
+            strip.see(List.of(1, 2, 3, 4));
+            strip.show(new AnimatedScene(Desk.scene(), Optional.of(Shot.DEFAULT.withFrames(1, 4))), 1);
+            assertThat(asked.await(30, TimeUnit.SECONDS)).isTrue();
+            for (int frame = 2; frame <= 4; frame++) {
+                waitForPicture(strip, frame);
+            }
+            assertThat(strip.picture(SILENT)).isEmpty();
+            answer.countDown();
+            waitForPicture(strip, SILENT);
+        }
+    }
+
+    private static void waitForPicture(FilmStrip strip, int frame) throws InterruptedException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(10);
+        while (strip.picture(frame).isEmpty()) {
+            assertThat(System.nanoTime()).as("waited for the picture of frame %d", frame).isLessThan(end);
+            Thread.sleep(10);
+        }
+    }
+}
