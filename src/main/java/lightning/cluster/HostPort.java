@@ -1,5 +1,6 @@
 package lightning.cluster;
 
+import lightning.text.Texts;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
@@ -23,8 +24,8 @@ public record HostPort(String host, int port) {
         Matcher words = WORDS.matcher(text);
         int port = words.matches() && words.group(3) != null ? Integer.parseInt(words.group(3)) : Place.NODE_PORT;
         if (!words.matches() || port < 1 || port > LAST_PORT) {
-            throw new IllegalArgumentException("expected a machine and a port from 1 to " + LAST_PORT + " as in render7:7800, found "
-                    + Quote.of(text));
+            throw new IllegalArgumentException(
+                    Texts.of("expected a machine and a port from 1 to {0} as in render7:7800, found {1}", LAST_PORT, Quote.of(text)));
         }
         return new HostPort(words.group(1) == null ? words.group(2) : words.group(1), port);
     }
@@ -56,7 +57,7 @@ public record HostPort(String host, int port) {
         try {
             return InetAddress.getByName(host);
         } catch (UnknownHostException e) {
-            throw new JoinException("there is no machine " + Quote.of(host) + " that this one knows of", e);
+            throw new JoinException(Texts.of("there is no machine {0} that this one knows of", Quote.of(host)), e);
         }
     }
 }

@@ -1,5 +1,6 @@
 package lightning.cluster;
 
+import lightning.text.Texts;
 import java.io.ObjectInputFilter;
 
 /** The libraries that make a cluster: loaded by who asks for other machines, and by nobody else. */
@@ -15,7 +16,7 @@ final class Libraries {
         try {
             Class.forName("org.jgroups.JChannel", false, Libraries.class.getClassLoader());
         } catch (ClassNotFoundException e) {
-            throw new JoinException("the libraries for other machines are not at hand; start with bin/lightning", e);
+            throw new JoinException(Texts.of("the libraries for other machines are not at hand; start with bin/lightning"), e);
         }
         refuseObjects();
     }

@@ -1,5 +1,6 @@
 package lightning.cluster;
 
+import lightning.text.Texts;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -166,7 +167,7 @@ public final class Machines implements Network.Listener, AutoCloseable {
 
     private void ready(Member from, Message.Ready ready) {
         if (!ready.release().equals(release)) {
-            strangers.tell(from, "it runs " + ready.release() + ", this machine " + release);
+            strangers.tell(from, Texts.of("it runs {0}, this machine {1}", ready.release(), release));
             return;
         }
         RemoteKeeper keeper;

@@ -1,5 +1,6 @@
 package lightning.cluster;
 
+import lightning.text.Texts;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.DatagramSocket;
@@ -61,9 +62,9 @@ public record Place(InetAddress bind, int port, int ports, List<InetSocketAddres
                 return socket.getLocalAddress();
             }
         } catch (IOException | UncheckedIOException e) {
-            throw new JoinException("there is no way from this machine to " + other.getHostString() + ": " + e.getMessage(), e);
+            throw new JoinException(Texts.of("there is no way from this machine to {0}: {1}", other.getHostString(), e.getMessage()), e);
         }
-        throw new JoinException("there is no way from this machine to " + other.getHostString(), null);
+        throw new JoinException(Texts.of("there is no way from this machine to {0}", other.getHostString()), null);
     }
 
     /**

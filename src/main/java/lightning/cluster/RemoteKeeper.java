@@ -1,5 +1,6 @@
 package lightning.cluster;
 
+import lightning.text.Texts;
 import java.io.IOException;
 import java.util.Map;
 import java.util.Optional;
@@ -86,11 +87,13 @@ final class RemoteKeeper implements FrameKeeper {
     }
 
     private RuntimeException failure(Message.Failed failed) {
+        // What the node says is in its own language.
+        String sentence = Texts.of("the node {0}: {1}", name, failed.sentence());
         return switch (failed.reason()) {
             case CANCELLED -> new CancellationException();
-            case UNUSABLE -> new IllegalArgumentException("the node " + name + ": " + failed.sentence());
-            case REFUSED -> new FrameRefusedException("the node " + name + ": " + failed.sentence());
-            case ERROR -> new IllegalStateException("the node " + name + ": " + failed.sentence());
+            case UNUSABLE -> new IllegalArgumentException(sentence);
+            case REFUSED -> new FrameRefusedException(sentence);
+            case ERROR -> new IllegalStateException(sentence);
         };
     }
 
@@ -147,7 +150,7 @@ final class RemoteKeeper implements FrameKeeper {
     }
 
     private KeeperGoneException gone(Throwable cause) {
-        return new KeeperGoneException("the node " + name + " is there no more; others trace its frames again", cause);
+        return new KeeperGoneException(Texts.of("the node {0} is there no more; others trace its frames again", name), cause);
     }
 
     @Override

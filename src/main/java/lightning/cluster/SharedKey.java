@@ -1,5 +1,6 @@
 package lightning.cluster;
 
+import lightning.text.Texts;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.Socket;
@@ -39,7 +40,7 @@ final class SharedKey {
             KeyStore store = KeyStore.getInstance("PKCS12");
             OrdinaryFile.check(file, "a certificate");
             if (Files.size(file) > MOST_BYTES) {
-                throw new CertificateException("it has more than " + MOST_BYTES + " bytes");
+                throw new CertificateException(Texts.of("it has more than {0} bytes", MOST_BYTES));
             }
             try (InputStream in = Files.newInputStream(file)) {
                 store.load(in, PASSWORD);
@@ -52,10 +53,11 @@ final class SharedKey {
             context.init(keys.getKeyManagers(), new TrustManager[] {new SameCertificate(own)}, new SecureRandom());
             return context;
         } catch (NoSuchFileException e) {
-            throw new JoinException(Quote.path(file) + ": there is no such file; 'lightning node --make-certificate' makes one", e);
+            throw new JoinException(Texts.of("{0}: there is no such file; 'lightning node --make-certificate' makes one", Quote.path(file)), e);
         } catch (IOException | GeneralSecurityException e) {
-            throw new JoinException(Quote.path(file) + ": expected a key and its certificate as 'lightning node --make-certificate' makes "
-                    + "them, but cannot use it: " + (e.getMessage() == null ? "it is none" : e.getMessage()), e);
+            throw new JoinException(Texts.of(
+                    "{0}: expected a key and its certificate as 'lightning node --make-certificate' makes them, but cannot use it: {1}",
+                    Quote.path(file), e.getMessage() == null ? Texts.of("it is none") : e.getMessage()), e);
         }
     }
 
@@ -65,7 +67,7 @@ final class SharedKey {
                 return own;
             }
         }
-        throw new CertificateException("it holds no key");
+        throw new CertificateException(Texts.of("it holds no key"));
     }
 
     /** Trusts those who show the very same certificate, and so must have its key; nobody else, whoever signed theirs. */

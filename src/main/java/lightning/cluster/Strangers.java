@@ -1,5 +1,6 @@
 package lightning.cluster;
 
+import lightning.text.Texts;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
@@ -17,12 +18,12 @@ final class Strangers {
     }
 
     void tell(Member member, WireException problem) {
-        tell(member, "a message of it is none: " + problem.getMessage());
+        tell(member, Texts.of("a message of it is none: {0}", problem.getMessage()));
     }
 
     void tell(Member member, String problem) {
         if (told.add(member)) {
-            log.accept(network.name(member) + " is left aside: " + problem);
+            log.accept(Texts.of("{0} is left aside: {1}", network.name(member), problem));
         }
     }
 }

@@ -1,5 +1,6 @@
 package lightning.cluster;
 
+import lightning.text.Texts;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.List;
@@ -64,7 +65,7 @@ public final class TlsNetwork implements Network {
             channel.connect(CLUSTER);
         } catch (Exception e) {
             close();
-            throw new JoinException("cannot take part in a cluster at " + text(place.bind(), place.port()) + ": " + reason(e), e);
+            throw new JoinException(Texts.of("cannot take part in a cluster at {0}: {1}", text(place.bind(), place.port()), reason(e)), e);
         }
     }
 

@@ -1,5 +1,6 @@
 package lightning.shot;
 
+import lightning.text.Texts;
 import java.io.IOException;
 import java.lang.foreign.Arena;
 import java.nio.channels.FileChannel;
@@ -61,7 +62,7 @@ final class FrameFolder implements AutoCloseable {
 
     private Part write(String name, PixelCache cache, Columns columns) {
         if (bytes.get() >= room) {
-            tell("the frames took all of the disk's room that they may take");
+            tell(Texts.of("the frames took all of the disk's room that they may take"));
             return null;
         }
         Path file = folder.file(name + files.incrementAndGet());
@@ -71,7 +72,7 @@ final class FrameFolder implements AutoCloseable {
             bytes.addAndGet(part.bytes);
             return part;
         } catch (IOException e) {
-            tell("frames could not be written to disk: " + e.getMessage());
+            tell(Texts.of("frames could not be written to disk: {0}", e.getMessage()));
             return null;
         }
     }

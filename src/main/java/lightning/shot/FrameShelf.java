@@ -1,5 +1,6 @@
 package lightning.shot;
 
+import lightning.text.Texts;
 import java.io.IOException;
 import java.util.Map;
 import java.util.TreeMap;
@@ -91,7 +92,7 @@ final class FrameShelf implements AutoCloseable {
         if (frames.get(resting.frame) != resting) {
             return false;
         }
-        folder.tell("a frame's file could not be read: " + e.getMessage());
+        folder.tell(Texts.of("a frame's file could not be read: {0}", e.getMessage()));
         remove(resting.frame);
         return true;
     }

@@ -1,5 +1,6 @@
 package lightning.shot;
 
+import lightning.text.Texts;
 import java.util.concurrent.CancellationException;
 
 /** One frame after the other, for one lane of one keeper, until the queue is closed or the keeper is gone. */
@@ -26,7 +27,7 @@ record KeeperTurns(FrameQueue queue, int number, FrameQueue.Lane lane, FrameKeep
             // Something else is wanted.
         } catch (FrameRefusedException e) {
             if (queue.refuse(work)) {
-                listener.failed(work.frame, new FrameRefusedException("nobody has room for it: " + e.getMessage()));
+                listener.failed(work.frame, new FrameRefusedException(Texts.of("nobody has room for it: {0}", e.getMessage())));
             }
         } catch (KeeperGoneException e) {
             if (queue.leave(number)) {

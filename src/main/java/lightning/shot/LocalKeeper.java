@@ -1,5 +1,6 @@
 package lightning.shot;
 
+import lightning.text.Texts;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
@@ -102,8 +103,8 @@ public final class LocalKeeper implements FrameKeeper {
     }
 
     private FrameRefusedException refusal(long need) {
-        return new FrameRefusedException(String.format(Locale.ROOT, "the frame takes about %s, and there is room for %s more",
-                ShotNeed.text(need), ShotNeed.text(Math.max(0, shelf.room()))));
+        return new FrameRefusedException(Texts.of("the frame takes about {0}, and there is room for {1} more", ShotNeed.text(need),
+                ShotNeed.text(Math.max(0, shelf.room()))));
     }
 
     private synchronized Renderer borrow() {
