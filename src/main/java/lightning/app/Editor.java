@@ -1,6 +1,5 @@
 package lightning.app;
 
-
 import java.nio.file.Path;
 import java.util.List;
 import javafx.beans.Observable;

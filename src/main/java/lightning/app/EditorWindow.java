@@ -16,6 +16,7 @@ import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
 import javafx.stage.Window;
 import lightning.app.animation.AnimationWindow;
+import lightning.app.command.CommandKeys;
 import lightning.app.command.CommandPalette;
 import lightning.app.command.FileActions;
 import lightning.app.command.Notices;
@@ -74,6 +75,7 @@ public final class EditorWindow implements AutoCloseable {
             }
         });
         UndoKeys.take(frame, model);
+        CommandKeys.explain(frame, model);
         frame.setOnDragOver(this::dragOver);
         frame.setOnDragDropped(this::dropped);
     }

@@ -1,6 +1,5 @@
 package lightning.cluster;
 
-import lightning.text.Texts;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
@@ -9,6 +8,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /** Where a member of a cluster is heard: {@code render7:7800}, {@code 10.0.0.7}, {@code [::1]:7800}. */
 public record HostPort(String host, int port) {

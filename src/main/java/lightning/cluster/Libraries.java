@@ -1,7 +1,7 @@
 package lightning.cluster;
 
-import lightning.text.Texts;
 import java.io.ObjectInputFilter;
+import lightning.text.Texts;
 
 /** The libraries that make a cluster: loaded by who asks for other machines, and by nobody else. */
 final class Libraries {

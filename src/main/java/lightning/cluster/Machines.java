@@ -1,6 +1,5 @@
 package lightning.cluster;
 
-import lightning.text.Texts;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -18,6 +17,7 @@ import lightning.cluster.wire.Codec;
 import lightning.cluster.wire.Message;
 import lightning.cluster.wire.WireException;
 import lightning.shot.RelitShot;
+import lightning.text.Texts;
 import lightning.work.OwnThread;
 
 /** The nodes of a cluster, as keepers of a shot: each that comes is handed out, each that is lost is told so. */

@@ -1,6 +1,5 @@
 package lightning.cluster;
 
-import lightning.text.Texts;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.DatagramSocket;
@@ -9,6 +8,7 @@ import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import lightning.text.Texts;
 
 /**
  * Where a process takes part, and with whom.

@@ -1,6 +1,5 @@
 package lightning.cluster;
 
-import lightning.text.Texts;
 import java.io.IOException;
 import java.util.Map;
 import java.util.Optional;
@@ -18,6 +17,7 @@ import lightning.shot.FrameUpdate;
 import lightning.shot.KeeperGoneException;
 import lightning.shot.KeptBytes;
 import lightning.shot.Take;
+import lightning.text.Texts;
 import lightning.work.Progress;
 
 /** A node's frames, as those who want them see them. */

@@ -1,6 +1,5 @@
 package lightning.cluster;
 
-import lightning.text.Texts;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.Socket;
@@ -21,6 +20,7 @@ import javax.net.ssl.TrustManager;
 import javax.net.ssl.X509ExtendedTrustManager;
 import lightning.file.OrdinaryFile;
 import lightning.text.Quote;
+import lightning.text.Texts;
 
 /** The key and the certificate that all members of a cluster share: a file of PKCS #12. Who has it is a member. */
 final class SharedKey {
@@ -53,7 +53,8 @@ final class SharedKey {
             context.init(keys.getKeyManagers(), new TrustManager[] {new SameCertificate(own)}, new SecureRandom());
             return context;
         } catch (NoSuchFileException e) {
-            throw new JoinException(Texts.of("{0}: there is no such file; 'lightning node --make-certificate' makes one", Quote.path(file)), e);
+            throw new JoinException(Texts.of("{0}: there is no such file; 'lightning node --make-certificate' makes one", Quote.path(file)),
+                    e);
         } catch (IOException | GeneralSecurityException e) {
             throw new JoinException(Texts.of(
                     "{0}: expected a key and its certificate as 'lightning node --make-certificate' makes them, but cannot use it: {1}",

@@ -1,10 +1,10 @@
 package lightning.cluster;
 
-import lightning.text.Texts;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import lightning.cluster.wire.WireException;
+import lightning.text.Texts;
 
 /** Tells once of each member whose messages cannot be used. */
 final class Strangers {

@@ -1,6 +1,5 @@
 package lightning.shot;
 
-import lightning.text.Texts;
 import java.io.IOException;
 import java.lang.foreign.Arena;
 import java.nio.channels.FileChannel;
@@ -14,6 +13,7 @@ import lightning.cache.PixelCache;
 import lightning.column.ColumnReader;
 import lightning.column.ColumnWriter;
 import lightning.file.ScratchFolder;
+import lightning.text.Texts;
 
 /**
  * The rows and colours of frames as files, mapped for reading. A file is never written twice; what is damaged, or could not be written,

@@ -1,6 +1,5 @@
 package lightning.shot;
 
-import lightning.text.Texts;
 import java.io.IOException;
 import java.util.Map;
 import java.util.TreeMap;
@@ -8,6 +7,7 @@ import lightning.cache.CacheColumns;
 import lightning.cache.CacheOutline;
 import lightning.cache.PixelCache;
 import lightning.relight.MemoryNeed;
+import lightning.text.Texts;
 
 /**
  * The caches of frames: in memory as far as they have room there, those nearest to the focus; the others on disk; and where that has no

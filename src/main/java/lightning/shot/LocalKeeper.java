@@ -1,10 +1,8 @@
 package lightning.shot;
 
-import lightning.text.Texts;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
-import java.util.Locale;
 import java.util.Optional;
 import lightning.cache.PixelCache;
 import lightning.image.Film;
@@ -17,6 +15,7 @@ import lightning.relight.plan.UpdatePlan;
 import lightning.relight.tile.MirrorStorage;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
+import lightning.text.Texts;
 import lightning.trace.Geometry;
 import lightning.work.Progress;
 

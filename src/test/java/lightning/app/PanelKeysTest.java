@@ -55,6 +55,19 @@ class PanelKeysTest extends EditorDesk {
     }
 
     @Test
+    void keyOfACommandThatHasNothingToDo_saysWhy() {
+        String why = "Go: nothing was edited since the last Go";
+        robot.push(KeyCode.F5);
+        assertThat(model().messageProperty().get()).isEqualTo(why);
+        robot.push(KeyCode.ESCAPE);
+        assertThat(model().messageProperty().get()).as("to cancel nothing needs no words").isEqualTo(why);
+        robot.interact(() -> model().say(""));
+        open(Command.MIXER);
+        robot.push(KeyCode.F5);
+        assertThat(model().messageProperty().get()).isEqualTo(why);
+    }
+
+    @Test
     void goInAPanel_showsTheScene() {
         open(Command.HISTORY_PANEL);
         robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "sun", 3)));

@@ -29,6 +29,7 @@ class SentencesTest {
     @Test
     void certificateThatIsNotThere_isToldInGerman() {
         Path none = Path.of("none.p12");
-        assertThatThrownBy(() -> SharedKey.context(none)).isInstanceOf(JoinException.class).hasMessageContaining("diese Datei gibt es nicht");
+        assertThatThrownBy(() -> SharedKey.context(none)).isInstanceOf(JoinException.class)
+                .hasMessageContaining("diese Datei gibt es nicht");
     }
 }

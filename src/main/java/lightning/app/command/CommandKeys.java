@@ -1,13 +1,21 @@
 package lightning.app.command;
 
 import java.util.stream.Stream;
+import javafx.scene.Node;
 import javafx.scene.Scene;
+import javafx.scene.input.KeyEvent;
 import lightning.app.model.EditorModel;
 import lightning.edit.Command;
 
-/** The commands' keys in a window that has no menu bar: all that no text and no control there takes for itself. */
+/** The commands' keys: in a window that has no menu bar all that no text and no control there takes for itself. */
 public final class CommandKeys {
     private CommandKeys() {}
+
+    /** Below a menu bar, which hears the keys of commands that are enabled: says of all others why they are not. */
+    public static void explain(Node window, EditorModel model) {
+        window.addEventHandler(KeyEvent.KEY_PRESSED, e -> Stream.of(Command.values())
+                .filter(command -> model.isDone(command) && model.keys().is(command, e) && !model.enabled(command)).forEach(model::press));
+    }
 
     /** Hears them, undo's before any part of the window does. */
     public static void take(Scene window, EditorModel model) {
@@ -15,7 +23,7 @@ public final class CommandKeys {
         model.keys().changesProperty().subscribe(_ -> {
             window.getAccelerators().clear();
             Stream.of(Command.values()).filter(model::isDone).forEach(command -> model.keys().of(command)
-                    .ifPresent(key -> window.getAccelerators().put(key, () -> model.run(command))));
+                    .ifPresent(key -> window.getAccelerators().put(key, () -> model.press(command))));
         });
     }
 }

@@ -33,7 +33,7 @@ public final class UndoKeys {
         if (e.getTarget() instanceof TextInputControl text && text.isUndoable()) {
             text.undo();
         } else {
-            model.run(Command.UNDO);
+            model.press(Command.UNDO);
         }
     }
 
@@ -41,7 +41,7 @@ public final class UndoKeys {
         if (e.getTarget() instanceof TextInputControl text && text.isRedoable()) {
             text.redo();
         } else {
-            model.run(Command.REDO);
+            model.press(Command.REDO);
         }
     }
 }

@@ -478,6 +478,15 @@ public final class EditorModel implements AutoCloseable {
         }
     }
 
+    /** A command's key was pressed: does it, or says why there is nothing to do; to cancel nothing needs no words. */
+    public void press(Command command) {
+        if (enabled(command)) {
+            run(command);
+        } else if (command != Command.CANCEL) {
+            reason(command).ifPresent(why -> say(command.plainTitle() + ": " + why));
+        }
+    }
+
     public boolean enabled(Command command) {
         return command.isEnabled(situation.get());
     }
