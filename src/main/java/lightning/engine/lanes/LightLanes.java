@@ -95,12 +95,25 @@ final class LightLanes implements Terms {
         DoubleVector vy = y.sub(load(rows.py, i));
         DoubleVector vz = z.sub(load(rows.pz, i));
         DoubleVector d = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).lanewise(VectorOperators.SQRT);
-        VectorMask<Double> here = d.compare(VectorOperators.LT, LightingEquation.NO_DISTANCE);
         DoubleVector inverse = DoubleVector.broadcast(D, 1).div(d);
         d.intoArray(distance, i);
-        vx.mul(inverse).blend(load(rows.nx, i), here).intoArray(lx, i);
-        vy.mul(inverse).blend(load(rows.ny, i), here).intoArray(ly, i);
-        vz.mul(inverse).blend(load(rows.nz, i), here).intoArray(lz, i);
+        vx.mul(inverse).intoArray(lx, i);
+        vy.mul(inverse).intoArray(ly, i);
+        vz.mul(inverse).intoArray(lz, i);
+        if (d.compare(VectorOperators.LT, LightingEquation.NO_DISTANCE).anyTrue()) {
+            aimAlongNormals(rows, i);
+        }
+    }
+
+    /** Rows that the light stands on: so few that no other pays for reading its normal. */
+    private void aimAlongNormals(HitRows rows, int from) {
+        for (int i = from; i < from + LANES; i++) {
+            if (distance[i] < LightingEquation.NO_DISTANCE) {
+                lx[i] = rows.nx[i];
+                ly[i] = rows.ny[i];
+                lz[i] = rows.nz[i];
+            }
+        }
     }
 
     @Override
