@@ -50,7 +50,7 @@ final class DiskBar extends HBox implements AutoCloseable {
         text.setMaxWidth(Double.MAX_VALUE);
         text.setWrapText(true);
         HBox.setHgrow(text, Priority.ALWAYS);
-        reload.setOnAction(_ -> model.run(Command.RELOAD));
+        reload.setOnAction(_ -> model.commands().run(Command.RELOAD));
         keep.setOnAction(_ -> {
             dismiss();
             model.workbench().keepAgainstNews();
@@ -93,7 +93,7 @@ final class DiskBar extends HBox implements AutoCloseable {
         show(keep, news.isChanged());
         show(compare, news.isChanged());
         show(read, !news.isChanged());
-        reloading.set(model.reason(Command.RELOAD));
+        reloading.set(model.commands().reason(Command.RELOAD));
     }
 
     private static void show(Button button, boolean shown) {

@@ -117,7 +117,7 @@ public final class Editor implements AutoCloseable {
         for (Observable choice : List.of(model.precisionProperty(), model.viewProperty().map(ViewTransform::curve), look.glowingProperty(),
                 look.sizeProperty(), model.keys().changesProperty(), model.arrangement().canvasesProperty(), model.speechProperty(),
                 model.machineChoice().hostsProperty(), model.machineChoice().certificateProperty(),
-                model.switched(Command.LIGHT_THEME).orElseThrow())) {
+                model.commands().switched(Command.LIGHT_THEME).orElseThrow())) {
             choice.addListener(_ -> remember());
         }
     }

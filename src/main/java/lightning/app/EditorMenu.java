@@ -92,7 +92,7 @@ final class EditorMenu extends MenuBar {
     private Menu view() {
         var light = new SimpleBooleanProperty(Looks.worn() == Looks.LIGHT);
         light.addListener((_, _, on) -> (on ? Looks.LIGHT : Looks.DARK).wear());
-        model.setSwitch(Command.LIGHT_THEME, light);
+        model.commands().setSwitch(Command.LIGHT_THEME, light);
         Menu view = menu(Texts.of("View"), Command.ONLY_SELECTED, Command.SCOPES);
         view.getItems().add(new Menu(Texts.of("Show the Picture"), null, ViewItems.of(model, items).toArray(MenuItem[]::new)));
         add(view, LINE, Command.TRACED_FIT, Command.TRACED_ONE_TO_ONE, Command.TRACED_ZOOM_IN, Command.TRACED_ZOOM_OUT, Command.REGION,

@@ -50,13 +50,13 @@ public final class EditorWindow implements AutoCloseable {
         preview = new PreviewPane(model);
         panels = new Panels(model, this::window);
         panels.addTo(model);
-        model.setAction(Command.ABOUT, () -> About.show(notices));
+        model.commands().setAction(Command.ABOUT, () -> About.show(notices));
         AnimationWindow.addTo(model, this::window);
-        model.setSwitch(Command.FULL_SCREEN, fullScreen, this::switchFullScreen);
+        model.commands().setSwitch(Command.FULL_SCREEN, fullScreen, this::switchFullScreen);
         var playback = new Playback(model);
-        model.setAction(Command.EXPORT_SHOT, () -> new ShotExportWindow(model, window()).show());
+        model.commands().setAction(Command.EXPORT_SHOT, () -> new ShotExportWindow(model, window()).show());
         var menu = new EditorMenu(model, files);
-        model.setAction(Command.PALETTE, () -> CommandPalette.open(window(), menu, model));
+        model.commands().setAction(Command.PALETTE, () -> CommandPalette.open(window(), menu, model));
         var tools = new EditorToolBar(model);
         tools.visibleProperty().bind(model.arrangement().panelsHiddenProperty().not());
         tools.managedProperty().bind(tools.visibleProperty());
@@ -70,7 +70,7 @@ public final class EditorWindow implements AutoCloseable {
         });
         frame.addEventFilter(KeyEvent.KEY_PRESSED, e -> {
             if (e.getCode() == KeyCode.TAB && !e.isShiftDown() && !e.isControlDown() && !e.isAltDown() && frame.isOverPictures()) {
-                model.run(Command.HIDE_PANELS);
+                model.commands().run(Command.HIDE_PANELS);
                 e.consume();
             }
         });

@@ -85,7 +85,7 @@ final class KeysPane extends GridPane {
                 resetAll(model));
         // They are below what is seen first, and so many that all together would hold up the window.
         Slices.whileSeen(this,
-                Stream.of(Command.values()).filter(model::isDone).<Runnable>map(c -> () -> add(c, model)).toList().iterator());
+                Stream.of(Command.values()).filter(model.commands()::isDone).<Runnable>map(c -> () -> add(c, model)).toList().iterator());
     }
 
     private void add(Command command, EditorModel model) {

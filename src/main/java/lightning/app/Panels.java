@@ -52,7 +52,7 @@ final class Panels implements AutoCloseable {
 
     /** Does the commands that open them. */
     void addTo(EditorModel editor) {
-        PANELS.keySet().forEach(command -> editor.setAction(command, () -> open(command)));
+        PANELS.keySet().forEach(command -> editor.commands().setAction(command, () -> open(command)));
     }
 
     /** For each window the steps that make it before it is wanted, each of which takes a moment of the window's thread. */

@@ -49,7 +49,7 @@ public final class Rehearsal extends LightningApp {
         List<Runnable> steps = new ArrayList<>();
         Stream.of(Command.MIXER, Command.CONTRIBUTIONS, Command.CUES, Command.SCOPES, Command.EFFECTS_PANEL, Command.ACCURACY_PANEL,
                 Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.KEYS, Command.PALETTE, Command.ABOUT, Command.TIMELINE)
-                .forEach(command -> steps.add(() -> model.run(command)));
+                .forEach(command -> steps.add(() -> model.commands().run(command)));
         steps.add(() -> model.materials().inFrontProperty().set(true));
         steps.add(() -> model.scene().placedShapes().stream().findFirst().ifPresent(s -> model.selectNode(s.shape().name())));
         steps.add(Rehearsal::openMenu);

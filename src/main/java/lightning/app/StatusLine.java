@@ -33,7 +33,7 @@ final class StatusLine extends HBox {
         status.setMnemonicParsing(false);
         status.getStyleClass().add("status-button");
         status.setAccessibleText(Texts.of("What the last update did"));
-        status.setOnAction(_ -> model.run(Command.UPDATES_PANEL));
+        status.setOnAction(_ -> model.commands().run(Command.UPDATES_PANEL));
         var gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
         getChildren().addAll(status, gap, message);

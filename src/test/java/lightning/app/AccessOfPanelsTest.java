@@ -45,7 +45,7 @@ class AccessOfPanelsTest extends EditorDesk {
     }
 
     private Window open(Command command) {
-        robot.interact(() -> model().run(command));
+        robot.interact(() -> model().commands().run(command));
         waitFor(command + " is open and has the keyboard", () -> panels().size() == 1 && panels().getFirst().isFocused());
         return panels().getFirst();
     }
@@ -94,7 +94,7 @@ class AccessOfPanelsTest extends EditorDesk {
     void everyButtonOfAQuestion_isReachedByTheTabKeyAndEscapeGivesItUp() {
         robot.interact(() -> model().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withIntensity(0.5))));
         // It waits for an answer, and whoever calls it with it.
-        Platform.runLater(() -> model().run(Command.QUIT));
+        Platform.runLater(() -> model().commands().run(Command.QUIT));
         waitFor("it asks", () -> panels().size() == 1 && panels().getFirst().isFocused());
         Window question = panels().getFirst();
         List<Node> wanted = controls(question);

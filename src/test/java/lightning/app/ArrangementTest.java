@@ -109,7 +109,7 @@ class ArrangementTest extends EditorDesk {
     @Test
     void arrangement_isKeptFromRunToRunAndHiddenPanelsAreNot() {
         arrange(Canvases.PICTURE_LARGE);
-        robot.interact(() -> model().run(Command.HIDE_PANELS));
+        robot.interact(() -> model().commands().run(Command.HIDE_PANELS));
         waitFor("it is written", () -> Files.exists(folder.resolve("own/preferences.properties")));
         waitFor("it is kept", () -> new Preferences(folder.resolve("own"), Runnable::run).is("arrangement", "PICTURE_LARGE"));
     }
@@ -117,9 +117,9 @@ class ArrangementTest extends EditorDesk {
     @Test
     void newScene_isWrittenOpenedAndOfTheSizeOfAScreen() throws Exception {
         answer = folder.resolve("fresh");
-        robot.interact(() -> model().run(Command.NEW_SCENE));
+        robot.interact(() -> model().commands().run(Command.NEW_SCENE));
         waitFor("it is open", () -> model().document().name().equals("fresh.jen"));
-        robot.interact(() -> model().run(Command.CANCEL));
+        robot.interact(() -> model().commands().run(Command.CANCEL));
         var read = JenReader.read(folder.resolve("fresh.jen")).scene();
         assertThat(read).isEqualTo(model().scene());
         assertThat(List.of(read.picture().width(), read.picture().height())).containsExactly(1280, 720);

@@ -19,11 +19,11 @@ class ClosedEditorTest extends EditorDesk {
     void windowsBesideTheEditors_closeBeforeIt() {
         List<Window> closed = new ArrayList<>();
         robot.interact(() -> {
-            model().run(Command.MIXER);
-            model().run(Command.HISTORY_PANEL);
+            model().commands().run(Command.MIXER);
+            model().commands().run(Command.HISTORY_PANEL);
             List.copyOf(Window.getWindows()).forEach(w -> w.addEventHandler(WindowEvent.WINDOW_HIDING, _ -> closed.add(w)));
             assertThat(Window.getWindows()).hasSizeGreaterThanOrEqualTo(3);
-            model().run(Command.QUIT);
+            model().commands().run(Command.QUIT);
         });
         assertThat(closed).hasSizeGreaterThanOrEqualTo(3).endsWith(stage);
     }

@@ -57,7 +57,7 @@ class CommandPaletteTest extends EditorDesk {
     }
 
     private void listenFor(Command command) {
-        robot.interact(() -> model().run(Command.KEYS));
+        robot.interact(() -> model().commands().run(Command.KEYS));
         robot.interact(() -> {
             robot.lookup("#key-" + command.id()).<Button>query().requestFocus();
             robot.lookup("#key-" + command.id()).<Button>query().fire();

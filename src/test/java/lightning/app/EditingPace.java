@@ -108,8 +108,8 @@ public final class EditingPace {
         pace("hidden or shown", model, i -> model.edit(scene -> NodeEdits.visible(scene, ball, i % 2 == 0)));
         pace("renamed", model, i -> model.edit(scene -> NodeEdits.rename(scene, i == 0 ? ball : ball + "_" + (i - 1), ball + "_" + i)));
         String renamed = ball + "_" + (SAMPLES + WARM_UPS - 1);
-        pace("copied", model, _ -> model.selectNode(renamed), _ -> model.run(Command.DUPLICATE_SHAPE));
-        pace("deleted", model, i -> model.selectNode("b" + (shapes / 3 + i)), _ -> model.run(Command.DELETE_SHAPE));
+        pace("copied", model, _ -> model.selectNode(renamed), _ -> model.commands().run(Command.DUPLICATE_SHAPE));
+        pace("deleted", model, i -> model.selectNode("b" + (shapes / 3 + i)), _ -> model.commands().run(Command.DELETE_SHAPE));
         pace("another selected", model, i -> model.selectNode("b" + (shapes / 4 + i)));
     }
 

@@ -181,8 +181,8 @@ public abstract class EditorDesk {
     public void assertGoShowsTheScene() {
         click("go");
         waitForPicture();
-        robot.interact(() -> model().run(Command.UPDATE_REFLECTIONS));
-        waitFor("the mirrors are current", () -> !model().enabled(Command.UPDATE_REFLECTIONS)
+        robot.interact(() -> model().commands().run(Command.UPDATE_REFLECTIONS));
+        waitFor("the mirrors are current", () -> !model().commands().isEnabled(Command.UPDATE_REFLECTIONS)
                 && model().situationProperty().get().inWork().isEmpty());
         assertCanvasShows(new ReferenceTracer(model().scene()).trace());
     }

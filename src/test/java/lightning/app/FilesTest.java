@@ -41,7 +41,7 @@ class FilesTest extends EditorDesk {
 
     /** Does not wait for the command, which may wait for an answer. */
     private void begin(Command command) {
-        Platform.runLater(() -> model().run(command));
+        Platform.runLater(() -> model().commands().run(command));
     }
 
     private boolean says(String text) {
@@ -202,7 +202,7 @@ class FilesTest extends EditorDesk {
             });
             model().open(opened);
         });
-        robot.interact(() -> model().run(Command.CANCEL));
+        robot.interact(() -> model().commands().run(Command.CANCEL));
         waitFor("it is stopped", () -> model().renderingProperty().get().cancelled());
         waitFor("what was seen of it is gone", () -> isShown("waiting"));
         assertThat(stage.getTitle()).startsWith("other.jen");
@@ -214,7 +214,7 @@ class FilesTest extends EditorDesk {
         OpenDocument opened = large();
         robot.interact(() -> {
             model().open(opened);
-            model().run(Command.CANCEL);
+            model().commands().run(Command.CANCEL);
         });
         waitFor("nothing is in work", () -> model().situationProperty().get().inWork().isEmpty());
         waitFor("it is told", () -> isShown("waiting") && text("waiting").equals("Cancelled. Go traces the picture."));
@@ -328,7 +328,7 @@ class FilesTest extends EditorDesk {
     void closingDuringASave_waitsUntilItIsWritten() throws IOException, JenException {
         dim();
         robot.interact(() -> {
-            model().run(Command.SAVE_SCENE);
+            model().commands().run(Command.SAVE_SCENE);
             stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST));
         });
         waitFor("it is closed", () -> !stage.isShowing());
@@ -353,7 +353,7 @@ class FilesTest extends EditorDesk {
         Path other = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
         robot.interact(() -> {
             editor.files().load(other);
-            model().run(Command.CANCEL);
+            model().commands().run(Command.CANCEL);
         });
         Path third = Files.writeString(folder.resolve("third.jen"), Files.readString(folder.resolve("desk.jen")));
         List<String> opened = new ArrayList<>();

@@ -59,7 +59,7 @@ class GoTest extends EditorDesk {
     @Test
     void openedScene_isTracedAndLeavesNothingToDo() {
         assertThat(isEnabled(Command.GO)).isFalse();
-        assertThat(model().reason(Command.GO)).contains("nothing was edited since the last Go");
+        assertThat(model().commands().reason(Command.GO)).contains("nothing was edited since the last Go");
         assertFilmIs(new ReferenceTracer(model().scene()).trace());
         assertThat(text("status")).matches("Traced in [0-9.]+ m?s, exact");
         assertThat(telemetry()).contains("first pass").contains("exact");
@@ -95,7 +95,7 @@ class GoTest extends EditorDesk {
         assertFilmIs(new ReferenceTracer(model().scene()).trace());
         assertCanvasShows(new ReferenceTracer(model().scene()).trace());
         assertThat(isShown("mirrors")).isFalse();
-        assertThat(model().reason(Command.UPDATE_REFLECTIONS)).contains("the mirrors show the picture's lights already");
+        assertThat(model().commands().reason(Command.UPDATE_REFLECTIONS)).contains("the mirrors show the picture's lights already");
     }
 
     @Test
@@ -133,7 +133,7 @@ class GoTest extends EditorDesk {
         waitForPicture();
         assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isTrue();
         click("update-reflections");
-        waitFor("the mirrors are current", () -> !model().enabled(Command.UPDATE_REFLECTIONS)
+        waitFor("the mirrors are current", () -> !model().commands().isEnabled(Command.UPDATE_REFLECTIONS)
                 && model().situationProperty().get().inWork().isEmpty());
         assertFilmIs(new ReferenceTracer(model().scene()).trace());
     }

@@ -39,7 +39,7 @@ class HistoryPaneTest extends EditorDesk {
         Scene two = model().scene();
         type("intensity", "3");
         type("ambience", "0.5");
-        robot.interact(() -> model().run(Command.HISTORY_PANEL));
+        robot.interact(() -> model().commands().run(Command.HISTORY_PANEL));
         assertThat(shown(false)).containsExactly("As it was opened", "lamp: intensity 1 → 2", "lamp: intensity 2 → 3",
                 "ambience 0.2 → 0.5");
         robot.clickOn("lamp: intensity 1 → 2");
@@ -58,7 +58,7 @@ class HistoryPaneTest extends EditorDesk {
         type("intensity", "2");
         type("intensity", "3");
         type("ambience", "0.5");
-        robot.interact(() -> model().run(Command.HISTORY_PANEL));
+        robot.interact(() -> model().commands().run(Command.HISTORY_PANEL));
         click("history-light");
         robot.clickOn("As it first was");
         assertThat(light("lamp").intensity()).isEqualTo(1);

@@ -84,7 +84,7 @@ class MenusTest extends EditorDesk {
         robot.clickOn("#intensity .label", MouseButton.SECONDARY);
         robot.interact(() -> {
             all.addAll(items());
-            Stream.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.MAKE_ANIMATION).forEach(model()::run);
+            Stream.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.MAKE_ANIMATION).forEach(model().commands()::run);
             all.addAll(items());
         });
         return all;
@@ -112,7 +112,7 @@ class MenusTest extends EditorDesk {
             for (MenuItem item : items()) {
                 boolean empty = "None yet".equals(item.getText());
                 assertThat(item.isDisable()).as(item.getText())
-                        .isEqualTo(empty || !model().enabled(CommandItems.command(item).orElseThrow()));
+                        .isEqualTo(empty || !model().commands().isEnabled(CommandItems.command(item).orElseThrow()));
             }
         });
     }

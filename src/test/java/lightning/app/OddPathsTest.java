@@ -18,7 +18,7 @@ class OddPathsTest extends EditorDesk {
     private void opened(Path odd, String sentence) {
         Path before = model().document().file();
         answer = odd;
-        WaitForAsyncUtils.asyncFx(() -> model().run(Command.LOAD_FILE));
+        WaitForAsyncUtils.asyncFx(() -> model().commands().run(Command.LOAD_FILE));
         waitFor("it is refused", () -> robot.lookup(".dialog-pane").tryQuery().isPresent());
         assertThat(robot.lookup(".dialog-pane").<DialogPane>query().getContent().toString()).contains(sentence);
         robot.type(KeyCode.ESCAPE);

@@ -40,7 +40,7 @@ class OutsideChangesTest extends EditorDesk {
     private void saveOverHis() throws IOException {
         dim();
         writeHis();
-        Platform.runLater(() -> model().run(Command.SAVE_SCENE));
+        Platform.runLater(() -> model().commands().run(Command.SAVE_SCENE));
         waitFor("it asks", () -> robot.lookup("desk.jen was changed by another program").tryQuery().isPresent());
     }
 
@@ -163,7 +163,7 @@ class OutsideChangesTest extends EditorDesk {
         Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("r--r--r--"));
         String before = Files.readString(file);
         dim();
-        Platform.runLater(() -> model().run(Command.SAVE_SCENE));
+        Platform.runLater(() -> model().commands().run(Command.SAVE_SCENE));
         waitFor("it asks", () -> robot.lookup("Replace desk.jen, which is read-only?").tryQuery().isPresent());
         assertThat(file).hasContent(before);
         robot.clickOn("Replace");
@@ -176,7 +176,7 @@ class OutsideChangesTest extends EditorDesk {
     void endingThatTheEditorAdds_doesNotReplaceAnotherScene() throws IOException {
         Path other = Files.writeString(folder.resolve("other.jen"), "somebody's");
         answer = folder.resolve("other");
-        Platform.runLater(() -> model().run(Command.SAVE_SCENE_AS));
+        Platform.runLater(() -> model().commands().run(Command.SAVE_SCENE_AS));
         waitFor("it asks", () -> robot.lookup("Replace other.jen?").tryQuery().isPresent());
         robot.clickOn("Cancel");
         assertThat(other).hasContent("somebody's");

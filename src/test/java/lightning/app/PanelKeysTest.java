@@ -30,7 +30,7 @@ class PanelKeysTest extends EditorDesk {
     }
 
     private Stage open(Command command) {
-        robot.interact(() -> model().run(command));
+        robot.interact(() -> model().commands().run(command));
         waitFor(command + " is open and has the keyboard", () -> panels().size() == 1 && panels().getFirst().isFocused());
         return (Stage) panels().getFirst();
     }

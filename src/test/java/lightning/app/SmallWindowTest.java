@@ -134,7 +134,7 @@ class SmallWindowTest extends EditorDesk {
     void noLabelOfAHeader_isCut() {
         for (double width : new double[] {1000, 960}) {
             resize(width, 540);
-            robot.interact(() -> model().run(Command.VERIFY));
+            robot.interact(() -> model().commands().run(Command.VERIFY));
             waitFor("it is verified", () -> isShown("difference"));
             QuickRobot.settle();
             Set<String> cut = robot.lookup(n -> n instanceof Labeled && isIn(n, "pane-header", "tool-bar", "lights-tools"))

@@ -17,7 +17,7 @@ class TooLargeWindowTest extends EditorDesk {
         Picture huge = new Picture(16384, 16384, 2).withSampling(new Sampling(Antialias.EVERY, 8));
         WaitForAsyncUtils.asyncFx(() -> {
             model().edit(scene -> new Change.To(scene.withPicture(huge)));
-            model().run(Command.GO);
+            model().commands().run(Command.GO);
         });
         waitFor("the refusal is told", () -> text("status").startsWith("This is too large"));
         assertThat(text("status")).contains("GB; it would fit with a size of ").doesNotContain("--");

@@ -48,7 +48,7 @@ abstract class WholeTexts extends EditorDesk {
         robot.interact(() -> model().selectLight("stage"));
         for (Command panel : List.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES, Command.HISTORY_PANEL,
                 Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.MAKE_ANIMATION, Command.PALETTE)) {
-            look(panel.name(), () -> model().run(panel));
+            look(panel.name(), () -> model().commands().run(panel));
             robot.interact(this::hideWindows);
         }
         assertThat(cut).isEmpty();

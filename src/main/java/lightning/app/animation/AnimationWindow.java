@@ -31,19 +31,20 @@ public final class AnimationWindow extends Stage {
 
     /** Does the command that makes an animation of keys. */
     public static void addTo(EditorModel model, Supplier<Window> owner) {
-        model.setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, owner.get()).show());
-        model.setAction(Command.KEYS_TO_WAY, () -> model.moment().flatMap(m -> PathKeys.path(m.shot(), model.selectedLight().name()))
-                .ifPresentOrElse(way -> {
-                    var window = new AnimationWindow(model, owner.get());
-                    window.show();
-                    window.motion.take(way);
-                }, () -> model.say(Texts.of("A way has linear keys of place and direction at the same frames, evenly spaced"))));
+        model.commands().setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, owner.get()).show());
+        model.commands().setAction(Command.KEYS_TO_WAY,
+                () -> model.moment().flatMap(m -> PathKeys.path(m.shot(), model.selectedLight().name()))
+                        .ifPresentOrElse(way -> {
+                            var window = new AnimationWindow(model, owner.get());
+                            window.show();
+                            window.motion.take(way);
+                        }, () -> model.say(Texts.of("A way has linear keys of place and direction at the same frames, evenly spaced"))));
     }
 
     AnimationWindow(EditorModel model, Window owner, PathAsk ask) {
         initOwner(owner);
         motion = new Motion(model);
-        model.setAction(Command.WAY_TO_KEYS, () -> {
+        model.commands().setAction(Command.WAY_TO_KEYS, () -> {
             motion.toKeys();
             close();
         });

@@ -23,13 +23,13 @@ public final class CommandButton extends StackPane {
     private final ButtonBase button;
 
     private CommandButton(EditorModel model, Command command) {
-        button = model.switched(command).<ButtonBase>map(on -> toggle(on)).orElseGet(Button::new);
+        button = model.commands().switched(command).<ButtonBase>map(on -> toggle(on)).orElseGet(Button::new);
         button.setId(command.id());
         button.setAccessibleText(command.plainTitle());
         button.setOnAction(_ -> {
-            model.run(command);
+            model.commands().run(command);
             if (button instanceof ToggleButton toggle) {
-                toggle.setSelected(model.switched(command).orElseThrow().getValue());
+                toggle.setSelected(model.commands().switched(command).orElseThrow().getValue());
             }
         });
         getChildren().add(button);
@@ -45,7 +45,7 @@ public final class CommandButton extends StackPane {
     }
 
     private void tell(Tooltip tooltip, EditorModel model, Command command) {
-        tooltip.setText(help(command, model.keys().text(command), model.reason(command).orElse("")));
+        tooltip.setText(help(command, model.keys().text(command), model.commands().reason(command).orElse("")));
         button.setAccessibleHelp(tooltip.getText());
     }
 

@@ -52,7 +52,7 @@ public final class CommandItems {
 
     /** Does the command; it has a mark where the command switches something. */
     public MenuItem item(Command command) {
-        Optional<ObservableValue<Boolean>> on = model.switched(command);
+        Optional<ObservableValue<Boolean>> on = model.commands().switched(command);
         MenuItem item = on.isPresent() ? checked(on.get()) : new MenuItem();
         item.setUserData(command);
         // An underscore in the name of what it acts on is one.
@@ -68,7 +68,7 @@ public final class CommandItems {
         });
         item.setOnAction(_ -> {
             close(item);
-            model.run(command);
+            model.commands().run(command);
             mark(item, on);
         });
         return item;
@@ -99,7 +99,7 @@ public final class CommandItems {
 
     /** Says what the command does, and does it. */
     public MenuItem item(Command command, Runnable action) {
-        model.setAction(command, action);
+        model.commands().setAction(command, action);
         return item(command);
     }
 
@@ -108,7 +108,7 @@ public final class CommandItems {
         var item = new MenuItem(title, new FontIcon(command.icon()));
         item.setMnemonicParsing(false);
         value(item, command, action);
-        item.setDisable(!model.enabled(command));
+        item.setDisable(!model.commands().isEnabled(command));
         return item;
     }
 
@@ -125,7 +125,7 @@ public final class CommandItems {
         item.setMnemonicParsing(false);
         value(item, command, action);
         item.setSelected(chosen);
-        item.setDisable(!model.enabled(command));
+        item.setDisable(!model.commands().isEnabled(command));
         return item;
     }
 
@@ -142,9 +142,9 @@ public final class CommandItems {
         box.setPadding(new Insets(0, 0, 0, indent));
         var item = new CustomMenuItem(box, false);
         item.setUserData(command);
-        item.setDisable(!model.enabled(command));
+        item.setDisable(!model.commands().isEnabled(command));
         box.setOnAction(_ -> {
-            if (model.enabled(command)) {
+            if (model.commands().isEnabled(command)) {
                 check.accept(box.isSelected());
             }
         });
@@ -181,7 +181,7 @@ public final class CommandItems {
         item.setUserData(command);
         item.setOnAction(_ -> {
             close(item);
-            if (model.enabled(command)) {
+            if (model.commands().isEnabled(command)) {
                 action.run();
             }
         });

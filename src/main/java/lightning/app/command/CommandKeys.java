@@ -14,7 +14,8 @@ public final class CommandKeys {
     /** Below a menu bar, which hears the keys of commands that are enabled: says of all others why they are not. */
     public static void explain(Node window, EditorModel model) {
         window.addEventHandler(KeyEvent.KEY_PRESSED, e -> Stream.of(Command.values())
-                .filter(command -> model.isDone(command) && model.keys().is(command, e) && !model.enabled(command)).forEach(model::press));
+                .filter(command -> model.commands().isDone(command) && model.keys().is(command, e) && !model.commands().isEnabled(command))
+                .forEach(model.commands()::press));
     }
 
     /** Hears them, undo's before any part of the window does. */
@@ -22,8 +23,8 @@ public final class CommandKeys {
         UndoKeys.take(window, model);
         model.keys().changesProperty().subscribe(_ -> {
             window.getAccelerators().clear();
-            Stream.of(Command.values()).filter(model::isDone).forEach(command -> model.keys().of(command)
-                    .ifPresent(key -> window.getAccelerators().put(key, () -> model.press(command))));
+            Stream.of(Command.values()).filter(model.commands()::isDone).forEach(command -> model.keys().of(command)
+                    .ifPresent(key -> window.getAccelerators().put(key, () -> model.commands().press(command))));
         });
     }
 }

@@ -49,13 +49,14 @@ public final class FileActions {
         this.preferences = preferences;
         export = new PictureExport(model, prompt, notices);
         saver = new SceneSaver(model, prompt, notices, this::saved);
-        model.setAction(Command.NEW_SCENE, this::begin);
-        model.setAction(Command.LOAD_FILE, () -> prompt.scene(model.document().file().toAbsolutePath().getParent()).ifPresent(this::load));
-        model.setAction(Command.RELOAD, this::reload);
-        model.setAction(Command.SAVE_SCENE, () -> saver.save(() -> {}));
-        model.setAction(Command.SAVE_SCENE_AS, () -> saver.saveAs(() -> {}));
-        model.setAction(Command.SAVE_IMAGE, this::saveImage);
-        model.setAction(Command.QUIT, quit);
+        model.commands().setAction(Command.NEW_SCENE, this::begin);
+        model.commands().setAction(Command.LOAD_FILE,
+                () -> prompt.scene(model.document().file().toAbsolutePath().getParent()).ifPresent(this::load));
+        model.commands().setAction(Command.RELOAD, this::reload);
+        model.commands().setAction(Command.SAVE_SCENE, () -> saver.save(() -> {}));
+        model.commands().setAction(Command.SAVE_SCENE_AS, () -> saver.saveAs(() -> {}));
+        model.commands().setAction(Command.SAVE_IMAGE, this::saveImage);
+        model.commands().setAction(Command.QUIT, quit);
         RigActions.addTo(model, prompt, notices);
         TableActions.addTo(model, prompt, notices, preferences);
         listRecent();
@@ -227,7 +228,7 @@ public final class FileActions {
         if (remark.isPresent()) {
             ButtonType answer = notices.pending(remark.get()).orElse(ButtonType.CANCEL);
             if (answer == Notices.GO_FIRST) {
-                model.run(Command.GO);
+                model.commands().run(Command.GO);
             }
             if (answer != Notices.SAVE_AS_IT_IS) {
                 return;

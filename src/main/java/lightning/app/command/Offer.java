@@ -30,8 +30,9 @@ record Offer(Command command, String title, String place, Optional<String> reaso
     static List<Offer> all(MenuBar bar, EditorModel model) {
         List<Offer> all = new ArrayList<>();
         bar.getMenus().forEach(menu -> collect(menu, menu.getText(), model, all));
-        Stream.of(Command.values()).filter(model::isDone).filter(c -> all.stream().noneMatch(o -> o.command() == c))
-                .map(c -> new Offer(c, c.title(model.situationProperty().get()), "", model.reason(c), () -> model.run(c)))
+        Stream.of(Command.values()).filter(model.commands()::isDone).filter(c -> all.stream().noneMatch(o -> o.command() == c))
+                .map(c -> new Offer(c, c.title(model.situationProperty().get()), "", model.commands().reason(c),
+                        () -> model.commands().run(c)))
                 .forEach(all::add);
         return all;
     }
@@ -49,7 +50,8 @@ record Offer(Command command, String title, String place, Optional<String> reaso
     }
 
     private static Optional<String> reason(MenuItem item, Command command, EditorModel model) {
-        return item.isDisable() ? model.reason(command).or(() -> Optional.of(Texts.of("there is nothing to choose"))) : Optional.empty();
+        return item.isDisable() ? model.commands().reason(command).or(() -> Optional.of(Texts.of("there is nothing to choose")))
+                : Optional.empty();
     }
 
     /** Those that fit a few letters, the best first; all in their order for none. */

@@ -28,9 +28,9 @@ final class RigActions {
 
     static void addTo(EditorModel model, FilePrompt prompt, Notices notices) {
         var actions = new RigActions(model, prompt, notices);
-        model.setAction(Command.LOAD_RIG, () -> actions.load(Lighting::rigOn));
-        model.setAction(Command.ADD_RIG, () -> actions.load(Lighting::addedTo));
-        model.setAction(Command.SAVE_RIG, actions::save);
+        model.commands().setAction(Command.LOAD_RIG, () -> actions.load(Lighting::rigOn));
+        model.commands().setAction(Command.ADD_RIG, () -> actions.load(Lighting::addedTo));
+        model.commands().setAction(Command.SAVE_RIG, actions::save);
     }
 
     private Path folder() {

@@ -103,7 +103,7 @@ final class SceneSaver {
         if (answer == Notices.OVERWRITE) {
             write(model.document().file(), with(allowed, Consent.OVERWRITE_CHANGED), then);
         } else if (answer == Notices.RELOAD) {
-            model.run(Command.RELOAD);
+            model.commands().run(Command.RELOAD);
         } else if (answer == Notices.SAVE_AS) {
             saveAs(then);
         }

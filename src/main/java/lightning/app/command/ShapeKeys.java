@@ -19,7 +19,7 @@ public final class ShapeKeys {
         if (command == null || model.selectedNode().isEmpty()) {
             return false;
         }
-        model.run(command);
+        model.commands().run(command);
         return true;
     }
 }

@@ -33,7 +33,7 @@ public final class UndoKeys {
         if (e.getTarget() instanceof TextInputControl text && text.isUndoable()) {
             text.undo();
         } else {
-            model.press(Command.UNDO);
+            model.commands().press(Command.UNDO);
         }
     }
 
@@ -41,7 +41,7 @@ public final class UndoKeys {
         if (e.getTarget() instanceof TextInputControl text && text.isRedoable()) {
             text.redo();
         } else {
-            model.press(Command.REDO);
+            model.commands().press(Command.REDO);
         }
     }
 }

@@ -9,7 +9,6 @@ import java.util.function.UnaryOperator;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.LongProperty;
 import javafx.beans.property.ObjectProperty;
-import javafx.beans.property.Property;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -17,7 +16,6 @@ import javafx.beans.property.SimpleLongProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.beans.property.SimpleStringProperty;
 import javafx.beans.property.StringProperty;
-import javafx.beans.value.ObservableValue;
 import lightning.edit.Change;
 import lightning.edit.Command;
 import lightning.edit.FileThread;
@@ -57,7 +55,7 @@ public final class EditorModel implements AutoCloseable {
     private final ObjectProperty<ViewTransform> view = new SimpleObjectProperty<>(ViewTransform.DEFAULT);
     private final StringProperty message = new SimpleStringProperty("");
     private final PicturePart part = new PicturePart();
-    private final CommandActions actions = new CommandActions();
+    private final Commands commands = new Commands(situation, this::say);
     private final Keys keys = new Keys();
     private final UpdateLog updates = new UpdateLog();
     private final Arrangement arrangement = new Arrangement();
@@ -103,16 +101,16 @@ public final class EditorModel implements AutoCloseable {
             workbench.setLive(on);
             stage(staged);
         });
-        setSwitch(Command.LIVE, live);
-        setSwitch(Command.HIDE_PANELS, arrangement.panelsHiddenProperty());
-        setSwitch(Command.TIMELINE, arrangement.timelineShownProperty());
-        setSwitch(Command.FILM_STRIP, arrangement.filmStripShownProperty(), () -> {
+        commands.setSwitch(Command.LIVE, live);
+        commands.setSwitch(Command.HIDE_PANELS, arrangement.panelsHiddenProperty());
+        commands.setSwitch(Command.TIMELINE, arrangement.timelineShownProperty());
+        commands.setSwitch(Command.FILM_STRIP, arrangement.filmStripShownProperty(), () -> {
             var shown = arrangement.filmStripShownProperty();
             shown.set(!shown.get());
             arrangement.timelineShownProperty().set(arrangement.timelineShownProperty().get() || shown.get());
         });
-        setSwitch(Command.HIDE_GIZMOS, previewLook.gizmosHiddenProperty());
-        setSwitch(Command.GLOWING_TEXTURES, previewLook.glowingProperty());
+        commands.setSwitch(Command.HIDE_GIZMOS, previewLook.gizmosHiddenProperty());
+        commands.setSwitch(Command.GLOWING_TEXTURES, previewLook.glowingProperty());
         opened();
         workbench.go();
     }
@@ -421,29 +419,9 @@ public final class EditorModel implements AutoCloseable {
         }
     }
 
-    /** Says what a command does; a pane that asks the artist something first says so for its commands. */
-    public void setAction(Command command, Runnable action) {
-        actions.set(command, action);
-    }
-
-    /** Says that a command switches something, which is seen on its items and buttons. */
-    public void setSwitch(Command command, Property<Boolean> on) {
-        setSwitch(command, on, () -> on.setValue(!on.getValue()));
-    }
-
-    /** The same of something that is switched in another way. */
-    public void setSwitch(Command command, ObservableValue<Boolean> on, Runnable action) {
-        actions.set(command, on, action);
-    }
-
-    /** What a command switches; empty for one that does something else. */
-    public Optional<ObservableValue<Boolean>> switched(Command command) {
-        return actions.switched(command);
-    }
-
-    /** Whether anybody does the command; else it stands for a choice among values. */
-    public boolean isDone(Command command) {
-        return actions.has(command);
+    /** What the commands do, and which of them have something to do. */
+    public Commands commands() {
+        return commands;
     }
 
     /** How the window's room is shared. */
@@ -469,31 +447,6 @@ public final class EditorModel implements AutoCloseable {
     /** The keys of the commands. */
     public Keys keys() {
         return keys;
-    }
-
-    /** Does the command if it is enabled. */
-    public void run(Command command) {
-        if (enabled(command)) {
-            actions.run(command);
-        }
-    }
-
-    /** A command's key was pressed: does it, or says why there is nothing to do; to cancel nothing needs no words. */
-    public void press(Command command) {
-        if (enabled(command)) {
-            run(command);
-        } else if (command != Command.CANCEL) {
-            reason(command).ifPresent(why -> say(command.plainTitle() + ": " + why));
-        }
-    }
-
-    public boolean enabled(Command command) {
-        return command.isEnabled(situation.get());
-    }
-
-    /** Why the command is disabled; empty if it is enabled. */
-    public Optional<String> reason(Command command) {
-        return command.obstacle(situation.get());
     }
 
     /** A scene file is being read, which may take its place here; null where none is, or it is not wanted any more. */

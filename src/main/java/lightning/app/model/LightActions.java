@@ -23,24 +23,24 @@ final class LightActions {
 
     static void addTo(EditorModel model) {
         LightActions actions = new LightActions(model);
-        model.setAction(Command.GO, model::go);
+        model.commands().setAction(Command.GO, model::go);
         Workbench bench = model.workbench();
-        model.setAction(Command.UPDATE_REFLECTIONS, bench::updateReflections);
-        model.setAction(Command.VERIFY, bench::verify);
-        model.setAction(Command.CANCEL, model::cancel);
-        model.setAction(Command.UNDO, bench::undo);
-        model.setAction(Command.REDO, bench::redo);
-        model.setAction(Command.UNDO_LIGHT, () -> bench.undoLight().ifPresent(model::say));
-        model.setAction(Command.REDO_LIGHT, () -> bench.redoLight().ifPresent(model::say));
-        model.setAction(Command.ADD_LIGHT, () -> actions.add(LightType.POINT));
-        model.setAction(Command.DUPLICATE_LIGHT, actions::duplicate);
-        model.setAction(Command.DELETE_LIGHT, () -> actions.edit(LightEdits::delete));
-        model.setAction(Command.SWITCH_ON, () -> actions.edit((s, n) -> LightEdits.on(s, n, !model.selectedLight().on())));
-        model.setAction(Command.SOLO, () -> actions.edit((s, n) -> LightEdits.solo(s, n, !model.selectedLight().solo())));
-        model.setAction(Command.NEW_BANK, () -> actions.edit(BankEdits::add));
-        model.setAction(Command.DELETE_BANK, () -> actions.edit((s, n) -> BankEdits.delete(s, LightEdits.light(s, n).bank())));
-        model.setAction(Command.COPY_SETTINGS, bench::copySettings);
-        model.setAction(Command.PASTE_SETTINGS, () -> bench.pasteSettings().ifPresent(model::say));
+        model.commands().setAction(Command.UPDATE_REFLECTIONS, bench::updateReflections);
+        model.commands().setAction(Command.VERIFY, bench::verify);
+        model.commands().setAction(Command.CANCEL, model::cancel);
+        model.commands().setAction(Command.UNDO, bench::undo);
+        model.commands().setAction(Command.REDO, bench::redo);
+        model.commands().setAction(Command.UNDO_LIGHT, () -> bench.undoLight().ifPresent(model::say));
+        model.commands().setAction(Command.REDO_LIGHT, () -> bench.redoLight().ifPresent(model::say));
+        model.commands().setAction(Command.ADD_LIGHT, () -> actions.add(LightType.POINT));
+        model.commands().setAction(Command.DUPLICATE_LIGHT, actions::duplicate);
+        model.commands().setAction(Command.DELETE_LIGHT, () -> actions.edit(LightEdits::delete));
+        model.commands().setAction(Command.SWITCH_ON, () -> actions.edit((s, n) -> LightEdits.on(s, n, !model.selectedLight().on())));
+        model.commands().setAction(Command.SOLO, () -> actions.edit((s, n) -> LightEdits.solo(s, n, !model.selectedLight().solo())));
+        model.commands().setAction(Command.NEW_BANK, () -> actions.edit(BankEdits::add));
+        model.commands().setAction(Command.DELETE_BANK, () -> actions.edit((s, n) -> BankEdits.delete(s, LightEdits.light(s, n).bank())));
+        model.commands().setAction(Command.COPY_SETTINGS, bench::copySettings);
+        model.commands().setAction(Command.PASTE_SETTINGS, () -> bench.pasteSettings().ifPresent(model::say));
     }
 
     private void edit(BiFunction<Scene, String, Change> edit) {

@@ -18,7 +18,7 @@ public final class LookThrough {
 
     LookThrough(EditorModel model) {
         this.model = model;
-        model.setSwitch(Command.LOOK_THROUGH_LIGHT, on, this::toggle);
+        model.commands().setSwitch(Command.LOOK_THROUGH_LIGHT, on, this::toggle);
         model.previewCameraProperty().addListener((_, _, _) -> {
             if (!following) {
                 on.set(false);

@@ -9,10 +9,10 @@ final class NodeActions {
     private NodeActions() {}
 
     static void addTo(EditorModel model) {
-        model.setAction(Command.SHOW_SHAPE, () -> model.selectedNode()
+        model.commands().setAction(Command.SHOW_SHAPE, () -> model.selectedNode()
                 .ifPresent(n -> model.edit(scene -> NodeEdits.visible(scene, n.name(), !n.visible())).ifPresent(model::say)));
-        model.setAction(Command.DUPLICATE_SHAPE, () -> model.selectedNode().ifPresent(n -> duplicate(model, n)));
-        model.setAction(Command.DELETE_SHAPE, () -> model.selectedNode()
+        model.commands().setAction(Command.DUPLICATE_SHAPE, () -> model.selectedNode().ifPresent(n -> duplicate(model, n)));
+        model.commands().setAction(Command.DELETE_SHAPE, () -> model.selectedNode()
                 .ifPresent(n -> model.edit(scene -> NodeEdits.delete(scene, n.name())).ifPresent(model::say)));
     }
 

@@ -24,7 +24,7 @@ public final class PictureLook {
 
     PictureLook(EditorModel model) {
         this.model = model;
-        model.setSwitch(Command.ONLY_SELECTED, onlySelected);
+        model.commands().setSwitch(Command.ONLY_SELECTED, onlySelected);
         effect(Command.SHADOWS, e -> e.shows(Effect.SHADOWS), (e, on) -> e.with(Effect.SHADOWS, on));
         effect(Command.REFLECTIONS, e -> e.shows(Effect.REFLECTION), (e, on) -> e.with(Effect.REFLECTION, on));
         effect(Command.LIT_TEXTURES, ViewEffects::litTextures, ViewEffects::withLitTextures);
@@ -34,7 +34,8 @@ public final class PictureLook {
     }
 
     private void effect(Command command, Predicate<ViewEffects> shown, BiFunction<ViewEffects, Boolean, ViewEffects> with) {
-        model.setSwitch(command, effects.map(shown::test), () -> effects.set(with.apply(effects.get(), !shown.test(effects.get()))));
+        model.commands().setSwitch(command, effects.map(shown::test),
+                () -> effects.set(with.apply(effects.get(), !shown.test(effects.get()))));
     }
 
     /** Whether all of the picture is looked at. */

@@ -19,25 +19,25 @@ final class ShotActions {
 
     static void addTo(EditorModel model) {
         var actions = new ShotActions(model);
-        model.setAction(Command.NEW_SHOT, () -> {
+        model.commands().setAction(Command.NEW_SHOT, () -> {
             actions.edit(KeyEdits::begin);
             model.arrangement().timelineShownProperty().set(true);
         });
-        model.setAction(Command.DELETE_SHOT, () -> actions.edit(_ -> AnimatedScene.of(model.scene())));
-        model.setAction(Command.FIRST_FRAME, () -> model.moment().ifPresent(m -> model.showFrame(m.shot().first())));
-        model.setAction(Command.LAST_FRAME, () -> model.moment().ifPresent(m -> model.showFrame(m.shot().last())));
-        model.setAction(Command.PREVIOUS_FRAME, () -> model.moment().ifPresent(m -> model.showFrame(m.frame() - 1)));
-        model.setAction(Command.NEXT_FRAME, () -> model.moment().ifPresent(m -> model.showFrame(m.frame() + 1)));
-        model.setAction(Command.PREVIOUS_KEY, () -> model.moment().flatMap(m -> m.nearestKey(true)).ifPresent(model::showFrame));
-        model.setAction(Command.NEXT_KEY, () -> model.moment().flatMap(m -> m.nearestKey(false)).ifPresent(model::showFrame));
-        model.setAction(Command.SET_KEY, () -> model.moment().ifPresent(actions::setKeys));
-        model.setAction(Command.DELETE_KEYS, () -> {
+        model.commands().setAction(Command.DELETE_SHOT, () -> actions.edit(_ -> AnimatedScene.of(model.scene())));
+        model.commands().setAction(Command.FIRST_FRAME, () -> model.moment().ifPresent(m -> model.showFrame(m.shot().first())));
+        model.commands().setAction(Command.LAST_FRAME, () -> model.moment().ifPresent(m -> model.showFrame(m.shot().last())));
+        model.commands().setAction(Command.PREVIOUS_FRAME, () -> model.moment().ifPresent(m -> model.showFrame(m.frame() - 1)));
+        model.commands().setAction(Command.NEXT_FRAME, () -> model.moment().ifPresent(m -> model.showFrame(m.frame() + 1)));
+        model.commands().setAction(Command.PREVIOUS_KEY, () -> model.moment().flatMap(m -> m.nearestKey(true)).ifPresent(model::showFrame));
+        model.commands().setAction(Command.NEXT_KEY, () -> model.moment().flatMap(m -> m.nearestKey(false)).ifPresent(model::showFrame));
+        model.commands().setAction(Command.SET_KEY, () -> model.moment().ifPresent(actions::setKeys));
+        model.commands().setAction(Command.DELETE_KEYS, () -> {
             Scene shown = model.scene();
             actions.edit(scene -> KeyEdits.without(scene, shown, model.keyChoice().keys()));
         });
-        model.setAction(Command.LINEAR_KEYS, () -> actions.passing(Passage.LINEAR));
-        model.setAction(Command.SMOOTH_KEYS, () -> actions.passing(Passage.SMOOTH));
-        model.setAction(Command.STEPPED_KEYS, () -> actions.passing(Passage.STEPPED));
+        model.commands().setAction(Command.LINEAR_KEYS, () -> actions.passing(Passage.LINEAR));
+        model.commands().setAction(Command.SMOOTH_KEYS, () -> actions.passing(Passage.SMOOTH));
+        model.commands().setAction(Command.STEPPED_KEYS, () -> actions.passing(Passage.STEPPED));
     }
 
     private void edit(UnaryOperator<AnimatedScene> edit) {

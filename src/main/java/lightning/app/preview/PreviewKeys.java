@@ -95,7 +95,7 @@ final class PreviewKeys {
     }
 
     private boolean run(Command command) {
-        model.run(command);
+        model.commands().run(command);
         return true;
     }
 

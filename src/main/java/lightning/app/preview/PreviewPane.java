@@ -24,10 +24,10 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         setId("preview");
         getStyleClass().add("canvas-pane");
         canvas = new PreviewCanvas(model);
-        model.setAction(Command.VIEW_X, () -> look(PreviewCamera.alongX(model.scene())));
-        model.setAction(Command.VIEW_Y, () -> look(PreviewCamera.alongMinusY(model.scene())));
-        model.setAction(Command.VIEW_Z, () -> look(PreviewCamera.of(model.scene())));
-        model.setAction(Command.VIEW_ALL, canvas::frameLights);
+        model.commands().setAction(Command.VIEW_X, () -> look(PreviewCamera.alongX(model.scene())));
+        model.commands().setAction(Command.VIEW_Y, () -> look(PreviewCamera.alongMinusY(model.scene())));
+        model.commands().setAction(Command.VIEW_Z, () -> look(PreviewCamera.of(model.scene())));
+        model.commands().setAction(Command.VIEW_ALL, canvas::frameLights);
         var waiting = new Label(Texts.of("Drawing …"));
         waiting.getStyleClass().add("canvas-note");
         waiting.visibleProperty().bind(canvas.emptyProperty());

@@ -54,7 +54,7 @@ final class LightCell extends NamedCell<RigRow> {
         model.sceneProperty().subscribe(_ -> show());
         setOnMouseClicked(event -> {
             if (event.getClickCount() == 2 && getItem() instanceof RigRow.OfLight) {
-                model.run(Command.RENAME_LIGHT);
+                model.commands().run(Command.RENAME_LIGHT);
             }
         });
     }

@@ -57,7 +57,7 @@ final class LightHeader extends VBox {
                 CommandButton.icon(model, Command.PASTE_SETTINGS),
                 CommandButton.icon(model, Command.LOOK_THROUGH_LIGHT));
         getChildren().addAll(identity, refusal, commands);
-        model.setAction(Command.CHANGE_TYPE, type::show);
+        model.commands().setAction(Command.CHANGE_TYPE, type::show);
         model.situationProperty().subscribe(this::show);
     }
 
@@ -101,7 +101,7 @@ final class LightHeader extends VBox {
         button.getStyleClass().add("small");
         button.setMinWidth(Region.USE_PREF_SIZE);
         button.setOnAction(_ -> {
-            model.run(command);
+            model.commands().run(command);
             show(model.situationProperty().get());
         });
         if (command == Command.SWITCH_ON) {
@@ -116,7 +116,7 @@ final class LightHeader extends VBox {
         control.setMaxWidth(Double.MAX_VALUE);
         StackPane around = new StackPane(control);
         var obstacle = new Obstacle(around, control, hint);
-        model.situationProperty().subscribe(_ -> obstacle.set(model.reason(command)));
+        model.situationProperty().subscribe(_ -> obstacle.set(model.commands().reason(command)));
         return around;
     }
 

@@ -59,7 +59,7 @@ public final class LightListPane extends VBox {
         list.getSelectionModel().selectedIndexProperty().addListener((_, _, now) -> select(now.intValue()));
         setVgrow(list, Priority.ALWAYS);
         getChildren().addAll(tools(), list);
-        model.setAction(Command.RENAME_LIGHT, this::rename);
+        model.commands().setAction(Command.RENAME_LIGHT, this::rename);
         model.situationProperty().subscribe(this::show);
     }
 
@@ -74,7 +74,7 @@ public final class LightListPane extends VBox {
         }
         StackPane around = new StackPane(add);
         var obstacle = new Obstacle(around, add, Texts.of("Add a light at the camera's upper right"));
-        model.situationProperty().subscribe(_ -> obstacle.set(model.reason(Command.ADD_LIGHT)));
+        model.situationProperty().subscribe(_ -> obstacle.set(model.commands().reason(Command.ADD_LIGHT)));
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
         HBox tools = new HBox(around, gap,
@@ -111,7 +111,7 @@ public final class LightListPane extends VBox {
             default -> null;
         };
         if (command != null && list.getEditingIndex() < 0) {
-            model.run(command);
+            model.commands().run(command);
             event.consume();
         }
     }

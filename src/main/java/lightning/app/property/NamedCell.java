@@ -31,7 +31,7 @@ abstract class NamedCell<T> extends ListCell<T> {
     @Override
     public void startEdit() {
         Optional<String> old = renamed();
-        if (old.isEmpty() || !model.enabled(command)) {
+        if (old.isEmpty() || !model.commands().isEnabled(command)) {
             return;
         }
         super.startEdit();

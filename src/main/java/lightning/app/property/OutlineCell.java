@@ -63,7 +63,7 @@ final class OutlineCell extends NamedCell<OutlineRow> {
         model.sceneProperty().subscribe(_ -> show());
         setOnMouseClicked(event -> {
             if (event.getClickCount() == 2 && shown != null) {
-                model.run(Command.RENAME_SHAPE);
+                model.commands().run(Command.RENAME_SHAPE);
             }
         });
     }

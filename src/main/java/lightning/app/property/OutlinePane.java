@@ -62,7 +62,7 @@ final class OutlinePane extends VBox {
                 CommandButton.icon(model, Command.DUPLICATE_SHAPE), CommandButton.icon(model, Command.DELETE_SHAPE));
         tools.getStyleClass().add("lights-tools");
         getChildren().addAll(tools, list);
-        model.setAction(Command.RENAME_SHAPE, this::rename);
+        model.commands().setAction(Command.RENAME_SHAPE, this::rename);
         model.situationProperty().subscribe(this::show);
     }
 
@@ -71,7 +71,7 @@ final class OutlinePane extends VBox {
             return;
         }
         switch (event.getCode()) {
-            case F2 -> model.run(Command.RENAME_SHAPE);
+            case F2 -> model.commands().run(Command.RENAME_SHAPE);
             case LEFT -> fold(false);
             case RIGHT -> fold(true);
             default -> {

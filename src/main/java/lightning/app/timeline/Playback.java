@@ -38,7 +38,7 @@ public final class Playback {
     /** Says what Play Shot does. */
     public Playback(EditorModel model) {
         this.model = model;
-        model.setSwitch(Command.PLAY_SHOT, playing.getReadOnlyProperty(), this::toggle);
+        model.commands().setSwitch(Command.PLAY_SHOT, playing.getReadOnlyProperty(), this::toggle);
     }
 
     private void toggle() {

@@ -228,7 +228,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
         };
         boolean plain = !event.isShortcutDown() && !event.isAltDown() && !event.isShiftDown();
         if (command != null && plain) {
-            model.run(command);
+            model.commands().run(command);
             event.consume();
         } else if (plain && (event.getCode() == KeyCode.UP || event.getCode() == KeyCode.DOWN)) {
             // Nothing is selected among the lines.

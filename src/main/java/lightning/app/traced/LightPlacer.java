@@ -77,15 +77,15 @@ final class LightPlacer {
     /** Does the commands that place a light. */
     static LightPlacer of(EditorModel model) {
         var placer = new LightPlacer(model);
-        model.setAction(Command.AIM,
+        model.commands().setAction(Command.AIM,
                 () -> placer.take(Texts.of("Click where the light should shine to, or drag its pool"), new Act.Pool()));
-        model.setAction(Command.PLACE_HIGHLIGHT,
+        model.commands().setAction(Command.PLACE_HIGHLIGHT,
                 () -> placer.take(Texts.of("Click where the highlight should be, or drag it there"), new Act.Highlight()));
-        model.setAction(Command.PLACE_DIFFUSE,
+        model.commands().setAction(Command.PLACE_DIFFUSE,
                 () -> placer.take(Texts.of("Click what the light should shine straight onto, or drag"), new Act.Diffuse()));
-        model.setAction(Command.PLACE_RIM,
+        model.commands().setAction(Command.PLACE_RIM,
                 () -> placer.take(Texts.of("Click where the rim of light should begin, or drag"), new Act.Rim()));
-        model.setAction(Command.PLACE_SHADOW,
+        model.commands().setAction(Command.PLACE_SHADOW,
                 () -> placer.take(new Tool.Taking(), Texts.of("Drag a shadow or what throws it, or click what throws it")));
         return placer;
     }

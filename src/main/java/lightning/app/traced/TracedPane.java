@@ -79,15 +79,15 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
                     : PixelValues.text(model.frame().seen(), model.viewProperty().get(), report.x(), report.y())));
             card.setText(report == null ? "" : String.join("\n", report.lightLines()));
         });
-        model.setSwitch(Command.REGION, mouse.regionProperty());
-        model.setAction(Command.TRACED_FIT, picture::fit);
-        model.setAction(Command.TRACED_ONE_TO_ONE, picture::oneToOne);
-        model.setAction(Command.TRACED_ZOOM_IN, () -> picture.zoomBy(ZOOM));
-        model.setAction(Command.TRACED_ZOOM_OUT, () -> picture.zoomBy(1 / ZOOM));
-        model.setAction(Command.PICK_MATERIAL,
+        model.commands().setSwitch(Command.REGION, mouse.regionProperty());
+        model.commands().setAction(Command.TRACED_FIT, picture::fit);
+        model.commands().setAction(Command.TRACED_ONE_TO_ONE, picture::oneToOne);
+        model.commands().setAction(Command.TRACED_ZOOM_IN, () -> picture.zoomBy(ZOOM));
+        model.commands().setAction(Command.TRACED_ZOOM_OUT, () -> picture.zoomBy(1 / ZOOM));
+        model.commands().setAction(Command.PICK_MATERIAL,
                 () -> mouse.pickNext(Texts.of("Click the shape whose material to edit"), at -> model.materials().chooseOf(at.shape())));
         mirrors.setTooltip(new Tooltip(Texts.of("As in 1998, mirrors are updated on demand.\nA click here does it, and F6.")));
-        mirrors.setOnMouseClicked(_ -> model.run(Command.UPDATE_REFLECTIONS));
+        mirrors.setOnMouseClicked(_ -> model.commands().run(Command.UPDATE_REFLECTIONS));
         var badges = new VBox(pending, mirrors);
         badges.getStyleClass().add("badges");
         badges.setPickOnBounds(false);
@@ -121,7 +121,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         Node clipping = new ClippingLegend(model);
         StackPane.setAlignment(clipping, Pos.BOTTOM_RIGHT);
         StackPane.setMargin(clipping, BADGES);
-        model.setSwitch(Command.MARK_CLIPPING, model.viewProperty().map(ViewTransform::marked),
+        model.commands().setSwitch(Command.MARK_CLIPPING, model.viewProperty().map(ViewTransform::marked),
                 () -> model.viewProperty().set(model.viewProperty().get().withMarked(!model.viewProperty().get().marked())));
         var stage = new StackPane(waiting, picture, mouse.overlay(), badges, look, card, legend, clipping, progress, prompt);
         stage.getStyleClass().add("canvas");

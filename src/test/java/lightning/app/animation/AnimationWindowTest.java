@@ -77,8 +77,8 @@ class AnimationWindowTest {
     @Test
     void opening_disablesWhatWouldEditTheDocument() {
         assertThat(model.isAnimating()).isTrue();
-        assertThat(model.enabled(Command.MAKE_ANIMATION)).isFalse();
-        assertThat(model.enabled(Command.DELETE_LIGHT)).isFalse();
+        assertThat(model.commands().isEnabled(Command.MAKE_ANIMATION)).isFalse();
+        assertThat(model.commands().isEnabled(Command.DELETE_LIGHT)).isFalse();
     }
 
     @Test
@@ -141,7 +141,7 @@ class AnimationWindowTest {
         robot.clickOn("#close-animation");
         assertThat(model.isAnimating()).isFalse();
         assertThat(model.scene()).isEqualTo(before);
-        assertThat(model.enabled(Command.UNDO)).isFalse();
+        assertThat(model.commands().isEnabled(Command.UNDO)).isFalse();
         OpenEditor.await(() -> model.frame().scene().equals(before));
     }
 

@@ -24,7 +24,7 @@ class ContributionPaneTest extends EditorDesk {
     /** Opens the report over a scene with one light more, which shines on the ground from below where nobody is. */
     private Scene openWith(Light more) {
         robot.interact(() -> model().edit(s -> LightEdits.add(s, more)));
-        robot.interact(() -> model().run(Command.GO));
+        robot.interact(() -> model().commands().run(Command.GO));
         waitForPicture();
         robot.push(KeyCode.CONTROL, KeyCode.F9);
         waitFor("all lights are asked", () -> text("contribution-summary").contains("displayed pixel")
@@ -49,7 +49,7 @@ class ContributionPaneTest extends EditorDesk {
         assertFilmIs(new ReferenceTracer(model().scene()).trace());
         assertFilmIs(old);
         waitFor("it is told anew", () -> text("contribution-summary").startsWith("Every light"));
-        robot.interact(() -> model().run(Command.UNDO));
+        robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(model().scene()).isEqualTo(before);
     }
 

@@ -29,7 +29,7 @@ class CuePaneTest extends EditorDesk {
     }
 
     private void go() {
-        robot.interact(() -> model().run(Command.GO));
+        robot.interact(() -> model().commands().run(Command.GO));
         waitForPicture();
     }
 
@@ -94,7 +94,7 @@ class CuePaneTest extends EditorDesk {
         robot.interact(() -> slider.setValue(100));
         robot.drag("#cue-blend .thumb").moveBy(-60, 0).moveBy(-60, 0).drop();
         assertThat(model().scene()).isNotEqualTo(night);
-        robot.interact(() -> model().run(Command.UNDO));
+        robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(model().scene()).isEqualTo(night);
     }
 
@@ -131,20 +131,20 @@ class CuePaneTest extends EditorDesk {
     void lightRig_isSavedAndLoadedAndAdded() throws Exception {
         Scene before = model().scene();
         answer = folder.resolve("three.jen");
-        robot.interact(() -> model().run(Command.SAVE_RIG));
+        robot.interact(() -> model().commands().run(Command.SAVE_RIG));
         waitFor("it is written", () -> Files.exists(answer));
         assertThat(Files.readString(answer)).contains("light lamp point").doesNotContain("sphere");
         robot.interact(() -> model().edit(s -> LightEdits.delete(s, "lamp")));
-        robot.interact(() -> model().run(Command.LOAD_RIG));
+        robot.interact(() -> model().commands().run(Command.LOAD_RIG));
         waitFor("it is loaded", () -> model().lights().size() == 3);
         assertThat(model().scene()).isEqualTo(before);
-        robot.interact(() -> model().run(Command.ADD_RIG));
+        robot.interact(() -> model().commands().run(Command.ADD_RIG));
         waitFor("it is added", () -> model().lights().size() == 6);
         go();
-        robot.interact(() -> model().run(Command.UNDO));
+        robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(model().scene()).isEqualTo(before);
         answer = model().document().file();
-        robot.interact(() -> model().run(Command.SAVE_RIG));
+        robot.interact(() -> model().commands().run(Command.SAVE_RIG));
         assertThat(model().messageProperty().get()).contains("is the open scene");
     }
 }

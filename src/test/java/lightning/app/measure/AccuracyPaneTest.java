@@ -63,7 +63,7 @@ class AccuracyPaneTest extends EditorDesk {
         assertThat(text("accuracy-edit")).isEqualTo("lamp: weight · 64 × 48 pixels");
         Rung exact = rung(Grade.EXACT);
         assertThat(exact.film().sameBits(new ReferenceTracer(model().scene(), before).trace())).isTrue();
-        assertThat(model().enabled(Command.GO)).as("the document and its picture stay").isTrue();
+        assertThat(model().commands().isEnabled(Command.GO)).as("the document and its picture stay").isTrue();
     }
 
     @Test

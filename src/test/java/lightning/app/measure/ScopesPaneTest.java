@@ -30,7 +30,7 @@ class ScopesPaneTest extends EditorDesk {
 
     @Test
     void scopes_followThePictureAndItsExposure() {
-        robot.interact(() -> model().run(Command.SCOPES));
+        robot.interact(() -> model().commands().run(Command.SCOPES));
         waitFor("they are counted", () -> Arrays.equals(pixels("waveform"), expected().waveformPixels()));
         assertThat(pixels("histogram")).isEqualTo(expected().histogramPixels(160));
         int[] before = pixels("histogram");

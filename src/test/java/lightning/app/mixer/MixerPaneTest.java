@@ -257,7 +257,7 @@ class MixerPaneTest extends EditorDesk {
                 .release(MouseButton.PRIMARY);
         assertThat(model().lights().stream().map(Light::name)).containsExactly("stage", "lamp", "sun");
         assertThat(strips()).containsExactly("stage", "lamp", "sun");
-        assertThat(model().reason(Command.UNDO)).isEmpty();
+        assertThat(model().commands().reason(Command.UNDO)).isEmpty();
         assertThat(model().situationProperty().get().undo()).hasValue("order of lights");
         String text = model().document().text(model().document().content());
         assertThat(text.indexOf("light stage")).isLessThan(text.indexOf("light lamp"));

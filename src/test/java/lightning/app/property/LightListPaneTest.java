@@ -101,7 +101,7 @@ class LightListPaneTest {
     @Test
     void deletedLight_comesBackSelectedByUndo(FxRobot robot) {
         robot.clickOn("fill").clickOn("#delete-light");
-        robot.interact(() -> model.run(Command.UNDO));
+        robot.interact(() -> model.commands().run(Command.UNDO));
         assertThat(names(robot)).containsExactly("key", "fill", "sun");
         assertThat(selected(robot)).isEqualTo("fill");
     }
@@ -175,18 +175,18 @@ class LightListPaneTest {
     @Test
     void bank_isListedWithItsLightsBehindThoseInNone(FxRobot robot) {
         robot.clickOn("key");
-        robot.interact(() -> model.run(Command.NEW_BANK));
+        robot.interact(() -> model.commands().run(Command.NEW_BANK));
         assertThat(names(robot)).containsExactly("fill", "sun", "bank", "key");
         assertThat(selected(robot)).isEqualTo("key");
-        robot.interact(() -> model.run(Command.DELETE_BANK));
+        robot.interact(() -> model.commands().run(Command.DELETE_BANK));
         assertThat(names(robot)).containsExactly("key", "fill", "sun");
-        robot.interact(() -> model.run(Command.UNDO));
+        robot.interact(() -> model.commands().run(Command.UNDO));
         assertThat(names(robot)).containsExactly("fill", "sun", "bank", "key");
     }
 
     @Test
     void foldedBank_hidesItsLights(FxRobot robot) {
-        robot.interact(() -> model.run(Command.NEW_BANK));
+        robot.interact(() -> model.commands().run(Command.NEW_BANK));
         robot.clickOn(".bank-row .fold");
         assertThat(names(robot)).containsExactly("fill", "sun", "bank");
         robot.clickOn(".bank-row .fold");
@@ -195,7 +195,7 @@ class LightListPaneTest {
 
     @Test
     void switchesOfABank_areThoseOfAllItsLights(FxRobot robot) {
-        robot.interact(() -> model.run(Command.NEW_BANK));
+        robot.interact(() -> model.commands().run(Command.NEW_BANK));
         robot.clickOn(toggle(robot, "bank on"));
         assertThat(model.scene().rig().bank("bank").orElseThrow().on()).isFalse();
         assertThat(model.scene().shines(OpenEditor.light(model, "key"))).isFalse();
@@ -205,7 +205,7 @@ class LightListPaneTest {
 
     @Test
     void lightDroppedOnABank_joinsIt(FxRobot robot) {
-        robot.interact(() -> model.run(Command.NEW_BANK));
+        robot.interact(() -> model.commands().run(Command.NEW_BANK));
         robot.interact(() -> BankDrop.drop("sun", "bank", model));
         assertThat(names(robot)).containsExactly("fill", "bank", "key", "sun");
         robot.interact(() -> BankDrop.drop("key", "", model));
@@ -214,7 +214,7 @@ class LightListPaneTest {
 
     @Test
     void keysOnABank_renameSwitchAndDeleteIt(FxRobot robot) {
-        robot.interact(() -> model.run(Command.NEW_BANK));
+        robot.interact(() -> model.commands().run(Command.NEW_BANK));
         robot.clickOn("bank").push(KeyCode.F2).write("left").push(KeyCode.ENTER);
         assertThat(OpenEditor.light(model, "key").bank()).isEqualTo("left");
         robot.push(KeyCode.SPACE);

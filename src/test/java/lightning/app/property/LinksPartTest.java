@@ -43,7 +43,7 @@ class LinksPartTest extends EditorDesk {
         assertThat(model().selectedLight().illuminates()).isEqualTo(Links.except(shape));
         assertThat(model().selectedLight().shadowedBy()).isEqualTo(Links.ALL);
         assertThat(menu("illuminates").getText()).isEqualTo("all but '" + shape + "'");
-        robot.interact(() -> model().run(Command.UNDO));
+        robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(menu("illuminates").getText()).isEqualTo("all");
     }
 

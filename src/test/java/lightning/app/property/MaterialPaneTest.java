@@ -170,7 +170,7 @@ class MaterialPaneTest extends EditorDesk {
     @Test
     void pickedShape_showsItsMaterialUntilALightIsSelected() {
         robot.interact(() -> model().materials().choose("mirror"));
-        robot.interact(() -> model().run(Command.PICK_MATERIAL));
+        robot.interact(() -> model().commands().run(Command.PICK_MATERIAL));
         assertThat(text("prompt")).startsWith("Click the shape whose material to edit");
         robot.clickOn("#traced-picture");
         waitFor("the material is in front", () -> tab().equals("material-tab"));

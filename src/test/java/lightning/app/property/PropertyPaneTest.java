@@ -101,7 +101,7 @@ class PropertyPaneTest {
         assertThat(fields).hasSizeGreaterThan(10).allMatch(f -> f.getText().isEmpty());
         assertThat(robot.lookup("#light-type").queryAs(ComboBox.class).getValue()).isNull();
         assertThat(robot.lookup(".ikonli-font-icon").<Node>queryAll()).isNotEmpty().allMatch(Node::isDisabled);
-        robot.interact(() -> model.run(Command.UNDO));
+        robot.interact(() -> model.commands().run(Command.UNDO));
         assertThat(field(robot, "intensity").getText()).isEqualTo("0.3");
     }
 
@@ -139,9 +139,9 @@ class PropertyPaneTest {
         Scene before = model.scene();
         robot.drag("#intensity .arrow-pad").moveBy(0, -4).moveBy(0, -4).release(MouseButton.PRIMARY);
         assertThat(OpenEditor.light(model, OpenEditor.SPOT).intensity()).isEqualTo(1.2);
-        robot.interact(() -> model.run(Command.UNDO));
+        robot.interact(() -> model.commands().run(Command.UNDO));
         assertThat(model.scene()).isEqualTo(before);
-        assertThat(model.enabled(Command.UNDO)).isFalse();
+        assertThat(model.commands().isEnabled(Command.UNDO)).isFalse();
     }
 
     @Test
@@ -150,7 +150,7 @@ class PropertyPaneTest {
         type(robot, "angle", "200");
         assertThat(Refusals.shown(robot)).containsExactly("angle must be from 0 to 180, was 200");
         assertThat(model.scene()).isEqualTo(before);
-        assertThat(model.enabled(Command.UNDO)).isFalse();
+        assertThat(model.commands().isEnabled(Command.UNDO)).isFalse();
     }
 
     @Test
@@ -195,7 +195,7 @@ class PropertyPaneTest {
     @Test
     void undo_isShown(FxRobot robot) {
         type(robot, "intensity", "4");
-        robot.interact(() -> model.run(Command.UNDO));
+        robot.interact(() -> model.commands().run(Command.UNDO));
         assertThat(field(robot, "intensity").getText()).isEqualTo("1");
     }
 

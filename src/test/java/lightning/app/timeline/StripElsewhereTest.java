@@ -57,7 +57,7 @@ class StripElsewhereTest extends EditorDesk {
         OpenDocument opened = OpenDocument.open(file);
         robot.interact(() -> model().open(opened));
         waitForPicture();
-        robot.interact(() -> model().run(Command.FILM_STRIP));
+        robot.interact(() -> model().commands().run(Command.FILM_STRIP));
     }
 
     @AfterEach

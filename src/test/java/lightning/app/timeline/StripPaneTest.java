@@ -28,7 +28,7 @@ class StripPaneTest extends EditorDesk {
         OpenDocument opened = OpenDocument.open(file);
         robot.interact(() -> model().open(opened));
         waitForPicture();
-        robot.interact(() -> model().run(Command.FILM_STRIP));
+        robot.interact(() -> model().commands().run(Command.FILM_STRIP));
     }
 
     private void keep() {
@@ -76,7 +76,7 @@ class StripPaneTest extends EditorDesk {
         assertThat(robot.lookup("#strip-1").tryQuery()).isEmpty();
         keep();
         assertThat(robot.lookup("#strip-cost").query().getParent().isVisible()).isFalse();
-        robot.interact(() -> model().run(Command.FILM_STRIP));
+        robot.interact(() -> model().commands().run(Command.FILM_STRIP));
         assertThat(robot.lookup("#strip").tryQuery()).isEmpty();
     }
 

@@ -103,7 +103,7 @@ class TimelinePaneTest extends EditorDesk {
         assertThat(isShown("key-lamp-intensity-13")).isTrue();
         assertThat(model().document().history().undoLabel()).contains("lamp: intensity at frame 13");
         assertGoShowsTheScene();
-        robot.interact(() -> model().run(Command.SAVE_SCENE));
+        robot.interact(() -> model().commands().run(Command.SAVE_SCENE));
         waitFor("it is saved", () -> !model().document().isDirty());
         assertThat(JenReader.read(folder.resolve("desk.jen")).content()).isEqualTo(model().document().content());
         press(KeyCode.CONTROL, KeyCode.Z);
@@ -128,7 +128,7 @@ class TimelinePaneTest extends EditorDesk {
         robot.drag(from, MouseButton.PRIMARY).moveTo(from.subtract(3 * step, 0)).moveTo(from.subtract(5 * step, 0)).drop();
         assertThat(keys()).containsExactly(key(1, Passage.LINEAR, 0.5), key(20, Passage.SMOOTH, 2.5));
         assertThat(model().keyChoice().keys()).hasSize(1);
-        robot.interact(() -> model().run(Command.UNDO));
+        robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(keys()).containsExactly(key(1, Passage.LINEAR, 0.5), key(25, Passage.SMOOTH, 2.5));
     }
 
@@ -182,7 +182,7 @@ class TimelinePaneTest extends EditorDesk {
         click("play-shot");
         waitFor("frames are shown", () -> frame() > 3);
         dial(3);
-        waitFor("it stops", () -> !model().switched(Command.PLAY_SHOT).orElseThrow().getValue());
+        waitFor("it stops", () -> !model().commands().switched(Command.PLAY_SHOT).orElseThrow().getValue());
         int stopped = frame();
         assertThat(keys()).anySatisfy(k -> assertThat(k.setting()).isEqualTo(new Setting.Numbers(List.of(3.0))));
         assertGoShowsTheScene();
@@ -218,14 +218,14 @@ class TimelinePaneTest extends EditorDesk {
     @Test
     void deletedShot_leavesTheSceneAsTheFrameShowsIt() {
         robot.clickOn(onRuler(13));
-        robot.interact(() -> model().run(Command.DELETE_SHOT));
+        robot.interact(() -> model().commands().run(Command.DELETE_SHOT));
         assertThat(model().moment()).isEmpty();
         assertThat(light("lamp").intensity()).isEqualTo(1.5);
         assertThat(isShown("new-shot")).isTrue();
-        robot.interact(() -> model().run(Command.UNDO));
+        robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(keys()).hasSize(2);
-        robot.interact(() -> model().run(Command.REDO));
-        robot.interact(() -> model().run(Command.NEW_SHOT));
+        robot.interact(() -> model().commands().run(Command.REDO));
+        robot.interact(() -> model().commands().run(Command.NEW_SHOT));
         assertThat(frame()).isEqualTo(1);
     }
 
@@ -234,7 +234,7 @@ class TimelinePaneTest extends EditorDesk {
         robot.interact(() -> model().selectLight("lamp"));
         dial(0.25);
         robot.interact(() -> model().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 0.9)));
-        robot.interact(() -> model().run(Command.UNDO_LIGHT));
+        robot.interact(() -> model().commands().run(Command.UNDO_LIGHT));
         assertThat(keys()).containsExactly(key(1, Passage.LINEAR, 0.5), key(25, Passage.SMOOTH, 2.5));
         assertThat(light("sun").intensity()).isEqualTo(0.9);
     }

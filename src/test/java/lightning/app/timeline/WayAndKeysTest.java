@@ -43,7 +43,7 @@ class WayAndKeysTest extends EditorDesk {
         });
         waitForPicture();
         List<Key> before = keys("at");
-        robot.interact(() -> model().run(Command.KEYS_TO_WAY));
+        robot.interact(() -> model().commands().run(Command.KEYS_TO_WAY));
         assertThat(model().isAnimating()).isTrue();
         robot.interact(() -> robot.lookup("#scrub").<Slider>query().setValue(15));
         assertThat(light("stage").position()).isEqualTo(new Vec3(1, 2.5, 0));
@@ -53,7 +53,7 @@ class WayAndKeysTest extends EditorDesk {
         Stream.of("at", "direction").forEach(a -> assertThat(keys(a).stream().map(Key::frame)).containsExactly(5, 15, 25));
         assertThat(keys("at").stream().map(Key::setting).toList()).isEqualTo(before.stream().map(Key::setting).toList());
         assertThat(model().moment().orElseThrow().shot().last()).isEqualTo(25);
-        robot.interact(() -> model().run(Command.UNDO));
+        robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(keys("at")).isEqualTo(before);
     }
 }

@@ -91,7 +91,7 @@ class BadgesTest {
                 model.workbench().cancel();
             }
         }));
-        robot.interact(() -> model.run(Command.GO));
+        robot.interact(() -> model.commands().run(Command.GO));
         OpenEditor.await(() -> !model.frame().finished() && model.situationProperty().get().inWork().isEmpty());
         robot.interact(() -> time.pass(Duration.millis(100)));
         assertThat(isShown(robot, "pending")).isTrue();

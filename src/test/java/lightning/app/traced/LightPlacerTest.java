@@ -59,14 +59,14 @@ class LightPlacerTest extends EditorDesk {
     private void take(String light, Command tool) {
         robot.interact(() -> {
             model().selectLight(light);
-            model().run(tool);
+            model().commands().run(tool);
         });
     }
 
     private void undoesTo(Scene before) {
-        robot.interact(() -> model().run(Command.UNDO));
+        robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(model().scene()).isEqualTo(before);
-        assertThat(model().enabled(Command.UNDO)).isFalse();
+        assertThat(model().commands().isEnabled(Command.UNDO)).isFalse();
     }
 
     /** The robot's mouse does not know which keys are down. */
@@ -109,8 +109,8 @@ class LightPlacerTest extends EditorDesk {
         take("lamp", Command.PLACE_HIGHLIGHT);
         robot.moveTo(pixel(BALL_X, BALL_Y)).press(MouseButton.PRIMARY).moveTo(pixel(35, 20));
         waitForPicture();
-        robot.interact(() -> model().run(Command.UPDATE_REFLECTIONS));
-        waitFor("the mirrors are current", () -> !model().enabled(Command.UPDATE_REFLECTIONS)
+        robot.interact(() -> model().commands().run(Command.UPDATE_REFLECTIONS));
+        waitFor("the mirrors are current", () -> !model().commands().isEnabled(Command.UPDATE_REFLECTIONS)
                 && model().situationProperty().get().inWork().isEmpty());
         assertCanvasShows(new ReferenceTracer(model().scene()).trace());
         robot.release(MouseButton.PRIMARY);
@@ -126,7 +126,7 @@ class LightPlacerTest extends EditorDesk {
         assertThat(model().scene()).isEqualTo(before);
         robot.moveTo(pixel(28, 22)).release(MouseButton.PRIMARY);
         assertThat(model().scene()).isEqualTo(before);
-        assertThat(model().enabled(Command.UNDO)).isFalse();
+        assertThat(model().commands().isEnabled(Command.UNDO)).isFalse();
         assertThat(isShown("prompt")).isFalse();
     }
 
@@ -138,7 +138,7 @@ class LightPlacerTest extends EditorDesk {
         assertThat(model().scene()).isNotEqualTo(before);
         robot.push(KeyCode.ESCAPE).moveBy(10, 0).release(MouseButton.SECONDARY);
         assertThat(model().scene()).isEqualTo(before);
-        assertThat(model().enabled(Command.UNDO)).isFalse();
+        assertThat(model().commands().isEnabled(Command.UNDO)).isFalse();
     }
 
     @Test
@@ -205,7 +205,7 @@ class LightPlacerTest extends EditorDesk {
         Vec3 now = light("lamp").position().minus(point);
         assertThat(now.length() / way.length()).isCloseTo(1.5, within(0.05));
         assertThat(now.normalized().dot(way.normalized())).isGreaterThan(0.999);
-        robot.interact(() -> model().run(Command.UNDO));
+        robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(model().scene()).isEqualTo(placed);
     }
 

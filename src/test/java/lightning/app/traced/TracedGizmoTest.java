@@ -42,7 +42,7 @@ class TracedGizmoTest extends EditorDesk {
         click("go");
         waitForPicture();
         assertCanvasShows(new ReferenceTracer(model().scene()).trace());
-        robot.interact(() -> model().run(Command.UNDO));
+        robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(model().scene()).isEqualTo(before);
     }
 
@@ -57,7 +57,7 @@ class TracedGizmoTest extends EditorDesk {
 
     @Test
     void whereGizmosAreHidden_aDragTakesNothing() {
-        robot.interact(() -> model().run(Command.HIDE_GIZMOS));
+        robot.interact(() -> model().commands().run(Command.HIDE_GIZMOS));
         Scene before = model().scene();
         drag(light("lamp").position(), MouseButton.SECONDARY, 30, 0);
         assertThat(model().scene()).isEqualTo(before);
@@ -78,6 +78,6 @@ class TracedGizmoTest extends EditorDesk {
         assertThat(model().scene()).isNotEqualTo(before);
         robot.push(KeyCode.ESCAPE).moveBy(10, 0).release(MouseButton.PRIMARY);
         assertThat(model().scene()).isEqualTo(before);
-        assertThat(model().enabled(Command.UNDO)).isFalse();
+        assertThat(model().commands().isEnabled(Command.UNDO)).isFalse();
     }
 }

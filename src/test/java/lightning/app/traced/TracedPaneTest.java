@@ -91,10 +91,10 @@ class TracedPaneTest extends EditorDesk {
     void aim_turnsTheSelectedLightToThePickedPoint() {
         robot.interact(() -> {
             model().selectLight("stage");
-            model().run(Command.AIM);
+            model().commands().run(Command.AIM);
         });
         robot.clickOn(pixel(32, 24));
-        waitFor("it is aimed", () -> model().enabled(Command.UNDO));
+        waitFor("it is aimed", () -> model().commands().isEnabled(Command.UNDO));
         Vec3 way = light("stage").direction().normalized();
         Vec3 toBall = new Vec3(0, 1, 0).minus(light("stage").position()).normalized();
         assertThat(way.dot(toBall)).isGreaterThan(0.85);
@@ -104,11 +104,11 @@ class TracedPaneTest extends EditorDesk {
     void placedHighlight_shinesThereMost() {
         robot.interact(() -> {
             model().selectLight("lamp");
-            model().run(Command.PLACE_HIGHLIGHT);
+            model().commands().run(Command.PLACE_HIGHLIGHT);
         });
         assertThat(text("prompt")).startsWith("Click where the highlight should be");
         robot.clickOn(pixel(28, 22));
-        waitFor("it is placed", () -> model().enabled(Command.UNDO));
+        waitFor("it is placed", () -> model().commands().isEnabled(Command.UNDO));
         var placed = new PixelExplainer(model().scene()).pixel(28, 22).lights().getFirst();
         assertThat(placed.light().name()).isEqualTo("lamp");
         assertThat(placed.specular()).isGreaterThan(0.99f);
@@ -118,12 +118,12 @@ class TracedPaneTest extends EditorDesk {
     void placedShadow_fallsThere() {
         robot.interact(() -> {
             model().selectLight("lamp");
-            model().run(Command.PLACE_SHADOW);
+            model().commands().run(Command.PLACE_SHADOW);
         });
         robot.clickOn(pixel(32, 22));
         waitFor("it asks for the second place", () -> text("prompt").startsWith("Click where the shadow should fall"));
         robot.clickOn(pixel(46, 36));
-        waitFor("it is placed", () -> model().enabled(Command.UNDO));
+        waitFor("it is placed", () -> model().commands().isEnabled(Command.UNDO));
         var placed = new PixelExplainer(model().scene()).pixel(46, 36).lights().getFirst();
         assertThat(placed.state()).isEqualTo(LightReport.State.SHADOWED);
     }
@@ -147,7 +147,7 @@ class TracedPaneTest extends EditorDesk {
         Vec3 before = light("stage").direction();
         robot.interact(() -> {
             model().selectLight("stage");
-            model().run(Command.AIM);
+            model().commands().run(Command.AIM);
         });
         robot.clickOn(pixel(32, 24), MouseButton.SECONDARY);
         assertThat(isShown("prompt")).isFalse();
@@ -157,7 +157,7 @@ class TracedPaneTest extends EditorDesk {
 
     @Test
     void whatIsAskedFor_standsOverThePictureUntilEscape() {
-        robot.interact(() -> model().run(Command.PLACE_HIGHLIGHT));
+        robot.interact(() -> model().commands().run(Command.PLACE_HIGHLIGHT));
         Bounds asked = robot.lookup("#prompt").query().localToScreen(robot.lookup("#prompt").query().getBoundsInLocal());
         Bounds canvas = robot.lookup("#traced-picture").query().localToScreen(robot.lookup("#traced-picture").query().getBoundsInLocal());
         assertThat(canvas.contains(asked)).isTrue();
