@@ -110,14 +110,23 @@ final class EditorFrame extends BorderPane {
         setBottom(status);
     }
 
-    /** Shows the timeline below the pictures while it is wanted and the panels are not hidden; it is made when it first is. */
-    void addTimeline(Arrangement arrangement, Supplier<Node> made) {
+    /**
+     * Shows the timeline below the pictures while it is wanted and the panels are not hidden; it is made when it first is.
+     *
+     * @return makes it before
+     */
+    Runnable addTimeline(Arrangement arrangement, Supplier<Node> made) {
+        Runnable make = () -> {
+            if (timeline == null) {
+                timeline = made.get();
+                SplitPane.setResizableWithParent(timeline, false);
+            }
+        };
         var wanted = arrangement.timelineShownProperty().and(arrangement.panelsHiddenProperty().not());
         timelineWanted = wanted;
         wanted.subscribe(on -> {
-            if (on && timeline == null) {
-                timeline = made.get();
-                SplitPane.setResizableWithParent(timeline, false);
+            if (on) {
+                make.run();
             }
             if (on && work.getItems().size() == 1) {
                 // A pane that comes while its neighbours' room is about to change gets the least that it can do with.
@@ -134,6 +143,7 @@ final class EditorFrame extends BorderPane {
                 work.getItems().remove(timeline);
             }
         });
+        return make;
     }
 
     private void firstTimeline() {

@@ -3,6 +3,7 @@ package lightning.app;
 import java.io.File;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -33,6 +34,7 @@ import lightning.text.Texts;
 
 /** Everything inside the editor's frame: traced picture, preview, and beside them the lights and their properties. */
 public final class EditorWindow implements AutoCloseable {
+    private final Runnable makeTimeline;
     private final EditorFrame frame;
     private final PreviewPane preview;
     private final FileActions files;
@@ -64,7 +66,7 @@ public final class EditorWindow implements AutoCloseable {
         side = new SidePane(model);
         frame.fill(bars, preview, new ListTabs(model), side, new StatusLine(model));
         frame.follow(model.arrangement());
-        frame.addTimeline(model.arrangement(), () -> {
+        makeTimeline = frame.addTimeline(model.arrangement(), () -> {
             timeline = new TimelinePane(model, playback);
             return timeline;
         });
@@ -125,7 +127,7 @@ public final class EditorWindow implements AutoCloseable {
 
     /** What can be made before somebody asks for it, a step after the other. */
     Stream<Runnable> ahead() {
-        return Stream.concat(side.ahead(), panels.ahead());
+        return Stream.of(side.ahead(), panels.ahead(), Stream.of(makeTimeline)).flatMap(Function.identity());
     }
 
     /** Opens the first scene among files; returns whether there is one. */

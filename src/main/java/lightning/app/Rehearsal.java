@@ -6,9 +6,11 @@ import java.util.List;
 import java.util.stream.Stream;
 import javafx.animation.PauseTransition;
 import javafx.application.Platform;
+import javafx.scene.control.Menu;
 import javafx.scene.control.MenuBar;
 import javafx.stage.Window;
 import javafx.util.Duration;
+import lightning.app.animation.AnimationWindow;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.Looks;
 import lightning.edit.Command;
@@ -50,15 +52,22 @@ public final class Rehearsal extends LightningApp {
         Stream.of(Command.MIXER, Command.CONTRIBUTIONS, Command.CUES, Command.SCOPES, Command.EFFECTS_PANEL, Command.ACCURACY_PANEL,
                 Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.KEYS, Command.PALETTE, Command.ABOUT, Command.TIMELINE)
                 .forEach(command -> steps.add(() -> model.commands().run(command)));
+        steps.add(() -> model.commands().run(Command.MAKE_ANIMATION));
+        // An open animation holds back the commands that change the document.
+        steps.add(() -> List.copyOf(Window.getWindows()).stream().filter(AnimationWindow.class::isInstance).forEach(Window::hide));
+        steps.add(() -> model.commands().run(Command.NEW_SHOT));
         steps.add(() -> model.materials().inFrontProperty().set(true));
         steps.add(() -> model.scene().placedShapes().stream().findFirst().ifPresent(s -> model.selectNode(s.shape().name())));
-        steps.add(Rehearsal::openMenu);
+        menus().forEach(menu -> {
+            steps.add(menu::show);
+            steps.add(menu::hide);
+        });
         steps.add(Looks.LIGHT::wear);
         return steps;
     }
 
-    private static void openMenu() {
-        Window.getWindows().stream().map(w -> w.getScene().lookup(".menu-bar")).filter(MenuBar.class::isInstance).findFirst()
-                .ifPresent(bar -> ((MenuBar) bar).getMenus().getFirst().show());
+    private static List<Menu> menus() {
+        return Window.getWindows().stream().map(w -> w.getScene().lookup(".menu-bar")).filter(MenuBar.class::isInstance).findFirst()
+                .map(bar -> List.copyOf(((MenuBar) bar).getMenus())).orElse(List.of());
     }
 }

@@ -51,7 +51,7 @@ public final class AnimationWindow extends Stage {
         setTitle(Texts.of("Animation of {0}", motion.light()));
         String name = model.document().name().replaceFirst("\\.[^.]*$", "") + "-" + motion.light();
         AnimationPane pane = new AnimationPane(motion, name, ask, this::close, CommandButton.titled(model, Command.WAY_TO_KEYS));
-        Scene content = new Scene(pane);
+        Scene content = Looks.scene(pane);
         content.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {
                 close();
@@ -59,7 +59,6 @@ public final class AnimationWindow extends Stage {
             }
         });
         CommandKeys.take(content, model);
-        Looks.dress(content);
         setScene(content);
         setResizable(false);
         AnimationTimer timer = new AnimationTimer() {

@@ -84,7 +84,15 @@ public enum Looks {
 
     /** A scene that wears the theme, put on before it has content, which is quickest. Sizes in pixels. */
     public static Scene scene(Parent content, double width, double height) {
-        var scene = new Scene(new Group(), width, height);
+        return filled(new Scene(new Group(), width, height), content);
+    }
+
+    /** The same, as large as its content wants to be. */
+    public static Scene scene(Parent content) {
+        return filled(new Scene(new Group()), content);
+    }
+
+    private static Scene filled(Scene scene, Parent content) {
         dress(scene);
         scene.setRoot(content);
         return scene;
