@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.control.ComboBox;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
@@ -36,7 +37,8 @@ final class BankSection extends VBox {
     private final ColorSliders gel;
     private boolean showing;
 
-    BankSection(EditorModel model) {
+    /** @param seen as in {@link PropertyPane} */
+    BankSection(EditorModel model, ObservableValue<Situation> seen) {
         this.model = model;
         getStyleClass().add("section-content");
         bank.setId("light-bank");
@@ -67,7 +69,7 @@ final class BankSection extends VBox {
         gel = ColorSliders.ofSurface("gel", Texts.of("A factor of the colours of all its lights"), 1, new Gel());
         gel.setId("gel");
         getChildren().addAll(around, master, Sections.caption(Texts.of("Gel")), gel);
-        model.situationProperty().subscribe(this::show);
+        seen.subscribe(this::show);
     }
 
     private void show(Situation now) {

@@ -1,6 +1,7 @@
 package lightning.app.property;
 
 import java.util.Optional;
+import javafx.beans.value.ObservableValue;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.ArrowWidget;
 import lightning.app.widget.Gauge;
@@ -13,11 +14,11 @@ import lightning.text.Measure;
 /** A dial of the selected light, or of the scene. */
 record DialGauge(EditorModel model, Dial dial) implements Gauge {
 
-    /** The arrow widget of a dial, which follows the model. */
-    static ArrowWidget widget(EditorModel model, Dial dial) {
+    /** @param seen as in {@link PropertyPane} */
+    static ArrowWidget widget(EditorModel model, Dial dial, ObservableValue<Situation> seen) {
         ArrowWidget widget = new ArrowWidget(Sections.title(dial.label()), dial.title(), new DialGauge(model, dial));
         widget.setId(dial.isOfScene() ? dial.title().replace(' ', '-') : dial.label());
-        model.situationProperty().subscribe(now -> show(now, dial, widget));
+        seen.subscribe(now -> show(now, dial, widget));
         return widget;
     }
 

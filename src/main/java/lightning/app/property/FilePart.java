@@ -2,6 +2,7 @@ package lightning.app.property;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.control.MenuButton;
 import javafx.scene.layout.StackPane;
 import lightning.app.model.EditorModel;
@@ -91,7 +92,7 @@ final class FilePart<F extends FromFile> extends StackPane {
         }
     }
 
-    private FilePart(EditorModel model, Owner<F> owner, Command command, FileKind kind, String help) {
+    private FilePart(EditorModel model, Owner<F> owner, Command command, FileKind kind, String help, ObservableValue<Situation> seen) {
         this.model = model;
         this.owner = owner;
         choice = new FileMenu(model, Texts.of("none"), command, kind, this::set,
@@ -101,7 +102,7 @@ final class FilePart<F extends FromFile> extends StackPane {
         choice.setMaxWidth(Double.MAX_VALUE);
         getChildren().add(choice);
         obstacle = new Obstacle(this, choice, help);
-        model.situationProperty().subscribe(this::show);
+        seen.subscribe(this::show);
     }
 
     /**
@@ -109,15 +110,16 @@ final class FilePart<F extends FromFile> extends StackPane {
      *
      * @param command what choosing one does
      * @param help    what it is
+     * @param seen    as in {@link PropertyPane}
      */
     static <F extends FromFile> FilePart<F> of(EditorModel model, LightAttribute<Optional<F>> attribute, Command command,
-            FileKind kind, String help) {
-        return new FilePart<>(model, new OfLight<>(attribute), command, kind, help);
+            FileKind kind, String help, ObservableValue<Situation> seen) {
+        return new FilePart<>(model, new OfLight<>(attribute), command, kind, help, seen);
     }
 
     /** The same of the environment. */
-    static FilePart<Panorama> ofWorld(EditorModel model, Command command, FileKind kind, String help) {
-        return new FilePart<>(model, new OfWorld(World.ENVIRONMENT), command, kind, help);
+    static FilePart<Panorama> ofWorld(EditorModel model, Command command, FileKind kind, String help, ObservableValue<Situation> seen) {
+        return new FilePart<>(model, new OfWorld(World.ENVIRONMENT), command, kind, help, seen);
     }
 
     private void show(Situation now) {

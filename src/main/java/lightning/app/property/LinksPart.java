@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
@@ -37,7 +38,8 @@ final class LinksPart extends StackPane {
     private final MenuButton choice = new MenuButton();
     private final Obstacle obstacle;
 
-    LinksPart(EditorModel model, LightAttribute<Links> attribute, String what) {
+    /** @param seen as in {@link PropertyPane} */
+    LinksPart(EditorModel model, LightAttribute<Links> attribute, String what, ObservableValue<Situation> seen) {
         this.model = model;
         this.attribute = attribute;
         make = CommandItems.of(model);
@@ -50,7 +52,7 @@ final class LinksPart extends StackPane {
         choice.setOnShowing(_ -> fill());
         getChildren().add(choice);
         obstacle = new Obstacle(this, choice, what);
-        model.situationProperty().subscribe(this::show);
+        seen.subscribe(this::show);
     }
 
     private void show(Situation now) {

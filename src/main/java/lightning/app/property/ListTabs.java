@@ -12,8 +12,8 @@ public final class ListTabs extends TabPane {
         setAccessibleText(Texts.of("Lights and shapes"));
         getStyleClass().addAll("dense", "side");
         setTabClosingPolicy(TabClosingPolicy.UNAVAILABLE);
-        Tab lights = SidePane.tab(Texts.of("Lights"), "lights-tab", () -> new LightListPane(model));
-        Tab shapes = SidePane.tab(Texts.of("Shapes"), "shapes-tab", () -> new OutlinePane(model));
+        Tab lights = SidePane.tab(Texts.of("Lights"), "lights-tab", _ -> new LightListPane(model));
+        Tab shapes = SidePane.tab(Texts.of("Shapes"), "shapes-tab", _ -> new OutlinePane(model));
         getTabs().setAll(lights, shapes);
         LinkDrop.throughTabs(this);
         model.situationProperty().map(s -> s.node().isPresent())

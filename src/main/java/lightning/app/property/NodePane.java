@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.HBox;
@@ -42,7 +43,8 @@ final class NodePane extends VBox {
     private final VectorField scale;
     private String shown = "";
 
-    NodePane(EditorModel model) {
+    /** @param inFront whether the pane is seen; else it does not follow what is edited */
+    NodePane(EditorModel model, ObservableValue<Boolean> inFront) {
         this.model = model;
         setId("shape");
         getStyleClass().add("properties");
@@ -66,7 +68,7 @@ final class NodePane extends VBox {
                 () -> Sections.section(Texts.of("Scale"), scale)));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);
-        model.situationProperty().subscribe(this::show);
+        model.situationProperty().when(inFront).subscribe(this::show);
     }
 
     private interface WithVector {

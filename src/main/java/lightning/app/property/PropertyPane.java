@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.Node;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.Priority;
@@ -40,6 +41,8 @@ public final class PropertyPane extends VBox {
     private final LightHeader header;
     private final ColorSliders color;
     private final BankSection bank;
+    /** How things are, told while the pane is in front. */
+    private final ObservableValue<Situation> seen;
     private Shown shown;
 
     /** @param of what the field shows of a light */
@@ -48,14 +51,16 @@ public final class PropertyPane extends VBox {
     /** @param light its number in the document's history; −1 for none */
     private record Shown(OpenDocument document, long light) {}
 
-    public PropertyPane(EditorModel model) {
+    /** @param inFront whether the pane is seen: else only what was typed is heard to be of another light, and nothing is shown */
+    PropertyPane(EditorModel model, ObservableValue<Boolean> inFront) {
         this.model = model;
+        seen = model.situationProperty().when(inFront);
         setId("properties");
         getStyleClass().add("properties");
         header = new LightHeader(model);
         color = new ColorSliders(new LightColor(model));
         color.setId("color");
-        bank = new BankSection(model);
+        bank = new BankSection(model, seen);
         ScrollPane scroll = Sections.scroll(Stream.of(Stream.of(header),
                 Stream.of(Section.COLOUR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE).map(this::section),
                 Stream.of(Sections.section(Texts.of("Links"), Sections.caption(Texts.of("Shines on")),
@@ -66,14 +71,15 @@ public final class PropertyPane extends VBox {
                         Sections.section(Texts.of("Scene"), dial(Dial.AMBIENCE), Sections.caption(Texts.of("Environment")),
                                 FilePart.ofWorld(model,
                                         Command.CHOOSE_ENVIRONMENT, FileKind.ENVIRONMENT,
-                                        Texts.of("A picture of all that is far around, which lights the scene")),
+                                        Texts.of("A picture of all that is far around, which lights the scene"), seen),
                                 dial(Dial.ENVIRONMENT_INTENSITY), dial(Dial.ENVIRONMENT_ROTATION),
                                 dial(Dial.ENVIRONMENT_LAMPS), dial(Dial.ENVIRONMENT_SOFTNESS))))
                 .flatMap(s -> s)
                 .toArray(Node[]::new));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);
-        model.situationProperty().subscribe(this::show);
+        model.situationProperty().subscribe(this::revert);
+        seen.subscribe(this::show);
     }
 
     private Node section(Section section) {
@@ -95,17 +101,17 @@ public final class PropertyPane extends VBox {
             };
             case ValueKind.Projecting _ -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(FilePart.of(model,
                     LightAttribute.GOBO, Command.CHOOSE_GOBO, FileKind.TEXTURE,
-                    Texts.of("A picture that the light projects: black holds it back")), attribute));
+                    Texts.of("A picture that the light projects: black holds it back"), seen), attribute));
             case ValueKind.Shining _ -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(FilePart.of(model,
                     LightAttribute.PROFILE, Command.CHOOSE_PROFILE, FileKind.PROFILE,
-                    Texts.of("How strongly the light shines in each direction, as an IES file tells")), attribute));
+                    Texts.of("How strongly the light shines in each direction, as an IES file tells"), seen), attribute));
             case Choice<V> _,ValueKind.Linking _,ValueKind.Naming _,ValueKind.Surrounding _,ValueKind.Texturing _ ->
                     throw new IllegalStateException("there is no widget for " + attribute.title());
         };
     }
 
     private Node links(LightAttribute<Links> attribute, String what) {
-        return withMenu(new LinksPart(model, attribute, what), attribute);
+        return withMenu(new LinksPart(model, attribute, what, seen), attribute);
     }
 
     private <N extends Node> N withMenu(N widget, LightAttribute<?> attribute) {
@@ -114,7 +120,7 @@ public final class PropertyPane extends VBox {
     }
 
     private ArrowWidget dial(Dial dial) {
-        ArrowWidget widget = DialGauge.widget(model, dial);
+        ArrowWidget widget = DialGauge.widget(model, dial, seen);
         dials.add(widget);
         return widget;
     }
@@ -134,17 +140,20 @@ public final class PropertyPane extends VBox {
         return aim;
     }
 
-    private void show(Situation now) {
+    /** What was typed was meant for the light selected then. */
+    private void revert(Situation now) {
         var selected = new Shown(model.document(), now.selected().map(l -> model.document().history().id(l.name())).orElse(-1L));
         if (!selected.equals(shown)) {
             shown = selected;
-            // What was typed was meant for the other light.
             header.revert();
             color.revert();
             bank.revert();
             vectors.forEach(row -> row.field().revert());
             dials.forEach(ArrowWidget::revert);
         }
+    }
+
+    private void show(Situation now) {
         color.setObstacle(now.selected().isEmpty() ? Optional.of(Texts.of(NO_LIGHT)) : Optional.empty());
         now.selected().ifPresentOrElse(light -> color.show(light.color()), color::showNothing);
         vectors.forEach(row -> {

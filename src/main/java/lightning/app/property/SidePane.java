@@ -1,6 +1,6 @@
 package lightning.app.property;
 
-import java.util.function.Supplier;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import javafx.scene.Node;
 import javafx.scene.control.Tab;
@@ -19,9 +19,9 @@ public final class SidePane extends TabPane {
         setAccessibleText(Texts.of("Properties"));
         getStyleClass().addAll("dense", "side");
         setTabClosingPolicy(TabClosingPolicy.UNAVAILABLE);
-        Tab light = tab(Texts.of("Light"), "light-tab", () -> new PropertyPane(model));
-        Tab material = tab(Texts.of("Material"), "material-tab", () -> new MaterialPane(model));
-        Tab shape = tab(Texts.of("Shape"), "shape-tab", () -> new NodePane(model));
+        Tab light = tab(Texts.of("Light"), "light-tab", tab -> new PropertyPane(model, tab.selectedProperty()));
+        Tab material = tab(Texts.of("Material"), "material-tab", _ -> new MaterialPane(model));
+        Tab shape = tab(Texts.of("Shape"), "shape-tab", tab -> new NodePane(model, tab.selectedProperty()));
         getTabs().setAll(light, material, shape);
         var inFront = model.materials().inFrontProperty();
         inFront.subscribe(on -> show(on ? material : ofShape ? shape : light));
@@ -51,12 +51,12 @@ public final class SidePane extends TabPane {
     }
 
     /** @param content made when the tab is first in front: each is a third of all that is in the window */
-    static Tab tab(String title, String id, Supplier<Node> content) {
+    static Tab tab(String title, String id, Function<Tab, Node> content) {
         var tab = new Tab(title);
         tab.setId(id);
         Runnable make = () -> {
             if (tab.getContent() == null) {
-                tab.setContent(content.get());
+                tab.setContent(content.apply(tab));
             }
         };
         tab.setUserData(make);

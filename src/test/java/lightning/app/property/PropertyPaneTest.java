@@ -6,6 +6,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.ComboBox;
@@ -50,12 +52,13 @@ class PropertyPaneTest {
 
     @TempDir
     private Path folder;
+    private final BooleanProperty inFront = new SimpleBooleanProperty(true);
     private EditorModel model;
 
     @Start
     private void start(Stage stage) throws Exception {
         model = OpenEditor.model(folder);
-        OpenEditor.show(stage, new PropertyPane(model));
+        OpenEditor.show(stage, new PropertyPane(model, inFront));
     }
 
     @Stop
@@ -103,6 +106,18 @@ class PropertyPaneTest {
         assertThat(robot.lookup(".ikonli-font-icon").<Node>queryAll()).isNotEmpty().allMatch(Node::isDisabled);
         robot.interact(() -> model.commands().run(Command.UNDO));
         assertThat(field(robot, "intensity").getText()).isEqualTo("0.3");
+    }
+
+    @Test
+    void behindAnother_showsWhatWasEditedWhenItComesInFront(FxRobot robot) {
+        robot.interact(() -> {
+            inFront.set(false);
+            String light = model.selectedLight().name();
+            model.edit(scene -> LightEdits.with(scene, light, l -> l.withIntensity(0.75)));
+        });
+        assertThat(field(robot, "intensity").getText()).isNotEqualTo("0.75");
+        robot.interact(() -> inFront.set(true));
+        assertThat(field(robot, "intensity").getText()).isEqualTo("0.75");
     }
 
     private static boolean isIn(Node node, String id) {
