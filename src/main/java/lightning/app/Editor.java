@@ -78,7 +78,7 @@ public final class Editor implements AutoCloseable {
 
     /** Whether the picture is there, and nothing is being done about another. */
     boolean rests() {
-        return model.frame() != null && model.reading() == null && model.situationProperty().get().inWork().isEmpty();
+        return model.frame() != null && model.fileWork().file() == null && model.situationProperty().get().inWork().isEmpty();
     }
 
     public FileActions files() {

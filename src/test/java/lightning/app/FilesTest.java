@@ -89,7 +89,7 @@ class FilesTest extends EditorDesk {
         try (ExrReader reader = new ExrReader(answer)) {
             assertThat(reader.header().channels()).extracting(ExrChannel::name).contains("lamp.diffuse.R", "rounding.B", "shape.id");
         }
-        assertThat(model().reading()).isNull();
+        assertThat(model().fileWork().file()).isNull();
     }
 
     @Test
@@ -106,7 +106,7 @@ class FilesTest extends EditorDesk {
         export("Picture as Radiance HDR…");
         waitFor("it tells", () -> says("The picture could not be exported"));
         robot.clickOn("Close");
-        assertThat(model().reading()).isNull();
+        assertThat(model().fileWork().file()).isNull();
     }
 
     @Test

@@ -160,7 +160,7 @@ public final class FileActions {
     }
 
     private <T> void reading(Path file, FileThread.Work<T> work, Consumer<T> then) {
-        model.setReading(file);
+        model.fileWork().read(file);
         model.files().beside(work, read -> whileWanted(file, () -> then.accept(read)),
                 why -> whileWanted(file, () -> {
                     model.say("");
@@ -169,8 +169,7 @@ public final class FileActions {
     }
 
     private void whileWanted(Path file, Runnable then) {
-        if (model.reading() == file) {
-            model.setReading(null);
+        if (model.fileWork().end(file)) {
             then.run();
         }
     }

@@ -56,13 +56,13 @@ final class PictureExport {
     private void export(ExportKind kind, Path file) {
         PixelCache known = model.workbench().known().orElse(null);
         Frame frame = model.frame();
-        if (model.reading() != null || known == null || frame == null) {
+        if (model.fileWork().file() != null || known == null || frame == null) {
             model.say(Texts.of("Nothing is exported while a file is read or a picture is begun"));
             return;
         }
         ViewTransform view = model.viewProperty().get().ofPicture();
         String name = Quote.path(file.getFileName());
-        model.setWriting(file);
+        model.fileWork().write(file);
         model.files().beside(() -> {
             write(kind, file, known, frame, view);
             return file;
@@ -86,9 +86,7 @@ final class PictureExport {
     }
 
     private void end(Path file, String text) {
-        if (model.reading() == file) {
-            model.setReading(null);
-        }
+        model.fileWork().end(file);
         model.say(text);
     }
 }

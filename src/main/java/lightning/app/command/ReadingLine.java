@@ -30,7 +30,7 @@ final class ReadingLine implements Progress {
         int percent = total == 0 ? 100 : (int) (100L * done / total);
         if (told.getAndSet(percent) != percent) {
             model.files().window().execute(() -> {
-                if (model.reading() == file) {
+                if (model.fileWork().isWanted(file)) {
                     model.say(what + " " + Quote.path(file.getFileName()) + ": " + percent + " %");
                 }
             });
@@ -39,6 +39,6 @@ final class ReadingLine implements Progress {
 
     @Override
     public boolean isCancelled() {
-        return model.reading() != file;
+        return !model.fileWork().isWanted(file);
     }
 }

@@ -1,6 +1,5 @@
 package lightning.app.model;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
@@ -67,12 +66,11 @@ public final class EditorModel implements AutoCloseable {
     private final PictureLook look;
     private final MaterialChoice materials;
     private final LookThrough lookThrough;
+    private final FileWork fileWork = new FileWork(this::refresh);
     private final KeyChoice keyChoice = new KeyChoice(this::refresh);
     private final FileBringer bringer = new FileBringer(this);
     /** What an open animation shows in place of the document; null where none is open. */
     private Scene staged;
-    private volatile Path reading;
-    private boolean writing;
 
     /**
      * Takes a document and starts to trace it.
@@ -449,33 +447,14 @@ public final class EditorModel implements AutoCloseable {
         return keys;
     }
 
-    /** A scene file is being read, which may take its place here; null where none is, or it is not wanted any more. */
-    public void setReading(Path file) {
-        writing = false;
-        reading = file;
-        refresh();
-    }
-
-    /** A file is being written that may be given up, as one that is read may. */
-    public void setWriting(Path file) {
-        writing = true;
-        reading = file;
-        refresh();
-    }
-
-    /** What is done with {@link #reading()}, as in "Reading". */
-    public String fileWork() {
-        return writing ? Texts.of("Writing") : Texts.of("Reading");
-    }
-
-    /** What is being read; null where nothing is. Any thread may ask. */
-    public Path reading() {
-        return reading;
+    /** The file that is read or written, which may be given up. */
+    public FileWork fileWork() {
+        return fileWork;
     }
 
     /** Stops what runs, and waits no longer for what is read. */
     void cancel() {
-        reading = null;
+        fileWork.giveUp();
         workbench.cancel();
     }
 
@@ -488,7 +467,7 @@ public final class EditorModel implements AutoCloseable {
         scene.set(scene());
         Light light = document().selectedLight().flatMap(l -> scene().light(l.name())).orElse(null);
         selectedLight.set(light);
-        Situation s = workbench.situation().withReading(reading != null).withChosenKeys(keyChoice.settled(document().content()));
+        Situation s = workbench.situation().withReading(fileWork.file() != null).withChosenKeys(keyChoice.settled(document().content()));
         situation.set(staged == null ? s : s.withStaged(staged, Optional.ofNullable(light), document().selection().node(staged)));
     }
 

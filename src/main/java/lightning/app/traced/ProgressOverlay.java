@@ -47,7 +47,7 @@ final class ProgressOverlay extends HBox {
         Situation now = model.situationProperty().get();
         boolean rendering = now.inWork().isPresent();
         String what =
-                now.reading() ? model.fileWork() + " " + model.reading().getFileName() : rendering ? Texts.of("Tracing")
+                now.reading() ? model.fileWork().title() + " " + model.fileWork().file().getFileName() : rendering ? Texts.of("Tracing")
                         : now.verifying() ? Texts.of("Verifying") : "";
         double share = now.reading() ? ProgressBar.INDETERMINATE_PROGRESS : rendering ? state.progress()
                 : (double) state.checked() / state.toCheck();
