@@ -23,7 +23,6 @@ final class AreaKernel {
     private final Terms terms;
     private final TermColumns written;
     private final Demands demands;
-    private final int[] turn = new int[Terms.ROWS];
     private final RowWays ways = new RowWays();
     /** For each sample the rows that face it, those that it has in its cone, and those with a free way to it. */
     private final int[][] facing = sets();
@@ -33,6 +32,10 @@ final class AreaKernel {
     private final int[] metals = RowBits.room();
     private final int[] blocked = RowBits.room();
     private final int[] asked = RowBits.room();
+    /** Rows that may face any sample, and those that may have a specular term of any. */
+    private final int[] mayFace = RowBits.room();
+    private final int[] mayShine = RowBits.room();
+    private final int[] shining = RowBits.room();
     private final int[] anyFacing = RowBits.room();
     private final int[] anyInside = RowBits.room();
     private final int[] anyClear = RowBits.room();
@@ -91,14 +94,13 @@ final class AreaKernel {
     /** All of it for a light whose cone no edit changes in place: a sample is aimed at once. */
     private LightRows atOnce(HitRows rows, Lamp lamp, byte[] state, Columns columns) {
         int words = RowBits.words(rows.count);
-        begin(rows);
+        begin(rows, lamp);
         shadows.aim(rows, lamp.area(), ways, lamp.type().hasPosition());
         beginTints();
         for (int s = 0; s < lamp.area().samples(); s++) {
-            aim(rows, lamp, s);
+            aim(rows, lamp, s, mayFace);
             look(rows, lamp, s);
-            ends(rows, s);
-            shadows.cast(rows, ways, inside[s], blocked);
+            cast(rows, lamp, s, inside[s]);
             for (int b = 0; b < words; b++) {
                 clear[s][b] = inside[s][b] & ~blocked[b];
             }
@@ -111,19 +113,24 @@ final class AreaKernel {
         return means(rows, lamp, state, seen, columns).withTint(tints(rows, lamp, anyInside, null, columns));
     }
 
-    private void begin(HitRows rows) {
+    private void begin(HitRows rows, Lamp lamp) {
         Arrays.fill(anyFacing, 0);
         Arrays.fill(anyInside, 0);
-        beginSums(rows);
+        terms.mayFace(rows, lamp, mayFace);
+        beginSums(rows, lamp);
     }
 
-    private void beginSums(HitRows rows) {
+    private void beginSums(HitRows rows, Lamp lamp) {
         shines = written.hasSpecular(rows);
         metallic = written.hasMetallic(rows);
         Arrays.fill(diffuseSum, 0);
         Arrays.fill(specularSum, 0);
         if (metallic) {
             Arrays.fill(grazingSum, 0);
+        }
+        Arrays.fill(mayShine, 0);
+        if (shines) {
+            written.mayShine(rows, lamp, mayShine);
         }
     }
 
@@ -166,14 +173,13 @@ final class AreaKernel {
 
     private void turns(HitRows rows) {
         for (int i = 0; i < rows.count; i++) {
-            turn[i] = LampArea.turn(rows.px[i], rows.py[i], rows.pz[i]);
+            ways.turn[i] = LampArea.turn(rows.px[i], rows.py[i], rows.pz[i]);
         }
     }
 
-    /** Leads each row's way to its place of sample {@code s}, and aims the terms there. */
-    private void aim(HitRows rows, Lamp lamp, int s) {
-        lead(rows, lamp, s);
-        terms.aim(rows, lamp, ways);
+    /** Aims the terms of a set at sample {@code s}; leaves the cosines. */
+    private void aim(HitRows rows, Lamp lamp, int s, int[] which) {
+        terms.aim(rows, lamp, s, ways.turn, which, cosine, facing[s]);
         if (lamp.hasCone()) {
             terms.aimCone(rows, lamp);
         }
@@ -181,18 +187,16 @@ final class AreaKernel {
 
     /** Finds out which rows face which samples and are in their cones. */
     private void look(HitRows rows, Lamp lamp) {
-        begin(rows);
+        begin(rows, lamp);
         for (int s = 0; s < lamp.area().samples(); s++) {
-            aim(rows, lamp, s);
+            aim(rows, lamp, s, mayFace);
             look(rows, lamp, s);
         }
     }
 
-    /** The same for sample {@code s}, which was aimed at; leaves the cosines. */
+    /** The same for sample {@code s}, which was aimed at. */
     private void look(HitRows rows, Lamp lamp, int s) {
         int words = RowBits.words(rows.count);
-        terms.cosines(rows, cosine);
-        terms.facing(cosine, rows.count, facing[s]);
         if (lamp.hasCone()) {
             terms.inside(facing[s], rows.count, lamp.cosAngle(), inside[s]);
         } else {
@@ -218,9 +222,7 @@ final class AreaKernel {
             for (int b = 0; b < words; b++) {
                 chosen[b] = facing[s][b] & which[b];
             }
-            lead(rows, lamp, s);
-            ends(rows, s);
-            shadows.cast(rows, ways, chosen, blocked);
+            cast(rows, lamp, s, chosen);
             for (int b = 0; b < words; b++) {
                 chosen[b] &= ~blocked[b];
                 clear[s][b] |= chosen[b];
@@ -259,21 +261,16 @@ final class AreaKernel {
         return TintCaster.kept(rows, to);
     }
 
-    private void lead(HitRows rows, Lamp lamp, int s) {
-        LampArea area = lamp.area();
-        int at = LampArea.TURNS * s;
-        // Lanes that run over the end need a way too, whichever.
-        for (int i = 0; i < HitRows.padded(rows.count); i++) {
-            int k = at + turn[i];
-            ways.x[i] = area.x[k];
-            ways.y[i] = area.y[k];
-            ways.z[i] = area.z[k];
-        }
+    /** Asks chosen rows for sample {@code s}; leaves the rows with a way that is not free. */
+    private void cast(HitRows rows, Lamp lamp, int s, int[] which) {
+        terms.lead(rows, lamp, s, tinted ? which : shadows.doubts(rows, which), ways);
+        ends(rows, s);
+        shadows.cast(rows, ways, which, blocked);
     }
 
     private void ends(HitRows rows, int s) {
         for (int i = 0; i < rows.count && !ways.open; i++) {
-            ways.end[i] = shadows.end(LampArea.TURNS * s + turn[i]);
+            ways.end[i] = shadows.end(LampArea.place(s, ways.turn[i]));
         }
     }
 
@@ -353,9 +350,9 @@ final class AreaKernel {
             return LightRows.unlit(state, seen);
         }
         int samples = lamp.area().samples();
-        beginSums(rows);
+        beginSums(rows, lamp);
         for (int s = 0; s < samples; s++) {
-            aim(rows, lamp, s);
+            aim(rows, lamp, s, anyLit);
             if (lamp.hasCone()) {
                 terms.inside(clear[s], rows.count, lamp.cosAngle(), chosen);
             } else {
@@ -365,7 +362,6 @@ final class AreaKernel {
                 // Not of rows that the light is not linked to, whose ways may be known.
                 chosen[b] &= anyLit[b];
             }
-            terms.cosines(rows, cosine);
             add(rows, lamp, s, chosen);
         }
         return means(rows, lamp, state, seen, columns);
@@ -380,8 +376,11 @@ final class AreaKernel {
         written.mattes(rows, which, cosine);
         terms.add(cosine, fading, which, rows.count, diffuseSum);
         if (shines) {
-            written.speculars(rows, which, specular, grazing);
-            terms.add(specular, fading, which, rows.count, specularSum);
+            for (int b = 0; b < RowBits.words(rows.count); b++) {
+                shining[b] = which[b] & mayShine[b];
+            }
+            written.speculars(rows, shining, specular, grazing);
+            terms.add(specular, fading, shining, rows.count, specularSum);
         }
         if (metallic) {
             addGrazing(rows, fading, which);
@@ -407,7 +406,7 @@ final class AreaKernel {
         Arrays.setAll(doors, t -> Shaping.of(lamp.sample(t, s)));
         terms.factors(rows, lamp, factors);
         for (int i = 0; i < rows.count; i++) {
-            falloff[i] = (float) (factors[i] * doors[turn[i]].at(rows.px[i], rows.py[i], rows.pz[i]));
+            falloff[i] = (float) (factors[i] * doors[(int) ways.turn[i]].at(rows.px[i], rows.py[i], rows.pz[i]));
         }
     }
 

@@ -31,10 +31,10 @@ public final class LampArea {
     private static final double PLASTIC_SQUARED = 0.5698402909980532;
 
     private final int samples;
-    /** That of turn t's sample s at {@code TURNS·s + t}. */
-    final double[] x;
-    final double[] y;
-    final double[] z;
+    /** That of turn t's sample s at {@code TURNS·s + t}; not to be written. */
+    public final double[] x;
+    public final double[] y;
+    public final double[] z;
     private final double extent;
     private final Vec3 low;
     private final Vec3 high;
@@ -110,6 +110,11 @@ public final class LampArea {
         return (h ^ h >>> 12) * 0x297A2D39 >>> 28;
     }
 
+    /** Which place rows of a turn have of sample {@code s}. */
+    public static int place(int s, double turn) {
+        return TURNS * s + (int) turn;
+    }
+
     /** How many there are for a row. */
     public int samples() {
         return samples;
@@ -122,7 +127,7 @@ public final class LampArea {
     }
 
     /** How far any of them is from the centre at most. */
-    double extent() {
+    public double extent() {
         return extent;
     }
 

@@ -51,6 +51,22 @@ public final class RowBits {
         return count;
     }
 
+    /** The first word from {@code b} on without a row of the set; {@code words} where all have one. */
+    public static int end(int[] bits, int b, int words) {
+        int end = b;
+        while (end < words && bits[end] != 0) {
+            end++;
+        }
+        return end;
+    }
+
+    /** Puts rows {@code from … to − 1} into the set. */
+    public static void add(int[] bits, int from, int to) {
+        for (int b = from / WIDTH; b * WIDTH < to; b++) {
+            bits[b] |= within(b, from, to);
+        }
+    }
+
     /** Takes rows {@code from … to − 1} out of the set. */
     static void remove(int[] bits, int from, int to) {
         for (int b = from / WIDTH; b * WIDTH < to; b++) {

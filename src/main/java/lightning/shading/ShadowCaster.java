@@ -253,16 +253,22 @@ final class ShadowCaster {
 
     /** As {@link #cast(HitRows, Lamp, int[], int[])}, to samples of the area that it was turned to; ways that nothing can block cast no ray. */
     void cast(HitRows rows, RowWays way, int[] chosen, int[] blocked) {
-        int count = 0;
-        for (int b = 0; b < RowBits.words(rows.count) && casts && geometry.throwsShadows(); b++) {
-            asked[b] = chosen[b] & doubtful[b];
-            count += Integer.bitCount(asked[b]);
-        }
+        int[] doubts = doubts(rows, chosen);
+        int count = RowBits.count(doubts, rows.count);
         Arrays.fill(blocked, 0);
         rays += count;
         if (count > 0) {
-            tracer.blocked(rows, asked, way, blockers, blocked);
+            tracer.blocked(rows, doubts, way, blockers, blocked);
         }
+    }
+
+    /** Those of the chosen rows whose ways to the area that it was turned to something may block; written again by the next call. */
+    int[] doubts(HitRows rows, int[] chosen) {
+        boolean any = casts && geometry.throwsShadows();
+        for (int b = 0; b < RowBits.words(rows.count); b++) {
+            asked[b] = any ? chosen[b] & doubtful[b] : 0;
+        }
+        return asked;
     }
 
     /** Those of the chosen rows whose ways are not certainly free. */

@@ -100,6 +100,18 @@ final class TermColumns {
         }
     }
 
+    /** Adds the rows to a set that may have a specular term of any sample of a light. */
+    void mayShine(HitRows rows, Lamp lamp, int[] may) {
+        for (int r = 0; r < rows.runs; r++) {
+            int material = rows.runMaterial[r];
+            if (materials.isMetallic(material)) {
+                RowBits.add(may, rows.runStart(r), rows.runEnd[r]);
+            } else if (isSpecular(material)) {
+                terms.mayShine(rows, rows.runStart(r), rows.runEnd[r], lamp, materials.shininess(material), may);
+            }
+        }
+    }
+
     /** Whether any of the rows' materials has a specular term. */
     boolean hasSpecular(HitRows rows) {
         for (int r = 0; r < rows.runs; r++) {

@@ -17,8 +17,32 @@ public interface Terms {
     /** As {@link LightingEquation#at}. */
     void aim(HitRows rows, Lamp lamp);
 
-    /** The same where each row sees the light elsewhere. */
-    void aim(HitRows rows, Lamp lamp, RowWays ways);
+    /**
+     * The same for the sample {@code s} of a light that is larger than a point, for the rows of a set and those that share a word with one; what is asked of
+     * others then has no meaning.
+     *
+     * @param turn   of each row, see {@link RowWays#turn}
+     * @param cosine gets their {@link LightingEquation#cosine}
+     * @param facing gets those of the set with a cosine above 0
+     */
+    void aim(HitRows rows, Lamp lamp, int s, double[] turn, int[] which, float[] cosine, int[] facing);
+
+    /** Leads the ways of the rows of a set, and of those that share a word with one, to sample {@code s} of a light that is larger than a point. */
+    void lead(HitRows rows, Lamp lamp, int s, int[] which, RowWays ways);
+
+    /**
+     * Of a light that is larger than a point, finds the rows that face any of its samples.
+     *
+     * @param may gets all of these, and maybe others
+     */
+    void mayFace(HitRows rows, Lamp lamp, int[] may);
+
+    /**
+     * Likewise those of the rows {@code from … to − 1} that have a {@link LightingEquation#specular} term other than 0 of any of its samples.
+     *
+     * @param may gets all of these, and maybe others, beside what it has
+     */
+    void mayShine(HitRows rows, int from, int to, Lamp lamp, double shininess, int[] may);
 
     /** Measures the distances to a point light: all that its falloffs need of aiming. */
     void measure(HitRows rows, Lamp lamp);

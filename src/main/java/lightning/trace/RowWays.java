@@ -14,6 +14,8 @@ public final class RowWays {
     public final double[] x = new double[RayColumns.MOST + OVERRUN];
     public final double[] y = new double[RayColumns.MOST + OVERRUN];
     public final double[] z = new double[RayColumns.MOST + OVERRUN];
+    /** For each row which of the places of a sample is its own, a whole number from 0: kept as lanes choose by it. */
+    public final double[] turn = new double[RayColumns.MOST + OVERRUN];
     /** For each row the end of its way; unread where {@link #open}. */
     public final WayEnd[] end = new WayEnd[RayColumns.MOST + OVERRUN];
     /** Whether all ends are {@link WayEnd#isOpen}. */

@@ -8,6 +8,7 @@ import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.scene.Attenuation;
 import lightning.shading.Lamp;
+import lightning.shading.LampArea;
 import lightning.shading.LightingEquation;
 import lightning.shading.RowBits;
 import lightning.shading.Terms;
@@ -35,6 +36,8 @@ final class LightLanes implements Terms {
     private final double[] axisCosine = new double[ROWS];
     private final double[] power = new double[ROWS];
     private final double[] factor = new double[ROWS];
+    /** For each vector of rows which of them face the light, a bit each. */
+    private final int[] faces = new int[ROWS / LANES];
     private final float[] specular = new float[ROWS];
     private final float[] grazed = new float[ROWS];
     /** What {@link #faint(double)} is of {@link #faintOf}. */
@@ -58,17 +61,98 @@ final class LightLanes implements Terms {
     }
 
     @Override
-    public void aim(HitRows rows, Lamp lamp, RowWays ways) {
-        if (!lamp.type().hasPosition()) {
-            System.arraycopy(ways.x, 0, lx, 0, HitRows.padded(rows.count));
-            System.arraycopy(ways.y, 0, ly, 0, HitRows.padded(rows.count));
-            System.arraycopy(ways.z, 0, lz, 0, HitRows.padded(rows.count));
-            return;
+    public void aim(HitRows rows, Lamp lamp, int s, double[] turn, int[] which, float[] cosine, int[] facing) {
+        int words = RowBits.words(rows.count);
+        for (int b = 0; b < words; b++) {
+            int first = b;
+            b = RowBits.end(which, b, words);
+            if (lamp.type().hasPosition()) {
+                aimAtPoints(rows, first * RowBits.WIDTH, b * RowBits.WIDTH, lamp.area(), s, turn, cosine);
+            } else {
+                aimAlong(rows, first * RowBits.WIDTH, b * RowBits.WIDTH, lamp.area(), s, turn, cosine);
+            }
         }
-        for (int i = 0; i < rows.count; i += LANES) {
-            aimAtPoint(rows, i, DoubleVector.fromArray(D, ways.x, i), DoubleVector.fromArray(D, ways.y, i),
-                    DoubleVector.fromArray(D, ways.z, i));
+        for (int b = 0; b < words; b++) {
+            int bits = 0;
+            for (int i = 0; i < RowBits.WIDTH; i += LANES) {
+                bits |= faces[(b * RowBits.WIDTH + i) / LANES] << i;
+            }
+            facing[b] = bits & which[b];
         }
+    }
+
+    /** Aims rows {@code from … to − 1}, each at its own place. A plain loop: the compiler checks the arrays' bounds before it. */
+    private void aimAtPoints(HitRows rows, int from, int to, LampArea area, int s, double[] turn, float[] cosine) {
+        for (int i = from; i < to; i += LANES) {
+            DoubleVector vx = place(area.x, s, turn, i).sub(load(rows.px, i));
+            DoubleVector vy = place(area.y, s, turn, i).sub(load(rows.py, i));
+            DoubleVector vz = place(area.z, s, turn, i).sub(load(rows.pz, i));
+            DoubleVector d = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).lanewise(VectorOperators.SQRT);
+            VectorMask<Double> here = d.compare(VectorOperators.LT, LightingEquation.NO_DISTANCE);
+            DoubleVector inverse = DoubleVector.broadcast(D, 1).div(d);
+            d.intoArray(distance, i);
+            DoubleVector nx = load(rows.nx, i);
+            DoubleVector ny = load(rows.ny, i);
+            DoubleVector nz = load(rows.nz, i);
+            DoubleVector x = vx.mul(inverse).blend(nx, here);
+            DoubleVector y = vy.mul(inverse).blend(ny, here);
+            DoubleVector z = vz.mul(inverse).blend(nz, here);
+            x.intoArray(lx, i);
+            y.intoArray(ly, i);
+            z.intoArray(lz, i);
+            FloatVector c = (FloatVector) nx.mul(x).add(ny.mul(y)).add(nz.mul(z)).castShape(F, 0);
+            c.intoArray(cosine, i);
+            faces[i / LANES] = (int) c.compare(VectorOperators.GT, 0).toLong();
+        }
+    }
+
+    private void aimAlong(HitRows rows, int from, int to, LampArea area, int s, double[] turn, float[] cosine) {
+        for (int i = from; i < to; i += LANES) {
+            DoubleVector x = place(area.x, s, turn, i);
+            DoubleVector y = place(area.y, s, turn, i);
+            DoubleVector z = place(area.z, s, turn, i);
+            x.intoArray(lx, i);
+            y.intoArray(ly, i);
+            z.intoArray(lz, i);
+            FloatVector c = (FloatVector) load(rows.nx, i).mul(x).add(load(rows.ny, i).mul(y)).add(load(rows.nz, i).mul(z)).castShape(F, 0);
+            c.intoArray(cosine, i);
+            faces[i / LANES] = (int) c.compare(VectorOperators.GT, 0).toLong();
+        }
+    }
+
+    @Override
+    public void lead(HitRows rows, Lamp lamp, int s, int[] which, RowWays ways) {
+        LampArea area = lamp.area();
+        int words = RowBits.words(rows.count);
+        for (int b = 0; b < words; b++) {
+            int first = b;
+            b = RowBits.end(which, b, words);
+            for (int i = first * RowBits.WIDTH; i < b * RowBits.WIDTH; i += LANES) {
+                place(area.x, s, ways.turn, i).intoArray(ways.x, i);
+                place(area.y, s, ways.turn, i).intoArray(ways.y, i);
+                place(area.z, s, ways.turn, i).intoArray(ways.z, i);
+            }
+        }
+    }
+
+    /** One coordinate of a vector of rows' places. Where all places of a sample are just two vectors, lanes choose among these. */
+    private static DoubleVector place(double[] places, int s, double[] turn, int i) {
+        DoubleVector t = DoubleVector.fromArray(D, turn, i);
+        int at = LampArea.TURNS * s;
+        if (2 * LANES == LampArea.TURNS) {
+            return t.selectFrom(DoubleVector.fromArray(D, places, at), DoubleVector.fromArray(D, places, at + LANES));
+        }
+        return DoubleVector.fromArray(D, places, at, t.toIntArray(), 0);
+    }
+
+    @Override
+    public void mayFace(HitRows rows, Lamp lamp, int[] may) {
+        new AreaLanes(lamp).mayFace(rows, may);
+    }
+
+    @Override
+    public void mayShine(HitRows rows, int from, int to, Lamp lamp, double shininess, int[] may) {
+        new AreaLanes(lamp).mayShine(rows, from, to, faintFor(shininess), may);
     }
 
     @Override
@@ -186,14 +270,34 @@ final class LightLanes implements Terms {
 
     @Override
     public void add(float[] term, float[] falloff, int[] which, int rows, double[] sum) {
-        for (int b = 0, row = 0; row < rows; b++, row += RowBits.WIDTH) {
-            for (int i = row; which[b] != 0 && i < row + RowBits.WIDTH; i += LANES) {
-                DoubleVector t = load(term, i);
-                DoubleVector faded = falloff == null ? t : t.mul(load(falloff, i));
-                DoubleVector old = DoubleVector.fromArray(D, sum, i);
-                old.blend(old.add(faded), VectorMask.fromLong(D, which[b] >>> i - row)).intoArray(sum, i);
+        int words = RowBits.words(rows);
+        for (int b = 0; b < words; b++) {
+            int first = b;
+            b = RowBits.end(which, b, words);
+            if (falloff == null) {
+                add(term, which, first * RowBits.WIDTH, b * RowBits.WIDTH, sum);
+            } else {
+                add(term, falloff, which, first * RowBits.WIDTH, b * RowBits.WIDTH, sum);
             }
         }
+    }
+
+    private static void add(float[] term, int[] which, int from, int to, double[] sum) {
+        for (int i = from; i < to; i += LANES) {
+            DoubleVector old = DoubleVector.fromArray(D, sum, i);
+            old.blend(old.add(load(term, i)), among(which, i)).intoArray(sum, i);
+        }
+    }
+
+    private static void add(float[] term, float[] falloff, int[] which, int from, int to, double[] sum) {
+        for (int i = from; i < to; i += LANES) {
+            DoubleVector old = DoubleVector.fromArray(D, sum, i);
+            old.blend(old.add(load(term, i).mul(load(falloff, i))), among(which, i)).intoArray(sum, i);
+        }
+    }
+
+    private static VectorMask<Double> among(int[] which, int row) {
+        return VectorMask.fromLong(D, which[row / RowBits.WIDTH] >>> row % RowBits.WIDTH);
     }
 
     /** Loops by themselves: where a vector is one of two, or comes from a method, each becomes an object here. */
@@ -238,10 +342,7 @@ final class LightLanes implements Terms {
      */
     @Override
     public void speculars(HitRows rows, int from, int to, int[] which, double shininess, float[] column) {
-        if (shininess != faintOf) {
-            faintOf = shininess;
-            faint = faint(shininess);
-        }
+        double faint = faintFor(shininess);
         int words = 0;
         for (int b = from / RowBits.WIDTH; b * RowBits.WIDTH < to; b++) {
             int bits = which[b] & RowBits.within(b, from, to);
@@ -259,6 +360,14 @@ final class LightLanes implements Terms {
         for (int w = 0; w < words; w++) {
             merge(word[w], which[word[w]] & RowBits.within(word[w], from, to), specular, w * RowBits.WIDTH, column);
         }
+    }
+
+    private double faintFor(double shininess) {
+        if (shininess != faintOf) {
+            faintOf = shininess;
+            faint = faint(shininess);
+        }
+        return faint;
     }
 
     /**

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import lightning.math.Power;
 import lightning.scene.Attenuation;
 import lightning.shading.Lamp;
+import lightning.shading.LampArea;
 import lightning.shading.LightingEquation;
 import lightning.shading.RowBits;
 import lightning.shading.Terms;
@@ -37,16 +38,46 @@ final class ScalarTerms implements Terms {
     }
 
     @Override
-    public void aim(HitRows rows, Lamp lamp, RowWays ways) {
+    public void aim(HitRows rows, Lamp lamp, int s, double[] turn, int[] which, float[] cosine, int[] facing) {
+        LampArea area = lamp.area();
         for (int i = 0; i < rows.count; i++) {
+            int k = LampArea.place(s, turn[i]);
             if (lamp.type().hasPosition()) {
-                aimAtPoint(rows, i, ways.x[i], ways.y[i], ways.z[i]);
+                aimAtPoint(rows, i, area.x[k], area.y[k], area.z[k]);
             } else {
-                lx[i] = ways.x[i];
-                ly[i] = ways.y[i];
-                lz[i] = ways.z[i];
+                lx[i] = area.x[k];
+                ly[i] = area.y[k];
+                lz[i] = area.z[k];
             }
         }
+        cosines(rows, cosine);
+        facing(cosine, rows.count, facing);
+        for (int b = 0; b < RowBits.words(rows.count); b++) {
+            facing[b] &= which[b];
+        }
+    }
+
+    @Override
+    public void lead(HitRows rows, Lamp lamp, int s, int[] which, RowWays ways) {
+        LampArea area = lamp.area();
+        for (int i = 0; i < rows.count; i++) {
+            int k = LampArea.place(s, ways.turn[i]);
+            ways.x[i] = area.x[k];
+            ways.y[i] = area.y[k];
+            ways.z[i] = area.z[k];
+        }
+    }
+
+    @Override
+    public void mayFace(HitRows rows, Lamp lamp, int[] may) {
+        for (int b = 0; b < RowBits.words(rows.count); b++) {
+            may[b] = RowBits.valid(b, rows.count);
+        }
+    }
+
+    @Override
+    public void mayShine(HitRows rows, int from, int to, Lamp lamp, double shininess, int[] may) {
+        RowBits.add(may, from, to);
     }
 
     private void aimAtPoint(HitRows rows, int i, double x, double y, double z) {
