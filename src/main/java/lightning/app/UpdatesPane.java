@@ -41,6 +41,7 @@ final class UpdatesPane extends VBox {
         whole.setId("updates-whole");
         whole.getStyleClass().add("about-lines");
         whole.setWrapText(true);
+        whole.setMinHeight(USE_PREF_SIZE);
         whole.setMaxWidth(Double.MAX_VALUE);
         table.getSelectionModel().selectedItemProperty().subscribe(e -> whole.setText(e == null ? "" : e.text()));
         table.getSelectionModel().selectFirst();

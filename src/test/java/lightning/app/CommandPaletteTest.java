@@ -56,6 +56,14 @@ class CommandPaletteTest extends EditorDesk {
         assertThat(isOpen()).isFalse();
     }
 
+    @Test
+    void longReason_isShownWhole() {
+        find("way keys");
+        Label about = robot.lookup("#palette-about").query();
+        assertThat(about.getText()).contains("Not now: ");
+        assertThat(about.getHeight()).isGreaterThanOrEqualTo(about.prefHeight(about.getWidth()));
+    }
+
     private void listenFor(Command command) {
         robot.interact(() -> model().commands().run(Command.KEYS));
         robot.interact(() -> {

@@ -56,6 +56,7 @@ public final class CommandPalette extends Stage {
         about.setId("palette-about");
         about.getStyleClass().add("about-lines");
         about.setWrapText(true);
+        about.setMinHeight(Region.USE_PREF_SIZE);
         about.setMaxWidth(Double.MAX_VALUE);
         var content = new VBox(query, found, about);
         content.setId("palette");
