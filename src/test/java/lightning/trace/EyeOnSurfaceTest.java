@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * is compared with one of many digits. {@code -Dlightning.places=100000} takes as many eyes for each solid of shape.
  */
 class EyeOnSurfaceTest {
-    private static final int PLACES = Integer.getInteger("lightning.places", 100);
+    private static final int PLACES = Integer.getInteger("lightning.places", 50);
     private static final int RAYS = 12;
 
     private final RayPacket p = new RayPacket();

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * bound of {@link PrimitiveTable#off}. {@code -Dlightning.places=100000} takes as many lights for each solid of shape.
  */
 class LightOnSurfaceTest {
-    private static final int PLACES = Integer.getInteger("lightning.places", 40);
+    private static final int PLACES = Integer.getInteger("lightning.places", 25);
     private static final int ROWS = 12;
 
     private final RayPacket p = new RayPacket();
