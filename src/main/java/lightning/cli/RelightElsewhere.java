@@ -30,6 +30,9 @@ import lightning.work.OwnThread;
  * @param threads how many pictures are written at once
  */
 record RelightElsewhere(Console console, PictureOutput output, Place place, Path folder, int threads) {
+    /** How long the command waits for a first node: for two tries to find one. */
+    private static final long FIRST_PATIENCE_NANOSECONDS = 30_000_000_000L;
+    /** How long it waits for another one where all are gone: one may be started again. */
     private static final long PATIENCE_NANOSECONDS = 60_000_000_000L;
     private static final long LOOK_MILLISECONDS = 2;
     /** More than nodes are lost while one film is on its way. */
@@ -37,6 +40,8 @@ record RelightElsewhere(Console console, PictureOutput output, Place place, Path
 
     /** What is heard of frames. */
     private static final class Tally implements ShotListener {
+        /** Whether any node was there. */
+        private boolean met;
         private final Console console;
         private final AtomicInteger made = new AtomicInteger();
         private final AtomicInteger traced = new AtomicInteger();
@@ -109,7 +114,8 @@ record RelightElsewhere(Console console, PictureOutput output, Place place, Path
         while (!frames.isIdle()) {
             if (shot.machines() > 0) {
                 seen = System.nanoTime();
-            } else if (System.nanoTime() - seen > PATIENCE_NANOSECONDS) {
+                tally.met = true;
+            } else if (System.nanoTime() - seen > (tally.met ? PATIENCE_NANOSECONDS : FIRST_PATIENCE_NANOSECONDS)) {
                 throw new BadInput("no node answers at " + place.join().getFirst() + ": none is there, or it has another certificate");
             }
             bar.tiles(Math.min(tally.made.get(), count), count);

@@ -19,7 +19,7 @@ final class RelightElsewhereTest {
 
     private String run(int exit, String... words) throws Exception {
         List<String> line = new ArrayList<>(List.of(System.getProperty("java.home") + "/bin/java", "--add-modules", "jdk.incubator.vector",
-                "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Xmx600m", "-cp", System.getProperty("java.class.path"), "lightning.Main"));
+                "-XX:+UseSerialGC", "-Xmx600m", "-cp", System.getProperty("java.class.path"), "lightning.Main"));
         line.addAll(List.of(words));
         Path said = folder.resolve("said");
         Process process = new ProcessBuilder(line).redirectErrorStream(true).redirectOutput(said.toFile()).start();
@@ -40,7 +40,7 @@ final class RelightElsewhereTest {
                     run(0, with(words, "-o", folder.resolve("elsewhere").toString(), "--cluster", "127.0.0.1:" + port, "--certificate",
                             certificate));
             assertThat(said).contains("4 frames traced by 1 node", "2. 4 frames relit by 1 node", "0 of them traced again");
-            run(0, with(words, "-o", folder.resolve("here").toString(), "--no-savings"));
+            run(0, with(words, "-o", folder.resolve("here").toString()));
             for (String file : List.of("1/dusk-0001.png", "1/dusk-0004.png", "2/dusk-0003.png")) {
                 assertThat(folder.resolve("elsewhere").resolve(file)).hasSameBinaryContentAs(folder.resolve("here").resolve(file));
             }
