@@ -94,7 +94,7 @@ final class ExplainCommand implements Callable<Integer> {
         int y = pixel.y();
         try (Workers workers = new Workers(1)) {
             Film film = new TraditionalTracer(scene, geometry)
-                    .trace(workers, new int[] {y / Film.TILE * ((scene.picture().width() - 1) / Film.TILE + 1) + x / Film.TILE},
+                    .trace(workers, new int[] {y / Film.TILE * Film.tilesAlong(scene.picture().width()) + x / Film.TILE},
                             Progress.NONE)
                     .film();
             return new float[] {film.red(x, y), film.green(x, y), film.blue(x, y)};

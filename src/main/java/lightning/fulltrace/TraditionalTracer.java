@@ -79,8 +79,8 @@ public final class TraditionalTracer {
     }
 
     private int[] allTiles() {
-        int across = (scene.picture().width() - 1) / Film.TILE + 1;
-        int down = (scene.picture().height() - 1) / Film.TILE + 1;
+        int across = Film.tilesAlong(scene.picture().width());
+        int down = Film.tilesAlong(scene.picture().height());
         return IntStream.range(0, across * down).toArray();
     }
 

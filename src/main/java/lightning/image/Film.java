@@ -144,6 +144,19 @@ public final class Film {
         return blue[tileOf(x, y)][pixelInTile(x, y)];
     }
 
+    /**
+     * How many tiles lie beside each other along a side.
+     *
+     * @param pixels the side's length
+     * @throws IllegalArgumentException if that is less than 1
+     */
+    public static int tilesAlong(int pixels) {
+        if (pixels < 1) {
+            throw new IllegalArgumentException("a film is at least 1 × 1 pixel, not " + pixels);
+        }
+        return (pixels - 1) / TILE + 1;
+    }
+
     /** The number of the tile that holds pixel (x, y). */
     public int tileOf(int x, int y) {
         return (y / TILE) * tilesX + x / TILE;
@@ -206,13 +219,6 @@ public final class Film {
             copy[tile] = tiles[tile].clone();
         }
         return copy;
-    }
-
-    private static int tilesAlong(int pixels) {
-        if (pixels < 1) {
-            throw new IllegalArgumentException("a film is at least 1 × 1 pixel, not " + pixels);
-        }
-        return (pixels - 1) / TILE + 1;
     }
 
     private void requireShape(String name, float[][] tiles) {

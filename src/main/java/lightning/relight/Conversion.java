@@ -76,7 +76,7 @@ record Conversion(PixelCache cache, Options to) {
         CachedTile[] tiles = new CachedTile[cache.tileCount()];
         FineTile[] fine = new FineTile[cache.fineCount()];
         int grid = cache.scene().picture().sampling().grid();
-        int tilesX = (cache.scene().picture().width() - 1) / Film.TILE + 1;
+        int tilesX = Film.tilesAlong(cache.scene().picture().width());
         workers.run(Math.max(tiles.length, fine.length), (worker, i) -> {
             SamplePlaces centers = SamplePlaces.centers(i % tilesX * Film.TILE, i / tilesX * Film.TILE);
             CachedTile center = tiles.length == 0 ? null : threads.get(worker).forTile(i).convert(centers, cache.tile(i), top, mirrors);

@@ -76,7 +76,7 @@ public final class SmallShares {
         }
         var levels = new Levels(cache, top);
         short[] wanted = new short[Film.TILE_PIXELS];
-        int across = (cache.scene().picture().width() - 1) / Film.TILE + 1;
+        int across = Film.tilesAlong(cache.scene().picture().width());
         for (int y0 = 0; y0 < rows.length;) {
             int y1 = end(rows, y0);
             for (int x0 = 0; x0 < columns.length;) {

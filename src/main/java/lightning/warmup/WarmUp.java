@@ -62,7 +62,7 @@ public final class WarmUp {
         }
 
         private static int[] tiles(Picture p) {
-            return IntStream.range(0, ((p.width() - 1) / Film.TILE + 1) * ((p.height() - 1) / Film.TILE + 1)).toArray();
+            return IntStream.range(0, Film.tilesAlong(p.width()) * Film.tilesAlong(p.height())).toArray();
         }
 
         double milliseconds(Engine engine, Progress progress) {

@@ -80,7 +80,7 @@ public final class TracedRaster implements RenderListener {
         if (!fits(width, height) || scene == aheadOf) {
             return;
         }
-        int across = (width - 1) / Film.TILE + 1;
+        int across = Film.tilesAlong(width);
         int left = tile % across * Film.TILE;
         int top = tile / across * Film.TILE;
         view.packTile(film[0], film[1], film[2], left, top, width, pixels.pixels());

@@ -44,7 +44,7 @@ final class RegionTracer implements AutoCloseable {
 
     /** The numbers of the tiles that a region meets. */
     static int[] tiles(Scene scene, TracedRaster.Dirty region) {
-        int across = (scene.picture().width() - 1) / Film.TILE + 1;
+        int across = Film.tilesAlong(scene.picture().width());
         int left = region.left() / Film.TILE;
         int top = region.top() / Film.TILE;
         int columns = (region.right() - 1) / Film.TILE - left + 1;

@@ -45,10 +45,10 @@ public record Job(PreparedScene shown, PreparedScene mirrored, Options options, 
     }
 
     int tilesX() {
-        return (scene().picture().width() + Film.TILE - 1) / Film.TILE;
+        return Film.tilesAlong(scene().picture().width());
     }
 
     int tileCount() {
-        return tilesX() * ((scene().picture().height() + Film.TILE - 1) / Film.TILE);
+        return tilesX() * Film.tilesAlong(scene().picture().height());
     }
 }
