@@ -4,7 +4,7 @@ import java.util.Optional;
 import lightning.image.Film;
 
 /** A keeper that has no films and keeps no bytes: what is done with frames is all that it is asked. */
-abstract class FilmlessKeeper implements FrameKeeper {
+public abstract class FilmlessKeeper implements FrameKeeper {
     @Override
     public Optional<Film> film(int frame) {
         return Optional.empty();

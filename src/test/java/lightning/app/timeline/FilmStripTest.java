@@ -13,9 +13,8 @@ import lightning.image.ViewTransform;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
-import lightning.shot.FrameKeeper;
+import lightning.shot.FilmlessKeeper;
 import lightning.shot.FrameUpdate;
-import lightning.shot.KeptBytes;
 import lightning.shot.RelitShot;
 import lightning.shot.Take;
 import lightning.work.Progress;
@@ -28,7 +27,7 @@ class FilmStripTest {
     private final CountDownLatch asked = new CountDownLatch(1);
 
     /** Makes frames at once, and does not say what one of them looks like. */
-    private final class Keeper implements FrameKeeper {
+    private final class Keeper extends FilmlessKeeper {
         @Override
         public FrameUpdate bring(int frame, Take take, Progress progress) {
             return new FrameUpdate(frame, true, "", 0, 0, () -> Film.black(4, 3));
@@ -45,17 +44,6 @@ class FilmStripTest {
                 }
             }
             return Optional.of(Film.black(4, 3));
-        }
-
-        @Override
-        public void focus(int frame) {}
-
-        @Override
-        public void forget(int frame) {}
-
-        @Override
-        public KeptBytes bytes() {
-            return KeptBytes.NONE;
         }
 
         @Override
