@@ -152,7 +152,7 @@ final class AreaKernel {
         Arrays.fill(asked, 0);
         // Rows that were asked before have their answers.
         for (int i = 0; i < rows.count; i++) {
-            if ((state[i] & LightKernel.WAY) == 0 && RowBits.contains(anyInside, i)) {
+            if ((state[i] & LightRows.WAY) == 0 && RowBits.contains(anyInside, i)) {
                 RowBits.add(asked, i);
             }
         }
@@ -315,7 +315,7 @@ final class AreaKernel {
         }
         for (int i = 0; i < rows.count; i++) {
             int way = RowBits.contains(fresh, i) ? RowBits.contains(anyClear, i) ? LightRows.CLEAR : LightRows.BLOCKED
-                    : state[i] & LightKernel.WAY;
+                    : state[i] & LightRows.WAY;
             state[i] = (byte) (way | (!RowBits.contains(anyFacing, i) ? LightRows.AWAY
                     : !RowBits.contains(anyInside, i) ? LightRows.OUTSIDE
                     : RowBits.contains(anyLit, i) ? LightRows.LIT : LightRows.SHADOWED));

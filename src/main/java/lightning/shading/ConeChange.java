@@ -25,4 +25,22 @@ public enum ConeChange {
             case LINKS, TURN -> state != LightRows.AWAY;
         };
     }
+
+    /**
+     * Puts the rows that may change into a set.
+     *
+     * @param states see {@link LightRows}
+     * @return how many they are
+     */
+    int looksAt(byte[] states, int rows, int[] looked) {
+        if (this == NONE) {
+            return 0;
+        }
+        int which = 0;
+        for (int state = 0; state <= LightRows.STATE; state++) {
+            which |= looksAt(state) ? 1 << state : 0;
+        }
+        RowBits.inStates(states, rows, which, looked);
+        return RowBits.count(looked, rows);
+    }
 }

@@ -17,8 +17,6 @@ import lightning.trace.Tracer;
  * scratch memory: one for each thread.
  */
 public final class LightKernel {
-    static final int WAY = LightRows.CLEAR | LightRows.BLOCKED;
-
     private final LightLinks links;
     private final AreaKernel areas;
     private final Tracer tracer;
@@ -27,6 +25,9 @@ public final class LightKernel {
     private final Demands demands;
     private final float[] cosine = new float[Terms.ROWS];
     private final int[] facing = RowBits.room();
+    /** Rows that a change of the cone asks for, and those of them that are in it. */
+    private final int[] looked = RowBits.room();
+    private final int[] inside = RowBits.room();
     private final int[] chosen = RowBits.room();
     private final int[] blocked = RowBits.room();
     private final int[] lit = RowBits.room();
@@ -72,12 +73,7 @@ public final class LightKernel {
         terms.cosines(rows, cosine);
         int words = RowBits.words(rows.count);
         terms.facing(cosine, rows.count, facing);
-        if (lamp.hasCone()) {
-            terms.inside(facing, rows.count, lamp.cosAngle(), chosen);
-        } else {
-            System.arraycopy(facing, 0, chosen, 0, words);
-        }
-        links.keep(lamp, rows, chosen);
+        keepInside(rows, lamp, facing, chosen);
         links.shadows(lamp).cast(rows, lamp, chosen, blocked);
         for (int b = 0; b < words; b++) {
             lit[b] = chosen[b] & ~blocked[b];
@@ -85,6 +81,16 @@ public final class LightKernel {
         rowsTouched += rows.count;
         float[][] tint = links.shadows(lamp).tints(rows, lamp, lit, null, columns);
         return layer(rows, lamp, states(rows, columns), null, columns).withTint(tint);
+    }
+
+    /** Puts those of a set into another that are in the cone, and that the light shines on. */
+    private void keepInside(HitRows rows, Lamp lamp, int[] among, int[] kept) {
+        if (lamp.hasCone()) {
+            terms.inside(among, rows.count, lamp.cosAngle(), kept);
+        } else {
+            System.arraycopy(among, 0, kept, 0, RowBits.words(rows.count));
+        }
+        links.keep(lamp, rows, kept);
     }
 
     /** The states of rows that were all asked, or away, or outside. */
@@ -146,18 +152,18 @@ public final class LightKernel {
         if (lamp.isArea()) {
             return areaPartial(rows, lamp, before, cone, falloff, columns);
         }
-        int looked = looksAt(rows, before, cone);
-        if (looked == 0 && !(falloff && before.lit > 0)) {
+        int count = cone.looksAt(before.state, rows.count, looked);
+        if (count == 0 && !(falloff && before.lit > 0)) {
             return before;
         }
-        if (looked > 0 || lamp.hasCone()) {
+        if (count > 0 || lamp.hasCone()) {
             aim(rows, lamp);
         } else {
             terms.measure(rows, lamp);
         }
-        LightRows moved = looked == 0 ? before : moveCone(rows, lamp, before, cone, columns);
+        LightRows moved = count == 0 ? before : moveCone(rows, lamp, before, columns);
         // The falloff is written for lit rows; those of them that were looked at are counted already.
-        rowsTouched += looked + (falloff && !cone.looksAt(LightRows.LIT) ? before.lit : 0);
+        rowsTouched += count + (falloff && !cone.looksAt(LightRows.LIT) ? before.lit : 0);
         if (moved.lit == 0) {
             return moved;
         }
@@ -202,11 +208,7 @@ public final class LightKernel {
             }
         }
         shadows.cast(rows, lamp, chosen, blocked);
-        for (int i = 0; i < rows.count; i++) {
-            if (RowBits.contains(chosen, i)) {
-                state[i] = state(1, 1, RowBits.contains(blocked, i) ? 0 : 1);
-            }
-        }
+        StateChange.settle(state, rows.count, chosen, blocked);
         for (int b = 0; b < RowBits.words(rows.count); b++) {
             tinted[b] |= chosen[b] & ~blocked[b];
         }
@@ -354,46 +356,16 @@ public final class LightKernel {
         return written.hasSpecular(rows);
     }
 
-    private static int looksAt(HitRows rows, LightRows before, ConeChange cone) {
-        int looked = 0;
-        if (cone != ConeChange.NONE) {
-            for (int i = 0; i < rows.count; i++) {
-                looked += cone.looksAt(before.state(i)) ? 1 : 0;
-            }
-        }
-        return looked;
-    }
-
-    /** Moves rows into and out of the cone; falloffs are left as before. Expects terms that were aimed. */
-    private LightRows moveCone(HitRows rows, Lamp lamp, LightRows before, ConeChange change, Columns columns) {
+    /** Moves the rows of {@link #looked} into and out of the cone; falloffs are left as before. Expects terms that were aimed. */
+    private LightRows moveCone(HitRows rows, Lamp lamp, LightRows before, Columns columns) {
         byte[] state = columns.states(rows.count);
         System.arraycopy(before.state, 0, state, 0, rows.count);
-        Arrays.fill(chosen, 0);
         terms.cosines(rows, cosine);
-        boolean cone = lamp.hasCone();
-        boolean[] linked = links.lit(lamp);
-        for (int i = 0; i < rows.count; i++) {
-            if (!change.looksAt(before.state(i))) {
-                continue;
-            }
-            int way = before.state[i] & WAY;
-            if (cone && !terms.isInside(i, lamp.cosAngle()) || linked != null && !linked[rows.owner[i]]) {
-                state[i] = (byte) (LightRows.OUTSIDE | way);
-            } else if (way == 0 && !(cosine[i] > 0)) {
-                // It was among rows that the cone did not reach at all.
-                state[i] = LightRows.AWAY;
-            } else if (way == 0) {
-                RowBits.add(chosen, i);
-            } else {
-                state[i] = (byte) (way | (way == LightRows.CLEAR ? LightRows.LIT : LightRows.SHADOWED));
-            }
-        }
+        terms.facing(cosine, rows.count, facing);
+        keepInside(rows, lamp, looked, inside);
+        StateChange.move(state, rows.count, looked, inside, facing, chosen);
         links.shadows(lamp).cast(rows, lamp, chosen, blocked);
-        for (int i = 0; i < rows.count; i++) {
-            if (RowBits.contains(chosen, i)) {
-                state[i] = state(1, 1, RowBits.contains(blocked, i) ? 0 : 1);
-            }
-        }
+        StateChange.settle(state, rows.count, chosen, blocked);
         if (Arrays.equals(state, 0, rows.count, before.state, 0, rows.count)) {
             return before;
         }

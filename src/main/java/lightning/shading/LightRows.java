@@ -31,6 +31,8 @@ public final class LightRows implements LightLayer {
     /** Whether the way to the light is free, as far as known; kept apart from the state. */
     public static final int CLEAR = 4;
     public static final int BLOCKED = 8;
+    /** What is known of the way: neither, where nobody asked. */
+    static final int WAY = CLEAR | BLOCKED;
     /** Samples in a column of those that a row sees. */
     static final int SAMPLES = 16;
 

@@ -84,11 +84,20 @@ public final class RowBits {
 
     /** Puts the rows in a state, see {@link LightRows}, into the set. */
     static void inState(byte[] states, int rows, int state, int[] bits) {
+        inStates(states, rows, 1 << state, bits);
+    }
+
+    /**
+     * Puts the rows in any of some states into the set.
+     *
+     * @param which a bit for each state
+     */
+    static void inStates(byte[] states, int rows, int which, int[] bits) {
         for (int b = 0; b < words(rows); b++) {
             int word = 0;
             int end = Math.min(WIDTH, rows - b * WIDTH);
             for (int i = 0; i < end; i++) {
-                word |= ((states[b * WIDTH + i] & LightRows.STATE) == state ? 1 : 0) << i;
+                word |= (which >>> (states[b * WIDTH + i] & LightRows.STATE) & 1) << i;
             }
             bits[b] = word;
         }

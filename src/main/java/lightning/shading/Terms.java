@@ -59,9 +59,6 @@ public interface Terms {
     /** Puts those of a set that are in the cone, as {@link LightingEquation#insideCone}, into another; the cone was aimed. */
     void inside(int[] among, int rows, double cosAngle, int[] inside);
 
-    /** Whether a row is in the cone; the cone was aimed. */
-    boolean isInside(int row, double cosAngle);
-
     /** Writes a column: the values of the rows of a set, and 0 for others. */
     void select(float[] values, int[] which, int rows, float[] to);
 

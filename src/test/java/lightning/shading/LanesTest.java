@@ -70,6 +70,10 @@ class LanesTest {
             }
         }
         lanes.speculars(rows, from, count, asked, shininess, specular);
+        int[] inside = RowBits.room();
+        if (lamp.hasCone()) {
+            lanes.inside(asked, count, lamp.cosAngle(), inside);
+        }
         if (type.hasPosition()) {
             lanes.falloffs(rows, lamp, falloff);
         }
@@ -78,7 +82,7 @@ class LanesTest {
             equation.at(rows.px[i], rows.py[i], rows.pz[i], rows.nx[i], rows.ny[i], rows.nz[i]);
             assertSameBits(cosine[i], equation.cosine(rows.nx[i], rows.ny[i], rows.nz[i]), "cosine");
             if (lamp.hasCone()) {
-                assertThat(lanes.isInside(i, lamp.cosAngle())).isEqualTo(equation.insideCone());
+                assertThat(RowBits.contains(inside, i)).isEqualTo(RowBits.contains(asked, i) && equation.insideCone());
             }
             if (type.hasPosition()) {
                 assertSameBits(falloff[i], equation.falloff(), "falloff");

@@ -248,11 +248,6 @@ final class LightLanes implements Terms {
     }
 
     @Override
-    public boolean isInside(int row, double cosAngle) {
-        return axisCosine[row] >= cosAngle;
-    }
-
-    @Override
     public void select(float[] values, int[] which, int rows, float[] to) {
         for (int b = 0, row = 0; row < rows; b++, row += RowBits.WIDTH) {
             for (int i = 0; i < RowBits.WIDTH; i += WIDE.length()) {

@@ -132,15 +132,10 @@ final class ScalarTerms implements Terms {
     public void inside(int[] among, int rows, double cosAngle, int[] inside) {
         Arrays.fill(inside, 0, RowBits.words(rows), 0);
         for (int i = 0; i < rows; i++) {
-            if (RowBits.contains(among, i) && isInside(i, cosAngle)) {
+            if (RowBits.contains(among, i) && axisCosine[i] >= cosAngle) {
                 RowBits.add(inside, i);
             }
         }
-    }
-
-    @Override
-    public boolean isInside(int row, double cosAngle) {
-        return axisCosine[row] >= cosAngle;
     }
 
     @Override
