@@ -71,13 +71,7 @@ public final class NodeBox {
 
     private double[] own(Solid solid) {
         return switch (solid) {
-            case Solid.Sphere _ -> new double[] {-1, -1, -1, 1, 1, 1};
-            case Solid.Cone _,Solid.Cylinder _ -> new double[] {-1, 0, -1, 1, 1, 1};
-            case Solid.Frustum f -> {
-                double radius = Math.max(1, f.top());
-                yield new double[] {-radius, 0, -radius, radius, 1, radius};
-            }
-            case Solid.Plane _ -> new double[] {-0.5, 0, -0.5, 0.5, 0, 0.5};
+            case Solid.Canonical c -> c.box();
             case Solid.Triangles t -> meshes.computeIfAbsent(t.mesh(), NodeBox::of);
         };
     }

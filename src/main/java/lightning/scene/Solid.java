@@ -22,10 +22,18 @@ public sealed interface Solid {
         default List<Attribute<Canonical, ?>> attributes() {
             return List.of();
         }
+
+        /** The smallest box that holds it, in its own space: least x, y, z, greatest x, y, z. */
+        double[] box();
     }
 
     /** Radius 1 about the origin. */
-    record Sphere() implements Canonical {}
+    record Sphere() implements Canonical {
+        @Override
+        public double[] box() {
+            return new double[] {-1, -1, -1, 1, 1, 1};
+        }
+    }
 
     /**
      * A base of radius 1 at y = 0, and the apex at y = 1.
@@ -36,6 +44,11 @@ public sealed interface Solid {
         @Override
         public List<Attribute<Canonical, ?>> attributes() {
             return List.of(closing(Cone.class, Cone::caps, (_, v) -> new Cone(v)));
+        }
+
+        @Override
+        public double[] box() {
+            return standing(1);
         }
     }
 
@@ -48,6 +61,11 @@ public sealed interface Solid {
         @Override
         public List<Attribute<Canonical, ?>> attributes() {
             return List.of(closing(Cylinder.class, Cylinder::caps, (_, v) -> new Cylinder(v)));
+        }
+
+        @Override
+        public double[] box() {
+            return standing(1);
         }
     }
 
@@ -69,10 +87,20 @@ public sealed interface Solid {
                             Frustum::top, (f, v) -> new Frustum(v, f.caps)),
                     closing(Frustum.class, Frustum::caps, (f, v) -> new Frustum(f.top, v)));
         }
+
+        @Override
+        public double[] box() {
+            return standing(Math.max(1, top));
+        }
     }
 
     /** A patch of the plane y = 0: the unit square, x and z from −½ to ½. */
-    record Plane() implements Canonical {}
+    record Plane() implements Canonical {
+        @Override
+        public double[] box() {
+            return new double[] {-0.5, 0, -0.5, 0.5, 0, 0.5};
+        }
+    }
 
     /**
      * Triangles of a file.
@@ -96,6 +124,11 @@ public sealed interface Solid {
         public Triangles withColors(boolean v) {
             return new Triangles(file, part, v, mesh);
         }
+    }
+
+    /** The box of what stands on y = 0, 1 high. */
+    private static double[] standing(double radius) {
+        return new double[] {-radius, 0, -radius, radius, 1, radius};
     }
 
     private static <S extends Canonical> Attribute<Canonical, Boolean> closing(Class<S> type, Function<S, Boolean> get,

@@ -77,6 +77,15 @@ final class CanonicalSolids {
         return data;
     }
 
+    /** The smallest box that holds it, of its form: least x, y, z, greatest x, y, z. */
+    static double[] extent(Solid.Canonical solid) {
+        double[] box = new double[6];
+        for (int axis = 0; axis < 3; axis++) {
+            Kind.of(solid).form().extent(data(solid), 0, axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0, 0, box, axis);
+        }
+        return box;
+    }
+
     /** Whether a point belongs to the round side. */
     static boolean isSide(Solid.Canonical solid, double x, double y, double z) {
         double[] out = new double[3];

@@ -31,6 +31,13 @@ class SolidsTest {
     }
 
     @Test
+    void boxOfEachSolid_isTheExtentOfItsForm() {
+        for (Solid.Canonical solid : CanonicalSolids.ALL) {
+            assertThat(solid.box()).as("%s", solid).containsExactly(CanonicalSolids.extent(solid));
+        }
+    }
+
+    @Test
     void sphereFromInside_isMetAhead() {
         assertThat(CanonicalSolids.sphere(0, 0, 0, 0, 0, 3)).isEqualTo(1 / 3.0);
         assertThat(CanonicalSolids.sphere(0, 0.5, 0, 0, 1, 0)).isEqualTo(0.5);
