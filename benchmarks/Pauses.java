@@ -130,15 +130,15 @@ public final class Pauses {
             for (Command panel : List.of(Command.MIXER, Command.CONTRIBUTIONS, Command.CUES, Command.SCOPES, Command.EFFECTS_PANEL,
                     Command.ACCURACY_PANEL, Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.KEYS, Command.PALETTE, Command.ABOUT,
                     Command.MAKE_ANIMATION)) {
-                beside(panel.plainTitle(), () -> model.run(panel));
-                beside(panel.plainTitle() + ", again", () -> model.run(panel));
+                beside(panel.plainTitle(), () -> model.commands().run(panel));
+                beside(panel.plainTitle() + ", again", () -> model.commands().run(panel));
             }
             model();
             arrange();
             for (Command panel : List.of(Command.MIXER, Command.CONTRIBUTIONS, Command.CUES, Command.SCOPES, Command.EFFECTS_PANEL,
                     Command.ACCURACY_PANEL, Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.KEYS)) {
                 onWindow(() -> {
-                    model.run(panel);
+                    model.commands().run(panel);
                     return null;
                 });
             }
@@ -181,7 +181,7 @@ public final class Pauses {
             command(Command.NEXT_FRAME, "");
             command(Command.FILM_STRIP, "");
             command(Command.FILM_STRIP, " hidden");
-            beside(Command.EXPORT_SHOT.plainTitle(), () -> model.run(Command.EXPORT_SHOT));
+            beside(Command.EXPORT_SHOT.plainTitle(), () -> model.commands().run(Command.EXPORT_SHOT));
             command(Command.DELETE_SHOT, "");
             command(Command.TIMELINE, " hidden");
         }
@@ -217,7 +217,7 @@ public final class Pauses {
         }
 
         private void command(Command command, String how) throws Exception {
-            step(command.plainTitle() + how, () -> model.run(command));
+            step(command.plainTitle() + how, () -> model.commands().run(command));
         }
 
         private void edit(String light, UnaryOperator<Light> change) {
@@ -269,7 +269,7 @@ public final class Pauses {
         private void rest(String after) throws Exception {
             do {
                 Thread.sleep(LOOK_MS);
-            } while (onWindow(() -> model.frame() == null || model.reading() != null || model.situationProperty().get().isPending()
+            } while (onWindow(() -> model.frame() == null || model.fileWork().file() != null || model.situationProperty().get().isPending()
                     || model.situationProperty().get().inWork().isPresent()));
             System.out.println(pulse.longest() + "  " + after);
         }
