@@ -11,6 +11,7 @@ import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.StackPane;
 import lightning.app.widget.PictureView;
+import lightning.edit.cue.Cue;
 import lightning.image.Difference;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
@@ -38,8 +39,8 @@ final class CueCompare extends BorderPane {
     private final Label note = new Label();
     private Way way = Way.WIPE;
     private boolean flipped;
-    private Optional<Film> a = Optional.empty();
-    private Optional<Film> b = Optional.empty();
+    private Optional<Cue> a = Optional.empty();
+    private Optional<Cue> b = Optional.empty();
 
     CueCompare() {
         getStyleClass().add("cue-compare");
@@ -85,8 +86,8 @@ final class CueCompare extends BorderPane {
         }
     }
 
-    /** Compares two pictures; one alone is shown. */
-    void show(Optional<Film> first, Optional<Film> second) {
+    /** Compares the pictures of two cues; that of one alone is shown. */
+    void show(Optional<Cue> first, Optional<Cue> second) {
         a = first;
         b = second;
         flipped = false;
@@ -95,13 +96,15 @@ final class CueCompare extends BorderPane {
 
     private void show() {
         picture.wipe().setVisible(false);
-        if (a.isEmpty() || b.isEmpty()) {
+        Optional<Film> left = a.flatMap(Cue::picture);
+        Optional<Film> right = b.flatMap(Cue::picture);
+        if (left.isEmpty() || right.isEmpty()) {
             note.setText(Texts.of("Choose two cues, A and B, to compare their pictures"));
-            a.or(() -> b).ifPresentOrElse(this::pixels, picture::clear);
+            left.or(() -> right).ifPresentOrElse(this::pixels, picture::clear);
             return;
         }
-        Film first = a.get();
-        Film second = b.get();
+        Film first = left.get();
+        Film second = right.get();
         boolean alike = first.width() == second.width() && first.height() == second.height();
         note.setText(
                 alike ? "" : Texts.of("The pictures differ in size: {0} × {1} and {2} × {3}", first.width(), first.height(), second.width(),
@@ -116,7 +119,7 @@ final class CueCompare extends BorderPane {
             }
             case FLIP -> {
                 pixels(flipped ? second : first);
-                note.setText(flipped ? "B" : "A");
+                note.setText(flipped ? "B: " + b.get().name() : "A: " + a.get().name());
             }
             case DIFFERENCE -> {
                 if (alike) {

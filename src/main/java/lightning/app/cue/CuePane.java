@@ -183,7 +183,7 @@ public final class CuePane extends VBox {
 
     private void choose() {
         cards.forEach((of, card) -> card.show(of.equals(a), of.equals(b)));
-        compare.show(cue(a).flatMap(Cue::picture), cue(b).flatMap(Cue::picture));
+        compare.show(cue(a), cue(b));
         boolean two = lighting(a).isPresent() && lighting(b).isPresent();
         cannotBlend.set(two ? Optional.empty() : Optional.of(Texts.of("choose two cues, A and B")));
         showing = true;

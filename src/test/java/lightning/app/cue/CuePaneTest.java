@@ -107,8 +107,10 @@ class CuePaneTest extends EditorDesk {
         assertThat(shown()).isEqualTo(pixels(night));
         click("cue-flip");
         assertThat(shown()).isEqualTo(pixels(day));
+        assertThat(text("cue-note")).isEqualTo("A: day");
         robot.clickOn("#cue-picture");
         assertThat(shown()).isEqualTo(pixels(night));
+        assertThat(text("cue-note")).isEqualTo("B: night");
         click("cue-difference");
         int[] difference = shown();
         int[] a = pixels(day);
