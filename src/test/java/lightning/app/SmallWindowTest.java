@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import javafx.geometry.Bounds;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Node;
+import javafx.scene.control.Label;
 import javafx.scene.control.Labeled;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.SplitPane;
@@ -67,6 +68,30 @@ class SmallWindowTest extends EditorDesk {
             assertThat(controls).hasSizeGreaterThan(4);
             assertThat(controls.stream().filter(c -> c.isVisible() && !all.contains(onScreen(c))).map(Node::getId)).isEmpty();
         }
+    }
+
+    @Test
+    void pixelUnderTheMouse_isToldWithoutACut() {
+        resize(960, 540);
+        Label line = robot.lookup("#pixel").query();
+        robot.moveTo("#traced-picture");
+        waitFor("it tells", () -> line.getText().contains("normal"));
+        QuickRobot.settle();
+        assertThat(robot.from(line).lookup(".text").<Text>query().getText()).isEqualTo(line.getText());
+    }
+
+    @Test
+    void lineOfAPixel_staysWhileTheMouseIsOverIt() {
+        Label line = robot.lookup("#pixel").query();
+        robot.moveTo("#traced-picture");
+        waitFor("it tells", () -> line.getText().contains("normal"));
+        robot.moveTo("#pixel");
+        QuickRobot.settle();
+        assertThat(line.getText()).contains("normal");
+        assertThat(line.getTooltip().getText()).isEqualTo(line.getText());
+        robot.moveTo("#lights");
+        waitFor("it tells no more", () -> line.getText().isBlank());
+        assertThat(line.getTooltip()).isNull();
     }
 
     @Test

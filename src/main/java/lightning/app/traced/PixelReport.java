@@ -56,14 +56,16 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 sur
     }
 
     /**
-     * Two lines: the place, the shape, the values; its normals.
+     * Two lines, each as narrow as it can be: the place, the shape, its normals; the values. What is least wanted is last in its line, where
+     * one that has no room is cut.
      *
      * @param values as {@link PixelValues} has them
      */
     String headline(String values) {
-        String place = x + ", " + y + "  " + (shape.isEmpty() ? Texts.of("background") : shape) + "  " + values;
-        return place + "\n" + (normal == null ? " " : text(Texts.key("normal %.2f %.2f %.2f"), normal)
-                + (surface == null ? "" : text(Texts.key(", the surface's own %.2f %.2f %.2f"), surface)));
+        String place = x + ", " + y + "  " + (shape.isEmpty() ? Texts.of("background") : shape);
+        return place + (normal == null ? "" : "  " + text(Texts.key("normal %.2f %.2f %.2f"), normal)
+                + (surface == null ? "" : text(Texts.key(", the surface's own %.2f %.2f %.2f"), surface)))
+                + "\n" + (values.isEmpty() ? " " : values);
     }
 
     private static String text(String pattern, Vec3 v) {

@@ -1,6 +1,7 @@
 package lightning.app.traced;
 
 import java.util.Optional;
+import javafx.application.Platform;
 import javafx.geometry.Insets;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -50,6 +51,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private final Badge mirrors;
     private final Badge look;
     private final Label pixelLine = new Label(NO_PIXEL);
+    private final Tooltip pixelTip = new Tooltip();
     private final Label card = new Label();
     private final Label prompt = new Label();
     private final Label waiting = new Label();
@@ -74,11 +76,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         setId("traced");
         getStyleClass().add("canvas-pane");
         picture.setId("traced-picture");
-        mouse = new TracedMouse(model, picture, report -> {
-            pixelLine.setText(report == null ? NO_PIXEL : report.headline(model.frame() == null ? ""
-                    : PixelValues.text(model.frame().seen(), model.viewProperty().get(), report.x(), report.y())));
-            card.setText(report == null ? "" : String.join("\n", report.lightLines()));
-        });
+        mouse = new TracedMouse(model, picture, this::tell);
         model.commands().setSwitch(Command.REGION, mouse.regionProperty());
         model.commands().setAction(Command.TRACED_FIT, picture::fit);
         model.commands().setAction(Command.TRACED_ONE_TO_ONE, picture::oneToOne);
@@ -130,6 +128,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         pixelLine.setId("pixel");
         pixelLine.getStyleClass().add("pane-footer");
         pixelLine.setMaxWidth(Double.MAX_VALUE);
+        setOnMouseExited(_ -> forgetPixel());
         setBottom(pixelLine);
         difference.setId("difference");
         difference.selectedProperty().subscribe(_ -> repaint());
@@ -180,6 +179,28 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             comparing.set(Optional.empty());
             picture.requestLayout();
             model.say(Texts.of("Snapshot kept"));
+        }
+    }
+
+    /** @param report what the pixel under the mouse shows; null where there is none */
+    private void tell(PixelReport report) {
+        card.setText(report == null ? "" : String.join("\n", report.lightLines()));
+        if (report == null) {
+            // Once it is known what the mouse is over instead.
+            Platform.runLater(this::forgetPixel);
+            return;
+        }
+        pixelLine.setText(report.headline(model.frame() == null ? ""
+                : PixelValues.text(model.frame().seen(), model.viewProperty().get(), report.x(), report.y())));
+        pixelTip.setText(pixelLine.getText());
+        pixelLine.setTooltip(pixelTip);
+    }
+
+    /** What was told of the last pixel stays while the mouse is on its way to it: its tooltip has what the line has no room for. */
+    private void forgetPixel() {
+        if (!isHover() && card.getText().isEmpty()) {
+            pixelLine.setText(NO_PIXEL);
+            pixelLine.setTooltip(null);
         }
     }
 

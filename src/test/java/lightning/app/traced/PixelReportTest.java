@@ -38,9 +38,10 @@ class PixelReportTest {
 
     @Test
     void normalThatAMapMade_isToldWithTheSurfacesOwn() {
-        assertThat(report(List.of(), List.of()).headline("").lines().toList().getLast()).isEqualTo("normal 0.00 1.00 0.00");
+        assertThat(report(List.of(), List.of()).headline("1 2 3").lines()).containsExactly("3, 4  ball  normal 0.00 1.00 0.00", "1 2 3");
         var bumpy = new PixelReport(3, 4, "ball", Vec3.ZERO, new Vec3(0.6, 0.8, 0), new Vec3(0, 1, 0), List.of(), List.of());
-        assertThat(bumpy.headline("").lines().toList().getLast()).isEqualTo("normal 0.60 0.80 0.00, the surface's own 0.00 1.00 0.00");
+        assertThat(bumpy.headline("").lines())
+                .containsExactly("3, 4  ball  normal 0.60 0.80 0.00, the surface's own 0.00 1.00 0.00", " ");
     }
 
     @Test
