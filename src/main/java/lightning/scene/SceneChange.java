@@ -120,7 +120,7 @@ public final class SceneChange {
             }
         }
         if (!names(before.banks(), after).equals(names(after.banks(), before))) {
-            parts.add("order of banks");
+            parts.add(Texts.of("order of banks"));
         }
     }
 
@@ -229,7 +229,7 @@ public final class SceneChange {
     }
 
     private static String text(Vec3 v) {
-        return Limits.text(v.x()) + " " + Limits.text(v.y()) + " " + Limits.text(v.z());
+        return Quantity.digits(v.x()) + " " + Quantity.digits(v.y()) + " " + Quantity.digits(v.z());
     }
 
     private static boolean addsDefault(Scene before, Scene after) {

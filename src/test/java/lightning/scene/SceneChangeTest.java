@@ -41,6 +41,15 @@ class SceneChangeTest {
     }
 
     @Test
+    void draggedShape_isToldInFewDigits() {
+        Node node = scene.nodes().getFirst();
+        Placement p = node.placement();
+        Node dragged = node.withPlacement(new Placement(new Vec3(1.6106858861516402, 0, -1e-9 / 3), p.rotate(), p.scale()));
+
+        assertThat(to(scene.withNode(node.name(), dragged))).endsWith(" → 1.611 0 -3.333e-10");
+    }
+
+    @Test
     void lights_comeGoAndAreRenamed() {
         List<Light> more = new ArrayList<>(scene.lights());
         more.add(Light.of("rim", LightType.POINT));
