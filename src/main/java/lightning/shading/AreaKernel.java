@@ -95,7 +95,7 @@ final class AreaKernel {
     private LightRows atOnce(HitRows rows, Lamp lamp, byte[] state, Columns columns) {
         int words = RowBits.words(rows.count);
         begin(rows, lamp);
-        shadows.aim(rows, lamp.area(), ways, lamp.type().hasPosition());
+        shadows.aim(rows, lamp, ways);
         beginTints();
         for (int s = 0; s < lamp.area().samples(); s++) {
             aim(rows, lamp, s, mayFace);
@@ -103,6 +103,8 @@ final class AreaKernel {
             cast(rows, lamp, s, inside[s]);
             for (int b = 0; b < words; b++) {
                 clear[s][b] = inside[s][b] & ~blocked[b];
+                // Of a row whose ways are all blocked it is enough to know that it has one of the samples before it.
+                mayFace[b] &= ~(shadows.dark()[b] & anyInside[b]);
             }
             if (tinted) {
                 shadows.addTints(rows, ways, clear[s], tintSum);
@@ -216,7 +218,7 @@ final class AreaKernel {
             tinted = false;
             return;
         }
-        shadows.aim(rows, lamp.area(), ways, lamp.type().hasPosition());
+        shadows.aim(rows, lamp, ways);
         beginTints();
         for (int s = 0; s < lamp.area().samples(); s++) {
             for (int b = 0; b < words; b++) {

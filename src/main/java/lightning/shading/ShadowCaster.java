@@ -19,6 +19,7 @@ import lightning.trace.tree.BoxSet;
 import lightning.trace.tree.Candidates;
 import lightning.trace.tree.Departure;
 import lightning.trace.tree.PointBox;
+import lightning.trace.tree.Umbra;
 import lightning.trace.tree.WayEnd;
 
 /** Asks for chosen rows whether the way to a light is free. Holds scratch memory: one for each thread. */
@@ -34,6 +35,7 @@ final class ShadowCaster {
     private final Beam beam = new Beam();
     private final BoxRay ray = new BoxRay();
     private final Departure departure = new Departure();
+    private final Umbra umbra = new Umbra();
     /** What may stand between the tile and the light. */
     private final Candidates blockers = new Candidates();
     /** What may stand between some rows of it and the light. */
@@ -43,6 +45,8 @@ final class ShadowCaster {
     private Vec3 low = Vec3.ZERO;
     private Vec3 high = Vec3.ZERO;
     private boolean toPoints;
+    /** Where the ways that were swept last begin. */
+    private PointBox origins;
     /** Whether any of the points lies on a primitive. */
     private IntPredicate isUnderEnd = s -> false;
     /** Where the ways to lights lead that rays were cast to. */
@@ -50,8 +54,9 @@ final class ShadowCaster {
     /** Where the ways to the samples of areas end, by their place in the area. */
     private final Map<LampArea, WayEnd[]> ends = new HashMap<>();
     private WayEnd[] area;
-    /** The rows whose ways to the area may be blocked. */
+    /** The rows of which ways to the area may be blocked and others free, and those of which all are blocked. */
     private final int[] doubtful = RowBits.room();
+    private final int[] dark = RowBits.room();
     private final int[] asked = RowBits.room();
     private final boolean casts;
     /** Null where light passes no shape. */
@@ -218,9 +223,12 @@ final class ShadowCaster {
     /**
      * Turns to an area: finds the shapes that can stand between any row of the tile and any of its samples.
      *
+     * @param lamp one that is larger than a point
      * @param ways gets what all of them have alike
      */
-    void aim(HitRows rows, LampArea towards, RowWays ways, boolean toPoints) {
+    void aim(HitRows rows, Lamp lamp, RowWays ways) {
+        LampArea towards = lamp.area();
+        toPoints = lamp.type().hasPosition();
         ways.ends = toPoints;
         ways.open = true;
         isUnderEnd = s -> false;
@@ -232,12 +240,10 @@ final class ShadowCaster {
         }
         low = towards.low();
         high = towards.high();
-        this.toPoints = toPoints;
         sweep(rows.box(tracer));
         tinted = tints != null && tints.aim(beam);
         collect();
-        Arrays.fill(doubtful, -1);
-        keepDoubtful(rows, doubtful, doubtful);
+        prove(rows, lamp);
     }
 
     private WayEnd[] ends(LampArea towards) {
@@ -260,13 +266,43 @@ final class ShadowCaster {
         if (count > 0) {
             tracer.blocked(rows, doubts, way, blockers, blocked);
         }
+        for (int b = 0; b < RowBits.words(rows.count); b++) {
+            blocked[b] |= chosen[b] & dark[b];
+        }
+    }
+
+    /** The rows of which all ways to the area that it was turned to are certainly blocked; bits that stand for no row have no meaning. */
+    int[] dark() {
+        return dark;
+    }
+
+    /** Finds out of which neighbours' ways to an area it is certain that they are free or blocked. */
+    private void prove(HitRows rows, Lamp lamp) {
+        boolean any = casts && geometry.throwsShadows();
+        int words = RowBits.words(rows.count);
+        for (int from = 0; from < words; from += TOGETHER) {
+            int to = Math.min(words, from + TOGETHER);
+            boolean some = any && mayBlock(rows, from * RowBits.WIDTH, Math.min(rows.count, to * RowBits.WIDTH));
+            boolean all = some && blocksAll(lamp);
+            Arrays.fill(doubtful, from, to, some && !all ? -1 : 0);
+            Arrays.fill(dark, from, to, all ? -1 : 0);
+        }
+    }
+
+    /** Whether one of the shapes that may block the ways swept last certainly blocks all of them. */
+    private boolean blocksAll(Lamp lamp) {
+        umbra.take(origins, lamp.source(), lamp.area().extent(), toPoints, isUnderEnd);
+        boolean all = false;
+        for (int c = 0; !blockers.tooMany && c < few.count && !all; c++) {
+            all = umbra.isOf(geometry.primitives(), few.primitive[c]);
+        }
+        return all;
     }
 
     /** Those of the chosen rows whose ways to the area that it was turned to something may block; written again by the next call. */
     int[] doubts(HitRows rows, int[] chosen) {
-        boolean any = casts && geometry.throwsShadows();
         for (int b = 0; b < RowBits.words(rows.count); b++) {
-            asked[b] = any ? chosen[b] & doubtful[b] : 0;
+            asked[b] = chosen[b] & doubtful[b];
         }
         return asked;
     }
@@ -340,6 +376,7 @@ final class ShadowCaster {
 
     /** Takes the ways from all points of a box. */
     private void sweep(PointBox box) {
+        origins = box;
         beam.clear();
         beam.origins(box);
         if (toPoints) {

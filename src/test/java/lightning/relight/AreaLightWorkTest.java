@@ -6,13 +6,22 @@ import java.util.List;
 import java.util.function.UnaryOperator;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.relight.plan.Reflections;
+import lightning.relight.tile.MirrorStorage;
 import lightning.sample.StudioScene;
 import lightning.scene.Area;
 import lightning.scene.Attenuation;
 import lightning.scene.BarnDoors;
+import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Material;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.scene.World;
 import lightning.shading.LightRows;
 import lightning.shading.ReferenceTracer;
 import lightning.work.Progress;
@@ -93,6 +102,27 @@ class AreaLightWorkTest {
             Update moved = edit(studio, l -> l.withPosition(l.position().plus(new Vec3(1e-9, 0, 0))));
             assertThat(wider.rays().shadow()).isPositive().isLessThan(moved.rays().shadow());
         }
+    }
+
+    /** A floor seen from under a ball that hides the light from all of it, whichever way the light is moved a little. */
+    @ParameterizedTest
+    @EnumSource(LightType.class)
+    void lightMovedBehindABall_castsNothingWhereAllIsDark(LightType type) {
+        Light lamp = large(Light.of("key", type).withPosition(new Vec3(0, 20, 0)).withDirection(new Vec3(0, -1, 0)));
+        Scene scene = new Scene(new Picture(64, 32, 1), new Camera(new Vec3(0, 2.5, 0), Vec3.ZERO, new Vec3(0, 0, -1), 20), World.DEFAULT,
+                List.of(Material.of("matte").withDiffuse(Rgb.grey(0.7))),
+                List.of(shape(Solid.PLANE, new Vec3(0, 0, 0), 40), shape(Solid.SPHERE, new Vec3(0, 8, 0), 5)), List.of(lamp));
+        try (Studio studio = new Studio(Reflections.CURRENT, MirrorStorage.FULL_ROWS, scene)) {
+            Update moved = edit(studio, l -> l.withPosition(new Vec3(0.3, 20, 0)).withDirection(new Vec3(0.02, -1, 0)));
+            assertThat(moved.rowsTouched()).isPositive();
+            assertThat(moved.rays().shadow()).isZero();
+            Update edge = edit(studio, l -> l.withPosition(new Vec3(15, 20, 0)).withDirection(new Vec3(-15, -20, 0)));
+            assertThat(edge.rays().shadow()).isPositive();
+        }
+    }
+
+    private static Shape shape(Solid solid, Vec3 at, double size) {
+        return new Shape(solid, solid.noun(), "matte", new Placement(at, Vec3.ZERO, Vec3.ONE.times(size)));
     }
 
     @ParameterizedTest

@@ -48,6 +48,11 @@ public final class TraceScenes {
         return ballOnFloor(new Vec3(0, 0, -5), 1);
     }
 
+    /** One shape alone about (0, 0, −5), its base at a height of −0.5, seen from the origin. */
+    public static Scene alone(Solid solid) {
+        return one(solid, new Placement(new Vec3(0, -0.5, -5), Vec3.ZERO, Vec3.ONE), Vec3.ZERO, new Vec3(0, 0, -5));
+    }
+
     /** A ball of a radius, and a floor under it, seen from the origin. */
     static Scene ballOnFloor(Vec3 at, double radius) {
         List<Node> nodes = new TraceScenes().add(Solid.SPHERE, at, Vec3.ZERO, Vec3.ONE.times(radius))

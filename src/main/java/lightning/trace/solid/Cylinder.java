@@ -24,4 +24,23 @@ final class Cylinder extends Frustum {
         double sideOut = parallel ? far : t0 < t1 ? t1 : t0;
         return met(data, at, sideIn, sideOut, oy, dy, touch, margin);
     }
+
+    @Override
+    public double middle(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz) {
+        double bottom = -oy / dy;
+        double top = (1 - oy) / dy;
+        double a = dx * dx + dz * dz;
+        double w = ox * dz - oz * dx;
+        double nearest = -(ox * dx + oz * dz) / a;
+        double half = Math.sqrt(a - w * w) / a;
+        double in = a > 0 ? Math.max(nearest - half, Math.min(bottom, top)) : bottom;
+        double out = a > 0 ? Math.min(nearest + half, Math.max(bottom, top)) : top;
+        return 0.5 * (in + out);
+    }
+
+    /** What has no discs is met only where its side is crossed. */
+    @Override
+    public double depth(double[] data, int at, double x, double y, double z) {
+        return data[at + CAPS] == 0 ? -MISS : Math.min(1 - Math.sqrt(x * x + z * z), Math.min(y, 1 - y));
+    }
 }

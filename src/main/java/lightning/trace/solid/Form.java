@@ -39,6 +39,24 @@ public abstract class Form {
      */
     public abstract boolean isPassed(double low, double high, double falling, double rising);
 
+    /**
+     * About the middle of the times at which a ray is inside a convex solid: where to ask for {@link #depth}. Any number, or NaN, where it is
+     * never inside.
+     */
+    public double middle(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz) {
+        return Double.NaN;
+    }
+
+    /**
+     * How far a point lies inside a convex solid: the ball about it of that radius is inside; where it is below 0, the ball of minus that radius
+     * is outside. Own units; exact but for a few roundings.
+     *
+     * @return −∞ for a solid without an inside, and for one whose distances {@code lightning.trace.tree.Umbra} has no proof about
+     */
+    public double depth(double[] data, int at, double x, double y, double z) {
+        return -MISS;
+    }
+
     /** How many times as long as its end lies off the surface a tip can be that a way cuts off an edge or an apex. */
     public abstract double tip(double[] data, int at);
 

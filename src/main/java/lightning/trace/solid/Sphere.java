@@ -53,6 +53,16 @@ final class Sphere extends Form {
         return false;
     }
 
+    @Override
+    public double middle(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz) {
+        return -(ox * dx + oy * dy + oz * dz) / (dx * dx + dy * dy + dz * dz);
+    }
+
+    @Override
+    public double depth(double[] data, int at, double x, double y, double z) {
+        return 1 - Math.sqrt(x * x + y * y + z * z);
+    }
+
     /** It has no edge. */
     @Override
     public double tip(double[] data, int at) {
