@@ -3,6 +3,7 @@ package lightning.app.widget;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import java.util.function.Supplier;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.ToggleButton;
@@ -34,9 +35,10 @@ public final class ColorSliders extends VBox {
     private final ToggleGroup tabs = new ToggleGroup();
     private final VBox content = new VBox();
     private final List<ColorSlider> rgb;
-    private final List<ColorSlider> hsv;
-    private final ColorSlider kelvin;
-    private final ColorSquare square;
+    /** Empty before its tab was first in front; likewise {@link #square} and {@link #kelvin} are null. */
+    private List<ColorSlider> hsv = List.of();
+    private ColorSquare square;
+    private ColorSlider kelvin;
     private final Obstacle obstacle;
     private Rgb shown = Rgb.WHITE;
     private Hsv shownHsv = Hsv.of(Rgb.WHITE);
@@ -84,22 +86,13 @@ public final class ColorSliders extends VBox {
         this.prefix = prefix;
         rgb = List.of(channel("R", prefix + Texts.of("red"), target.red()), channel("G", prefix + Texts.of("green"), target.green()),
                 channel("B", prefix + Texts.of("blue"), target.blue()));
-        square = new ColorSquare(this::setHsv);
-        square.setAccessibleText(prefix + square.getAccessibleText());
-        hsv = List.of(
-                hsv("H", prefix + Texts.of("hue"), new Steps(1, 0, 360), 360, (h, v) -> new Hsv(v, h.saturation(), h.value())),
-                hsv("S", prefix + Texts.of("saturation"), new Steps(0.1, 0, 1), 1, (h, v) -> new Hsv(h.hue(), v, h.value())),
-                hsv("V", prefix + Texts.of("value"), new Steps(0.1, 0, max), 1,
-                        (h, v) -> new Hsv(h.hue(), h.saturation(), v)));
-        kelvin = new ColorSlider("K", "temperature",
-                new ColorSlider.Scale(Kelvin.MIN, Kelvin.MAX, Math::log, Math::exp),
-                Gauge.of("temperature", new Steps(100, Kelvin.MIN, Kelvin.MAX), Measure.KELVIN, target::temperature));
         well.getStyleClass().add("color-well");
         well.setTooltip(new Tooltip(Texts.of("{0}.\nClick to pick another", help)));
         content.getStyleClass().add("color-content");
-        HBox head = new HBox(well, tab("RGB", Texts.of("red, green, blue"), rgb), tab("HSV", Texts.of("hue, saturation, value"), hsvTab()));
+        HBox head = new HBox(well, tab("RGB", Texts.of("red, green, blue"), () -> rgb),
+                tab("HSV", Texts.of("hue, saturation, value"), () -> hsvTab(max)));
         if (ofLight) {
-            head.getChildren().add(tab("Kelvin", Texts.of("colour temperature"), List.of(kelvin, presets())));
+            head.getChildren().add(tab("Kelvin", Texts.of("colour temperature"), this::kelvinTab));
         }
         head.getStyleClass().add("color-head");
         well.setOnAction(_ -> {
@@ -131,11 +124,11 @@ public final class ColorSliders extends VBox {
         var now = new Drawn(color, shownHsv);
         if (!now.equals(drawn)) {
             drawn = now;
-            draw(color, shownHsv);
+            draw(color);
         }
     }
 
-    private void draw(Rgb color, Hsv h) {
+    private void draw(Rgb color) {
         well.setStyle("-well-color: " + Paints.css(color) + ";");
         well.setAccessibleText(
                 prefix + String.format(Texts.locale(), Texts.of("colour: red %.3f, green %.3f, blue %.3f"), color.r(), color.g(),
@@ -143,11 +136,32 @@ public final class ColorSliders extends VBox {
         rgb.get(0).show(color.r(), v -> new Rgb(v, color.g(), color.b()));
         rgb.get(1).show(color.g(), v -> new Rgb(color.r(), v, color.b()));
         rgb.get(2).show(color.b(), v -> new Rgb(color.r(), color.g(), v));
+        drawHsv();
+        drawKelvin();
+    }
+
+    private void drawHsv() {
+        if (square == null) {
+            return;
+        }
+        if (drawn == null) {
+            hsv.forEach(ColorSlider::showNothing);
+            square.show(new Hsv(0, 0, 0));
+            return;
+        }
+        Hsv h = drawn.hsv();
         square.show(h);
         hsv.get(0).show(h.hue(), v -> new Hsv(v, 1, 1).rgb());
         hsv.get(1).show(h.saturation(), v -> new Hsv(h.hue(), v, Math.clamp(h.value(), 0, 1)).rgb());
         hsv.get(2).show(h.value(), v -> new Hsv(h.hue(), h.saturation(), v).rgb());
-        kelvin.show(Math.rint(Kelvin.of(color)), Kelvin::rgb);
+    }
+
+    private void drawKelvin() {
+        if (kelvin != null && drawn == null) {
+            kelvin.showNothing();
+        } else if (kelvin != null) {
+            kelvin.show(Math.rint(Kelvin.of(drawn.color())), Kelvin::rgb);
+        }
     }
 
     /** Shows that there is no colour. */
@@ -156,16 +170,17 @@ public final class ColorSliders extends VBox {
         well.setStyle("-well-color: transparent;");
         well.setAccessibleText(prefix + Texts.of("colour: none"));
         rgb.forEach(ColorSlider::showNothing);
-        hsv.forEach(ColorSlider::showNothing);
-        kelvin.showNothing();
-        square.show(new Hsv(0, 0, 0));
+        drawHsv();
+        drawKelvin();
     }
 
     /** Forgets what was typed. */
     public void revert() {
         rgb.forEach(ColorSlider::revert);
         hsv.forEach(ColorSlider::revert);
-        kelvin.revert();
+        if (kelvin != null) {
+            kelvin.revert();
+        }
     }
 
     /** Disables the widget and says why, a clause; or enables it. */
@@ -201,8 +216,28 @@ public final class ColorSliders extends VBox {
         return refusal;
     }
 
-    private List<Node> hsvTab() {
+    private List<Node> hsvTab(double max) {
+        if (square == null) {
+            square = new ColorSquare(this::setHsv);
+            square.setAccessibleText(prefix + square.getAccessibleText());
+            hsv = List.of(
+                    hsv("H", prefix + Texts.of("hue"), new Steps(1, 0, 360), 360, (h, v) -> new Hsv(v, h.saturation(), h.value())),
+                    hsv("S", prefix + Texts.of("saturation"), new Steps(0.1, 0, 1), 1, (h, v) -> new Hsv(h.hue(), v, h.value())),
+                    hsv("V", prefix + Texts.of("value"), new Steps(0.1, 0, max), 1,
+                            (h, v) -> new Hsv(h.hue(), h.saturation(), v)));
+            drawHsv();
+        }
         return List.of(square, hsv.get(0), hsv.get(1), hsv.get(2));
+    }
+
+    private List<Node> kelvinTab() {
+        if (kelvin == null) {
+            kelvin = new ColorSlider("K", "temperature",
+                    new ColorSlider.Scale(Kelvin.MIN, Kelvin.MAX, Math::log, Math::exp),
+                    Gauge.of("temperature", new Steps(100, Kelvin.MIN, Kelvin.MAX), Measure.KELVIN, target::temperature));
+            drawKelvin();
+        }
+        return List.of(kelvin, presets());
     }
 
     private Node presets() {
@@ -218,7 +253,8 @@ public final class ColorSliders extends VBox {
         return presets;
     }
 
-    private ToggleButton tab(String name, String title, List<? extends Node> nodes) {
+    /** @param nodes asked for whenever the tab comes in front */
+    private ToggleButton tab(String name, String title, Supplier<List<? extends Node>> nodes) {
         ToggleButton tab = new ToggleButton(name);
         tab.setTooltip(new Tooltip(Texts.of("Colour as {0}", title)));
         tab.setMaxWidth(Double.MAX_VALUE);
@@ -226,7 +262,7 @@ public final class ColorSliders extends VBox {
         tab.setToggleGroup(tabs);
         tab.selectedProperty().addListener((_, _, selected) -> {
             if (selected) {
-                content.getChildren().setAll(nodes);
+                content.getChildren().setAll(nodes.get());
             }
         });
         return tab;

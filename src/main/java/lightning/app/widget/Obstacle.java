@@ -11,7 +11,8 @@ public final class Obstacle {
     private final Node around;
     private final Node control;
     private final String hint;
-    private final Tooltip tooltip = new Tooltip();
+    /** Null before there is anything to say: it is a window, which takes its time, and most controls never need one. */
+    private Tooltip tooltip;
     private boolean installed;
     /** What was set last; null before the first. */
     private Optional<String> reason;
@@ -43,14 +44,22 @@ public final class Obstacle {
         }
         control.setDisable(reason.isPresent());
         String text = reason.map(r -> hint.isEmpty() ? sentence(r) : hint + "\n" + sentence(r)).orElse(hint);
-        tooltip.setText(text);
         control.setAccessibleHelp(text);
-        if (installed && text.isEmpty()) {
+        if (!text.isEmpty()) {
+            tip(text);
+        } else if (installed) {
             Tooltip.uninstall(around, tooltip);
-        } else if (!installed && !text.isEmpty()) {
-            Tooltip.install(around, tooltip);
+            installed = false;
         }
-        installed = !text.isEmpty();
+    }
+
+    private void tip(String text) {
+        tooltip = tooltip == null ? new Tooltip() : tooltip;
+        tooltip.setText(text);
+        if (!installed) {
+            Tooltip.install(around, tooltip);
+            installed = true;
+        }
     }
 
     /** A screen reader tells of the part that it is at, and not of the whole. */
