@@ -7,6 +7,7 @@ import javafx.event.EventHandler;
 import javafx.scene.Scene;
 import javafx.scene.input.InputEvent;
 import javafx.util.Duration;
+import lightning.app.widget.Slices;
 
 /** Makes what will be opened while nobody works: one step after the other, and none while there is anything else to do. */
 final class Ahead implements AutoCloseable {
@@ -37,7 +38,8 @@ final class Ahead implements AutoCloseable {
     }
 
     private void look() {
-        if (System.nanoTime() - touched > REST_NS && resting.getAsBoolean()) {
+        // What comes in slices has the thread for itself.
+        if (System.nanoTime() - touched > REST_NS && resting.getAsBoolean() && !Slices.isAnyGoing()) {
             steps.next().run();
         }
         if (steps.hasNext()) {

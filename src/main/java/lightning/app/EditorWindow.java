@@ -40,6 +40,7 @@ public final class EditorWindow implements AutoCloseable {
     private final FileActions files;
     private final Panels panels;
     private final VBox bars;
+    private final EditorMenu menu;
     private final SidePane side;
     /** Null before it was first shown. */
     private TimelinePane timeline;
@@ -57,7 +58,7 @@ public final class EditorWindow implements AutoCloseable {
         model.commands().setSwitch(Command.FULL_SCREEN, fullScreen, this::switchFullScreen);
         var playback = new Playback(model);
         model.commands().setAction(Command.EXPORT_SHOT, () -> new ShotExportWindow(model, window()).show());
-        var menu = new EditorMenu(model, files);
+        menu = new EditorMenu(model, files);
         model.commands().setAction(Command.PALETTE, () -> CommandPalette.open(window(), menu, model));
         var tools = new EditorToolBar(model);
         tools.visibleProperty().bind(model.arrangement().panelsHiddenProperty().not());
@@ -127,7 +128,7 @@ public final class EditorWindow implements AutoCloseable {
 
     /** What can be made before somebody asks for it, a step after the other. */
     Stream<Runnable> ahead() {
-        return Stream.of(side.ahead(), panels.ahead(), Stream.of(makeTimeline)).flatMap(Function.identity());
+        return Stream.of(side.ahead(), menu.ahead(), panels.ahead(), Stream.of(makeTimeline)).flatMap(Function.identity());
     }
 
     /** Opens the first scene among files; returns whether there is one. */

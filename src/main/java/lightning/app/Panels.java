@@ -57,17 +57,16 @@ final class Panels implements AutoCloseable {
 
     /** For each window the steps that make it before it is wanted, each of which takes a moment of the window's thread. */
     Stream<Runnable> ahead() {
-        return PANELS.keySet().stream().sorted().flatMap(command -> Stream.of(() -> made(command), () -> layOut(made(command))));
+        return PANELS.keySet().stream().sorted().flatMap(
+                command -> Stream.of(() -> made(command), () -> root(command).applyCss(), () -> root(command).layout()));
     }
 
     private Stage made(Command command) {
         return opened.computeIfAbsent(command, c -> window(c, PANELS.get(c)));
     }
 
-    private static void layOut(Stage stage) {
-        Parent root = stage.getScene().getRoot();
-        root.applyCss();
-        root.layout();
+    private Parent root(Command command) {
+        return made(command).getScene().getRoot();
     }
 
     private void open(Command command) {

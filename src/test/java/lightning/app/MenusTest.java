@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javafx.scene.Node;
 import javafx.scene.Parent;
@@ -103,6 +104,36 @@ class MenusTest extends EditorDesk {
         // Of the light's type there is a choice of its own, among its properties.
         offered.add(Command.CHANGE_TYPE);
         assertThat(offered).containsExactlyInAnyOrder(Command.values());
+    }
+
+    @Test
+    void menuMadeAhead_opensWithTheLinesThatAreThereAndTheirLooks() {
+        List<Menu> menus = robot.lookup(".menu-bar").<MenuBar>query().getMenus();
+        Set<Double> notMadeAhead = heights(opened(menus.get(1)));
+        ContextMenu window = window(menus.get(2));
+        assertThat(window.getSkin()).isNull();
+        robot.interact(() -> editor.window().ahead().forEach(Runnable::run));
+        assertThat(window.isShowing()).isFalse();
+        Node made = window.getSkin().getNode();
+        Node seen = opened(menus.get(2));
+        assertThat(seen).isSameAs(made);
+        assertThat(heights(seen)).isEqualTo(notMadeAhead);
+    }
+
+    private static ContextMenu window(Menu menu) {
+        return menu.getItems().getFirst().getParentPopup();
+    }
+
+    private Node opened(Menu menu) {
+        robot.interact(menu::show);
+        waitFor("the menu is open", () -> window(menu).isShowing());
+        return window(menu).getSkin().getNode();
+    }
+
+    /** Of a menu's lines. */
+    private static Set<Double> heights(Node menu) {
+        return ((Parent) ((Parent) menu).getChildrenUnmodifiable().getFirst()).getChildrenUnmodifiable().stream()
+                .map(line -> line.getBoundsInParent().getHeight()).collect(Collectors.toSet());
     }
 
     @Test

@@ -12,6 +12,7 @@ import javafx.scene.Node;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
+import javafx.scene.control.TitledPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
@@ -33,7 +34,6 @@ import lightning.scene.MaterialAttribute;
 import lightning.scene.MaterialAttribute.Section;
 import lightning.scene.Quantity;
 import lightning.scene.Scene;
-import lightning.scene.SurfaceModel;
 import lightning.scene.TextureMap;
 import lightning.scene.ValueKind;
 import lightning.text.Texts;
@@ -68,12 +68,12 @@ final class MaterialPane extends VBox {
             Runnable showNothing, Runnable revert) {}
 
     /** Widgets that people find together. */
-    private record Part(Node pane, List<Row> rows) {
-        /** Shows the attributes that a material of this model has. */
-        void fit(SurfaceModel model) {
+    private record Part(TitledPane pane, List<Row> rows) {
+        /** Shows the attributes that a material has; all where there is none. */
+        void fit(Material material) {
             boolean any = false;
             for (Row row : rows) {
-                boolean acts = row.attribute().acts(model);
+                boolean acts = material == null || row.attribute().acts(material.model());
                 any |= acts;
                 row.node().setVisible(acts);
                 row.node().setManaged(acts);
@@ -100,8 +100,8 @@ final class MaterialPane extends VBox {
         users.setWrapText(true);
         var header = new VBox(row, users);
         header.getStyleClass().add("light-header");
-        ScrollPane scroll = Sections.gradual(Stream.concat(Stream.of(() -> header),
-                Arrays.stream(Section.values()).map(section -> () -> filled(section))));
+        ScrollPane scroll = Sections.gradual(box -> Stream.concat(Stream.of(() -> Sections.add(box, header)),
+                Arrays.stream(Section.values()).flatMap(section -> parts(box, section))));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);
         name.valueProperty().addListener((_, _, now) -> {
@@ -117,19 +117,33 @@ final class MaterialPane extends VBox {
         });
     }
 
-    private Node filled(Section section) {
-        Node pane = section(section);
-        show(model.materials().material());
-        return pane;
+    /** Makes a section, and then its widgets one by one. */
+    private Stream<Runnable> parts(VBox box, Section section) {
+        var part = new Part(Sections.section(Sections.title(section.name())), new ArrayList<>());
+        return Stream.concat(Stream.of(() -> {
+            parts.add(part);
+            part.fit(model.materials().material());
+            Sections.add(box, part.pane());
+        }), MaterialAttribute.ALL.stream().filter(a -> a.section() == section).map(a -> () -> rows(a).forEach(row -> add(part, row))));
     }
 
-    private Node section(Section section) {
-        List<Row> widgets = MaterialAttribute.ALL.stream().filter(a -> a.section() == section).flatMap(a -> rows(a).stream()).toList();
-        rows.addAll(widgets);
-        widgets.forEach(row -> PropertyMenu.on(row.node(), model, new PropertyOwner.OfMaterial(model, row.attribute())));
-        Node pane = Sections.section(Sections.title(section.name()), widgets.stream().map(Row::node).toArray(Node[]::new));
-        parts.add(new Part(pane, widgets));
-        return pane;
+    private void add(Part part, Row row) {
+        rows.add(row);
+        part.rows().add(row);
+        PropertyMenu.on(row.node(), model, new PropertyOwner.OfMaterial(model, row.attribute()));
+        Material material = model.materials().material();
+        row.obstacle().accept(obstacle(material));
+        part.fit(material);
+        if (material == null) {
+            row.showNothing().run();
+        } else {
+            row.show().accept(material);
+        }
+        Sections.add((VBox) part.pane().getContent(), row.node());
+    }
+
+    private static Optional<String> obstacle(Material material) {
+        return material == null ? Optional.of(Texts.of(NO_MATERIAL)) : Optional.empty();
     }
 
     private <V> List<Row> rows(MaterialAttribute<V> attribute) {
@@ -216,7 +230,7 @@ final class MaterialPane extends VBox {
     }
 
     private void show(Material material) {
-        Optional<String> obstacle = material == null ? Optional.of(Texts.of(NO_MATERIAL)) : Optional.empty();
+        Optional<String> obstacle = obstacle(material);
         rows.forEach(row -> row.obstacle().accept(obstacle));
         unnamed.set(obstacle);
         if (material == null) {
@@ -228,7 +242,7 @@ final class MaterialPane extends VBox {
             rows.forEach(row -> row.revert().run());
         }
         shown = material.name();
-        parts.forEach(part -> part.fit(material.model()));
+        parts.forEach(part -> part.fit(material));
         showNames();
         rows.forEach(row -> row.show().accept(material));
     }

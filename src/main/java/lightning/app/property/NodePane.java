@@ -63,9 +63,10 @@ final class NodePane extends VBox {
         var header = new VBox(row, about);
         header.getStyleClass().add("light-header");
         List<javafx.scene.Node> rotate = new ArrayList<>(turns);
-        ScrollPane scroll = Sections.gradual(Stream.of(() -> header, () -> Sections.section(Texts.of("Position"), at),
-                () -> Sections.section(Texts.of("Rotation"), rotate.toArray(javafx.scene.Node[]::new)),
-                () -> Sections.section(Texts.of("Scale"), scale)));
+        ScrollPane scroll = Sections.gradual(box -> Stream.of(() -> Sections.add(box, header),
+                () -> Sections.add(box, Sections.section(Texts.of("Position"), at)),
+                () -> Sections.add(box, Sections.section(Texts.of("Rotation"), rotate.toArray(javafx.scene.Node[]::new))),
+                () -> Sections.add(box, Sections.section(Texts.of("Scale"), scale))));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);
         model.situationProperty().when(inFront).subscribe(this::show);

@@ -1,8 +1,7 @@
 package lightning.app.property;
 
-import java.util.List;
 import java.util.Locale;
-import java.util.function.Supplier;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
@@ -25,15 +24,22 @@ final class Sections {
         return scroll;
     }
 
-    /** As {@link #scroll}, where the sections are made one after the other, so that the window's thread is never away for long. */
-    static ScrollPane gradual(Stream<Supplier<Node>> sections) {
+    /**
+     * As {@link #scroll}, where all is made one after the other, so that the window's thread is never away for long.
+     *
+     * @param parts makes a part each, put by {@link #add} into what it is given or into what was put there
+     */
+    static ScrollPane gradual(Function<VBox, Stream<Runnable>> parts) {
         ScrollPane scroll = scroll();
-        List<Node> box = ((VBox) scroll.getContent()).getChildren();
-        Slices.whileSeen(scroll.getContent(), sections.<Runnable>map(section -> () -> {
-            box.add(section.get());
-            Slices.style(box.getLast());
-        }).iterator());
+        var box = (VBox) scroll.getContent();
+        Slices.whileSeen(box, parts.apply(box).iterator());
         return scroll;
+    }
+
+    /** Puts a node below the others, with its looks. */
+    static void add(VBox box, Node node) {
+        box.getChildren().add(node);
+        Slices.style(node);
     }
 
     static TitledPane section(String title, Node... widgets) {

@@ -75,12 +75,17 @@ public final class Slices {
     }
 
     private boolean slice() {
-        long end = System.nanoTime() + SLICE_NS;
+        long begin = System.nanoTime();
+        long now = begin;
+        long last;
         do {
+            last = now;
             if (!part.getAsBoolean()) {
                 return false;
             }
-        } while (System.nanoTime() < end);
+            now = System.nanoTime();
+            // What comes next may take as long as the last.
+        } while (now + (now - last) < begin + SLICE_NS);
         return true;
     }
 }
