@@ -42,6 +42,11 @@ class ExactnessTest {
     }
 
     @Provide
+    Arbitrary<Session> extremes() {
+        return Session.extremes();
+    }
+
+    @Provide
     Arbitrary<Set<Effect>> effects() {
         return Arbitraries.of(Effect.ALL).set();
     }
@@ -60,6 +65,20 @@ class ExactnessTest {
                 Update update = renderer.render(scene, Progress.NONE);
                 SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(),
                         "current-reflections", session, step, update.plan().text());
+            }
+        }
+    }
+
+    /** Every attribute at any magnitude that it may have, in lights and materials that were drawn likewise. */
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    void extremeScenes_equalTheReferenceAfterEveryEdit(@ForAll("extremes") Session session, @ForAll long engines) {
+        Options options = new Options(Accuracy.EXACT, Reflections.CURRENT, MirrorStorage.FULL_ROWS, 1).withEngines(new EngineMix(engines));
+        try (Renderer renderer = new Renderer(options)) {
+            for (int step = 0; step < session.scenes().size(); step++) {
+                Scene scene = session.scenes().get(step);
+                Update update = renderer.render(scene, Progress.NONE);
+                SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(),
+                        "extreme-scenes", session, step, update.plan().text());
             }
         }
     }

@@ -20,6 +20,8 @@ import net.jqwik.api.Tuple;
 public final class AttributeArbitraries {
     /** Values up to here are drawn evenly; what an attribute does shows best where numbers are as large as the scene. */
     private static final double ORDINARY = 8;
+    /** The power of ten of the least numbers, at and below which nothing is left of them as floats, and little of their squares. */
+    private static final double LEAST_POWER = -46;
 
     private AttributeArbitraries() {}
 
@@ -76,10 +78,61 @@ public final class AttributeArbitraries {
         return (V) links;
     }
 
+    /** Edits that set any attribute of a light to anything that it may be. */
+    static Arbitrary<LightChange> extremeLightChanges() {
+        return attributes().flatMap(AttributeArbitraries::extremeLightChange);
+    }
+
+    private static <V> Arbitrary<LightChange> extremeLightChange(LightAttribute<V> attribute) {
+        return extremes(attribute).map(v -> new LightChange.Anew<>(attribute, v));
+    }
+
+    /** Edits that set any attribute of a material to anything that it may be. */
+    static Arbitrary<MaterialChange> extremeMaterialChanges() {
+        return Arbitraries.of(MaterialAttribute.ALL).flatMap(AttributeArbitraries::extremeMaterialChange);
+    }
+
+    private static <V> Arbitrary<MaterialChange> extremeMaterialChange(MaterialAttribute<V> attribute) {
+        return extremes(attribute).map(v -> new MaterialChange.Anew<>(attribute, v));
+    }
+
+    /** Numbers of all magnitudes, each power of ten as likely as any other; what has none as always. */
+    private static <V> Arbitrary<V> extremes(Attribute<?, V> attribute) {
+        return switch (attribute.kind()) {
+            case Quantity<V> q -> joined(q, magnitudes(q)).filter(v -> isAllowed(q, v));
+            case Choice<V> _,ValueKind.Linking _,ValueKind.Filed<?> _,ValueKind.Naming _,ValueKind.Texturing _ -> values(attribute,
+                    attribute.initial());
+        };
+    }
+
+    /** Whether numbers that are each in range may stand together, as those of a direction. */
+    private static <V> boolean isAllowed(Quantity<V> q, V value) {
+        try {
+            q.check("", value);
+            return true;
+        } catch (IllegalArgumentException refused) {
+            return false;
+        }
+    }
+
+    private static Arbitrary<Double> magnitudes(Quantity<?> q) {
+        double most = Math.max(-q.min(), q.max());
+        Arbitrary<Double> any = Combinators.combine(Numbers.between(LEAST_POWER, Math.log10(most)), Arbitraries.of(-1, 1))
+                .as((power, sign) -> sign * Math.pow(10, power));
+        Arbitrary<Double> nearTheEnds = Numbers.between(LEAST_POWER, 0)
+                .flatMap(power -> Arbitraries.of(q.min() + Math.pow(10, power), q.max() - Math.pow(10, power)));
+        return Arbitraries.frequencyOf(Tuple.of(4, any), Tuple.of(1, nearTheEnds), Tuple.of(2, Arbitraries.of(q.min(), q.max(), 0.0, 1.0)))
+                .map(v -> Math.clamp(v, q.min(), q.max()));
+    }
+
     static <V> Arbitrary<V> numbers(Quantity<V> q) {
         Arbitrary<Double> ordinary = Numbers.between(Math.max(q.min(), -ORDINARY), Math.min(q.max(), ORDINARY));
         Arbitrary<Double> number = q.isVector() ? ordinary
                 : Arbitraries.frequencyOf(Tuple.of(6, ordinary), Tuple.of(1, Arbitraries.of(q.min())));
+        return joined(q, number);
+    }
+
+    private static <V> Arbitrary<V> joined(Quantity<V> q, Arbitrary<Double> number) {
         return number.map(v -> q.whole() ? Math.rint(v) : v).list().ofSize(q.labels().size())
                 .filter(n -> q.form() != Quantity.Form.DIRECTION || !n.equals(Collections.nCopies(n.size(), 0.0)))
                 .map(q.join()::apply);

@@ -20,6 +20,7 @@ import lightning.scene.World;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
+import net.jqwik.api.RandomDistribution;
 import net.jqwik.api.Tuple;
 
 /**
@@ -33,7 +34,7 @@ final class Extremes {
     private Extremes() {}
 
     static Arbitrary<List<Edit>> edits() {
-        return edit().list().ofMinSize(1).ofMaxSize(10);
+        return edit().list().ofMinSize(1).ofMaxSize(10).withSizeDistribution(RandomDistribution.uniform());
     }
 
     static Arbitrary<Scene> scenes() {
@@ -108,7 +109,19 @@ final class Extremes {
     }
 
     private static Arbitrary<Material> material(String name) {
-        return Arbitraries.frequencyOf(Tuple.of(2, phong(name)), Tuple.of(1, metallic(name)));
+        Arbitrary<Material> plain = Arbitraries.frequencyOf(Tuple.of(2, phong(name)), Tuple.of(1, metallic(name)));
+        Arbitrary<Material> clear = Combinators.combine(plain, Numbers.colors(), powersOr(-16, 0.5, 0.5).map(v -> 1 + Math.min(v, 3)))
+                .as((material, through, ior) -> material.withClarity(material.clarity().withClear(through).withIor(ior)));
+        return Combinators.combine(Arbitraries.frequencyOf(Tuple.of(3, plain), Tuple.of(1, clear)),
+                AttributeArbitraries.extremeMaterialChanges().list().ofMaxSize(2)).as(Extremes::after);
+    }
+
+    private static Material after(Material material, List<MaterialChange> changes) {
+        Material changed = material;
+        for (MaterialChange change : changes) {
+            changed = change.on(changed);
+        }
+        return changed;
     }
 
     private static Arbitrary<Material> metallic(String name) {
@@ -140,6 +153,10 @@ final class Extremes {
                         .as(Edit.OfMaterial::new)),
                 Tuple.of(2, Combinators.combine(Arbitraries.integers().between(0, 1), Arbitraries.oneOf(
                         roughness().map(MaterialChange.Roughness::new), Arbitraries.of(SurfaceModel.class).map(MaterialChange.Model::new)))
+                        .as(Edit.OfMaterial::new)),
+                Tuple.of(6, Combinators.combine(Arbitraries.integers().between(0, 1), AttributeArbitraries.extremeLightChanges())
+                        .as(Edit.OfLight::new)),
+                Tuple.of(6, Combinators.combine(Arbitraries.integers().between(0, 1), AttributeArbitraries.extremeMaterialChanges())
                         .as(Edit.OfMaterial::new)),
                 Tuple.of(2, EditArbitraries.edits()),
                 Tuple.of(2, Arbitraries.integers().between(1, 4).map(Edit.Undo::new)));

@@ -5,6 +5,7 @@ import lightning.math.Rgb;
 import lightning.scene.Clarity;
 import lightning.scene.Cutout;
 import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
 import lightning.scene.Relief;
 import lightning.scene.ShadowsThrown;
 import lightning.scene.SurfaceModel;
@@ -153,6 +154,14 @@ sealed interface MaterialChange {
         @Override
         public Material on(Material material) {
             return to.withName(material.name());
+        }
+    }
+
+    /** Any attribute that the table has. */
+    record Anew<V>(MaterialAttribute<V> attribute, V to) implements MaterialChange {
+        @Override
+        public Material on(Material material) {
+            return attribute.with(material, to);
         }
     }
 }

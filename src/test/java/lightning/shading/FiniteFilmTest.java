@@ -18,6 +18,7 @@ import lightning.math.Vec3;
 import lightning.sample.CornerScenes;
 import lightning.sample.FailedScene;
 import lightning.sample.SceneArbitraries;
+import lightning.sample.Session;
 import lightning.scene.Antialias;
 import lightning.scene.Camera;
 import lightning.scene.Light;
@@ -58,6 +59,11 @@ class FiniteFilmTest {
         return SceneArbitraries.scenes();
     }
 
+    @Provide
+    Arbitrary<Session> extremes() {
+        return Session.extremes();
+    }
+
     @Property(edgeCases = EdgeCasesMode.NONE)
     void sceneAtTheCornersOfItsLimits_hasAFinitePicture(@ForAll("corners") Scene scene) {
         assertFinite(scene);
@@ -66,6 +72,11 @@ class FiniteFilmTest {
     @Property(edgeCases = EdgeCasesMode.NONE)
     void ordinaryScene_hasAFinitePicture(@ForAll("scenes") Scene scene) {
         assertFinite(scene);
+    }
+
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    void sceneAfterExtremeEdits_hasAFinitePicture(@ForAll("extremes") Session session) {
+        assertFinite(session.scenes().getLast());
     }
 
     static Stream<Path> kept() throws IOException {
