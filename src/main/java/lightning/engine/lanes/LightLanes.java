@@ -18,6 +18,9 @@ import lightning.trace.RowWays;
 /**
  * {@link LightingEquation} in lanes, over all rows of a tile: the same operations in the same order.
  * Holds scratch columns: one for each thread.
+ *
+ * <p>No method of ours takes the vector that a loop ends with: the lanes' own methods are compiled into any loop, ours only up to so
+ * many nodes of the compiler's, and a vector that goes to a method becomes an object (docs/performance.md).
  */
 final class LightLanes implements Terms {
     private static final VectorSpecies<Double> D = DoubleVector.SPECIES_PREFERRED;
@@ -206,7 +209,7 @@ final class LightLanes implements Terms {
             DoubleVector c = load(rows.nx, i).mul(DoubleVector.fromArray(D, lx, i))
                     .add(load(rows.ny, i).mul(DoubleVector.fromArray(D, ly, i)))
                     .add(load(rows.nz, i).mul(DoubleVector.fromArray(D, lz, i)));
-            store(c, to, i);
+            ((FloatVector) c.castShape(F, 0)).intoArray(to, i);
         }
     }
 
@@ -388,7 +391,7 @@ final class LightLanes implements Terms {
     /** Apart from other loops: in one method with them vectors become objects. */
     private static void round(double[] from, int rows, float[] to) {
         for (int i = 0; i < rows; i += LANES) {
-            store(DoubleVector.fromArray(D, from, i), to, i);
+            ((FloatVector) DoubleVector.fromArray(D, from, i).castShape(F, 0)).intoArray(to, i);
         }
     }
 
@@ -448,7 +451,8 @@ final class LightLanes implements Terms {
     private void matte(HitRows rows, int i) {
         DoubleVector nl = lightCosine(rows, i);
         DoubleVector below = nl.mul(one().sub(fifth(one().sub(nl))));
-        store(below.mul(one().sub(fifth(one().sub(viewCosine(rows, i))))), specular, i);
+        DoubleVector term = below.mul(one().sub(fifth(one().sub(viewCosine(rows, i)))));
+        ((FloatVector) term.castShape(F, 0)).intoArray(specular, i);
     }
 
     @Override
@@ -506,8 +510,8 @@ final class LightLanes implements Terms {
         DoubleVector lengths = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).mul(hx.mul(hx).add(hy.mul(hy)).add(hz.mul(hz)));
         DoubleVector s = fifth(one().sub(unit(vh.div(lengths.lanewise(VectorOperators.SQRT)))));
         DoubleVector facets = DoubleVector.fromArray(D, power, i);
-        store(facets.mul(one().sub(s)), specular, i);
-        store(facets.mul(s), grazed, i);
+        ((FloatVector) facets.mul(one().sub(s)).castShape(F, 0)).intoArray(specular, i);
+        ((FloatVector) facets.mul(s).castShape(F, 0)).intoArray(grazed, i);
     }
 
     /** Cut to 0…1; 0 for what is no number. */
@@ -538,9 +542,5 @@ final class LightLanes implements Terms {
 
     private static DoubleVector load(float[] column, int i) {
         return (DoubleVector) FloatVector.fromArray(F, column, i).castShape(D, 0);
-    }
-
-    private static void store(DoubleVector v, float[] column, int i) {
-        ((FloatVector) v.castShape(F, 0)).intoArray(column, i);
     }
 }
