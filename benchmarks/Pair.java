@@ -1,3 +1,5 @@
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -24,8 +26,9 @@ import lightning.work.Workers;
 
 /**
  * Times one build of the engine by the names that all builds share, for {@code benchmarks/pair}: a line for each of the full
- * trace, the first pass and some edits, with the median time in milliseconds and two counts that no machine changes: rows
- * and bytes kept, or rows touched and shadow rays.
+ * trace, the first pass and some edits, with the median time in milliseconds, the median of the processor time of all threads in
+ * milliseconds, the median of the bytes that they allocate, and two counts that no machine changes: rows and bytes kept, or rows
+ * touched and shadow rays.
  */
 final class Pair {
     private static final int WARM_UP = 160;
@@ -36,6 +39,10 @@ final class Pair {
     /** What compiles most comes first: after 5 s the full trace of bird was timed while it was still being compiled. */
     private static final long FIRST_NANOSECONDS = 14_000_000_000L;
     private static final int THREADS = 2;
+    private static final ThreadMXBean ALL = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+    /** What each of some runs took: milliseconds, those of processors, bytes. */
+    private record Taken(double[] times, double[] processor, double[] bytes) {}
 
     public static void main(String[] args) throws Exception {
         Engines.use(Engines.FASTEST);
@@ -47,11 +54,11 @@ final class Pair {
             print("full-trace",
                     times(FIRST_NANOSECONDS, () -> {}, () -> new TraditionalTracer(scene, geometry).trace(workers, Progress.NONE)),
                     0, 0);
-            double[] first = times(FIRST_NANOSECONDS, renderer::forget, () -> renderer.render(scene, Progress.NONE));
+            Taken first = times(FIRST_NANOSECONDS, renderer::forget, () -> renderer.render(scene, Progress.NONE));
             print("first-pass", first, renderer.cache().rowCount(), renderer.cache().bytes());
             for (Map.Entry<String, Scene> edit : edits(scene).entrySet()) {
                 var update = new Update[1];
-                double[] times = times(MOST_NANOSECONDS, () -> renderer.render(scene, Progress.NONE),
+                Taken times = times(MOST_NANOSECONDS, () -> renderer.render(scene, Progress.NONE),
                         () -> update[0] = renderer.render(edit.getValue(), Progress.NONE));
                 print(edit.getKey(), times, update[0].rowsTouched(), update[0].rays().shadow());
             }
@@ -59,27 +66,42 @@ final class Pair {
     }
 
     /** @param warmUp how long warming up takes at most, if it needs no more times than {@link #LEAST} */
-    private static double[] times(long warmUp, Runnable before, Runnable timed) {
+    private static Taken times(long warmUp, Runnable before, Runnable timed) {
         take(WARM_UP, warmUp, before, timed);
         return take(TIMES, MOST_NANOSECONDS, before, timed);
     }
 
-    private static double[] take(int most, long nanoseconds, Runnable before, Runnable timed) {
-        double[] times = new double[most];
+    private static Taken take(int most, long nanoseconds, Runnable before, Runnable timed) {
+        double[][] taken = new double[3][most];
         int count = 0;
         long begin = System.nanoTime();
         while (count < most && (count < LEAST || System.nanoTime() - begin < nanoseconds)) {
             before.run();
+            long[] ids = ALL.getAllThreadIds();
+            long processor = sum(ALL.getThreadCpuTime(ids));
+            long bytes = sum(ALL.getThreadAllocatedBytes(ids));
             long start = System.nanoTime();
             timed.run();
-            times[count++] = (System.nanoTime() - start) / 1e6;
+            taken[0][count] = (System.nanoTime() - start) / 1e6;
+            taken[1][count] = (sum(ALL.getThreadCpuTime(ids)) - processor) / 1e6;
+            taken[2][count++] = sum(ALL.getThreadAllocatedBytes(ids)) - bytes;
         }
-        return Arrays.copyOf(times, count);
+        return new Taken(Arrays.copyOf(taken[0], count), Arrays.copyOf(taken[1], count), Arrays.copyOf(taken[2], count));
     }
 
-    private static void print(String name, double[] times, long one, long other) {
-        Arrays.sort(times);
-        System.out.printf(Locale.ROOT, "%s %.4f %d %d%n", name, times[times.length / 2], one, other);
+    /** Those of threads that have ended are −1. */
+    private static long sum(long[] ofThreads) {
+        return Arrays.stream(ofThreads).filter(v -> v > 0).sum();
+    }
+
+    private static double median(double[] values) {
+        Arrays.sort(values);
+        return values[values.length / 2];
+    }
+
+    private static void print(String name, Taken taken, long one, long other) {
+        System.out.printf(Locale.ROOT, "%s %.4f %.4f %.0f %d %d%n", name, median(taken.times), median(taken.processor),
+                median(taken.bytes), one, other);
     }
 
     private static Map<String, Scene> edits(Scene scene) {
