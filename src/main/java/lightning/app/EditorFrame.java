@@ -16,7 +16,9 @@ import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.app.model.Arrangement;
 import lightning.app.model.Arrangement.Canvases;
+import lightning.app.traced.TracedPane;
 import lightning.app.widget.PaneHeader;
+import lightning.app.widget.PictureView;
 import lightning.text.Texts;
 
 /**
@@ -25,17 +27,26 @@ import lightning.text.Texts;
  */
 final class EditorFrame extends BorderPane {
     /** The share of the two pictures in the window's width. */
-    private static final double CANVASES = 0.74;
+    static final double CANVASES = 0.74;
     private static final double LIST = 0.36;
     /** Of the timeline when it is first shown, pixels, and its most share of the height. */
     private static final double TIMELINE = 200;
     private static final double MOST_TIMELINE = 0.4;
     /** About what menu and tools take, and the line at the bottom, pixels: so that little moves when they come. */
-    private static final double BARS = 72;
-    private static final double LINE = 27;
+    static final double BARS = 72;
+    static final double LINE = 27;
+    /** About what the head of a pane takes, and the lines below the traced picture of what a pixel is made of, pixels: for the same reason. */
+    static final double HEAD = 36;
+    static final double FOOT = 38;
+    /** About how wide the traced picture is where all its controls are in a row, and what a second row takes, pixels. */
+    private static final double ONE_ROW = 589;
+    private static final double ROW = 30;
+    /** Of the bar between two panes, pixels. */
+    static final double DIVIDER = 4;
     /** Below the header, whose text begins there. */
     private static final Insets NOTE = new Insets(6, 12, 6, 12);
 
+    private final PictureView picture;
     private final SplitPane canvases;
     /** The pictures, and below them the timeline. */
     private final SplitPane work;
@@ -53,10 +64,16 @@ final class EditorFrame extends BorderPane {
 
     /** @param file what is being read */
     EditorFrame(Path file) {
+        this(file, TracedPane.view());
+    }
+
+    /** @param picture what is shown in the place of the traced picture, whose pane goes on with it; it may show something already */
+    EditorFrame(Path file, PictureView picture) {
+        this.picture = picture;
         setId("opening");
         getStyleClass().add("editor");
         String reading = Texts.of("Reading {0} …", file.getFileName());
-        canvases = new SplitPane(note(Texts.of("Ray traced"), reading), note(Texts.of("Preview"), reading));
+        canvases = new SplitPane(glimpse(reading), note(Texts.of("Preview"), reading));
         side = new SplitPane(sideNote(reading));
         side.setOrientation(Orientation.VERTICAL);
         work = new SplitPane(canvases);
@@ -83,6 +100,25 @@ final class EditorFrame extends BorderPane {
         var pane = new BorderPane(canvas);
         pane.setTop(new PaneHeader(title));
         return pane;
+    }
+
+    /** About what the head of the traced picture takes that is so wide, pixels. */
+    static double head(double width) {
+        return width < ONE_ROW ? HEAD + ROW : HEAD;
+    }
+
+    private BorderPane glimpse(String text) {
+        var pane = note(Texts.of("Ray traced"), text);
+        ((Region) pane.getTop()).prefHeightProperty().bind(pane.widthProperty().map(w -> head(w.doubleValue())));
+        pane.setCenter(new StackPane(pane.getCenter(), picture));
+        Region foot = space(FOOT);
+        foot.getStyleClass().add("pane-footer");
+        pane.setBottom(foot);
+        return pane;
+    }
+
+    PictureView picture() {
+        return picture;
     }
 
     private static VBox sideNote(String text) {

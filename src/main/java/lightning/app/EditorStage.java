@@ -1,6 +1,8 @@
 package lightning.app;
 
+import javafx.scene.Group;
 import javafx.scene.Parent;
+import javafx.scene.Scene;
 import javafx.scene.image.Image;
 import javafx.stage.Stage;
 import lightning.app.model.Preferences;
@@ -21,21 +23,34 @@ final class EditorStage {
     private EditorStage() {}
 
     /**
-     * Opens the window, or shows something else in it where it is open.
+     * Opens the window with something in it that needs no style sheet.
      *
      * @param mostWidth the largest size of the window, pixels: the screen's; likewise {@code mostHeight}
      */
+    static void begin(Stage stage, Parent content, Preferences preferences, double mostWidth, double mostHeight) {
+        fit(stage, content, preferences, mostWidth, mostHeight);
+        stage.show();
+    }
+
+    /** Opens the window with something in it, or shows that where it is open. Sizes as before. */
     static void show(Stage stage, Parent content, Preferences preferences, double mostWidth, double mostHeight) {
         if (stage.getScene() == null) {
-            stage.setScene(Looks.scene(content, Math.min(mostWidth, preferences.number("width", LEAST_SIDE, MOST_SIDE, WIDTH)),
-                    Math.min(mostHeight, preferences.number("height", LEAST_SIDE, MOST_SIDE, HEIGHT))));
-            stage.getIcons().add(new Image(String.valueOf(EditorStage.class.getResource("icon.png")), true));
-            stage.setMinWidth(Math.min(mostWidth, LEAST_WIDTH));
-            stage.setMinHeight(Math.min(mostHeight, LEAST_HEIGHT));
-            OnScreen.open(stage);
-        } else if (stage.getScene().getRoot() != content) {
+            fit(stage, new Group(), preferences, mostWidth, mostHeight);
+        }
+        // Before there is content, which is quickest.
+        Looks.dress(stage.getScene());
+        if (stage.getScene().getRoot() != content) {
             stage.getScene().setRoot(content);
         }
         stage.show();
+    }
+
+    private static void fit(Stage stage, Parent content, Preferences preferences, double mostWidth, double mostHeight) {
+        stage.setScene(new Scene(content, Math.min(mostWidth, preferences.number("width", LEAST_SIDE, MOST_SIDE, WIDTH)),
+                Math.min(mostHeight, preferences.number("height", LEAST_SIDE, MOST_SIDE, HEIGHT))));
+        stage.getIcons().add(new Image(String.valueOf(EditorStage.class.getResource("icon.png")), true));
+        stage.setMinWidth(Math.min(mostWidth, LEAST_WIDTH));
+        stage.setMinHeight(Math.min(mostHeight, LEAST_HEIGHT));
+        OnScreen.open(stage);
     }
 }

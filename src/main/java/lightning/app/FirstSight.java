@@ -1,9 +1,8 @@
 package lightning.app;
 
-import javafx.animation.AnimationTimer;
-import javafx.application.Platform;
 import lightning.app.command.TableActions;
 import lightning.app.model.EditorModel;
+import lightning.app.model.Glimpse;
 import lightning.app.model.Precision;
 import lightning.app.model.Preferences;
 import lightning.app.model.Speech;
@@ -12,6 +11,7 @@ import lightning.edit.FileThread;
 import lightning.edit.OpenDocument;
 import lightning.edit.Recovery;
 import lightning.image.DisplayCurve;
+import lightning.image.ViewTransform;
 
 /**
  * A document that is being traced, as the artist left the editor, and its picture in a frame: all that is seen while the rest of
@@ -25,19 +25,32 @@ final class FirstSight implements AutoCloseable {
     private final TracedPane traced;
     private final EditorFrame frame;
 
+    /** A document that nobody has looked at. */
     FirstSight(EditorFrame frame, OpenDocument document, Preferences preferences, Recovery recovery, FileThread thread) {
-        model = new EditorModel(document, recovery, thread);
+        this(frame, document, look(document, preferences), preferences, recovery, thread);
+    }
+
+    /** @param seen of the document's scene, as {@link #look} does */
+    FirstSight(EditorFrame frame, OpenDocument document, Glimpse seen, Preferences preferences, Recovery recovery,
+            FileThread thread) {
+        model = new EditorModel(document, seen, recovery, thread);
         model.precisionProperty().set(preferences.choice("precision", Precision.EXACT));
-        model.viewProperty().set(model.viewProperty().get().withCurve(preferences.choice("curve", DisplayCurve.SRGB)));
         TableActions.restore(model, preferences);
         model.previewLook().restore(preferences);
         model.keys().restore(preferences);
         model.arrangement().restore(preferences);
         model.machineChoice().restore(preferences);
         model.speechProperty().set(Speech.of(preferences));
-        traced = new TracedPane(model);
+        traced = new TracedPane(model, frame.picture());
         this.frame = frame;
         frame.showTraced(traced);
+    }
+
+    /** Begins to look at a document's scene, as the artist left the view. */
+    static Glimpse look(OpenDocument document, Preferences preferences) {
+        ViewTransform view = ViewTransform.DEFAULT.withCurve(preferences.choice("curve", DisplayCurve.SRGB));
+        // Without its table the picture would have other colors for a moment.
+        return TableActions.isKept(preferences) ? Glimpse.none(view) : Glimpse.begin(document.scene(), view);
     }
 
     EditorModel model() {
@@ -54,21 +67,7 @@ final class FirstSight implements AutoCloseable {
 
     /** Goes on when the picture was drawn, be it a coarse one, or lets wait for long. */
     void whenSeen(Runnable then) {
-        new AnimationTimer() {
-            private long since;
-            private boolean drawn;
-
-            @Override
-            public void handle(long now) {
-                since = since == 0 ? now : since;
-                if (drawn || now - since > PATIENCE_NS) {
-                    stop();
-                    Platform.runLater(then);
-                }
-                // It is drawn after this.
-                drawn = !traced.isEmpty();
-            }
-        }.start();
+        Drawn.with(() -> !traced.isEmpty(), PATIENCE_NS, then);
     }
 
     @Override

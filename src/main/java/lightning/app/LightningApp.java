@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
-import javafx.animation.AnimationTimer;
 import javafx.application.Application;
 import javafx.application.Platform;
 import javafx.geometry.Rectangle2D;
@@ -17,21 +16,32 @@ import lightning.app.command.FilePrompt;
 import lightning.app.model.Preferences;
 import lightning.app.model.Sentence;
 import lightning.app.model.Speech;
+import lightning.app.model.TracedRaster;
 import lightning.app.widget.Looks;
+import lightning.app.widget.PictureView;
 import lightning.edit.FileThread;
 import lightning.edit.Recovery;
 
 /**
- * The editor's program: a window at once, the traced picture in it as soon as there is one, then everything else. The scene is
- * read while the window system starts.
+ * The editor's program: a window at once with a coarse picture in it, then the frame of all panes, then the pane of the traced picture, then
+ * everything else. The scene is read and looked at while the window system starts.
  */
 public class LightningApp extends Application {
     /** What is being read for the program that starts in this process; null where it was not begun by {@link #open}. */
     private static FutureTask<Opening> ahead;
 
+    /** How long a scene that is read waits for a first look at it. */
+    private static final long PATIENCE_MS = 600;
+    /** How long a window that is there waits for that, before it shows that it waits; nanoseconds. */
+    private static final long FIRST_PATIENCE_NS = 300_000_000;
+
     private final FileThread thread = new FileThread(Platform::runLater);
     private final Recovery recovery = recovery();
     private Preferences preferences;
+    /** What was read and nobody works at yet; else null. */
+    private Opening opening;
+    /** Null before it was drawn. */
+    private EditorFrame frame;
     private FirstSight sight;
     private Editor editor;
     private Ahead beforehand;
@@ -49,7 +59,8 @@ public class LightningApp extends Application {
     static Optional<String> open(Class<? extends LightningApp> program, List<String> arguments) {
         Path file = file(arguments);
         Recovery recovery = recovery();
-        ahead = new FutureTask<>(() -> Opening.read(file, recovery));
+        // The program's own preferences are read later, which write too.
+        ahead = new FutureTask<>(() -> Opening.read(file, new Preferences(Folders.data(), _ -> {}), recovery));
         Thread.ofPlatform().daemon().name("lightning-opening").start(ahead);
         Optional<String> obstacle = Display.obstacle();
         if (obstacle.isEmpty()) {
@@ -86,18 +97,40 @@ public class LightningApp extends Application {
     @Override
     public void start(Stage stage) {
         Path file = file();
-        preferences.choice("theme", Looks.DARK).wear();
-        var frame = new EditorFrame(file);
+        Looks looks = preferences.choice("theme", Looks.DARK);
+        var first = new FirstFrame(looks);
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
-        EditorStage.show(stage, frame, preferences, screen.getWidth(), screen.getHeight());
-        thread.beside(() -> ahead == null ? Opening.read(file, recovery) : read(ahead),
-                opening -> onceDrawn(() -> unlessClosed(stage, () -> begin(stage, frame, opening))), why -> unlessClosed(stage, () -> {
+        EditorStage.begin(stage, first, preferences, screen.getWidth(), screen.getHeight());
+        thread.beside(() -> lookedAt(ahead == null ? Opening.read(file, preferences, recovery) : read(ahead)),
+                read -> unlessClosed(stage, () -> {
+                    glimpse(first.picture(), read);
+                    opening = read;
+                    begin(stage);
+                }), why -> unlessClosed(stage, () -> {
+                    looks.wear();
                     new Alert(Alert.AlertType.ERROR, Sentence.of(why), ButtonType.CLOSE).showAndWait();
                     Platform.exit();
                 }));
+        Drawn.with(() -> !first.picture().isEmpty(), FIRST_PATIENCE_NS, () -> unlessClosed(stage, () -> {
+            looks.wear();
+            Looks.dress(stage.getScene());
+            Drawn.once(() -> unlessClosed(stage, () -> frame(stage, file, first.picture())));
+        }));
+    }
+
+    /** Shows the panes, which say that they wait. */
+    private void frame(Stage stage, Path file, PictureView picture) {
+        var made = new EditorFrame(file, picture);
+        stage.getScene().setRoot(made);
+        Drawn.once(() -> unlessClosed(stage, () -> {
+            frame = made;
+            begin(stage);
+        }));
     }
 
     private static Opening read(FutureTask<Opening> opening) throws Exception {
+        // What it holds is for the first document alone.
+        ahead = null;
         try {
             return opening.get();
         } catch (ExecutionException e) {
@@ -109,6 +142,19 @@ public class LightningApp extends Application {
         }
     }
 
+    private static Opening lookedAt(Opening opening) throws InterruptedException {
+        opening.glimpse().await(PATIENCE_MS);
+        return opening;
+    }
+
+    /** Shows what there is to be seen already. */
+    private static void glimpse(PictureView picture, Opening read) {
+        TracedRaster.Pixels seen = read.glimpse().raster().pixels();
+        if (seen != null) {
+            picture.setPixels(seen.width(), seen.height(), seen.pixels());
+        }
+    }
+
     /** Nobody waits for a scene whose window was closed while it was read. */
     private static void unlessClosed(Stage stage, Runnable then) {
         if (stage.isShowing()) {
@@ -116,25 +162,14 @@ public class LightningApp extends Application {
         }
     }
 
-    /** Once the window stands on the screen: what comes next takes this thread and all processors for a while. */
-    private static void onceDrawn(Runnable then) {
-        new AnimationTimer() {
-            private int pulses;
-
-            @Override
-            public void handle(long now) {
-                // The first is told before the window is drawn for the first time, the second while it is, the third after it.
-                if (++pulses == 3) {
-                    stop();
-                    then.run();
-                }
-            }
-        }.start();
-    }
-
-    private void begin(Stage stage, EditorFrame frame, Opening opening) {
-        sight = new FirstSight(frame, opening.document(), preferences, recovery, thread);
-        sight.whenSeen(() -> unlessClosed(stage, () -> show(stage, opening)));
+    /** Where the scene is read, and the window has its frame. */
+    private void begin(Stage stage) {
+        Opening read = opening;
+        if (read != null && frame != null) {
+            opening = null;
+            sight = new FirstSight(frame, read.document(), read.glimpse(), preferences, recovery, thread);
+            sight.whenSeen(() -> unlessClosed(stage, () -> show(stage, read)));
+        }
     }
 
     private void show(Stage stage, Opening opening) {

@@ -3,6 +3,8 @@ package lightning.app;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import lightning.app.model.Glimpse;
+import lightning.app.model.Preferences;
 import lightning.edit.OpenDocument;
 import lightning.edit.Recovery;
 import lightning.exchange.Importer;
@@ -11,11 +13,12 @@ import lightning.jen.JenException;
 /**
  * What the editor begins with, read from files.
  *
+ * @param glimpse of its scene
  * @param failed the scene that was named, where it could not be opened for {@code why}; else null
  * @param left   what crashes left unsaved
  * @param next   a file of another program, of which a scene is made as soon as there is a window that can ask; else null
  */
-record Opening(OpenDocument document, Path failed, Exception why, List<Recovery.Found> left, Path next) {
+record Opening(OpenDocument document, Glimpse glimpse, Path failed, Exception why, List<Recovery.Found> left, Path next) {
 
     /** Whether a file is by its name a scene, or one of another program of which a scene can be made. */
     static boolean isNamedSo(String file) {
@@ -23,26 +26,32 @@ record Opening(OpenDocument document, Path failed, Exception why, List<Recovery.
     }
 
     /**
-     * Reads a scene; the first scene takes the place of one that cannot be opened, or is not made yet.
+     * Reads a scene and begins to look at it; the first scene takes the place of one that cannot be opened, or is not made yet.
      *
+     * @param preferences how the artist left the view
      * @throws IOException   if neither could be read
      * @throws JenException  if the first scene, which was read in place of the other, does not parse
      */
-    static Opening read(Path file, Recovery recovery) throws IOException, JenException {
+    static Opening read(Path file, Preferences preferences, Recovery recovery) throws IOException, JenException {
         List<Recovery.Found> left = left(recovery);
         if (Importer.isNamedSo(file.toString())) {
-            return new Opening(OpenDocument.open(Folders.firstScene()), null, null, left, file);
+            return of(OpenDocument.open(Folders.firstScene()), preferences, null, null, left, file);
         }
         try {
-            return new Opening(OpenDocument.open(file), null, null, left, null);
+            return of(OpenDocument.open(file), preferences, null, null, left, null);
         } catch (IOException | JenException | RuntimeException e) {
             try {
-                return new Opening(OpenDocument.open(Folders.firstScene()), file, e, left, null);
+                return of(OpenDocument.open(Folders.firstScene()), preferences, file, e, left, null);
             } catch (IOException | JenException again) {
                 again.addSuppressed(e);
                 throw e;
             }
         }
+    }
+
+    private static Opening of(OpenDocument document, Preferences preferences, Path failed, Exception why, List<Recovery.Found> left,
+            Path next) {
+        return new Opening(document, FirstSight.look(document, preferences), failed, why, left, next);
     }
 
     private static List<Recovery.Found> left(Recovery recovery) {

@@ -4,10 +4,12 @@ import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.Future;
 import java.util.function.Consumer;
 import java.util.function.LongFunction;
 import java.util.function.Supplier;
 import lightning.cache.PixelCache;
+import lightning.edit.loop.CoarsePicture;
 import lightning.edit.loop.Frame;
 import lightning.edit.loop.Look;
 import lightning.edit.loop.RenderFeed;
@@ -64,6 +66,11 @@ public final class Workbench implements AutoCloseable {
         autosave = new Autosave(recovery, Autosave.DEFAULT_DELAY, trouble);
         feed = new RenderFeed(files.window(), canvas, this::hear);
         loop = new RenderLoop(options, feed);
+    }
+
+    /** Before the document is rendered: what is being looked at of it is not traced again. */
+    public void begin(Future<Optional<CoarsePicture>> seen) {
+        loop.begin(seen);
     }
 
     public OpenDocument document() {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import javafx.scene.control.Label;
 import javafx.stage.Stage;
+import lightning.app.widget.PictureView;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
@@ -17,6 +18,7 @@ class LightningAppTest {
     private final LightningApp app = new LightningApp();
     private Stage stage;
     private String first;
+    private String seenIn;
 
     @Start
     private void start(Stage primary) throws Exception {
@@ -24,6 +26,8 @@ class LightningAppTest {
         app.init();
         app.start(primary);
         first = primary.getScene().getRoot().getId();
+        ((PictureView) primary.getScene().lookup("#traced-picture")).emptyProperty()
+                .subscribe(empty -> seenIn = empty ? seenIn : stage.getScene().getRoot().getId());
     }
 
     @Stop
@@ -37,6 +41,12 @@ class LightningAppTest {
         assertThat(first).isEqualTo("opening");
         OpenEditor.await(() -> robot.lookup("#editor").tryQuery().isPresent());
         assertThat(stage.getScene().getRoot().getId()).isEqualTo("editor");
+    }
+
+    @Test
+    void picture_isThereBeforeThePanes(FxRobot robot) throws Exception {
+        OpenEditor.await(() -> robot.lookup("#editor").tryQuery().isPresent());
+        assertThat(seenIn).isEqualTo("opening");
     }
 
     @Test

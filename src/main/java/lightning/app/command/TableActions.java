@@ -58,10 +58,15 @@ public final class TableActions {
         model.viewProperty().set(model.viewProperty().get().withCube(table));
     }
 
+    /** Whether the view was through a table in the run before. */
+    public static boolean isKept(Preferences preferences) {
+        return !preferences.is(KEY, "");
+    }
+
     /** Reads the table of the run before, beside the window's thread. */
     public static void restore(EditorModel model, Preferences preferences) {
-        String kept = preferences.text(KEY, "");
-        if (!kept.isEmpty()) {
+        if (isKept(preferences)) {
+            String kept = preferences.text(KEY, "");
             model.files().beside(() -> CubeReader.read(path(kept)), table -> show(model, Optional.of(table)),
                     why -> model.say(Sentence.of(why)));
         }

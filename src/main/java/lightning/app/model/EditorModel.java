@@ -60,7 +60,7 @@ public final class EditorModel implements AutoCloseable {
     private final Arrangement arrangement = new Arrangement();
     private final MachineChoice machineChoice = new MachineChoice();
     private final ObjectProperty<Speech> speech = new SimpleObjectProperty<>(Speech.SYSTEM);
-    private final TracedRaster raster = new TracedRaster();
+    private final TracedRaster raster;
     private final FileThread files;
     private final Workbench workbench;
     private final PictureLook look;
@@ -79,7 +79,18 @@ public final class EditorModel implements AutoCloseable {
      * @param files    reads and writes beside the window's thread
      */
     public EditorModel(OpenDocument first, Recovery recovery, FileThread files) {
+        this(first, Glimpse.none(ViewTransform.DEFAULT), recovery, files);
+    }
+
+    /**
+     * The same where the scene is looked at already.
+     *
+     * @param seen of the document's scene
+     */
+    public EditorModel(OpenDocument first, Glimpse seen, Recovery recovery, FileThread files) {
         this.files = files;
+        raster = seen.raster();
+        view.set(raster.view());
         workbench = new Workbench(first, precision.get().options(), recovery, files, this::refresh, this::hear, raster,
                 why -> window()
                         .execute(() -> say(Texts.of("The last edits could not be kept for the case of a crash: {0}", Sentence.of(why)))));
@@ -110,6 +121,8 @@ public final class EditorModel implements AutoCloseable {
         commands.setSwitch(Command.HIDE_GIZMOS, previewLook.gizmosHiddenProperty());
         commands.setSwitch(Command.GLOWING_TEXTURES, previewLook.glowingProperty());
         opened();
+        workbench.setView(view.get());
+        workbench.begin(seen.coarse());
         workbench.go();
     }
 

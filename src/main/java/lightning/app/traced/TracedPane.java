@@ -46,7 +46,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private static final String NO_PIXEL = " \n ";
 
     private final EditorModel model;
-    private final PictureView picture = new PictureView();
+    private final PictureView picture;
     private final Badge pending;
     private final Badge mirrors;
     private final Badge look;
@@ -69,13 +69,22 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
 
     /** @param later when badges are looked at again */
     TracedPane(EditorModel model, Lasting.Later later) {
+        this(model, view(), later);
+    }
+
+    /** @param picture shows the picture from now on; a {@link #view}, which may show something already, elsewhere in the window */
+    public TracedPane(EditorModel model, PictureView picture) {
+        this(model, picture, Lasting.Later.WINDOW);
+    }
+
+    private TracedPane(EditorModel model, PictureView picture, Lasting.Later later) {
         this.model = model;
+        this.picture = picture;
         pending = new Badge("pending", later);
         mirrors = new Badge("mirrors", later);
         look = new Badge("look", later);
         setId("traced");
         getStyleClass().add("canvas-pane");
-        picture.setId("traced-picture");
         mouse = new TracedMouse(model, picture, this::tell);
         model.commands().setSwitch(Command.REGION, mouse.regionProperty());
         model.commands().setAction(Command.TRACED_FIT, picture::fit);
@@ -135,6 +144,13 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         model.repaintsProperty().subscribe(_ -> repaint());
         model.situationProperty().subscribe(_ -> mark());
         model.renderingProperty().subscribe(_ -> mark());
+    }
+
+    /** What shows the picture. */
+    public static PictureView view() {
+        var view = new PictureView();
+        view.setId("traced-picture");
+        return view;
     }
 
     private Node header() {

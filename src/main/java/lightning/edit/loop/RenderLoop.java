@@ -1,13 +1,14 @@
 package lightning.edit.loop;
 
 import java.lang.ref.WeakReference;
-import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
 import lightning.accuracy.Promise;
 import lightning.accuracy.WarmSaving;
 import lightning.cache.PixelCache;
-import lightning.fulltrace.TraditionalTracer;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
 import lightning.relight.PictureTooLarge;
@@ -17,13 +18,9 @@ import lightning.relight.Update;
 import lightning.relight.plan.Accuracy;
 import lightning.relight.plan.UpdatePlan;
 import lightning.relight.tile.Options;
-import lightning.scene.Antialias;
-import lightning.scene.Picture;
-import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.work.OwnThread;
 import lightning.work.Progress;
-import lightning.work.Workers;
 
 /**
  * Renders on a thread of its own, the newest wanted scene each time: Go, Live, Update Reflections and Verify of the
@@ -36,10 +33,6 @@ import lightning.work.Workers;
  * }</pre>
  */
 public final class RenderLoop implements AutoCloseable {
-    /** So many pixels coarse pictures have, about: the first is there at once in a process that has compiled nothing yet. */
-    private static final List<Integer> COARSE = List.of(2_000, 30_000);
-    /** A picture of fewer samples for each pixel of a coarse one is there before that could be looked at. */
-    private static final int LEAST_SHARE = 16;
     private static final long PATIENCE_MS = 10_000;
 
     private final RenderListener listener;
@@ -49,6 +42,8 @@ public final class RenderLoop implements AutoCloseable {
     private Renderer renderer;
     private volatile ViewTransform view = ViewTransform.DEFAULT;
     private volatile Look look = Look.PLAIN;
+    /** What is seen of the first scene; none after that. */
+    private volatile Future<Optional<CoarsePicture>> begun = CompletableFuture.completedFuture(Optional.empty());
     private final Looking looking = new Looking();
     private Update last;
     private Accuracy madeAt;
@@ -63,6 +58,11 @@ public final class RenderLoop implements AutoCloseable {
         verifier = new Verifier(options.threads(), listener);
         thread = OwnThread.of("lightning-render", new RenderTurns(queue, hands(), listener));
         thread.start();
+    }
+
+    /** Before the first scene is wanted: how that is looked at first, by somebody else. Whatever goes wrong with it is the loop's to tell. */
+    public void begin(Future<Optional<CoarsePicture>> seen) {
+        begun = seen;
     }
 
     /**
@@ -331,25 +331,26 @@ public final class RenderLoop implements AutoCloseable {
 
     /** A look at all of the picture in a fraction of its time, then a better one. */
     private void coarse(Scene scene, RenderQueue.Stop stop) {
-        Picture picture = scene.picture();
-        double all = (double) picture.width() * picture.height();
-        Sampling sampling = picture.sampling();
-        double samples = all * (sampling.antialias() == Antialias.EVERY ? sampling.perPixel() : 1);
-        for (int pixels : COARSE) {
-            if (samples / pixels < LEAST_SHARE) {
-                return;
-            }
-            double shrink = Math.max(1, Math.sqrt(all / pixels));
-            Scene small = scene.withPicture(picture.withSize(side(picture.width() / shrink), side(picture.height() / shrink))
-                    .withSampling(Sampling.DEFAULT));
-            try (var workers = new Workers(renderer.options().threads())) {
-                listener.coarse(new TraditionalTracer(small, renderer.prepare(small)).trace(workers, stop).film(), scene);
-            }
-        }
+        Optional<CoarsePicture> first = begun().filter(seen -> seen.scene() == scene);
+        first.ifPresent(seen -> {
+            renderer.share(seen.geometry());
+            listener.coarse(seen.film(), scene);
+        });
+        CoarsePicture.sizes(scene.picture()).stream().skip(first.isPresent() ? 1 : 0).forEach(pixels -> listener
+                .coarse(CoarsePicture.of(scene, pixels, renderer::prepare, renderer.options().threads(), stop).film(), scene));
     }
 
-    private static int side(double pixels) {
-        return (int) Math.max(1, pixels);
+    private Optional<CoarsePicture> begun() {
+        try {
+            return begun.get();
+        } catch (ExecutionException | CancellationException e) {
+            return Optional.empty();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return Optional.empty();
+        } finally {
+            begun = CompletableFuture.completedFuture(Optional.empty());
+        }
     }
 
     private void handToVerifier(RenderQueue.Stop stop) {

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import lightning.accuracy.Verification;
 import lightning.accuracy.WarmSaving;
@@ -72,6 +74,47 @@ class RenderLoopTest {
             shown = ear.next(LoopEar.Shown.class);
         }
         return shown;
+    }
+
+    /** One that is worth a coarse look, and no second one. */
+    private Scene large() {
+        return scene.withPicture(scene.picture().withSize(240, 160));
+    }
+
+    /** The width of the one coarse picture that is told of. */
+    private int lookAt(Scene wanted, Future<Optional<CoarsePicture>> begun) throws Exception {
+        loop.begin(begun);
+        loop.render(wanted);
+        Film seen = ear.next(LoopEar.Coarse.class).film();
+        finished();
+        assertThat(ear.events).noneMatch(LoopEar.Coarse.class::isInstance);
+        return seen.width();
+    }
+
+    private static Future<Optional<CoarsePicture>> look(Scene of) {
+        return CompletableFuture.completedFuture(Optional.of(new CoarsePicture(of, new Geometry(of), Film.black(3, 2))));
+    }
+
+    @Test
+    void sceneThatIsLookedAtElsewhere_isNotLookedAtAgain() throws Exception {
+        Scene wanted = large();
+        assertThat(lookAt(wanted, look(wanted))).isEqualTo(3);
+    }
+
+    @Test
+    void lookAtAnotherScene_isNone() throws Exception {
+        assertThat(lookAt(large(), look(large()))).isGreaterThan(3);
+    }
+
+    @Test
+    void lookThatFails_isMadeByTheLoop() throws Exception {
+        assertThat(lookAt(large(), CompletableFuture.failedFuture(new OutOfMemoryError()))).isGreaterThan(3);
+    }
+
+    @Test
+    void pictureThatIsTooLarge_isNotLookedAt() {
+        Scene huge = scene.withPicture(scene.picture().withSize(16_384, 16_384));
+        assertThat(CoarsePicture.first(huge, OPTIONS.withMemory(1 << 20))).isEmpty();
     }
 
     @Test
