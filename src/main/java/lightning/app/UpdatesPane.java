@@ -18,6 +18,8 @@ import lightning.text.Texts;
 final class UpdatesPane extends VBox {
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss", Locale.ROOT);
 
+    private static final double LEAST_WORDS = 120;
+
     private final TableView<Entry> table = new TableView<>();
     private final Label whole = new Label();
 
@@ -29,14 +31,16 @@ final class UpdatesPane extends VBox {
         table.getStyleClass().add("dense");
         table.setPlaceholder(new Label(Texts.of("No picture yet")));
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_ALL_COLUMNS);
-        text(Texts.of("At"), 92, e -> CLOCK.format(e.at()));
-        text(Texts.of("What was done"), 230, e -> e.update().plan().text());
-        number(Texts.of("Rows"), 110, e -> StatusText.number(e.update().rowsTouched()));
-        number(Texts.of("Shadow rays"), 160, e -> StatusText.number(e.update().rays().shadow()));
-        number(Texts.of("All rays"), 120, e -> StatusText.number(e.update().rays().all()));
-        number(Texts.of("Time"), 100, e -> StatusText.time(e.update().milliseconds()));
-        number(Texts.of("Saved"), 100, e -> e.saving().map(s -> StatusText.saving(s.percent() / 100)).orElse("–"));
-        text(Texts.of("Picture"), 110, e -> e.finished() ? e.promise() : Texts.of("without finer samples yet"));
+        // In a narrow window what was done gives way: the line below tells all of it.
+        text(Texts.of("At"), 80, e -> CLOCK.format(e.at()));
+        text(Texts.of("What was done"), 270, e -> e.update().plan().text());
+        table.getColumns().getLast().setMinWidth(LEAST_WORDS);
+        number(Texts.of("Rows"), 92, e -> StatusText.number(e.update().rowsTouched()));
+        number(Texts.of("Shadow rays"), 162, e -> StatusText.number(e.update().rays().shadow()));
+        number(Texts.of("All rays"), 126, e -> StatusText.number(e.update().rays().all()));
+        number(Texts.of("Time"), 86, e -> StatusText.time(e.update().milliseconds()));
+        number(Texts.of("Saved"), 92, e -> e.saving().map(s -> StatusText.saving(s.percent() / 100)).orElse("–"));
+        text(Texts.of("Picture"), 92, e -> e.finished() ? e.promise() : Texts.of("without finer samples yet"));
         table.setItems(model.updates().entries());
         whole.setId("updates-whole");
         whole.getStyleClass().add("about-lines");
@@ -52,6 +56,7 @@ final class UpdatesPane extends VBox {
     private void text(String title, double width, Function<Entry, String> of) {
         var column = new TableColumn<Entry, String>(title);
         column.setPrefWidth(width);
+        column.setMinWidth(width);
         column.setSortable(false);
         column.setReorderable(false);
         column.setCellValueFactory(cell -> new ReadOnlyStringWrapper(of.apply(cell.getValue())));

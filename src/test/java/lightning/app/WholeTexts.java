@@ -8,7 +8,9 @@ import java.util.stream.Stream;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.control.Labeled;
+import javafx.scene.control.TextField;
 import javafx.scene.text.Text;
+import javafx.stage.Stage;
 import javafx.stage.Window;
 import lightning.edit.Command;
 import org.junit.jupiter.api.AfterEach;
@@ -49,9 +51,28 @@ abstract class WholeTexts extends EditorDesk {
         for (Command panel : List.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES, Command.HISTORY_PANEL,
                 Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.MAKE_ANIMATION, Command.PALETTE)) {
             look(panel.name(), () -> model().commands().run(panel));
+            robot.interact(this::narrow);
+            waitFor("windows are narrow", () -> windows().allMatch(window -> window.getScene().getWidth() <= 960));
+            look(panel + " at twice the scale", () -> {});
+            if (panel == Command.PALETTE) {
+                look("the longest commands", () -> robot.lookup("#palette-query").<TextField>query().setText("2 ×"));
+            }
             robot.interact(this::hideWindows);
         }
         assertThat(cut).isEmpty();
+    }
+
+    /** Those beside the editor's. */
+    private Stream<Window> windows() {
+        return Window.getWindows().stream().filter(window -> window instanceof Stage && window != stage);
+    }
+
+    /** Makes windows as small as on a screen of 1920×1080 at twice the scale. */
+    private void narrow() {
+        windows().forEach(window -> {
+            window.setWidth(Math.min(window.getWidth(), 960));
+            window.setHeight(Math.min(window.getHeight(), 540));
+        });
     }
 
     private void look(String where, Runnable how) {

@@ -1,6 +1,7 @@
 package lightning.app.command;
 
 import java.util.List;
+import javafx.geometry.Insets;
 import javafx.geometry.Pos;
 import javafx.scene.Scene;
 import javafx.scene.control.Label;
@@ -10,6 +11,7 @@ import javafx.scene.control.MenuBar;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
@@ -27,6 +29,7 @@ public final class CommandPalette extends Stage {
     private static final double WIDTH = 560;
     private static final double HEIGHT = 420;
     private static final double FROM_TOP = 80;
+    private static final double GAP = 8;
 
     private final EditorModel model;
     private final List<Offer> all;
@@ -121,16 +124,19 @@ public final class CommandPalette extends Stage {
         private final Label title = new Label();
         private final Label place = new Label();
         private final Label key = new Label();
-        private final HBox row;
+        /** What stands in its middle gives way. */
+        private final BorderPane row = new BorderPane(place);
 
         Row() {
-            var gap = new Region();
-            HBox.setHgrow(gap, Priority.ALWAYS);
             place.getStyleClass().add("pane-note");
+            BorderPane.setAlignment(place, Pos.CENTER_LEFT);
+            BorderPane.setMargin(place, new Insets(0, GAP, 0, GAP));
             key.getStyleClass().add("palette-key");
-            key.setMinWidth(USE_PREF_SIZE);
-            row = new HBox(8, icon, title, place, gap, key);
-            row.setAlignment(Pos.CENTER_LEFT);
+            BorderPane.setAlignment(key, Pos.CENTER);
+            var first = new HBox(GAP, icon, title);
+            first.setAlignment(Pos.CENTER_LEFT);
+            row.setLeft(first);
+            row.setRight(key);
             setPrefWidth(0);
             setOnMouseClicked(_ -> take(getItem()));
         }
@@ -145,6 +151,7 @@ public final class CommandPalette extends Stage {
                 place.setText(offer.place());
                 key.setText(model.keys().text(offer.command()));
                 key.setVisible(!key.getText().isEmpty());
+                key.setManaged(key.isVisible());
                 // As the notes are, which can be read; half as opaque it could not.
                 title.getStyleClass().setAll("label", offer.reason().isEmpty() ? "palette-title" : "pane-note");
                 setAccessibleText(offer.title() + offer.reason().map(r -> Texts.of(", not now: {0}", r)).orElse(""));
