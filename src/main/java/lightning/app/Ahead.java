@@ -11,7 +11,7 @@ import lightning.app.widget.Slices;
 
 /** Makes what will be opened while nobody works: one step after the other, and none while there is anything else to do. */
 final class Ahead implements AutoCloseable {
-    private static final Duration BETWEEN = Duration.millis(150);
+    private static final Duration BETWEEN = Duration.millis(100);
     /** Nobody works who did nothing for so long, nanoseconds. */
     private static final long REST_NS = 1_000_000_000;
 

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javafx.beans.property.SimpleBooleanProperty;
-import javafx.scene.Scene;
+import javafx.scene.Parent;
 import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuBar;
@@ -75,8 +75,7 @@ final class EditorMenu extends MenuBar {
      */
     Stream<Runnable> ahead() {
         return getMenus().stream().flatMap(menu -> Stream.of(() -> window(menu).ifPresent(EditorMenu::make),
-                () -> scene(menu).ifPresent(scene -> scene.getRoot().applyCss()),
-                () -> scene(menu).ifPresent(scene -> scene.getRoot().layout())));
+                () -> window(menu).ifPresent(EditorMenu::layOut)));
     }
 
     /** The window of a menu, which there is once the bar has its looks. */
@@ -84,8 +83,10 @@ final class EditorMenu extends MenuBar {
         return Optional.ofNullable(menu.getItems().getFirst().getParentPopup());
     }
 
-    private static Optional<Scene> scene(Menu menu) {
-        return window(menu).map(ContextMenu::getScene);
+    private static void layOut(ContextMenu menu) {
+        Parent lines = menu.getScene().getRoot();
+        lines.applyCss();
+        lines.layout();
     }
 
     private static void make(ContextMenu menu) {
