@@ -30,9 +30,8 @@ public class LightningApp extends Application {
     /** What is being read for the program that starts in this process; null where it was not begun by {@link #open}. */
     private static FutureTask<Opening> ahead;
 
-    /** How long a scene that is read waits for a first look at it. */
     private static final long PATIENCE_MS = 600;
-    /** How long a window that is there waits for that, before it shows that it waits; nanoseconds. */
+    /** How long a window that is there waits for a first look, before it shows that it waits; nanoseconds. */
     private static final long FIRST_PATIENCE_NS = 300_000_000;
 
     private final FileThread thread = new FileThread(Platform::runLater);
@@ -142,8 +141,13 @@ public class LightningApp extends Application {
         }
     }
 
-    private static Opening lookedAt(Opening opening) throws InterruptedException {
-        opening.glimpse().await(PATIENCE_MS);
+    /** How long a scene that is read waits for a first look at it, milliseconds. */
+    long patience() {
+        return PATIENCE_MS;
+    }
+
+    private Opening lookedAt(Opening opening) throws InterruptedException {
+        opening.glimpse().await(patience());
         return opening;
     }
 
