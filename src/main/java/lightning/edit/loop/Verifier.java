@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import lightning.accuracy.Promise;
 import lightning.accuracy.Verification;
 import lightning.accuracy.WarmSaving;
@@ -23,6 +24,9 @@ final class Verifier implements AutoCloseable {
     private static final int PATIENCE_SECONDS = 10;
     /** How long a saving's times may take to come to rest, milliseconds, while nobody works. */
     private static final double WARM_UP_MS = 20_000;
+    /** Nobody works who did nothing for so long; how often that is looked at. */
+    private static final long SEEN_NS = 150_000_000;
+    private static final long LOOK_NS = 5_000_000;
 
     private final Workers workers;
     private final RenderListener listener;
@@ -80,6 +84,7 @@ final class Verifier implements AutoCloseable {
         measuring = own;
         thread.execute(() -> {
             try {
+                letSee(own);
                 WarmUp.run(shown, geometry, own);
                 measured(own, edit == null ? Optional.empty() : WarmSaving.measure(edit, workers, WARM_UP_MS, own));
             } catch (CancellationException e) {
@@ -89,6 +94,13 @@ final class Verifier implements AutoCloseable {
                 measured(own, Optional.empty());
             }
         });
+    }
+
+    /** What was done last comes to the screen first, and into small pictures of it. */
+    private static void letSee(RenderQueue.Stop own) {
+        for (long end = System.nanoTime() + SEEN_NS; System.nanoTime() < end && !own.isCancelled();) {
+            LockSupport.parkNanos(LOOK_NS);
+        }
     }
 
     /** There is other work: what is measured beside it would be too long. */
