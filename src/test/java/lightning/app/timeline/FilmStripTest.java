@@ -5,15 +5,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
 import lightning.edit.Desk;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
 import lightning.scene.Scene;
+import lightning.scene.World;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 import lightning.shot.FilmlessKeeper;
+import lightning.shot.FrameState;
 import lightning.shot.FrameUpdate;
 import lightning.shot.RelitShot;
 import lightning.shot.Take;
@@ -26,10 +30,13 @@ class FilmStripTest {
     private final CountDownLatch answer = new CountDownLatch(1);
     private final CountDownLatch asked = new CountDownLatch(1);
 
-    /** Makes frames at once, and does not say what one of them looks like. */
+    private volatile CountDownLatch free = new CountDownLatch(0);
+
+    /** Makes frames once it is free, and does not say what one of them looks like. */
     private final class Keeper extends FilmlessKeeper {
         @Override
         public FrameUpdate bring(int frame, Take take, Progress progress) {
+            wait(free);
             return new FrameUpdate(frame, true, "", 0, 0, () -> Film.black(4, 3));
         }
 
@@ -37,18 +44,23 @@ class FilmStripTest {
         public Optional<Film> film(int frame) {
             if (frame == SILENT) {
                 asked.countDown();
-                try {
-                    answer.await();
-                } catch (InterruptedException e) {
-                    return Optional.empty();
-                }
+                wait(answer);
             }
             return Optional.of(Film.black(4, 3));
+        }
+
+        private static void wait(CountDownLatch latch) {
+            try {
+                latch.await();
+            } catch (InterruptedException e) {
+                throw new CancellationException();
+            }
         }
 
         @Override
         public void close() {
             answer.countDown();
+            free.countDown();
         }
     }
 
@@ -89,10 +101,33 @@ class FilmStripTest {
         }
     }
 
+    @Test
+    void frameThatAnEditReachesLater_isStaleUntilThen() throws Exception {
+        var news = new StripNews();
+        RelitShot shot = RelitShot.of(1, 4, new Keeper(), news);
+        try (var strip = new FilmStrip(new Frames(shot), news, ViewTransform.DEFAULT, Runnable::run, () -> {}, _ -> {})) {
+            strip.see(List.of(2));
+            Optional<Shot> frames = Optional.of(Shot.DEFAULT.withFrames(1, 4));
+            strip.show(new AnimatedScene(Desk.scene(), frames), 2);
+            waitFor("the first picture", () -> strip.showsNewest(2));
+            free = new CountDownLatch(1);
+            strip.show(new AnimatedScene(Desk.scene().withWorld(World.DEFAULT.withAmbience(0.5)), frames), 2);
+            assertThat(strip.state(2)).isEqualTo(FrameState.STALE);
+            assertThat(strip.showsNewest(2)).isFalse();
+            assertThat(strip.picture(2)).isPresent();
+            free.countDown();
+            waitFor("the next picture", () -> strip.showsNewest(2));
+        }
+    }
+
     private static void waitForPicture(FilmStrip strip, int frame) throws InterruptedException {
+        waitFor("the picture of frame " + frame, () -> strip.picture(frame).isPresent());
+    }
+
+    private static void waitFor(String what, BooleanSupplier isThere) throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(10);
-        while (strip.picture(frame).isEmpty()) {
-            assertThat(System.nanoTime()).as("waited for the picture of frame %d", frame).isLessThan(end);
+        while (!isThere.getAsBoolean()) {
+            assertThat(System.nanoTime()).as("waited for %s", what).isLessThan(end);
             Thread.sleep(10);
         }
     }

@@ -3,6 +3,7 @@ package lightning.app.timeline;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
+import java.util.Arrays;
 import javafx.css.PseudoClass;
 import javafx.scene.Node;
 import javafx.scene.image.Image;
@@ -88,7 +89,8 @@ class StripPaneTest extends EditorDesk {
         int[] before = WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(() -> pixels(4)));
         robot.interact(() -> {
             model().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 2));
-            assertThat(isStale(4)).isTrue();
+            // Frames so small may be made before it is told that they are not.
+            assertThat(isStale(4) || !Arrays.equals(pixels(4), before)).isTrue();
         });
         waitForStrip();
         assertExact(1);
