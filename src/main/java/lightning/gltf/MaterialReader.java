@@ -34,6 +34,9 @@ final class MaterialReader {
         double[] emission = material.get("emissiveFactor").numbers(0, 0, 0);
         double strength = extensions.get("KHR_materials_emissive_strength").get("emissiveStrength").number(1);
         Json normals = material.get("normalTexture");
+        Json base = look.get("baseColorTexture");
+        boolean apart = base.isThere() && normals.isThere() && !TextureCoordinates.areAlike(base, normals);
+        notes.add("normalTexture of materials placed otherwise than their baseColorTexture, as that here", apart ? 1 : 0);
         Json glossy = extensions.get("KHR_materials_pbrSpecularGlossiness");
         Surface surface = glossy.isThere() && !look.isThere() ? glossy(glossy) : metallic(look, extensions);
         return new GltfMaterial(material.get("name").text().orElse(""), surface.base, surface.metallic, surface.roughness,
@@ -52,6 +55,7 @@ final class MaterialReader {
         Json transmission = extensions.get("KHR_materials_transmission");
         Json volume = extensions.get("KHR_materials_volume");
         notes.add("transmissionTexture of materials", transmission.get("transmissionTexture").isThere() ? 1 : 0);
+        notes.add("thicknessTexture of materials", volume.get("thicknessTexture").isThere() ? 1 : 0);
         double[] tint = volume.get("attenuationColor").numbers(1, 1, 1);
         return new GltfMaterial.Glass(transmission.get("transmissionFactor").number(0),
                 ior(extensions), volume.get("thicknessFactor").number(0) == 0,

@@ -1,5 +1,6 @@
 package lightning.gltf;
 
+import java.util.Arrays;
 import lightning.mesh.MeshException;
 
 /**
@@ -15,7 +16,10 @@ record TextureCoordinates(int set, double[] map) {
         }
         Json look = file.array("materials").at(material);
         Json base = look.get("pbrMetallicRoughness").get("baseColorTexture");
-        Json texture = base.isThere() ? base : look.get("normalTexture");
+        return of(base.isThere() ? base : look.get("normalTexture"));
+    }
+
+    private static TextureCoordinates of(Json texture) throws MeshException {
         Json transform = texture.get("extensions").get("KHR_texture_transform");
         int set = transform.get("texCoord").whole(0, 100, texture.get("texCoord").whole(0, 100, 0));
         double[] offset = transform.get("offset").numbers(0, 0);
@@ -25,6 +29,13 @@ record TextureCoordinates(int set, double[] map) {
         double s = Math.sin(angle);
         // Moved · turned · scaled; the extension turns as v points downwards.
         return new TextureCoordinates(set, new double[] {c * scale[0], s * scale[1], offset[0], -s * scale[0], c * scale[1], offset[1]});
+    }
+
+    /** Whether two textures of a material lie on it alike. */
+    static boolean areAlike(Json texture, Json other) throws MeshException {
+        TextureCoordinates one = of(texture);
+        TextureCoordinates two = of(other);
+        return one.set == two.set && Arrays.equals(one.map, two.map);
     }
 
     /** Moves coordinates of glTF, v downwards, and lets v point upwards. */

@@ -217,6 +217,22 @@ class GltfSurfacesTest {
     }
 
     @Test
+    void pictureOfThickness_isTold() throws Exception {
+        assertThat(read("{'extensions': {'KHR_materials_volume': {'thicknessFactor': 1, 'thicknessTexture': {'index': 0}}}}").notes())
+                .containsEntry("thicknessTexture of materials", 1);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = ';',
+            value = {"'texCoord': 1; 1", "'extensions': {'KHR_texture_transform': {'scale': [2, 2]}}; 1", "'texCoord': 0; 0"})
+    void normalsPlacedOtherwiseThanTheBaseColour_areTold(String placed, int told) throws Exception {
+        Import read = read("{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}}, 'normalTexture': {'index': 0, PLACED}}"
+                .replace("PLACED", placed));
+        assertThat(read.notes().getOrDefault("normalTexture of materials placed otherwise than their baseColorTexture, as that here", 0))
+                .isEqualTo(told);
+    }
+
+    @Test
     void unlitMaterial_showsItsColourAlone() throws IOException, MeshException, JenException {
         Material made =
                 material("{'pbrMetallicRoughness': {'baseColorFactor': [0.1, 0.2, 0.3, 1]}, 'extensions': {'KHR_materials_unlit': {}}}");
