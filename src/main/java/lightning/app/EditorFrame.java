@@ -16,7 +16,6 @@ import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.app.model.Arrangement;
 import lightning.app.model.Arrangement.Canvases;
-import lightning.app.traced.TracedPane;
 import lightning.app.widget.PaneHeader;
 import lightning.app.widget.PictureView;
 import lightning.text.Texts;
@@ -62,12 +61,10 @@ final class EditorFrame extends BorderPane {
     /** Where the border of the panels was before they were hidden. */
     private double border = CANVASES;
 
-    /** @param file what is being read */
-    EditorFrame(Path file) {
-        this(file, TracedPane.view());
-    }
-
-    /** @param picture what is shown in the place of the traced picture, whose pane goes on with it; it may show something already */
+    /**
+     * @param file    what is being read
+     * @param picture what is shown in the place of the traced picture, whose pane goes on with it; it may show something already
+     */
     EditorFrame(Path file, PictureView picture) {
         this.picture = picture;
         setId("opening");

@@ -25,11 +25,6 @@ final class FirstSight implements AutoCloseable {
     private final TracedPane traced;
     private final EditorFrame frame;
 
-    /** A document that nobody has looked at. */
-    FirstSight(EditorFrame frame, OpenDocument document, Preferences preferences, Recovery recovery, FileThread thread) {
-        this(frame, document, look(document, preferences), preferences, recovery, thread);
-    }
-
     /** @param seen of the document's scene, as {@link #look} does */
     FirstSight(EditorFrame frame, OpenDocument document, Glimpse seen, Preferences preferences, Recovery recovery,
             FileThread thread) {

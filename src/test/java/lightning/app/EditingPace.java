@@ -87,8 +87,8 @@ public final class EditingPace {
             Looks.DARK.wear();
             var stage = new Stage();
             var preferences = new Preferences(folder.resolve("own"), thread);
-            var sight =
-                    new FirstSight(new EditorFrame(document.file()), document, preferences, new Recovery(folder.resolve("kept")), thread);
+            var sight = OpenEditor.sight(document, OpenEditor.frame(document.file()), preferences, new Recovery(folder.resolve("kept")),
+                    thread);
             return new Editor(stage, sight, preferences, thread, FilePrompt.of(stage), 1400, 900);
         });
         EditorModel model = editor.model();

@@ -2,7 +2,6 @@ package lightning.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -22,10 +21,8 @@ import lightning.app.widget.Looks;
 import lightning.app.widget.PictureView;
 import lightning.edit.Command;
 import lightning.edit.FileThread;
-import lightning.edit.OpenDocument;
 import lightning.edit.Recovery;
 import lightning.edit.Viewport;
-import lightning.jen.JenException;
 import lightning.math.Vec3;
 import lightning.scene.Light;
 import lightning.shading.ReferenceTracer;
@@ -73,15 +70,11 @@ public abstract class EditorDesk {
         FxToolkit.setupFixture(() -> {
             Looks.DARK.wear();
             stage = new Stage();
-            try {
-                var thread = new FileThread(Platform::runLater);
-                var preferences = new Preferences(folder.resolve("own"), thread);
-                var recovery = new Recovery(Folders.data().resolve("recovery"));
-                editor = new Editor(stage, new FirstSight(new EditorFrame(file), OpenDocument.open(file), preferences, recovery, thread),
-                        preferences, thread, new Answers(), 1000, 700);
-            } catch (IOException | JenException e) {
-                throw new AssertionError(e);
-            }
+            var thread = new FileThread(Platform::runLater);
+            var preferences = new Preferences(folder.resolve("own"), thread);
+            var sight = OpenEditor.sight(OpenEditor.document(file), OpenEditor.frame(file), preferences,
+                    new Recovery(Folders.data().resolve("recovery")), thread);
+            editor = new Editor(stage, sight, preferences, thread, new Answers(), 1000, 700);
         });
         waitForPicture();
     }

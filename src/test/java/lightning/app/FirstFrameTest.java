@@ -12,11 +12,8 @@ import javafx.scene.Scene;
 import javafx.scene.layout.Region;
 import javafx.scene.paint.Paint;
 import javafx.stage.Stage;
-import lightning.app.model.Preferences;
 import lightning.app.widget.Looks;
 import lightning.edit.FileThread;
-import lightning.edit.OpenDocument;
-import lightning.edit.Recovery;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -93,12 +90,7 @@ class FirstFrameTest {
             var frame = new EditorFrame(file, first.picture());
             change(frame);
             Bounds framed = place();
-            try {
-                sight = new FirstSight(frame, OpenDocument.open(file), new Preferences(folder.resolve("own"), thread),
-                        new Recovery(folder.resolve("recovery")), thread);
-            } catch (Exception e) {
-                throw new AssertionError(e);
-            }
+            sight = OpenEditor.sight(file, frame, folder, thread);
             frame.applyCss();
             frame.layout();
             assertThat(edges(framed)).containsExactly(edges(before), A_PIXEL);
@@ -115,7 +107,7 @@ class FirstFrameTest {
     void grounds_areThoseOfTheTheme(Looks looks) throws Exception {
         show(looks, 1600, 950);
         FxToolkit.setupFixture(() -> {
-            var frame = new EditorFrame(folder.resolve("scene.jen"));
+            var frame = OpenEditor.frame(folder.resolve("scene.jen"));
             Paint[] before = {ground(first), ground(first.canvases()), ground(first.heads())};
             change(frame);
             assertThat(new Paint[] {ground(frame), ground((Region) frame.lookup(".canvas")), ground((Region) frame.lookup(".pane-header"))})

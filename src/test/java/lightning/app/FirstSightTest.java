@@ -10,8 +10,6 @@ import javafx.application.Platform;
 import javafx.stage.Stage;
 import lightning.app.model.Preferences;
 import lightning.edit.FileThread;
-import lightning.edit.OpenDocument;
-import lightning.edit.Recovery;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -49,12 +47,7 @@ class FirstSightTest {
         Path file = Files.writeString(folder.resolve("scene.jen"), "jen 1\npicture { size " + size + " }\nsphere ball { }\n");
         FxToolkit.setupFixture(() -> {
             stage = new Stage();
-            try {
-                sight = new FirstSight(new EditorFrame(file), OpenDocument.open(file), new Preferences(folder.resolve("own"), thread),
-                        new Recovery(folder.resolve("recovery")), thread);
-            } catch (Exception e) {
-                throw new AssertionError(e);
-            }
+            sight = OpenEditor.sight(file, OpenEditor.frame(file), folder, thread);
             OpenEditor.show(stage, sight.frame());
             sight.whenSeen(() -> seen.set(!sight.traced().isEmpty()));
         });

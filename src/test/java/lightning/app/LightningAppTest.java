@@ -60,7 +60,7 @@ class LightningAppTest {
     @Test
     void panesOfASceneThatIsRead_saySo(FxRobot robot) throws Exception {
         OpenEditor.await(() -> robot.lookup("#editor").tryQuery().isPresent());
-        robot.interact(() -> stage.getScene().setRoot(new EditorFrame(Path.of("scenes/large.jen"))));
+        robot.interact(() -> stage.getScene().setRoot(OpenEditor.frame(Path.of("scenes/large.jen"))));
         QuickRobot.settle();
         assertThat(robot.lookup(n -> n instanceof Label l && l.getText().equals("Reading large.jen …")).queryAll()).hasSize(3);
     }

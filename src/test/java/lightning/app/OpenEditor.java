@@ -11,6 +11,8 @@ import javafx.scene.Parent;
 import javafx.scene.Scene;
 import javafx.stage.Stage;
 import lightning.app.model.EditorModel;
+import lightning.app.model.Preferences;
+import lightning.app.traced.TracedPane;
 import lightning.app.widget.Looks;
 import lightning.edit.FileThread;
 import lightning.edit.OpenDocument;
@@ -43,6 +45,31 @@ public final class OpenEditor {
     public static EditorModel model(Path folder) throws IOException, JenException {
         Path file = Files.writeString(folder.resolve("desk.jen"), TEXT);
         return new EditorModel(OpenDocument.open(file), new Recovery(folder.resolve("recovery")), new FileThread(Platform::runLater));
+    }
+
+    /** The first that is seen of a scene file, on the window's thread; preferences and what is recovered are in the folder. */
+    static FirstSight sight(Path file, EditorFrame frame, Path folder, FileThread thread) {
+        return sight(document(file), frame, new Preferences(folder.resolve("own"), thread), new Recovery(folder.resolve("recovery")),
+                thread);
+    }
+
+    /** The same of a document that is open, whose preferences others read, too. */
+    static FirstSight sight(OpenDocument document, EditorFrame frame, Preferences preferences, Recovery recovery, FileThread thread) {
+        return new FirstSight(frame, document, FirstSight.look(document, preferences), preferences, recovery, thread);
+    }
+
+    /** A scene file without faults. */
+    static OpenDocument document(Path file) {
+        try {
+            return OpenDocument.open(file);
+        } catch (IOException | JenException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    /** A frame whose picture shows nothing yet. */
+    static EditorFrame frame(Path file) {
+        return new EditorFrame(file, TracedPane.view());
     }
 
     /** Shows one pane alone. */

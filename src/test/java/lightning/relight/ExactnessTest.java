@@ -57,14 +57,17 @@ class ExactnessTest {
             @ForAll MirrorStorage storage, @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll("effects") Set<Effect> forced,
             @ForAll long engines) {
         SceneCoverage.collect(session.scenes().getFirst());
-        Options options = new Options(Accuracy.EXACT, Reflections.CURRENT, storage, threads, ViewEffects.ALL.forcing(forced))
-                .withEngines(new EngineMix(engines));
+        assertEqualsTheReference("current-reflections", session, new Options(Accuracy.EXACT, Reflections.CURRENT, storage, threads,
+                ViewEffects.ALL.forcing(forced)).withEngines(new EngineMix(engines)));
+    }
+
+    private static void assertEqualsTheReference(String name, Session session, Options options) {
         try (Renderer renderer = new Renderer(options)) {
             for (int step = 0; step < session.scenes().size(); step++) {
                 Scene scene = session.scenes().get(step);
                 Update update = renderer.render(scene, Progress.NONE);
-                SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(),
-                        "current-reflections", session, step, update.plan().text());
+                SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(), name, session, step,
+                        update.plan().text());
             }
         }
     }
@@ -72,15 +75,8 @@ class ExactnessTest {
     /** Every attribute at any magnitude that it may have, in lights and materials that were drawn likewise. */
     @Property(edgeCases = EdgeCasesMode.NONE)
     void extremeScenes_equalTheReferenceAfterEveryEdit(@ForAll("extremes") Session session, @ForAll long engines) {
-        Options options = new Options(Accuracy.EXACT, Reflections.CURRENT, MirrorStorage.FULL_ROWS, 1).withEngines(new EngineMix(engines));
-        try (Renderer renderer = new Renderer(options)) {
-            for (int step = 0; step < session.scenes().size(); step++) {
-                Scene scene = session.scenes().get(step);
-                Update update = renderer.render(scene, Progress.NONE);
-                SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(),
-                        "extreme-scenes", session, step, update.plan().text());
-            }
-        }
+        assertEqualsTheReference("extreme-scenes", session,
+                new Options(Accuracy.EXACT, Reflections.CURRENT, MirrorStorage.FULL_ROWS, 1).withEngines(new EngineMix(engines)));
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)

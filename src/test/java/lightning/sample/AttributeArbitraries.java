@@ -1,6 +1,5 @@
 package lightning.sample;
 
-import java.util.Collections;
 import java.util.List;
 import lightning.scene.Attribute;
 import lightning.scene.Choice;
@@ -20,8 +19,6 @@ import net.jqwik.api.Tuple;
 public final class AttributeArbitraries {
     /** Values up to here are drawn evenly; what an attribute does shows best where numbers are as large as the scene. */
     private static final double ORDINARY = 8;
-    /** The power of ten of the least numbers, at and below which nothing is left of them as floats, and little of their squares. */
-    private static final double LEAST_POWER = -46;
 
     private AttributeArbitraries() {}
 
@@ -99,7 +96,7 @@ public final class AttributeArbitraries {
     /** Numbers of all magnitudes, each power of ten as likely as any other; what has none as always. */
     private static <V> Arbitrary<V> extremes(Attribute<?, V> attribute) {
         return switch (attribute.kind()) {
-            case Quantity<V> q -> joined(q, magnitudes(q)).filter(v -> isAllowed(q, v));
+            case Quantity<V> q -> joined(q, magnitudes(q));
             case Choice<V> _,ValueKind.Linking _,ValueKind.Filed<?> _,ValueKind.Naming _,ValueKind.Texturing _ -> values(attribute,
                     attribute.initial());
         };
@@ -117,10 +114,10 @@ public final class AttributeArbitraries {
 
     private static Arbitrary<Double> magnitudes(Quantity<?> q) {
         double most = Math.max(-q.min(), q.max());
-        Arbitrary<Double> any = Combinators.combine(Numbers.between(LEAST_POWER, Math.log10(most)), Arbitraries.of(-1, 1))
-                .as((power, sign) -> sign * Math.pow(10, power));
-        Arbitrary<Double> nearTheEnds = Numbers.between(LEAST_POWER, 0)
-                .flatMap(power -> Arbitraries.of(q.min() + Math.pow(10, power), q.max() - Math.pow(10, power)));
+        Arbitrary<Double> any = Combinators.combine(Numbers.powers(Numbers.NOTHING, Math.log10(most)), Arbitraries.of(-1, 1))
+                .as((size, sign) -> sign * size);
+        Arbitrary<Double> nearTheEnds = Numbers.powers(Numbers.NOTHING, 0)
+                .flatMap(off -> Arbitraries.of(q.min() + off, q.max() - off));
         return Arbitraries.frequencyOf(Tuple.of(4, any), Tuple.of(1, nearTheEnds), Tuple.of(2, Arbitraries.of(q.min(), q.max(), 0.0, 1.0)))
                 .map(v -> Math.clamp(v, q.min(), q.max()));
     }
@@ -134,7 +131,6 @@ public final class AttributeArbitraries {
 
     private static <V> Arbitrary<V> joined(Quantity<V> q, Arbitrary<Double> number) {
         return number.map(v -> q.whole() ? Math.rint(v) : v).list().ofSize(q.labels().size())
-                .filter(n -> q.form() != Quantity.Form.DIRECTION || !n.equals(Collections.nCopies(n.size(), 0.0)))
-                .map(q.join()::apply);
+                .map(n -> q.join().apply(n)).filter(v -> isAllowed(q, v));
     }
 }

@@ -28,9 +28,6 @@ import net.jqwik.api.Tuple;
  * what a float can no longer tell from 0: each power of ten is as likely as any other.
  */
 final class Extremes {
-    /** The power of ten below the least float. */
-    private static final double NOTHING = -46;
-
     private Extremes() {}
 
     static Arbitrary<List<Edit>> edits() {
@@ -64,20 +61,16 @@ final class Extremes {
         return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(new World(0, Rgb.BLACK))), Tuple.of(1, SceneArbitraries.worlds()));
     }
 
-    private static Arbitrary<Double> powers(double least, double most) {
-        return Numbers.between(least, most).map(exponent -> Math.pow(10, exponent));
-    }
-
     private static Arbitrary<Double> powersOr(double least, double most, Double... special) {
-        return Arbitraries.frequencyOf(Tuple.of(2, Arbitraries.of(special)), Tuple.of(5, powers(least, most)));
+        return Arbitraries.frequencyOf(Tuple.of(2, Arbitraries.of(special)), Tuple.of(5, Numbers.powers(least, most)));
     }
 
     private static Arbitrary<Double> intensities() {
-        return powersOr(NOTHING, 30, 0.0, 1.0, 1.0, 1e22, 1e30);
+        return powersOr(Numbers.NOTHING, 30, 0.0, 1.0, 1.0, 1e22, 1e30);
     }
 
     private static Arbitrary<Rgb> colors() {
-        Arbitrary<Double> channel = powersOr(NOTHING, 3, 0.0, 1.0, 1.0, 1e3);
+        Arbitrary<Double> channel = powersOr(Numbers.NOTHING, 3, 0.0, 1.0, 1.0, 1e3);
         return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Rgb.WHITE)),
                 Tuple.of(1, Combinators.combine(channel, channel, channel).as(Rgb::new)));
     }
@@ -95,7 +88,9 @@ final class Extremes {
     private static Arbitrary<Place> places() {
         Arbitrary<Place> near = Numbers.vectors(Numbers.between(-4, 4), Numbers.between(1, 6), Numbers.between(-4, 4)).map(Place.Near::new);
         Arbitrary<Place> far =
-                Combinators.combine(Numbers.vectors(Numbers.between(-1, 1), Numbers.between(0.5, 1), Numbers.between(-1, 1)), powers(1, 10))
+                Combinators
+                        .combine(Numbers.vectors(Numbers.between(-1, 1), Numbers.between(0.5, 1), Numbers.between(-1, 1)),
+                                Numbers.powers(1, 10))
                         .as((way, length) -> new Place.Near(way.times(length)));
         return Arbitraries.frequencyOf(Tuple.of(3, near), Tuple.of(1, far));
     }

@@ -10,6 +10,9 @@ import net.jqwik.api.Tuple;
 
 /** Numbers, vectors and colours: short ones, which meet each other exactly, and ones with many digits. */
 final class Numbers {
+    /** The power of ten below the least float: nothing is left of such numbers, and little of the squares of some larger ones. */
+    static final double NOTHING = -46;
+
     private Numbers() {}
 
     /** Numbers of a range, spread evenly; only short ones get plainer in the search for the plainest failure. */
@@ -19,6 +22,11 @@ final class Numbers {
                 Tuple.of(1, Arbitraries.integers().between(0, steps).withDistribution(RandomDistribution.uniform())
                         .map(i -> min + (max - min) * i / steps).withoutEdgeCases()),
                 Tuple.of(3, Arbitraries.randomValue(random -> min + (max - min) * random.nextDouble())));
+    }
+
+    /** Ten to a power of a range: each magnitude is as likely as any other. */
+    static Arbitrary<Double> powers(double least, double most) {
+        return between(least, most).map(exponent -> Math.pow(10, exponent));
     }
 
     /** Mostly numbers of a range, sometimes one of the given. */

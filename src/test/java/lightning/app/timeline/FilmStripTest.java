@@ -9,6 +9,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
 import lightning.edit.Desk;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
@@ -25,6 +26,7 @@ import lightning.work.Progress;
 import org.junit.jupiter.api.Test;
 
 class FilmStripTest {
+    private static final int FRAMES = 4;
     private static final int SILENT = 1;
 
     private final CountDownLatch answer = new CountDownLatch(1);
@@ -84,15 +86,23 @@ class FilmStripTest {
         }
     }
 
+    private FilmStrip strip() {
+        var news = new StripNews();
+        RelitShot shot = RelitShot.of(1, FRAMES, new Keeper(), news);
+        return new FilmStrip(new Frames(shot), news, ViewTransform.DEFAULT, Runnable::run, () -> {}, _ -> {});
+    }
+
+    private static AnimatedScene animated(Scene scene) {
+        return new AnimatedScene(scene, Optional.of(Shot.DEFAULT.withFrames(1, FRAMES)));
+    }
+
     @Test
     void framesBesideOneWhoseMachineIsSilent_haveTheirPictures() throws Exception {
-        var news = new StripNews();
-        RelitShot shot = RelitShot.of(1, 4, new Keeper(), news);
-        try (var strip = new FilmStrip(new Frames(shot), news, ViewTransform.DEFAULT, Runnable::run, () -> {}, _ -> {})) {
-            strip.see(List.of(1, 2, 3, 4));
-            strip.show(new AnimatedScene(Desk.scene(), Optional.of(Shot.DEFAULT.withFrames(1, 4))), 1);
+        try (var strip = strip()) {
+            strip.see(IntStream.rangeClosed(1, FRAMES).boxed().toList());
+            strip.show(animated(Desk.scene()), 1);
             assertThat(asked.await(30, TimeUnit.SECONDS)).isTrue();
-            for (int frame = 2; frame <= 4; frame++) {
+            for (int frame = 2; frame <= FRAMES; frame++) {
                 waitForPicture(strip, frame);
             }
             assertThat(strip.picture(SILENT)).isEmpty();
@@ -103,15 +113,12 @@ class FilmStripTest {
 
     @Test
     void frameThatAnEditReachesLater_isStaleUntilThen() throws Exception {
-        var news = new StripNews();
-        RelitShot shot = RelitShot.of(1, 4, new Keeper(), news);
-        try (var strip = new FilmStrip(new Frames(shot), news, ViewTransform.DEFAULT, Runnable::run, () -> {}, _ -> {})) {
+        try (var strip = strip()) {
             strip.see(List.of(2));
-            Optional<Shot> frames = Optional.of(Shot.DEFAULT.withFrames(1, 4));
-            strip.show(new AnimatedScene(Desk.scene(), frames), 2);
+            strip.show(animated(Desk.scene()), 2);
             waitFor("the first picture", () -> strip.showsNewest(2));
             free = new CountDownLatch(1);
-            strip.show(new AnimatedScene(Desk.scene().withWorld(World.DEFAULT.withAmbience(0.5)), frames), 2);
+            strip.show(animated(Desk.scene().withWorld(World.DEFAULT.withAmbience(0.5))), 2);
             assertThat(strip.state(2)).isEqualTo(FrameState.STALE);
             assertThat(strip.showsNewest(2)).isFalse();
             assertThat(strip.picture(2)).isPresent();

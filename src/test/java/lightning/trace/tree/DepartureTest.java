@@ -7,6 +7,7 @@ import java.util.Random;
 import lightning.math.Ray;
 import lightning.math.Vec3;
 import lightning.trace.Geometry;
+import lightning.trace.OwnSpace;
 import lightning.trace.TraceScenes;
 import lightning.trace.primitive.PrimitiveTable;
 import lightning.trace.solid.Form;
@@ -57,7 +58,7 @@ class DepartureTest {
 
     /** One point or direction, or some near each other: places of an area. */
     private static Vec3[] targets(PrimitiveTable primitives, int s, boolean ends, Random random) {
-        Vec3 first = ends ? render(primitives, s, near(random)) : direction(primitives, s, random);
+        Vec3 first = ends ? OwnSpace.toRender(primitives, s, near(random)) : direction(primitives, s, random);
         Vec3[] all = new Vec3[random.nextBoolean() ? 1 : 4];
         double spread = first.length() * Math.pow(10, -9 * random.nextDouble());
         Arrays.setAll(all, i -> i == 0 ? first
@@ -129,7 +130,7 @@ class DepartureTest {
         float[][] points = new float[3][6];
         for (int i = 0; i < 6; i++) {
             Vec3 own = middle.plus(new Vec3(random.nextGaussian(), level ? 0 : random.nextGaussian(), random.nextGaussian()).times(spread));
-            Vec3 p = render(primitives, s, own);
+            Vec3 p = OwnSpace.toRender(primitives, s, own);
             points[0][i] = (float) p.x();
             points[1][i] = (float) p.y();
             points[2][i] = (float) p.z();
@@ -153,21 +154,9 @@ class DepartureTest {
 
     /** Level in the solid's own space, or almost, or any. */
     private static Vec3 direction(PrimitiveTable primitives, int s, Random random) {
-        Vec3 from = render(primitives, s, Vec3.ZERO);
+        Vec3 from = OwnSpace.toRender(primitives, s, Vec3.ZERO);
         double rise = random.nextInt(3) == 0 ? 0 : size(random);
-        return render(primitives, s, new Vec3(random.nextGaussian(), rise, random.nextGaussian())).minus(from);
-    }
-
-    /** The point in render space of one in the space of a primitive: by Cramer's rule. */
-    private static Vec3 render(PrimitiveTable primitives, int s, Vec3 own) {
-        double[] m = primitives.data;
-        int i = primitives.at[s];
-        Vec3 x = new Vec3(m[i], m[i + 4], m[i + 8]);
-        Vec3 y = new Vec3(m[i + 1], m[i + 5], m[i + 9]);
-        Vec3 z = new Vec3(m[i + 2], m[i + 6], m[i + 10]);
-        Vec3 p = own.minus(new Vec3(m[i + 3], m[i + 7], m[i + 11]));
-        double volume = x.dot(y.cross(z));
-        return new Vec3(p.dot(y.cross(z)) / volume, x.dot(p.cross(z)) / volume, x.dot(y.cross(p)) / volume);
+        return OwnSpace.toRender(primitives, s, new Vec3(random.nextGaussian(), rise, random.nextGaussian())).minus(from);
     }
 
     private static PointBox box(float[][] points) {

@@ -11,6 +11,7 @@ import lightning.math.Vec3;
 import lightning.scene.Solid;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
+import lightning.trace.OwnSpace;
 import lightning.trace.TraceScenes;
 import lightning.trace.Ways;
 import lightning.trace.primitive.PrimitiveTable;
@@ -87,17 +88,17 @@ class UmbraTest {
             double spread = random.nextInt(3) == 0 ? 0 : size(random, -12, 0);
             rows.count = ROWS;
             for (int i = 0; i < ROWS; i++) {
-                Vec3 p = render(primitives, s, from.plus(unit(random).times(spread)));
+                Vec3 p = OwnSpace.toRender(primitives, s, from.plus(unit(random).times(spread)));
                 rows.px[i] = (float) p.x();
                 rows.py[i] = (float) p.y();
                 rows.pz[i] = (float) p.z();
             }
             // Aimed from a row as it is stored, so that it passes where it should.
-            Vec3 origin = own(primitives, s, new Vec3(rows.px[0], rows.py[0], rows.pz[0]));
+            Vec3 origin = OwnSpace.of(primitives, s, new Vec3(rows.px[0], rows.py[0], rows.pz[0]));
             Vec3 way = in.minus(origin).times(1 + size(random, -4, 6));
-            center = ends ? render(primitives, s, origin.plus(way))
-                    : render(primitives, s, way).minus(render(primitives, s, Vec3.ZERO)).times(size(random, -9, 9));
-            Vec3 edge = ends ? render(primitives, s, origin.plus(way).plus(unit(random).times(size(random, -12, 0)))) : center;
+            center = ends ? OwnSpace.toRender(primitives, s, origin.plus(way))
+                    : OwnSpace.toRender(primitives, s, way).minus(OwnSpace.toRender(primitives, s, Vec3.ZERO)).times(size(random, -9, 9));
+            Vec3 edge = ends ? OwnSpace.toRender(primitives, s, origin.plus(way).plus(unit(random).times(size(random, -12, 0)))) : center;
             extent = random.nextBoolean() ? 0 : ends ? edge.minus(center).length() : center.length() * size(random, -12, -1);
             targets = new Vec3[extent == 0 ? 1 : 4];
             Arrays.setAll(targets, i -> i == 0 ? center : center.plus(unit(random).times(extent * (1 - 0x1p-40))));
@@ -139,26 +140,6 @@ class UmbraTest {
         /** Ten to a power between two. */
         private static double size(Random random, double least, double most) {
             return Math.pow(10, least + (most - least) * random.nextDouble());
-        }
-
-        private static Vec3 own(PrimitiveTable primitives, int s, Vec3 p) {
-            double[] m = primitives.data;
-            int i = primitives.at[s];
-            return new Vec3(m[i] * p.x() + m[i + 1] * p.y() + m[i + 2] * p.z() + m[i + 3],
-                    m[i + 4] * p.x() + m[i + 5] * p.y() + m[i + 6] * p.z() + m[i + 7],
-                    m[i + 8] * p.x() + m[i + 9] * p.y() + m[i + 10] * p.z() + m[i + 11]);
-        }
-
-        /** The point in render space of one in the space of a primitive: by Cramer's rule. */
-        private static Vec3 render(PrimitiveTable primitives, int s, Vec3 own) {
-            double[] m = primitives.data;
-            int i = primitives.at[s];
-            Vec3 x = new Vec3(m[i], m[i + 4], m[i + 8]);
-            Vec3 y = new Vec3(m[i + 1], m[i + 5], m[i + 9]);
-            Vec3 z = new Vec3(m[i + 2], m[i + 6], m[i + 10]);
-            Vec3 p = own.minus(new Vec3(m[i + 3], m[i + 7], m[i + 11]));
-            double volume = x.dot(y.cross(z));
-            return new Vec3(p.dot(y.cross(z)) / volume, x.dot(p.cross(z)) / volume, x.dot(y.cross(p)) / volume);
         }
     }
 
