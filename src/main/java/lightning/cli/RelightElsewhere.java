@@ -40,8 +40,8 @@ record RelightElsewhere(Console console, PictureOutput output, Place place, Path
 
     /** What is heard of frames. */
     private static final class Tally implements ShotListener {
-        /** Whether any node was there. */
-        private boolean met;
+        /** Whether any node was there, as any of the waiting threads saw. */
+        private volatile boolean met;
         private final Console console;
         private final AtomicInteger made = new AtomicInteger();
         private final AtomicInteger traced = new AtomicInteger();
