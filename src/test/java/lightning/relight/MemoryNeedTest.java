@@ -74,6 +74,14 @@ class MemoryNeedTest {
     }
 
     @Test
+    void forecastOfManyLights_knowsThatLargePicturesTakeLessOfAPixel() throws Exception {
+        Scene night = JenReader.read(Path.of("scenes/night.jen")).scene();
+        Scene scene = night.withPicture(new Picture(800, 448, night.picture().depth()));
+        // A pixel takes a sixth less than in a picture of 192 pixels, and each of these pictures has other edges in its tiles.
+        assertThat(Forecast.of(scene, OPTIONS).bytes(scene.picture())).isCloseTo(taken(scene, OPTIONS), withPercentage(10));
+    }
+
+    @Test
     void forecastOfMoreSamples_isMadeOfFew() throws Exception {
         Scene scene = balls(320, 224, Antialias.EDGES, 4);
         // Beside the above, tiles of samples are filled better where there are more of them.
