@@ -234,7 +234,7 @@ public enum Command {
             Obstacles.NONE),
     CURVE(Texts.key("Display Curve"), Texts.key("How light becomes brightness on the screen"), "mdi2c-chart-bell-curve", "",
             Obstacles.NONE),
-    COLOR_TABLE(Texts.key("Color Table…"),
+    COLOR_TABLE(Texts.key("Colour Table…"),
             Texts.key("Let what the display's curve gives pass a table of a .cube file; again takes it away"),
             "mdi2c-cube-outline", "", Obstacles.NONE),
     MARK_CLIPPING(Texts.key("Mark What Is Cut Off"), Texts.key("Mark pixels that are brighter than white or black"),

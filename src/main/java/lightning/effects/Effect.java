@@ -48,7 +48,7 @@ public final class Effect {
     public static final Effect BUMPS = named("bumps", "bump and normal maps", uses -> uses.materials(m -> !m.relief().isFlat()),
             scene -> Without.materials(scene, m -> m.withRelief(Relief.NONE)), Forced::flatBumps);
     public static final Effect VERTEX_COLORS =
-            named("vertex-colors", "colors of vertices", Uses::tints, Without::vertexColors, UnaryOperator.identity(), false);
+            named("vertex-colors", "colours of vertices", Uses::tints, Without::vertexColors, UnaryOperator.identity(), false);
     public static final Effect REFLECTION = named("reflection", "reflections", Uses::mirrors, Without::reflections);
     public static final Effect CLEAR = named("clear", "clear materials",
             uses -> uses.materials(m -> m.clarity().isClear() || !m.clarity().throwsShadows()),

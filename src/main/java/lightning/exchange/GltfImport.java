@@ -155,7 +155,7 @@ final class GltfImport {
         try {
             double quadratic = type.hasPosition() ? pieces.quadratic() : 1;
             Light made =
-                    Light.of(pieces.names.unique(wanted, "light"), type).withColor(pieces.color(light.color(), 1000, "colors of lights"))
+                    Light.of(pieces.names.unique(wanted, "light"), type).withColor(pieces.color(light.color(), 1000, "colours of lights"))
                             .withIntensity(light.intensity() * quadratic);
             if (type.hasPosition()) {
                 made = made.withPosition(world.point(Vec3.ZERO)).withAttenuation(new Attenuation(0, 0, quadratic));

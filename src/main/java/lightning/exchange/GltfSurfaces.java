@@ -36,7 +36,7 @@ final class GltfSurfaces {
     }
 
     Material material(GltfMaterial m) throws IOException, MeshException {
-        Rgb base = pieces.color(m.base(), 1, "base colors of materials");
+        Rgb base = pieces.color(m.base(), 1, "base colours of materials");
         if (m.unlit()) {
             pieces.notes.add("textures of unlit materials", m.image() < 0 ? 0 : 1);
             return Material.of("material").withAmbient(base).withDiffuse(Rgb.BLACK);
@@ -83,7 +83,7 @@ final class GltfSurfaces {
         Material clear = through.made(made, Pieces.clamp(glass.share(), 1), made.base(), glass.ior(), glass.thin(), made.metalness());
         double distance = glass.distance();
         return glass.thin() || !(distance <= Limits.MAX_TINT_DISTANCE) ? clear
-                : clear.withClarity(clear.clarity().withTint(pieces.color(glass.tint(), 1, "colors of bodies"))
+                : clear.withClarity(clear.clarity().withTint(pieces.color(glass.tint(), 1, "colours of bodies"))
                         .withTintDistance(Math.max(distance, Limits.MIN_TINT_DISTANCE)));
     }
 

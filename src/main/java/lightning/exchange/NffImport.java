@@ -83,7 +83,7 @@ final class NffImport {
         double kept = (1 - mirror) * (1 - through);
         double diffuse = kept > 0 ? Math.min(fill.diffuse() / kept, Math.max(fill.diffuse(), 1)) : 0;
         pieces.notes.add("fills with Ks beyond 0 to 1", mirror == fill.specular() ? 0 : 1);
-        Material opaque = Material.of("material").withDiffuse(pieces.color(fill.color().times(diffuse), 1, "diffuse colors of fills"))
+        Material opaque = Material.of("material").withDiffuse(pieces.color(fill.color().times(diffuse), 1, "diffuse colours of fills"))
                 .withSpecular(Rgb.grey(mirror)).withReflective(Rgb.grey(mirror))
                 .withShininess(Pieces.clamp(fill.shine(), Limits.MAX_SHININESS));
         return new SeeThrough(pieces).made(opaque, through, Rgb.WHITE, fill.index(), false, 0);
@@ -139,7 +139,7 @@ final class NffImport {
         double alone = light.color().isPresent() ? 1 : 1 / Math.sqrt(file.lights().size());
         try {
             pieces.lights.add(Light.of(pieces.names.unique("light", "light"), LightType.POINT)
-                    .withColor(pieces.color(color, Limits.MAX_LIGHT_COLOR, "colors of lights")).withIntensity(alone)
+                    .withColor(pieces.color(color, Limits.MAX_LIGHT_COLOR, "colours of lights")).withIntensity(alone)
                     .withPosition(light.at()));
         } catch (IllegalArgumentException e) {
             pieces.notes.add("lights that cannot be placed");

@@ -107,9 +107,9 @@ final class ObjImport {
     }
 
     private Material made(MtlMaterial m) throws IOException {
-        Rgb specular = pieces.color(m.specular(), 1, "specular colors of materials");
+        Rgb specular = pieces.color(m.specular(), 1, "specular colours of materials");
         Material made = clear(m,
-                Material.of("material").withDiffuse(pieces.color(m.diffuse(), 1, "diffuse colors of materials")).withSpecular(specular)
+                Material.of("material").withDiffuse(pieces.color(m.diffuse(), 1, "diffuse colours of materials")).withSpecular(specular)
                         .withShininess(Pieces.clamp(m.shininess(), Limits.MAX_SHININESS))
                         .withAmbient(pieces.color(m.emission(), Limits.MAX_EMISSION, "emission of materials"))
                         .withReflective(m.mirrors() ? specular : Rgb.BLACK));

@@ -18,7 +18,7 @@ public enum DisplayCurve {
     /** {@link ToneCurves#aces}, then sRGB. */
     ACES("aces", "ACES (Narkowicz's Fit)", v -> Srgb.encoded(ToneCurves.aces(v)), ToneCurves.ACES_WHITE),
     /** {@link FalseColor}: stops instead of colours. Single values are shown as by sRGB. */
-    FALSE("false", "False Color by Stops", Srgb::encoded, 1);
+    FALSE("false", "False Colour by Stops", Srgb::encoded, 1);
 
     private static final double DEEP_WHITE = 0xFFFF;
 

@@ -19,6 +19,6 @@ public final class VertexColors {
             }
             changed += beyond ? 1 : 0;
         }
-        notes.add("colors of vertices beyond 0 to 1", changed);
+        notes.add("colours of vertices beyond 0 to 1", changed);
     }
 }

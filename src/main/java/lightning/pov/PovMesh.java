@@ -30,7 +30,7 @@ final class PovMesh {
                 } else {
                     names.put(key(t), "mesh_" + names.size());
                     if (t.isTinted()) {
-                        losses.add("mesh " + shape.shape().name() + ": without the colors of its vertices");
+                        losses.add("mesh " + shape.shape().name() + ": without the colours of its vertices");
                     }
                     declare(names.get(key(t)), t.mesh());
                 }

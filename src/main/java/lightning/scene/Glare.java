@@ -47,7 +47,7 @@ public record Glare(Light light, Material material, double most, double sum) {
 
     /** What may be, and what was found: a clause. */
     public String message() {
-        return "light " + Quote.of(light.name()) + ": color times intensity of all lights must add up to at most "
+        return "light " + Quote.of(light.name()) + ": colour times intensity of all lights must add up to at most "
                 + Limits.text(rounded(most, RoundingMode.DOWN))
                 + " before metallic material " + Quote.of(material.name()) + ", which has highlights so sharp, was "
                 + Limits.text(rounded(sum, RoundingMode.HALF_EVEN));

@@ -76,7 +76,7 @@ public interface FilePrompt {
 
             @Override
             public Optional<Path> table(Path folder) {
-                return path(chooser(Texts.of("Color Table"), folder, tables), c -> c.showOpenDialog(owner));
+                return path(chooser(Texts.of("Colour Table"), folder, tables), c -> c.showOpenDialog(owner));
             }
 
             @Override

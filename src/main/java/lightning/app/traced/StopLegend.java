@@ -10,7 +10,7 @@ final class StopLegend extends Legend {
     private static final int DARK = 3 * 0x60;
 
     StopLegend(EditorModel model) {
-        super("stop-legend", Texts.of("Stops from middle grey, by color"),
+        super("stop-legend", Texts.of("Stops from middle grey, by colour"),
                 model.viewProperty().map(view -> view.curve() == DisplayCurve.FALSE));
         for (FalseColor.Band band : FalseColor.bands()) {
             int rgb = band.rgb();

@@ -76,7 +76,7 @@ public final class MtlReader {
             case "Ni" -> now.ior = number();
             case "map_Kd" -> now.texture = picture();
             // Most writers put 1 there whatever the surface is, which would make it shine.
-            case "Ka" -> notes.add("ambient colors (Ka) of materials");
+            case "Ka" -> notes.add("ambient colours (Ka) of materials");
             case "map_d" -> now.cutout = picture();
             default -> notes.add(keyword + " of materials");
         }
@@ -152,7 +152,7 @@ public final class MtlReader {
     /** One number stands for all three. */
     private Rgb color(Rgb otherwise) throws IOException, MeshException {
         if (text.word() && (text.is("spectral") || text.is("xyz"))) {
-            notes.add("colors of materials that are no red, green and blue");
+            notes.add("colours of materials that are no red, green and blue");
             return otherwise;
         }
         double red = text.number("red");

@@ -112,7 +112,7 @@ final class PlyVertices {
 
     private static int code(double v, int codes, PlyBody body) throws MeshException {
         if (!(v >= 0 && v < codes && v == Math.rint(v))) {
-            throw body.problem("a color must be a whole number from 0 to " + (codes - 1) + ", was " + v);
+            throw body.problem("a colour must be a whole number from 0 to " + (codes - 1) + ", was " + v);
         }
         return (int) v;
     }

@@ -50,7 +50,7 @@ class MtlReaderTest {
         assertThat(materials.get("plain"))
                 .isEqualTo(new MtlMaterial("plain", Rgb.grey(0.8), Rgb.BLACK, Rgb.BLACK, 0, false, 1, Rgb.WHITE, 1.5, false,
                         Optional.empty(), Optional.empty()));
-        assertThat(notes.counts()).containsOnlyKeys("ambient colors (Ka) of materials", "options -s of pictures",
+        assertThat(notes.counts()).containsOnlyKeys("ambient colours (Ka) of materials", "options -s of pictures",
                 "options -clamp of pictures", "map_Bump of materials");
     }
 

@@ -167,7 +167,7 @@ class PlyReaderTest {
         assertRefused(SQUARE.replace("4 0 1 2 3", "4 0 1 2 4"), "line 15: face 0: a vertex must be a whole number from 0 to 3, was 4");
         assertRefused(SQUARE.replace("4 0 1 2 3", "4 0 1 -2 3"), "line 15: face 0: a vertex must be a whole number from 0 to 3, was -2");
         assertRefused(RICH.replace("255 0 0 0.5", "256 0 0 0.5"),
-                "line 26: vertex 0: a color must be a whole number from 0 to 255, was 256.0");
+                "line 26: vertex 0: a colour must be a whole number from 0 to 255, was 256.0");
         assertRefused(SQUARE.replace("4 0 1 2 3", ""), "line 16: face 0: the file ends before it does");
         byte[] binary =
                 PlyText.in("binary_big_endian", SQUARE.replace("element face 1", "element face 2").replace("4 0 1 2 3", "4 0 1 2 3\n0"));
