@@ -23,10 +23,11 @@ record Extent(Vec3 center, double radius) {
         for (PlacedShape shape : shapes) {
             switch (shape.shape().solid()) {
                 case Solid.Canonical solid -> {
-                    double wide = PovSolid.of(solid).wide();
+                    double[] box = solid.box();
                     for (int corner = 0; corner < 8; corner++) {
-                        include(shape.toWorld().point(
-                                new Vec3(wide * ((corner & 1) * 2 - 1), (corner & 2) - 1, wide * ((corner & 4) / 2 - 1))), low, high);
+                        include(shape.toWorld()
+                                .point(new Vec3(box[(corner & 1) * 3], box[(corner & 2) / 2 * 3 + 1], box[(corner & 4) / 4 * 3 + 2])),
+                                low, high);
                     }
                 }
                 case Solid.Triangles t -> {

@@ -184,7 +184,11 @@ final class PovMaterial {
 
     private static String mapping(Solid solid) {
         return switch (solid) {
-            case Solid.Canonical c -> PovSolid.of(c).mapping();
+            case Solid.Canonical c -> switch (c.wrap()) {
+                case FLAT -> "map_type 0";
+                case SPHERICAL -> "map_type 1";
+                case CYLINDRICAL -> "map_type 2";
+            };
             case Solid.Triangles _ -> "map_type 0";
         };
     }
@@ -213,7 +217,7 @@ final class PovMaterial {
 
     private static boolean hasCaps(Solid solid) {
         return switch (solid) {
-            case Solid.Canonical c -> PovSolid.of(c).caps();
+            case Solid.Canonical c -> c.hasDiscs();
             case Solid.Triangles _ -> false;
         };
     }

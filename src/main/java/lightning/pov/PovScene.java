@@ -105,7 +105,7 @@ public final class PovScene {
     /** A solid, left open for texture and placing. */
     private static String solid(Solid solid, PovMesh meshes) {
         return switch (solid) {
-            case Solid.Canonical c -> PovSolid.of(c).text();
+            case Solid.Canonical c -> c.povRay();
             case Solid.Triangles t -> meshes.text(t);
         };
     }

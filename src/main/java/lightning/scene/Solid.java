@@ -25,6 +25,54 @@ public sealed interface Solid {
 
         /** The smallest box that holds it, in its own space: least x, y, z, greatest x, y, z. */
         double[] box();
+
+        /** How a texture lies on it, but for the discs that close it. */
+        default Wrap wrap() {
+            return switch (this) {
+                case Sphere _ -> Wrap.SPHERICAL;
+                case Standing _ -> Wrap.CYLINDRICAL;
+                case Plane _ -> Wrap.FLAT;
+            };
+        }
+
+        /** Whether discs close it, which have texture coordinates of their own. */
+        default boolean hasDiscs() {
+            return switch (this) {
+                case Standing s -> s.caps();
+                case Sphere _,Plane _ -> false;
+            };
+        }
+
+        /** What POV-Ray calls it, left open for texture and placing. */
+        default String povRay() {
+            return switch (this) {
+                case Sphere _ -> "sphere { <0, 0, 0>, 1";
+                case Cone c -> "cone { <0, 0, 0>, 1, <0, 1, 0>, 0" + open(c.caps);
+                case Cylinder c -> "cylinder { <0, 0, 0>, <0, 1, 0>, 1" + open(c.caps);
+                case Frustum f -> "cone { <0, 0, 0>, 1, <0, 1, 0>, " + f.top + open(f.caps);
+                case Plane _ -> "polygon { 5, <-0.5, 0, -0.5>, <0.5, 0, -0.5>, <0.5, 0, 0.5>, <-0.5, 0, 0.5>, <-0.5, 0, -0.5>";
+            };
+        }
+
+        private static String open(boolean caps) {
+            return caps ? "" : " open";
+        }
+    }
+
+    /** How texture coordinates go around a solid. */
+    enum Wrap {
+        /** Along x and z. */
+        FLAT,
+        /** By longitude and latitude. */
+        SPHERICAL,
+        /** By longitude and height. */
+        CYLINDRICAL
+    }
+
+    /** What stands on y = 0 around the y axis, 1 high. */
+    sealed interface Standing extends Canonical {
+        /** Whether discs close it; without them the inside of the side is seen. */
+        boolean caps();
     }
 
     /** Radius 1 about the origin. */
@@ -40,7 +88,7 @@ public sealed interface Solid {
      *
      * @param caps whether a disc closes the base; without it the inside of the side is seen
      */
-    record Cone(boolean caps) implements Canonical {
+    record Cone(boolean caps) implements Standing {
         @Override
         public List<Attribute<Canonical, ?>> attributes() {
             return List.of(closing(Cone.class, Cone::caps, (_, v) -> new Cone(v)));
@@ -57,7 +105,7 @@ public sealed interface Solid {
      *
      * @param caps whether two discs close it; without them the inside of the side is seen
      */
-    record Cylinder(boolean caps) implements Canonical {
+    record Cylinder(boolean caps) implements Standing {
         @Override
         public List<Attribute<Canonical, ?>> attributes() {
             return List.of(closing(Cylinder.class, Cylinder::caps, (_, v) -> new Cylinder(v)));
@@ -75,7 +123,7 @@ public sealed interface Solid {
      * @param top  the radius at y = 1
      * @param caps whether two discs close it; without them the inside of the side is seen
      */
-    record Frustum(double top, boolean caps) implements Canonical {
+    record Frustum(double top, boolean caps) implements Standing {
         public Frustum {
             Limits.range("top", top, 0, Limits.MAX_TOP);
         }
