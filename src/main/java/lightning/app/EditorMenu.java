@@ -24,6 +24,7 @@ import lightning.app.traced.ViewItems;
 import lightning.app.widget.Looks;
 import lightning.edit.Command;
 import lightning.text.Texts;
+import org.kordamp.ikonli.javafx.FontIcon;
 
 /** Every command in a menu, with its key. */
 final class EditorMenu extends MenuBar {
@@ -51,8 +52,10 @@ final class EditorMenu extends MenuBar {
                 Command.DELETE_BANK, LINE, Command.RENAME_LIGHT,
                 Command.SWITCH_ON, Command.SOLO, Command.LOOK_THROUGH_LIGHT, LINE, Command.AIM, Command.PLACE_HIGHLIGHT,
                 Command.PLACE_DIFFUSE, Command.PLACE_RIM, Command.PLACE_SHADOW, LINE, Command.MIXER, Command.CONTRIBUTIONS, Command.CUES,
-                LINE, Command.LOAD_RIG, Command.ADD_RIG,
-                Command.SAVE_RIG, LINE, Command.MAKE_ANIMATION);
+                Command.MAKE_ANIMATION, LINE);
+        Menu rig = menu(Texts.of("Light Rig"), Command.LOAD_RIG, Command.ADD_RIG, Command.SAVE_RIG);
+        rig.setGraphic(new FontIcon("mdi2f-file-outline"));
+        light.getItems().add(rig);
         Menu shape = menu(Texts.of("Shape"), Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, LINE, Command.SHOW_SHAPE);
         Menu shot = menu(Texts.of("Shot"), Command.TIMELINE, Command.FILM_STRIP, LINE, Command.NEW_SHOT, Command.DELETE_SHOT, LINE,
                 Command.PLAY_SHOT,
