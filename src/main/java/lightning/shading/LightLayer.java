@@ -20,10 +20,9 @@ public sealed interface LightLayer permits LightRows, RatioRows {
     /** The bytes of those columns that are not also {@code before}'s, which may be null. */
     long newBytes(LightLayer before);
 
+    /** The bytes that composing reads. */
+    long composedBytes();
+
     /** The bytes that must be read of each row to get here from {@code before}, which may be null. */
-    default long rowBytesRead(LightLayer before) {
-        boolean statesStay = before != null && before.states() == states();
-        // A new falloff needs the point alone, new terms point, normal and direction.
-        return statesStay ? 12 : 36;
-    }
+    long rowBytesRead(LightLayer before);
 }

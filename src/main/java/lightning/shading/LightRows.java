@@ -77,16 +77,19 @@ public final class LightRows implements LightLayer {
     }
 
     private static final float[] ONES = ones();
+    private static final float[] ZEROS = new float[Terms.ROWS];
+    /** For each state and way a column that holds no other: shared by all layers of which every row has it, and not counted as memory. */
+    private static final byte[][] ALL = all();
     private static final float[][] PLAIN = {ONES, ONES, ONES};
 
     /** All rows outside: shared by all tiles that no light in question reaches, and not counted as memory. */
-    public static final LightRows UNREACHED = unlit(outside());
+    public static final LightRows UNREACHED = unlit(all(OUTSIDE));
 
     /** State and way of each row. */
     public final byte[] state;
     /** N·L, or the diffuse term of a metallic material; null where no row is lit. */
     public final float[] cosine;
-    /** max(V·R, 0)<sup>shininess</sup>, or what F0 of a metallic material multiplies; null where no row is lit or none is specular. */
+    /** max(V·R, 0)<sup>shininess</sup>, or what F0 of a metallic material multiplies; null where no row is lit or none has any. */
     public final float[] specular;
     /** What a metallic material sends besides; null where no row is lit or none is metallic. */
     public final float[] grazing;
@@ -205,15 +208,37 @@ public final class LightRows implements LightLayer {
         return ones;
     }
 
-    private static byte[] outside() {
-        byte[] state = new byte[Terms.ROWS];
-        Arrays.fill(state, OUTSIDE);
-        return state;
+    private static byte[] all(int state) {
+        byte[] states = new byte[Terms.ROWS];
+        Arrays.fill(states, (byte) state);
+        return states;
+    }
+
+    private static byte[][] all() {
+        byte[][] all = new byte[STATE + WAY + 1][];
+        Arrays.setAll(all, LightRows::all);
+        return all;
     }
 
     /** The bytes of a layer's columns that are counted with no layer, because all share them. */
     static long shared(byte[] states) {
-        return states == UNREACHED.state ? states.length : 0;
+        return states == UNREACHED.state || states.length > 0 && states == ALL[states[0]] ? states.length : 0;
+    }
+
+    /**
+     * This layer over {@code rows} rows without what need not be kept: states of its own where all are the same, and highlights where none
+     * is: adding none in place of +0 to sums that are never negative changes no bit. Grazing terms are closed beside specular ones, so
+     * that where there are any both stay.
+     */
+    public LightRows compact(int rows) {
+        ColumnSet<Column> kept = columns;
+        if (rows > 0 && shared(state) == 0 && Arrays.equals(state, 0, rows, ALL[state[0]], 0, rows)) {
+            kept = kept.with(Column.STATE, ALL[state[0]]);
+        }
+        if (specular != null && grazing == null && Arrays.equals(specular, 0, rows, ZEROS, 0, rows)) {
+            kept = kept.with(Column.SPECULAR, null);
+        }
+        return kept == columns ? this : new LightRows(kept, lit);
     }
 
     /** The state of a row, without the way. */
@@ -258,7 +283,9 @@ public final class LightRows implements LightLayer {
         int lit = in.number();
         boolean shares = in.number() == 1;
         ColumnSet<Column> read = in.columns(Column.class);
-        return new LightRows(shares ? read.with(Column.STATE, UNREACHED.state) : read, lit);
+        LightRows layer = new LightRows(shares ? read.with(Column.STATE, UNREACHED.state) : read, lit);
+        // States that were shared were written as long as those of any tile.
+        return layer.compact(layer.specular == null ? layer.state.length : Math.min(layer.state.length, layer.specular.length));
     }
 
     /** The columns that this layer has. */
@@ -274,6 +301,17 @@ public final class LightRows implements LightLayer {
     /** The bytes of one kind of column. */
     public long bytes(Column kind) {
         return columns.bytes(kind) - (kind == Column.STATE ? shared(state) : 0);
+    }
+
+    @Override
+    public long composedBytes() {
+        return columns.bytes() - columns.bytes(Column.STATE);
+    }
+
+    /** A new falloff needs the point alone, new terms point, normal and direction. */
+    @Override
+    public long rowBytesRead(LightLayer before) {
+        return before instanceof LightRows b && cosine != null && b.cosine == cosine && b.state == state ? 12 : 36;
     }
 
     @Override

@@ -228,7 +228,8 @@ public final class RatioKernel {
                     && (entered.states()[i] & LightRows.STATE) == LightRows.LIT;
             if (stays) {
                 take(scaled.diffuse, entered.diffuse, i);
-                if (entered.specular != null) {
+                // A layer that was known exactly may lack highlights that are 0: those of now are, too.
+                if (entered.specular != null && scaled.specular != null) {
                     take(scaled.specular, entered.specular, i);
                 }
                 if (entered.grazing != null) {

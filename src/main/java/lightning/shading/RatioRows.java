@@ -147,6 +147,17 @@ public final class RatioRows implements LightLayer {
         return columns.bytes() - LightRows.shared(states);
     }
 
+    @Override
+    public long composedBytes() {
+        return columns.bytes() - columns.bytes(Column.STATE);
+    }
+
+    /** Other falloffs need the point alone, other terms point, normal and direction. */
+    @Override
+    public long rowBytesRead(LightLayer before) {
+        return before != null && before.states() == states ? 12 : 36;
+    }
+
     /** Scaling reads every contribution and writes it anew. */
     @Override
     public long newBytes(LightLayer before) {

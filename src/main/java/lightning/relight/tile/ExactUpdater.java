@@ -12,12 +12,12 @@ import lightning.trace.MaterialSet;
 import lightning.trace.RowSplice;
 import lightning.trace.ShapeChange;
 
-/** Updates that leave a layer as a full trace would make it, in every bit. */
+/** Updates that leave a layer as a full trace would make it, in every bit of its terms, and compact. */
 record ExactUpdater(LightKernel kernel) implements LayerUpdater {
 
     @Override
     public LightLayer full(HitRows rows, Luminaire light) {
-        return kernel.full(rows, light.lamp(), Columns.FRESH);
+        return kernel.full(rows, light.lamp(), Columns.FRESH).compact(rows.count);
     }
 
     @Override
@@ -26,7 +26,7 @@ record ExactUpdater(LightKernel kernel) implements LayerUpdater {
             case LightUpdate.Keep _,LightUpdate.Reweight _,LightUpdate.Refresh _ -> before;
             case LightUpdate.FullRecompute _ -> full(rows, to);
             case LightUpdate.Partial p ->
-                    kernel.partial(rows, to.lamp(), (LightRows) before, p.cone(), p.falloff(), Columns.FRESH);
+                    kernel.partial(rows, to.lamp(), (LightRows) before, p.cone(), p.falloff(), Columns.FRESH).compact(rows.count);
         };
     }
 
@@ -34,18 +34,18 @@ record ExactUpdater(LightKernel kernel) implements LayerUpdater {
     public LightLayer convert(HitRows rows, Luminaire light, LightLayer before) {
         return switch (before) {
             case LightRows layer -> layer;
-            case RatioRows layer -> kernel.again(rows, light.lamp(), layer, Columns.FRESH);
+            case RatioRows layer -> kernel.again(rows, light.lamp(), layer, Columns.FRESH).compact(rows.count);
         };
     }
 
     @Override
     public LightLayer speculars(HitRows rows, Luminaire light, LightLayer before, MaterialSet changed) {
-        return kernel.speculars(rows, light.lamp(), (LightRows) before, changed, Columns.FRESH);
+        return kernel.speculars(rows, light.lamp(), (LightRows) before, changed, Columns.FRESH).compact(rows.count);
     }
 
     @Override
     public LightLayer shadowed(HitRows rows, Luminaire light, LightLayer before, ShapeChange change) {
-        return kernel.shadowed(rows, light.lamp(), (LightRows) before, change, Columns.FRESH);
+        return kernel.shadowed(rows, light.lamp(), (LightRows) before, change, Columns.FRESH).compact(rows.count);
     }
 
     @Override
@@ -55,11 +55,11 @@ record ExactUpdater(LightKernel kernel) implements LayerUpdater {
 
     @Override
     public LightLayer sorted(RowSplice splice, LightLayer before) {
-        return kernel.sorted(splice, (LightRows) before);
+        return kernel.sorted(splice, (LightRows) before).compact(splice.rows().count);
     }
 
     @Override
     public LightLayer joined(RowSplice splice, LightLayer before, LightLayer added, Luminaire light) {
-        return kernel.joined(splice, (LightRows) before, (LightRows) added, light.lamp());
+        return kernel.joined(splice, (LightRows) before, (LightRows) added, light.lamp()).compact(splice.rows().count);
     }
 }

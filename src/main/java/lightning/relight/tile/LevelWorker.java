@@ -196,7 +196,7 @@ final class LevelWorker {
         for (int l = 0; l < shown.lights().length; l++) {
             boolean read = sums == null || key.light() == l;
             if (read && !shown.lights()[l].isDark() && level.layers()[l].lit() > 0) {
-                bytes += level.layers()[l].bytes() - rows.count;
+                bytes += level.layers()[l].composedBytes();
             }
         }
         return bytes + (sums == null ? 0 : sums.bytes());
