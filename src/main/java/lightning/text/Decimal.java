@@ -1,6 +1,7 @@
 package lightning.text;
 
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 
 /**
  * Decimal numbers: a sign, digits 0 to 9 with a point before, among or after them, an exponent, as in {@code -1.5e-3}.
@@ -8,13 +9,58 @@ import java.util.OptionalDouble;
  * Java's own reading takes more: {@code 1d}, {@code 0x1p3}, {@code NaN}, digits of other scripts.
  */
 public final class Decimal {
+    /** The powers of ten that are doubles. */
+    private static final double[] POWERS = IntStream.rangeClosed(0, 22).mapToDouble(k -> Double.parseDouble("1e" + k)).toArray();
+    /** Digits below this have room for one more: no more than 18 are taken, a number below 2⁶⁰. */
+    private static final long ROOM = 100_000_000_000_000_000L;
+
     private Decimal() {}
 
     /**
      * The nearest double to a number (IEEE 754, ties to even), infinite where it is beyond 1.8e308; empty if the whole text is not a number.
      */
     public static OptionalDouble read(String text) {
-        return is(text, 0, text.length()) ? OptionalDouble.of(Double.parseDouble(text)) : OptionalDouble.empty();
+        return is(text, 0, text.length()) ? OptionalDouble.of(value(text, 0, text.length())) : OptionalDouble.empty();
+    }
+
+    /** The same of characters of which {@link #is} has told that they are a number. */
+    public static double value(String text, int from, int to) {
+        boolean negative = text.charAt(from) == '-';
+        boolean point = false;
+        long digits = 0;
+        int places = 0;
+        for (int i = isAny(text, from, to, "+-") ? from + 1 : from; i < to; i++) {
+            int digit = text.charAt(i) - '0';
+            if (digit >= 0 && digit <= 9 && digits < ROOM) {
+                digits = 10 * digits + digit;
+                places += point ? 1 : 0;
+            } else if (digit == '.' - '0') {
+                point = true;
+            } else {
+                return Double.parseDouble(text.substring(from, to));
+            }
+        }
+        double v = places < POWERS.length ? quotient(digits, POWERS[places]) : Double.NaN;
+        return v >= 0 ? negative ? -v : v : Double.parseDouble(text.substring(from, to));
+    }
+
+    /**
+     * The double nearest to digits / power, or NaN where these steps cannot tell which it is.
+     *
+     * <p>With digits = high + low, both doubles as digits are below 2⁶⁰, and q = high / power rounded, high − q·power is a double
+     * (a division's remainder always is), so that digits / power = q + D exactly with D = (remainder + low) / power. What is computed of D has two
+     * roundings, and differs from it by at most 2⁻⁵¹ of what was computed. D therefore lies between d − g and d + g with g = 2⁻⁵⁰·d, their own
+     * rounding included; and as rounding never turns an order around, the nearest double lies between q + (d − g) and q + (d + g), rounded: it is both
+     * where they are the same. Nothing here is so small that it loses digits: q is 0 or at least 10⁻²².
+     */
+    private static double quotient(long digits, double power) {
+        double high = digits;
+        double low = digits - (long) high;
+        double q = high / power;
+        double d = (Math.fma(-q, power, high) + low) / power;
+        double g = 0x1p-50 * Math.abs(d);
+        double least = q + (d - g);
+        return least == q + (d + g) ? least : Double.NaN;
     }
 
     /** Whether the characters from {@code from} to before {@code to} are a number. */

@@ -2,8 +2,11 @@ package lightning.text;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.math.BigDecimal;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import net.jqwik.api.constraints.LongRange;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -27,6 +30,23 @@ class DecimalTest {
     void numberBeyondTheRange_isInfinite() {
         assertThat(Decimal.read("1e999")).hasValue(Double.POSITIVE_INFINITY);
         assertThat(Decimal.read("-1e999")).hasValue(Double.NEGATIVE_INFINITY);
+    }
+
+    @Property
+    void anyDigits_areReadAsTheNearestDouble(@ForAll @LongRange(min = 0, max = 999_999_999_999_999_999L) long digits,
+            @ForAll @IntRange(max = 24) int places) {
+        String padded = "0".repeat(places) + digits;
+        String text = padded.substring(0, padded.length() - places) + "." + padded.substring(padded.length() - places);
+        assertThat(Decimal.read(text)).hasValue(new BigDecimal(text).doubleValue());
+    }
+
+    /** The number in the middle between two doubles, and its neighbours in the last place. */
+    @Property
+    void digitsNextToTheMiddleOfTwoDoubles_areReadAsTheNearest(@ForAll @LongRange(min = 1L << 52, max = (1L << 53) - 1) long mantissa,
+            @ForAll @IntRange(min = 1, max = 6) int up, @ForAll @IntRange(max = 6) int places,
+            @ForAll @IntRange(min = -1, max = 1) int off) {
+        String text = BigDecimal.valueOf((2 * mantissa + 1 << up - 1) + off, places).toPlainString();
+        assertThat(Decimal.read(text)).hasValue(new BigDecimal(text).doubleValue());
     }
 
     @Property
