@@ -80,6 +80,12 @@ final class Block {
         return null;
     }
 
+    /** What a property is, well written or by default; null where it is neither. */
+    Value value(String property) {
+        Entry entry = entry(property);
+        return entry == null ? type.initials().get(property) : entry.value();
+    }
+
     /** The well written properties, in the order of the text. */
     List<Entry> entries() {
         return Collections.unmodifiableList(entries);

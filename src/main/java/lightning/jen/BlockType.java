@@ -15,10 +15,16 @@ import lightning.scene.Node;
  * @param named      whether a name follows
  * @param header     the property whose bare value follows the name, if any
  * @param properties those in the braces, in the order in which they are written
+ * @param initials   what each of these is where the file does not say, by its name
  * @param builder    makes the record
  */
 record BlockType<T>(String keyword, boolean named, Optional<Property<T>> header, List<Property<T>> properties,
-        Builder<T> builder) {
+        Map<String, Value> initials, Builder<T> builder) {
+
+    BlockType(String keyword, boolean named, Optional<Property<T>> header, List<Property<T>> properties, Builder<T> builder) {
+        this(keyword, named, header, properties,
+                properties.stream().collect(Collectors.toUnmodifiableMap(Property::name, Property::initial)), builder);
+    }
 
     /** Makes the record that a block describes from values that were each checked. */
     @FunctionalInterface
@@ -46,10 +52,5 @@ record BlockType<T>(String keyword, boolean named, Optional<Property<T>> header,
         header.ifPresent(p -> values.put(p.name(), p.get().apply(record)));
         properties.forEach(p -> values.put(p.name(), p.get().apply(record)));
         return values;
-    }
-
-    /** What each property is where the file does not say. */
-    Map<String, Value> initials() {
-        return properties.stream().collect(Collectors.toMap(Property::name, Property::initial));
     }
 }

@@ -11,7 +11,6 @@ import lightning.scene.shot.Key;
 import lightning.scene.shot.Passage;
 import lightning.scene.shot.Setting;
 import lightning.scene.shot.Shot;
-import lightning.text.Decimal;
 import lightning.text.Quote;
 
 /** Reads the keys of one thing in a shot. Each method returns the token to go on at. */
@@ -115,7 +114,7 @@ final class KeyParser {
     }
 
     private int frame(Property<?> property, int at, List<Key> keys) {
-        double frame = kind(at) == Kind.NUMBER ? Decimal.read(tokens.text(at)).orElseThrow() : Double.NaN;
+        double frame = kind(at) == Kind.NUMBER ? tokens.number(at) : Double.NaN;
         if (frame != Math.rint(frame)) {
             throw new IllegalArgumentException(property.name() + ": expected a frame, a whole number, found " + tokens.found(at));
         }

@@ -138,6 +138,9 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
      *     message says what was expected and found
      */
     void checkNumber(int index, double v) {
+        if (v >= min && v <= max && !(whole && v != Math.rint(v))) {
+            return;
+        }
         String what = name + labels.get(index);
         if (whole && v != Math.rint(v)) {
             throw new IllegalArgumentException(what + " must be a whole number, was " + Limits.text(v));

@@ -317,7 +317,7 @@ public final class PropertyEdit {
         type.properties().forEach(p -> values.computeIfPresent(p.name(), (n, v) -> v instanceof Value.Absent ? p.initial() : v));
         List<Node> children = record instanceof Group g ? g.children() : List.of();
         try {
-            return type.builder().build(newName, new Values(values, files), children);
+            return type.builder().build(newName, new Values(values::get, files), children);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException((name.isEmpty() ? type.keyword() : type.keyword() + " " + Quote.of(name)) + ": "
                     + e.getMessage(), e);

@@ -9,7 +9,6 @@ import java.util.Set;
 import lightning.jen.Tokens.Kind;
 import lightning.scene.Limits;
 import lightning.scene.Links;
-import lightning.text.Decimal;
 import lightning.text.Quote;
 
 /** Reads one property with its value and checks it. Each method returns the token to go on at. */
@@ -157,7 +156,7 @@ final class PropertyParser {
             throw new IllegalArgumentException(property.name() + " must be " + property.expected() + ", found "
                     + tokens.found(token));
         }
-        double number = Decimal.read(tokens.text(token)).orElseThrow();
+        double number = tokens.number(token);
         if (Double.isInfinite(number)) {
             throw new IllegalArgumentException(property.name() + " must be a number within ±1.8e308, found "
                     + tokens.found(token));

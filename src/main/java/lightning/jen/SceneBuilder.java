@@ -68,14 +68,16 @@ final class SceneBuilder {
 
     /** The scene, or nothing where there are problems. */
     Optional<Scene> build(List<Block> blocks) {
-        Optional<Picture> picture = single(blocks, Blocks.PICTURE);
-        Optional<Camera> camera = single(blocks, Blocks.CAMERA);
-        Optional<World> world = single(blocks, Blocks.WORLD);
-        single(blocks, Blocks.SHOT);
-        List<Material> materials = materials(of(blocks, Blocks.MATERIAL));
-        List<Node> nodes = nodes(blocks.stream().filter(b -> Blocks.NODES.contains(b.type.keyword())).toList(), 1, 1);
-        List<Bank> banks = banks(of(blocks, Blocks.BANK));
-        List<Light> lights = lights(of(blocks, Blocks.LIGHT));
+        List<Block> nodeBlocks = blocks.stream().filter(b -> Blocks.NODES.contains(b.type.keyword())).toList();
+        List<Block> others = blocks.stream().filter(b -> !Blocks.NODES.contains(b.type.keyword())).toList();
+        Optional<Picture> picture = single(others, Blocks.PICTURE);
+        Optional<Camera> camera = single(others, Blocks.CAMERA);
+        Optional<World> world = single(others, Blocks.WORLD);
+        single(others, Blocks.SHOT);
+        List<Material> materials = materials(of(others, Blocks.MATERIAL));
+        List<Node> nodes = nodes(nodeBlocks, 1, 1);
+        List<Bank> banks = banks(of(others, Blocks.BANK));
+        List<Light> lights = lights(of(others, Blocks.LIGHT));
         if (!problems.isEmpty()) {
             return Optional.empty();
         }
@@ -171,7 +173,7 @@ final class SceneBuilder {
     private static Placement scale(Block block) {
         Block.Entry entry = block.entry("scale");
         return entry == null ? Placement.IDENTITY
-                : new Placement(Vec3.ZERO, Vec3.ZERO, new Values(Map.of("scale", entry.value()), null).vector("scale"));
+                : new Placement(Vec3.ZERO, Vec3.ZERO, new Values(block::value, null).vector("scale"));
     }
 
     /** @param property says what is named, and is called like it */
@@ -211,8 +213,6 @@ final class SceneBuilder {
 
     /** The record of a block; nothing where a problem of the file stands in the way. */
     private <T> Optional<T> record(Block block, BlockType<T> type, List<Node> children) {
-        Map<String, Value> values = new HashMap<>(type.initials());
-        block.entries().forEach(entry -> values.put(entry.property().name(), entry.value()));
         for (PictureProperty picture : PictureProperty.ALL) {
             Block.Entry repeat = picture.repeat().map(block::entry).orElse(null);
             if (repeat != null && !block.isWritten(picture.name())) {
@@ -228,7 +228,7 @@ final class SceneBuilder {
         Sky sky = loaded(block, World.ENVIRONMENT.name(), skies::load);
         Mesh mesh = mesh(block);
         if (!problems.isEmpty() && (type.named() && block.name.isEmpty()
-                || type.header().filter(p -> !values.containsKey(p.name())).isPresent()
+                || type.header().filter(p -> block.entry(p.name()) == null).isPresent()
                 || !hasAll
                 || block.isWritten(LightAttribute.PROFILE.name()) && profile == null
                 || block.isWritten(World.ENVIRONMENT.name()) && sky == null
@@ -236,7 +236,8 @@ final class SceneBuilder {
             return Optional.empty();
         }
         try {
-            return Optional.of(type.builder().build(block.name, new Values(values, new Loaded(pictures, profile, sky, mesh)), children));
+            return Optional
+                    .of(type.builder().build(block.name, new Values(block::value, new Loaded(pictures, profile, sky, mesh)), children));
         } catch (IllegalArgumentException e) {
             problem(block, block.title() + ": " + e.getMessage());
             return Optional.empty();

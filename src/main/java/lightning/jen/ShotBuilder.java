@@ -41,10 +41,8 @@ final class ShotBuilder {
                 child.keys.stream().filter(k -> !k.keys().isEmpty()).forEach(k -> track(child, target, k).ifPresent(tracks::add));
             }
         }
-        Map<String, Value> values = new HashMap<>(Blocks.SHOT.initials());
-        block.entries().forEach(e -> values.put(e.property().name(), e.value()));
         try {
-            Shot shot = Blocks.SHOT.builder().build("", new Values(values, null), List.of()).withTracks(tracks);
+            Shot shot = Blocks.SHOT.builder().build("", new Values(block::value, null), List.of()).withTracks(tracks);
             return problems.isEmpty() ? Optional.of(shot) : Optional.empty();
         } catch (IllegalArgumentException e) {
             problem(block, "shot: " + e.getMessage());

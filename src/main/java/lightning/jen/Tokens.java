@@ -1,6 +1,7 @@
 package lightning.jen;
 
 import java.util.Arrays;
+import lightning.text.Decimal;
 import lightning.text.Quote;
 
 /**
@@ -28,6 +29,8 @@ final class Tokens {
     private int[] ends = new int[64];
     private byte[] kinds = new byte[64];
     private int size;
+    /** Words met before, each where its hash says: most words of a file are a few keywords, which are asked for again and again. */
+    private final String[] words = new String[256];
 
     Tokens(String text) {
         this.text = text;
@@ -68,7 +71,30 @@ final class Tokens {
 
     /** The characters of token {@code i}, a string's without its quotes and escapes. */
     String text(int i) {
-        return kind(i) == Kind.STRING ? NameText.unescaped(text.substring(start(i) + 1, end(i) - 1)) : text.substring(start(i), end(i));
+        return switch (kind(i)) {
+            case STRING -> NameText.unescaped(text.substring(start(i) + 1, end(i) - 1));
+            case WORD -> word(start(i), end(i));
+            case NUMBER, BAD_NUMBER, OPEN, CLOSE, END -> text.substring(start(i), end(i));
+        };
+    }
+
+    private String word(int from, int to) {
+        int hash = 0;
+        for (int i = from; i < to; i++) {
+            hash = 31 * hash + text.charAt(i);
+        }
+        int slot = hash & words.length - 1;
+        String known = words[slot];
+        if (known == null || known.length() != to - from || !text.startsWith(known, from)) {
+            known = text.substring(from, to);
+            words[slot] = known;
+        }
+        return known;
+    }
+
+    /** Token {@code i}, which is a number: the nearest double to it, or infinite. */
+    double number(int i) {
+        return Decimal.value(text, start(i), end(i));
     }
 
     /** Token {@code i} as a message quotes it. */

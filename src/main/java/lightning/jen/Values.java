@@ -1,7 +1,6 @@
 package lightning.jen;
 
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import lightning.math.Vec3;
@@ -17,11 +16,12 @@ import lightning.scene.TextureMap;
 import lightning.scene.ValueKind;
 
 /**
- * All values of one block by property name, written or by default, in the types of the scene.
+ * All values of one block, written or by default, in the types of the scene.
  *
+ * @param all   the value of a property by its name; null where there is none
  * @param files finds what the files hold that the block names
  */
-record Values(Map<String, Value> all, SceneFiles files) {
+record Values(Function<String, Value> all, SceneFiles files) {
 
     /** The record with all of these attributes as the block has them. */
     <T> T on(T record, List<? extends Attribute<T, ?>> attributes) {
@@ -41,8 +41,8 @@ record Values(Map<String, Value> all, SceneFiles files) {
         return switch (attribute.kind()) {
             case Quantity<V> n -> n.join().apply(numbers(attribute.name()));
             case Choice<V> c -> c.value(word(attribute.name()));
-            case ValueKind.Linking _ -> unchecked(((Value.Linked) all.get(attribute.name())).links());
-            case ValueKind.Naming _ -> unchecked(all.get(attribute.name()) instanceof Value.Name(String name) ? name : "");
+            case ValueKind.Linking _ -> unchecked(((Value.Linked) all.apply(attribute.name())).links());
+            case ValueKind.Naming _ -> unchecked(all.apply(attribute.name()) instanceof Value.Name(String name) ? name : "");
             case ValueKind.Projecting _ -> unchecked(filed(attribute, file -> new Gobo(file, files.texture(file, SampleMeaning.COLOR))));
             case ValueKind.Shining _ -> unchecked(filed(attribute, file -> new Profile(file, files.profile(file))));
             case ValueKind.Surrounding _ -> unchecked(filed(attribute, file -> new Panorama(file, files.sky(file))));
@@ -51,7 +51,7 @@ record Values(Map<String, Value> all, SceneFiles files) {
     }
 
     private <F> Optional<F> filed(Attribute<?, ?> attribute, Function<String, F> read) {
-        return all.get(attribute.name()) instanceof Value.Quoted(String file) ? Optional.of(read.apply(file)) : Optional.empty();
+        return all.apply(attribute.name()) instanceof Value.Quoted(String file) ? Optional.of(read.apply(file)) : Optional.empty();
     }
 
     private TextureMap picture(String file, ValueKind.Texturing as) {
@@ -70,10 +70,10 @@ record Values(Map<String, Value> all, SceneFiles files) {
      * @throws IllegalArgumentException if it names none, or none that can be used
      */
     Solid.Triangles triangles() {
-        if (!(all.get(Blocks.FILE) instanceof Value.Quoted(String file))) {
+        if (!(all.apply(Blocks.FILE) instanceof Value.Quoted(String file))) {
             throw new IllegalArgumentException("expected a " + Blocks.FILE + ", found none");
         }
-        String part = all.get(Blocks.PART) instanceof Value.Name(String name) ? name : "";
+        String part = all.apply(Blocks.PART) instanceof Value.Name(String name) ? name : "";
         return new Solid.Triangles(file, part, word(Blocks.COLORS).equals("yes"), files.mesh(file, part));
     }
 
@@ -95,14 +95,14 @@ record Values(Map<String, Value> all, SceneFiles files) {
     }
 
     String word(String property) {
-        return ((Value.Word) all.get(property)).text();
+        return ((Value.Word) all.apply(property)).text();
     }
 
     String name(String property) {
-        return ((Value.Name) all.get(property)).name();
+        return ((Value.Name) all.apply(property)).name();
     }
 
     private List<Double> numbers(String property) {
-        return ((Value.Numbers) all.get(property)).all();
+        return ((Value.Numbers) all.apply(property)).all();
     }
 }

@@ -74,7 +74,7 @@ public final class Limits {
      * @throws IllegalArgumentException if it is NaN or outside; the message says which
      */
     public static double range(String what, double value, double min, double max) {
-        if (value >= min && value <= max) {
+        if (isWithin(value, min, max)) {
             return value;
         }
         String expected = min == 0 && value < 0 ? "must be ≥ 0" : "must be from " + text(min) + " to " + text(max);
@@ -86,10 +86,17 @@ public final class Limits {
     }
 
     static Vec3 range(String what, Vec3 v, double min, double max) {
-        range(what + " x", v.x(), min, max);
-        range(what + " y", v.y(), min, max);
-        range(what + " z", v.z(), min, max);
+        // Words only where they are needed: a scene may have a million positions.
+        if (!(isWithin(v.x(), min, max) && isWithin(v.y(), min, max) && isWithin(v.z(), min, max))) {
+            range(what + " x", v.x(), min, max);
+            range(what + " y", v.y(), min, max);
+            range(what + " z", v.z(), min, max);
+        }
         return v;
+    }
+
+    private static boolean isWithin(double v, double min, double max) {
+        return v >= min && v <= max;
     }
 
     static Rgb range(String what, Rgb c, double max) {

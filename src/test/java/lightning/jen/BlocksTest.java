@@ -108,11 +108,11 @@ class BlocksTest {
 
     @Test
     void initialBlocks_buildTheDefaultsOfTheScene() {
-        assertThat(Blocks.PICTURE.builder().build("", new Values(Blocks.PICTURE.initials(), FILES), List.of()))
+        assertThat(Blocks.PICTURE.builder().build("", new Values(Blocks.PICTURE.initials()::get, FILES), List.of()))
                 .isEqualTo(lightning.scene.Picture.DEFAULT);
-        assertThat(Blocks.CAMERA.builder().build("", new Values(Blocks.CAMERA.initials(), FILES), List.of()))
+        assertThat(Blocks.CAMERA.builder().build("", new Values(Blocks.CAMERA.initials()::get, FILES), List.of()))
                 .isEqualTo(lightning.scene.Camera.DEFAULT);
-        assertThat(Blocks.MATERIAL.builder().build("default", new Values(Blocks.MATERIAL.initials(), FILES), List.of()))
+        assertThat(Blocks.MATERIAL.builder().build("default", new Values(Blocks.MATERIAL.initials()::get, FILES), List.of()))
                 .isEqualTo(lightning.scene.Material.DEFAULT);
     }
 
@@ -135,6 +135,6 @@ class BlocksTest {
         List<Double> numbers = new ArrayList<>(((Value.Numbers) values.get(c.property.name())).all());
         numbers.set(c.index, v);
         values.put(c.property.name(), new Value.Numbers(numbers));
-        return c.type.builder().build("name", new Values(values, FILES), List.of());
+        return c.type.builder().build("name", new Values(values::get, FILES), List.of());
     }
 }
