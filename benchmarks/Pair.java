@@ -1,4 +1,5 @@
 import com.sun.management.ThreadMXBean;
+import java.lang.management.CompilationMXBean;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -31,14 +32,21 @@ import lightning.work.Workers;
  * touched and shadow rays.
  */
 final class Pair {
-    private static final int WARM_UP = 160;
     private static final int TIMES = 25;
     /** Fewer of both where they take longer than this, but no fewer than some. */
     private static final long MOST_NANOSECONDS = 700_000_000L;
     private static final int LEAST = 5;
-    /** What compiles most comes first: after 5 s the full trace of bird was timed while it was still being compiled. */
-    private static final long FIRST_NANOSECONDS = 14_000_000_000L;
+    /**
+     * Warm is what Java's compilers rest beside: they worked less than {@link #REST} of a window of so many nanoseconds. Warming up ends
+     * after so many windows in any case. What compiles most comes first, in longer windows: a single method may take a second.
+     */
+    private static final long WINDOW = 400_000_000L;
+    private static final long FIRST_WINDOW = 2_000_000_000L;
+    private static final int MOST_WINDOWS = 10;
+    private static final double REST = 0.05;
+    private static final int MOST_TIMES = 10_000;
     private static final int THREADS = 2;
+    private static final CompilationMXBean COMPILERS = ManagementFactory.getCompilationMXBean();
     private static final ThreadMXBean ALL = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     /** What each of some runs took: milliseconds, those of processors, bytes. */
@@ -52,22 +60,26 @@ final class Pair {
                 var workers = new Workers(THREADS)) {
             var geometry = new Geometry(scene);
             print("full-trace",
-                    times(FIRST_NANOSECONDS, () -> {}, () -> new TraditionalTracer(scene, geometry).trace(workers, Progress.NONE)),
+                    times(FIRST_WINDOW, () -> {}, () -> new TraditionalTracer(scene, geometry).trace(workers, Progress.NONE)),
                     0, 0);
-            Taken first = times(FIRST_NANOSECONDS, renderer::forget, () -> renderer.render(scene, Progress.NONE));
+            Taken first = times(FIRST_WINDOW, renderer::forget, () -> renderer.render(scene, Progress.NONE));
             print("first-pass", first, renderer.cache().rowCount(), renderer.cache().bytes());
             for (Map.Entry<String, Scene> edit : edits(scene).entrySet()) {
                 var update = new Update[1];
-                Taken times = times(MOST_NANOSECONDS, () -> renderer.render(scene, Progress.NONE),
+                Taken times = times(WINDOW, () -> renderer.render(scene, Progress.NONE),
                         () -> update[0] = renderer.render(edit.getValue(), Progress.NONE));
                 print(edit.getKey(), times, update[0].rowsTouched(), update[0].rays().shadow());
             }
         }
     }
 
-    /** @param warmUp how long warming up takes at most, if it needs no more times than {@link #LEAST} */
-    private static Taken times(long warmUp, Runnable before, Runnable timed) {
-        take(WARM_UP, warmUp, before, timed);
+    private static Taken times(long window, Runnable before, Runnable timed) {
+        long worked = Long.MAX_VALUE;
+        for (int i = 0; i < MOST_WINDOWS && worked > REST * window; i++) {
+            long compiled = COMPILERS.getTotalCompilationTime();
+            take(MOST_TIMES, window, before, timed);
+            worked = (COMPILERS.getTotalCompilationTime() - compiled) * 1_000_000;
+        }
         return take(TIMES, MOST_NANOSECONDS, before, timed);
     }
 
