@@ -4,6 +4,7 @@ import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
 import lightning.text.Quote;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
@@ -14,6 +15,9 @@ import picocli.CommandLine.UnmatchedArgumentException;
 /** Runs the command that the arguments name. */
 public final class Lightning {
     private static final int HELP_WIDTH = 120;
+    /** As the help lists them. */
+    private static final List<String> NAMES = List.of("edit", "render", "relight", "shot", "node", "explain", "import", "export",
+            "export-lights", "effects", "tour", "bench", "check", "compare");
 
     private Lightning() {}
 
@@ -28,7 +32,7 @@ public final class Lightning {
     public static int run(PrintStream out, PrintStream err, String... args) {
         Console console = Console.of(out, err);
         try {
-            CommandLine commands = commands(console);
+            CommandLine commands = commands(console, args);
             int exit = isUnknown(commands, args) ? unknownCommand(console, commands, args[0]) : commands.execute(args);
             err.flush();
             // PrintStream keeps its errors to itself; checkError flushes too.
@@ -43,23 +47,37 @@ public final class Lightning {
         }
     }
 
-    static CommandLine commands(Console console) {
-        CommandLine commands = new CommandLine(new RootCommand(console))
-                .addSubcommand(new EditCommand())
-                .addSubcommand(new RenderCommand(console))
-                .addSubcommand(new RelightCommand(console))
-                .addSubcommand(new CommandLine(new ShotCommand()).addSubcommand(new ShotRenderCommand(console))
-                        .addSubcommand(new ShotRelightCommand(console)))
-                .addSubcommand(new NodeCommand(console))
-                .addSubcommand(new ExplainCommand(console))
-                .addSubcommand(new ImportCommand(console))
-                .addSubcommand(new ExportCommand(console))
-                .addSubcommand(new ExportLightsCommand(console))
-                .addSubcommand(new EffectsCommand(console))
-                .addSubcommand(new TourCommand(console))
-                .addSubcommand(new BenchCommand(console))
-                .addSubcommand(new CheckCommand(console))
-                .addSubcommand(new CompareCommand(console));
+    /** The command that the first word names: to make all of them takes longer than a small picture. All, where it names none. */
+    static CommandLine commands(Console console, String... args) {
+        return commands(console, args.length > 0 && NAMES.contains(args[0]) ? List.of(args[0]) : NAMES);
+    }
+
+    private static Object command(String name, Console console) {
+        return switch (name) {
+            case "edit" -> new EditCommand();
+            case "render" -> new RenderCommand(console);
+            case "relight" -> new RelightCommand(console);
+            case "shot" -> new CommandLine(new ShotCommand()).addSubcommand(new ShotRenderCommand(console))
+                    .addSubcommand(new ShotRelightCommand(console));
+            case "node" -> new NodeCommand(console);
+            case "explain" -> new ExplainCommand(console);
+            case "import" -> new ImportCommand(console);
+            case "export" -> new ExportCommand(console);
+            case "export-lights" -> new ExportLightsCommand(console);
+            case "effects" -> new EffectsCommand(console);
+            case "tour" -> new TourCommand(console);
+            case "bench" -> new BenchCommand(console);
+            case "check" -> new CheckCommand(console);
+            case "compare" -> new CompareCommand(console);
+            default -> throw new IllegalArgumentException(name);
+        };
+    }
+
+    private static CommandLine commands(Console console, List<String> names) {
+        CommandLine commands = new CommandLine(new RootCommand(console));
+        for (String name : names) {
+            commands.addSubcommand(command(name, console));
+        }
         NumberOptions.register(commands);
         return commands
                 .registerConverter(Path.class, Lightning::path)

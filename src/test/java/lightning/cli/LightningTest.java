@@ -51,6 +51,15 @@ class LightningTest {
                 .map(word -> word.replace("\"", "")).toArray(String[]::new);
     }
 
+    @ParameterizedTest
+    @MethodSource("names")
+    void oneCommand_isMadeAlone(String name) {
+        CommandLine alone = Lightning.commands(new Console(System.out, System.err, false), name, "--help");
+        assertThat(alone.getSubcommands()).containsOnlyKeys(name);
+        assertThat(alone.getSubcommands().get(name).getUsageMessage())
+                .isEqualTo(commands().getSubcommands().get(name).getUsageMessage());
+    }
+
     @Test
     void version_namesProgramAndJava() {
         assertThat(Cli.run("--version").isDone().out()).startsWith("Lightning ").contains("Java " + Runtime.version());
