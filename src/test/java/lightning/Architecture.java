@@ -56,7 +56,7 @@ final class Architecture {
             row("effects", "text math scene"),
             row("jen", "text math file mesh mesh.file scene scene.shot ies hdr work"),
             row("exr", "text"),
-            row("image", "text math file exr"),
+            row("image", "text math file exr work"),
             row("trace.solid", "scene"),
             row("trace.mesh", "mesh trace.solid"),
             row("trace.primitive", "math scene trace.solid trace.mesh"),

@@ -15,6 +15,7 @@ import lightning.image.ViewTransform;
 import lightning.scene.Scene;
 import lightning.text.Quote;
 import lightning.work.Memory;
+import lightning.work.Workers;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -130,9 +131,15 @@ final class PictureOutput {
         PictureFile.write(picture, film, view, bits(picture));
     }
 
-    /** Writes the picture, and says how much of it the file cannot show. */
-    void write(Film film, Console console) throws IOException {
-        write(film, file);
+    /**
+     * Writes the picture, and says how much of it the file cannot show.
+     *
+     * @param threads how many make it
+     */
+    void write(Film film, int threads, Console console) throws IOException {
+        try (Workers workers = new Workers(threads)) {
+            PictureFile.write(file, film, view, bits(), workers);
+        }
         Clipping clipping = Clipping.of(film, view);
         if (clipping.pixels() > 0 && PictureFile.isDisplayed(file)) {
             console.line("%s: %d of %d pixels (%.1f %%) are cut off at white, the brightest is %.3g times as bright", file,

@@ -115,7 +115,7 @@ final class RelightCommand implements Callable<Integer> {
             if (updateReflections) {
                 kept &= make("mirrors:", Renderer::updateReflections, renderer, workers, bar);
             }
-            output.write(renderer.film(), console);
+            output.write(renderer.film(), threads.count(), console);
         }
         if (save != null) {
             document.with(edited.getLast()).save(save);

@@ -105,7 +105,7 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void write(Scene scene, Film film, String what, double milliseconds, TraceCounts rays) throws Exception {
-        output.write(film, console);
+        output.write(film, threads.count(), console);
         tell(scene, film, what, milliseconds, rays);
     }
 

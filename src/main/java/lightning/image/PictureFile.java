@@ -11,6 +11,7 @@ import lightning.exr.ExrHeader;
 import lightning.exr.ExrType;
 import lightning.file.SafeFile;
 import lightning.text.Quote;
+import lightning.work.Workers;
 
 /**
  * Picture files; the extension decides what they hold.
@@ -110,7 +111,7 @@ public final class PictureFile {
     }
 
     /**
-     * The bytes that writing takes beside the film: of PNG the display pixels, of XPM those four times, as they are sorted for the
+     * The bytes that writing takes beside the film: of XPM the display pixels four times, as they are sorted for the
      * palette (streams of whole numbers collect them in buffers that double); the others are written by rows.
      *
      * @throws IOException if the extension is none of {@link #extensions()}
@@ -118,8 +119,7 @@ public final class PictureFile {
     public static long bytesToWrite(Path file, int width, int height) throws IOException {
         long pixels = (long) Integer.BYTES * width * height;
         return switch (formatOf(file)) {
-            // Of 16 bits too: three halves of the display pixels, and nothing else.
-            case PNG -> pixels * 3 / 2;
+            case PNG -> Png.bytesToWrite(width);
             case XPM -> 4 * pixels;
             case PFM, HDR -> 3L * Float.BYTES * width;
             // A chunk, its bytes apart, packed, and as they are written.
@@ -144,9 +144,21 @@ public final class PictureFile {
      * @throws IOException as {@link #write(Path, Film, ViewTransform)}, and as {@link #requireBits}
      */
     public static void write(Path file, Film film, ViewTransform view, int bits) throws IOException {
+        try (Workers alone = new Workers(1)) {
+            write(file, film, view, bits, alone);
+        }
+    }
+
+    /**
+     * Writes a film, of a PNG with the help of workers; the file is the same for any number of them.
+     *
+     * @param bits of a number, one of {@link #bits(Path)}
+     * @throws IOException as {@link #write(Path, Film, ViewTransform)}, and as {@link #requireBits}
+     */
+    public static void write(Path file, Film film, ViewTransform view, int bits, Workers workers) throws IOException {
         requireBits(file, bits);
         switch (formatOf(file)) {
-            case PNG -> SafeFile.write(file, out -> Png.write(out, film, view, bits));
+            case PNG -> SafeFile.write(file, out -> Png.write(out, film, view, bits, workers));
             case XPM -> SafeFile.write(file, out -> Xpm.write(out, film.width(), film.height(), view.toPixels(film)));
             case PFM -> SafeFile.write(file, out -> Pfm.write(out, film));
             case EXR -> SafeFile.at(file).writeAnywhere(to -> Exr.write(to, film, bits == Short.SIZE ? ExrType.HALF : ExrType.FLOAT));

@@ -1,61 +1,90 @@
 package lightning.image;
 
-import java.awt.Transparency;
-import java.awt.color.ColorSpace;
-import java.awt.image.BufferedImage;
-import java.awt.image.ComponentColorModel;
-import java.awt.image.DataBuffer;
-import java.awt.image.DataBufferInt;
-import java.awt.image.DataBufferUShort;
-import java.awt.image.DirectColorModel;
-import java.awt.image.Raster;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.MemoryCacheImageInputStream;
-import javax.imageio.stream.MemoryCacheImageOutputStream;
+import lightning.work.Progress;
+import lightning.work.Workers;
 
 /** PNG: what is displayed, 8 or 16 bits a channel, without loss. */
 final class Png {
 
+    private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    /** Three channels of color and no alpha. */
+    private static final byte RGB = 2;
+    /** Deflated, with a window of 32 kB. */
+    private static final byte[] ZLIB = {0x78, 0x01};
+    /** An empty block that ends all others. */
+    private static final byte[] LAST_BLOCK = {3, 0};
+    private static final long ADLER_BASE = 65521;
+    /** So many bands are packed before they are written. */
+    private static final int TOGETHER = 16;
+
     private Png() {}
 
-    static void write(OutputStream out, Film film, ViewTransform view, int bits) throws IOException {
-        write(out, bits == Byte.SIZE ? image(film.width(), film.height(), view.toPixels(film)) : deep(film, view));
-    }
-
-    private static BufferedImage image(int width, int height, int[] pixels) {
-        // Over the pixels themselves: a copy of a large picture takes a GB.
-        var model = new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
-        var raster = Raster.createPackedRaster(new DataBufferInt(pixels, pixels.length), width, height, width, model.getMasks(), null);
-        return new BufferedImage(model, raster, false, null);
-    }
-
-    /** 16 bits a channel. */
-    private static BufferedImage deep(Film film, ViewTransform view) {
-        var model = new ComponentColorModel(ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false, Transparency.OPAQUE,
-                DataBuffer.TYPE_USHORT);
-        var raster = model.createCompatibleWritableRaster(film.width(), film.height());
-        short[] codes = ((DataBufferUShort) raster.getDataBuffer()).getData();
-        for (int y = 0, at = 0; y < film.height(); y++) {
-            for (int x = 0; x < film.width(); x++) {
-                view.packDeep(film.red(x, y), film.green(x, y), film.blue(x, y), codes, at);
-                at += 3;
+    /**
+     * Writes a film, lines of it packed by all workers at the same time. How many these are makes no difference to the file.
+     *
+     * @param bits of a channel, 8 or 16
+     */
+    static void write(OutputStream out, Film film, ViewTransform view, int bits, Workers workers) throws IOException {
+        out.write(SIGNATURE);
+        chunk(out, "IHDR", ByteBuffer.allocate(13).putInt(film.width()).putInt(film.height()).put((byte) bits).put(RGB).array());
+        chunk(out, "IDAT", ZLIB);
+        long adler = 1;
+        PngBand[] bands = new PngBand[TOGETHER];
+        for (int row = 0; row < film.tilesY(); row += TOGETHER) {
+            int first = row;
+            int count = Math.min(TOGETHER, film.tilesY() - first);
+            workers.run(count, (_, i) -> bands[i] = PngBand.of(film, view, bits, first + i), Progress.NONE);
+            for (int i = 0; i < count; i++) {
+                chunk(out, "IDAT", bands[i].packed());
+                adler = joined(adler, bands[i].adler(), bands[i].length());
             }
         }
-        return new BufferedImage(model, raster, false, null);
+        chunk(out, "IDAT", ByteBuffer.allocate(LAST_BLOCK.length + Integer.BYTES).put(LAST_BLOCK).putInt((int) adler).array());
+        chunk(out, "IEND", new byte[0]);
     }
 
-    private static void write(OutputStream out, BufferedImage image) throws IOException {
-        // A stream of our own, because ImageIO would put its cache into a file.
-        try (var stream = new MemoryCacheImageOutputStream(out)) {
-            if (!ImageIO.write(image, "png", stream)) {
-                throw new IOException("this Java has no PNG writer");
-            }
-        }
+    private static void chunk(OutputStream out, String type, byte[] content) throws IOException {
+        byte[] name = type.getBytes(StandardCharsets.US_ASCII);
+        CRC32 crc = new CRC32();
+        crc.update(name);
+        crc.update(content);
+        out.write(number(content.length));
+        out.write(name);
+        out.write(content);
+        out.write(number((int) crc.getValue()));
+    }
+
+    private static byte[] number(int v) {
+        return ByteBuffer.allocate(Integer.BYTES).putInt(v).array();
+    }
+
+    /**
+     * Adler-32 (RFC 1950) of bytes and others behind them: its lower half is 1 and the sum of all bytes, its upper half the sum of what
+     * the lower half was after each of them, both modulo {@link #ADLER_BASE}.
+     *
+     * @param length how many the others are
+     */
+    private static long joined(long adler, long others, long length) {
+        long low = adler & 0xFFFF;
+        // Each of the others had begun with 1 in place of the lower half so far.
+        long sum = (low + (others & 0xFFFF) + ADLER_BASE - 1) % ADLER_BASE;
+        long sums = ((adler >> 16) + (others >> 16) + length % ADLER_BASE * (low + ADLER_BASE - 1)) % ADLER_BASE;
+        return sums << 16 | sum;
+    }
+
+    /** The most bytes that writing takes beside the film: codes, filtered lines and what is packed of a group of bands. */
+    static long bytesToWrite(int width) {
+        return TOGETHER * 4L * 6 * Film.TILE * width;
     }
 
     /**
