@@ -95,6 +95,21 @@ class LauncherTest {
         assertThat(result.out() + result.err()).contains("lightning").doesNotContain("Conflicting", "does not start");
     }
 
+    @ParameterizedTest
+    @CsvSource({"render, -XX:+UseSerialGC", "bench, -XX:+UseG1GC"})
+    void collectorOfARender_isTheSerialOne(String command, String collector) throws Exception {
+        Path java = java("25", "printf '[%s]' \"$@\"");
+        String out = run(Map.of("JAVA_HOME", java), "", launcher, command).out();
+        assertThat(out).contains("[" + collector + "]").containsOnlyOnce("GC]");
+    }
+
+    @Test
+    void collectorOfTheUsersOwn_isThatOfARenderToo() throws Exception {
+        Path java = java("25", "printf '[%s]' \"$@\"");
+        String out = run(Map.of("JAVA_HOME", java, "JAVA_TOOL_OPTIONS", Path.of("-XX:+UseParallelGC")), "", launcher, "render").out();
+        assertThat(out).doesNotContain("[-XX:+UseSerialGC]");
+    }
+
     @Test
     void optionsOfTheUsersThatJavaCannotStartWith_areRefusedWithExitCode2() throws Exception {
         Result result = run(Map.of("JAVA_HOME", realJava(), "JAVA_TOOL_OPTIONS", Path.of("-XX:+NoSuchThing")), "", launcher);
