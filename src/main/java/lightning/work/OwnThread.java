@@ -29,4 +29,12 @@ public final class OwnThread {
     public static ExecutorService inTurn(String name) {
         return Executors.newSingleThreadExecutor(named(name));
     }
+
+    /** The same for what nobody waits for, of low rank for the operating system, as all threads are that it starts: {@link LowRank}. */
+    public static ExecutorService inTurnBehind(String name) {
+        return Executors.newSingleThreadExecutor(task -> of(name, () -> {
+            LowRank.take();
+            task.run();
+        }));
+    }
 }

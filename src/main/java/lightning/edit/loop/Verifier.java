@@ -31,6 +31,7 @@ final class Verifier implements AutoCloseable {
     private final Workers workers;
     private final RenderListener listener;
     private final ExecutorService thread = OwnThread.inTurn("lightning-verify");
+    private final ExecutorService resting = OwnThread.inTurnBehind("lightning-rest");
     private RenderQueue.Stop stop;
     private RenderQueue.Stop measuring;
     /** What a saving is to be measured of; null where there is nothing. */
@@ -82,11 +83,12 @@ final class Verifier implements AutoCloseable {
         var own = new RenderQueue.Stop((_, _) -> {});
         WarmSaving.Edit edit = waiting;
         measuring = own;
-        thread.execute(() -> {
-            try {
+        resting.execute(() -> {
+            // Theirs is the rank of the thread that makes them, so that these are no other's.
+            try (Workers behind = new Workers(workers.count())) {
                 letSee(own);
                 WarmUp.run(shown, geometry, own);
-                measured(own, edit == null ? Optional.empty() : WarmSaving.measure(edit, workers, WARM_UP_MS, own));
+                measured(own, edit == null ? Optional.empty() : WarmSaving.measure(edit, behind, WARM_UP_MS, own));
             } catch (CancellationException e) {
                 // It is done when there is time again.
             } catch (RuntimeException | OutOfMemoryError e) {
@@ -153,6 +155,7 @@ final class Verifier implements AutoCloseable {
         pause();
         cancel();
         thread.shutdown();
+        resting.shutdown();
     }
 
     @Override
@@ -161,6 +164,7 @@ final class Verifier implements AutoCloseable {
         try {
             // The workers must not end before the trace that waits for them.
             thread.awaitTermination(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            resting.awaitTermination(PATIENCE_SECONDS, TimeUnit.SECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
