@@ -17,6 +17,7 @@ import lightning.trace.solid.Rays;
  */
 final class MeshLanes {
     private static final VectorSpecies<Double> SPECIES = Lanes.SPECIES;
+    private static final int W = MeshTree.WIDTH;
     static final VectorSpecies<Float> HALF = VectorSpecies.of(float.class, VectorShape.forBitSize(SPECIES.vectorBitSize() / 2));
 
     /** Origins and directions, and what {@link MeshRay} makes of them. */
@@ -101,18 +102,26 @@ final class MeshLanes {
 
     /** The distance of ray {@code i} to the triangle of a leaf whose first coordinate is {@code v[at]}: {@link MeshRay#distance}. */
     double distance(int i, float[] v, int at) {
-        double absX = Math.abs(dx[i]);
-        double absY = Math.abs(dy[i]);
-        double absZ = Math.abs(dz[i]);
-        int z = absX >= absY && absX >= absZ ? 0 : absY >= absZ ? 1 : 2;
-        int x = z == 2 ? 0 : z + 1;
-        int y = x == 2 ? 0 : x + 1;
+        double x = dx[i];
+        double y = dy[i];
+        double z = dz[i];
+        double absX = Math.abs(x);
+        double absY = Math.abs(y);
+        double absZ = Math.abs(z);
         int b = at + MeshTree.VERTEX;
         int c = b + MeshTree.VERTEX;
-        double perDepth = 1 / direction[z][i];
-        double t = MeshRay.depth(v, at, b, c, MeshTree.WIDTH * x, MeshTree.WIDTH * y, MeshTree.WIDTH * z, origin[x][i], origin[y][i],
-                origin[z][i], direction[x][i] * perDepth, direction[y][i] * perDepth, perDepth);
-        return t > 0 ? MeshRay.put(t, v, at, b, c, MeshTree.WIDTH, ox[i], oy[i], oz[i], pad[i], inverseX[i], inverseY[i], inverseZ[i])
+        double t;
+        if (absX >= absY && absX >= absZ) {
+            double per = 1 / x;
+            t = MeshRay.depth(v, at, b, c, W, 2 * W, 0, oy[i], oz[i], ox[i], y * per, z * per, per);
+        } else if (absY >= absZ) {
+            double per = 1 / y;
+            t = MeshRay.depth(v, at, b, c, 2 * W, 0, W, oz[i], ox[i], oy[i], z * per, x * per, per);
+        } else {
+            double per = 1 / z;
+            t = MeshRay.depth(v, at, b, c, 0, W, 2 * W, ox[i], oy[i], oz[i], x * per, y * per, per);
+        }
+        return t > 0 ? MeshRay.put(t, v, at, b, c, W, ox[i], oy[i], oz[i], pad[i], inverseX[i], inverseY[i], inverseZ[i])
                 : MeshRay.MISS;
     }
 }

@@ -171,13 +171,11 @@ final class MeshRay {
     }
 
     private static float least(float a, float b, float c) {
-        float least = a < b ? a : b;
-        return least < c ? least : c;
+        return Math.min(Math.min(a, b), c);
     }
 
     private static float most(float a, float b, float c) {
-        float most = a > b ? a : b;
-        return most > c ? most : c;
+        return Math.max(Math.max(a, b), c);
     }
 
     /** Whether the wide ray may meet the box of child {@code i} at a distance up to {@code limit}; writes {@link #in}. */
