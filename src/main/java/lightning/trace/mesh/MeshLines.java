@@ -8,7 +8,9 @@ import static jdk.incubator.vector.VectorOperators.LE;
 import static jdk.incubator.vector.VectorOperators.LT;
 import static jdk.incubator.vector.VectorOperators.MAX;
 import static jdk.incubator.vector.VectorOperators.MIN;
+import static jdk.incubator.vector.VectorOperators.NE;
 
+import java.util.Arrays;
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.LongVector;
 import jdk.incubator.vector.VectorMask;
@@ -30,7 +32,8 @@ import lightning.trace.solid.Rays;
  * <p><b>Where it begins.</b> So that floats tell triangles apart however far away a line comes from, it begins anew where the first line of
  * the group enters the box of the whole mesh, made wide: at {@code depth} along the direction's largest component, the same for
  * all, which keeps lines of one point in one narrow frustum. Computing that is off by less than 8u·(|c| + r), which is within {@code loose}. Distances are
- * counted from there in units of that component, so that every inverse is from 1 to {@link MeshSight#STEEPEST} in absolute value.
+ * counted from there in units of that component, so that every inverse is from 1 to {@link MeshSight#STEEPEST} in absolute value. Lines of one point that is
+ * near enough to the mesh begin there ({@link #fan}), which spares this and leaves them the point in common.
  */
 final class MeshLines {
     private static final VectorSpecies<Double> SPECIES = Lanes.SPECIES;
@@ -45,6 +48,9 @@ final class MeshLines {
     /** A line so many times as long as it is loose runs along its ray: both ends are less than half as far off. */
     private static final double STRAIGHT = 0x1p28;
 
+    /** Points farther from the mesh than so many times its largest coordinate are too far for floats. */
+    private static final double NEAR = 4;
+
     private final MeshLanes rays;
     private final double[][][] forwards;
     private final double[][][] backwards;
@@ -54,6 +60,8 @@ final class MeshLines {
     double[][] inverse;
     /** Whether rays are seen from their ends, which is at distance 1. */
     boolean back;
+    /** Whether all lines come from one point that is near to the mesh, and begin there. */
+    boolean fan;
     /** How far rays may be off their lines, beside rounding. */
     private double off;
     /** Whether some ray may run across its line by more than 2⁻²⁶ of its length. */
@@ -98,8 +106,13 @@ final class MeshLines {
         } else {
             off = 0;
         }
-        double depth = Double.POSITIVE_INFINITY;
+        fan = (back || beginTogether(open, packets)) && isNear(tree);
         tilted = false;
+        if (fan) {
+            spread(tree, open, brief, packets);
+            return 0;
+        }
+        double depth = Double.POSITIVE_INFINITY;
         for (int k = 0; k < packets; k++) {
             int met = 0;
             int seen = 0;
@@ -115,6 +128,36 @@ final class MeshLines {
             }
         }
         return depth * BEFORE;
+    }
+
+    /** Takes lines that begin at one point as they are, all as loose as the loosest. */
+    private void spread(MeshTree tree, int[] open, int[] brief, int packets) {
+        DoubleVector pad = broadcast(SPECIES, 0);
+        for (int i = 0; i < packets * Rays.WIDTH; i += Lanes.COUNT) {
+            DoubleVector p = fromArray(SPECIES, rays.pad, i);
+            pad = pad.blend(p, p.compare(GT, pad).and(VectorMask.fromLong(SPECIES, open[i / Rays.WIDTH] >>> i % Rays.WIDTH)));
+        }
+        double most = (distance() + tree.reach) * LOOSE + pad.reduceLanes(MAX) * (LOOSE / MeshRay.PAD) + off;
+        Arrays.fill(loose, 0, packets * Rays.WIDTH, most);
+        for (int k = 0; k < packets; k++) {
+            int seen = 0;
+            int straight = 0;
+            for (int i = 0; i < Rays.WIDTH; i += Lanes.COUNT) {
+                int h = k * Rays.WIDTH + i;
+                DoubleVector length = fromArray(SPECIES, go[0], h).abs();
+                DoubleVector other = fromArray(SPECIES, go[1], h).abs();
+                length = length.reinterpretAsLongs().max(other.reinterpretAsLongs()).reinterpretAsDoubles();
+                other = fromArray(SPECIES, go[2], h).abs();
+                length = length.reinterpretAsLongs().max(other.reinterpretAsLongs()).reinterpretAsDoubles();
+                length.intoArray(unit, h);
+                broadcast(SPECIES, 1).div(length).intoArray(perUnit, h);
+                seen |= (int) length.compare(GE, SHORTEST).toLong() << i;
+                straight |= (int) length.compare(GE, most * STRAIGHT).toLong() << i;
+            }
+            brief[k] = open[k] & ~seen;
+            open[k] &= seen;
+            tilted |= back && (open[k] & ~straight) != 0;
+        }
     }
 
     /** The least depth at which rays of a packet enter. */
@@ -134,6 +177,36 @@ final class MeshLines {
                     .toLong() << h;
         }
         return (tilted & open) != 0;
+    }
+
+    /** Whether all rays begin at one point. */
+    private boolean beginTogether(int[] open, int packets) {
+        double x = rays.ox[rays.first];
+        double y = rays.oy[rays.first];
+        double z = rays.oz[rays.first];
+        for (int i = 0; i < packets * Rays.WIDTH; i += Lanes.COUNT) {
+            VectorMask<Double> apart = fromArray(SPECIES, rays.ox, i).compare(NE, x).or(fromArray(SPECIES, rays.oy, i).compare(NE, y))
+                    .or(fromArray(SPECIES, rays.oz, i).compare(NE, z));
+            if ((apart.toLong() & open[i / Rays.WIDTH] >>> i % Rays.WIDTH) != 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Where the first line is. */
+    int first() {
+        return back ? 0 : rays.first;
+    }
+
+    private boolean isNear(MeshTree tree) {
+        return distance() <= NEAR * tree.reach;
+    }
+
+    /** The largest coordinate of the point where the first line is, in absolute value. */
+    double distance() {
+        int i = first();
+        return Math.max(Math.abs(from[0][i]), Math.max(Math.abs(from[1][i]), Math.abs(from[2][i])));
     }
 
     /** Whether all rays end at one point, at distance 1 or before; writes {@link #off}. */

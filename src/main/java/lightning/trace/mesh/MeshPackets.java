@@ -31,6 +31,7 @@ public final class MeshPackets {
     private final MeshLanes rays = new MeshLanes(MOST);
     private final MeshSight sight = new MeshSight(rays, MOST);
     private final MeshBeam beam = new MeshBeam();
+    private final LeafRays near = new LeafRays(sight, MOST);
     private final double[] best = new double[MOST];
     private final int[] triangle = new int[MOST];
     private final int[] met = new int[PACKETS];
@@ -38,9 +39,6 @@ public final class MeshPackets {
     private final int[] open = new int[PACKETS];
     /** Those too short to be led through the tree. */
     private final int[] brief = new int[PACKETS];
-    /** Rays that may meet triangles of a leaf, and which. */
-    private final int[] near = new int[MOST];
-    private final int[] nearSlots = new int[MOST];
     private int[] stack = new int[64];
     private int[] since = new int[64];
     private MeshTree tree;
@@ -48,8 +46,6 @@ public final class MeshPackets {
     private int mapAt;
     private int count;
     private boolean any;
-    /** Written so that what it is made of is read. */
-    float asked;
     private int farthest;
 
     /**
@@ -137,12 +133,6 @@ public final class MeshPackets {
         }
     }
 
-    /** The longest side of the box {@code tree.box[i]}. */
-    private float extent(int i) {
-        float[] b = tree.box;
-        return Math.max(b[i + 8] - b[i], Math.max(b[i + 24] - b[i + 16], b[i + 40] - b[i + 32]));
-    }
-
     /** Leads the open rays {@code i … end − 1}, whole packets, through the tree as one beam, if they are one. */
     private boolean together(int i, int end) {
         int live = 0;
@@ -183,25 +173,10 @@ public final class MeshPackets {
 
     /** Asks the triangles of a leaf whose box is {@code tree.box[box]} for rays that are led together; whether any is nearer than before. */
     private boolean leaf(int leaf, int box, int from, int end) {
-        float[] v = tree.vertex;
-        int at = MeshTree.LEAF * leaf;
-        // Asks memory for the lines of the leaf before boxes are tested: a fifth less time for ways to a light.
-        asked = v[at] + v[at + 16] + v[at + 32] + v[at + 48] + v[at + 64];
-        float extent = extent(box);
-        // First all tests, then what comes of them: a processor guesses wrong only once where it would for every other ray.
-        int n = 0;
-        for (int i = from; i < end; i += Rays.WIDTH) {
-            for (int left = sight.enters(tree.box, box, i); left != 0; left &= left - 1) {
-                int ray = i + Integer.numberOfTrailingZeros(left);
-                int slots = sight.meets(v, leaf, extent, ray);
-                near[n] = ray;
-                nearSlots[n] = slots;
-                n += -slots >>> 31;
-            }
-        }
+        int n = near.find(tree, leaf, box, from, end);
         boolean nearer = false;
         for (int k = 0; k < n; k++) {
-            nearer |= take(near[k], leaf, nearSlots[k]);
+            nearer |= take(near.ray[k], leaf, near.slots[k]);
         }
         return nearer;
     }
@@ -227,7 +202,7 @@ public final class MeshPackets {
                 next = tree.child[ref];
             }
             if (ref >= 0) {
-                int slots = sight.meets(tree.vertex, ~next, extent(MeshTree.NODE * (ref >> 3) + (ref & 7)), i);
+                int slots = sight.meets(tree.vertex, ~next, LeafRays.extent(tree.box, MeshTree.NODE * (ref >> 3) + (ref & 7)), i);
                 if (slots != 0 && take(i, ~next, slots) && any) {
                     return;
                 }

@@ -8,6 +8,7 @@ import static jdk.incubator.vector.VectorOperators.LE;
 import static jdk.incubator.vector.VectorOperators.LT;
 import static jdk.incubator.vector.VectorOperators.MAX;
 
+import java.util.Arrays;
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
@@ -60,6 +61,8 @@ final class MeshSight {
     private final float[] highX;
     private final float[] highY;
     private final float[] highZ;
+    /** Whether all lines come from one point, begin there, are as wide, and run along their rays. */
+    boolean fan;
     /** How far each line goes, as the bits of a float; negative for one that goes nowhere. */
     final int[] far;
     /** Where line {@link #children} enters each child, as the bits of floats. */
@@ -98,6 +101,11 @@ final class MeshSight {
      */
     void enter(MeshTree tree, int[] open, int[] brief, int packets, double[] limits, boolean any) {
         double depth = lines.enter(tree, open, brief, packets, limits, any);
+        fan = false;
+        if (lines.fan) {
+            spread(tree, open, packets, limits);
+            return;
+        }
         for (int k = 0; k < packets; k++) {
             if (open[k] != 0) {
                 begin(tree, depth, k * Rays.WIDTH);
@@ -106,6 +114,37 @@ final class MeshSight {
                 steep(startZ, steepZ, lowZ, highZ, k * Rays.WIDTH);
             }
             reach(limits, k * Rays.WIDTH, open[k]);
+        }
+    }
+
+    /** Looks at lines from one point, which begin there. */
+    private void spread(MeshTree tree, int[] open, int packets, double[] limits) {
+        float room = (float) ((lines.distance() + tree.reach) * 0x1p-20 + lines.loose[0]);
+        int end = packets * Rays.WIDTH;
+        Arrays.fill(startX, 0, end, (float) lines.from[0][lines.first()]);
+        Arrays.fill(startY, 0, end, (float) lines.from[1][lines.first()]);
+        Arrays.fill(startZ, 0, end, (float) lines.from[2][lines.first()]);
+        Arrays.fill(wide, 0, end, room);
+        Arrays.fill(since, 0, end, 0);
+        for (int k = 0; k < packets; k++) {
+            if (open[k] != 0) {
+                step(lines.go[0], lines.inverse[0], stepX, steepX, k * Rays.WIDTH);
+                step(lines.go[1], lines.inverse[1], stepY, steepY, k * Rays.WIDTH);
+                step(lines.go[2], lines.inverse[2], stepZ, steepZ, k * Rays.WIDTH);
+                steep(startX, steepX, lowX, highX, k * Rays.WIDTH);
+                steep(startY, steepY, lowY, highY, k * Rays.WIDTH);
+                steep(startZ, steepZ, lowZ, highZ, k * Rays.WIDTH);
+            }
+            reach(limits, k * Rays.WIDTH, open[k]);
+        }
+        fan = !lines.tilted && room < WIDEST;
+    }
+
+    private void step(double[] go, double[] inverse, float[] step, float[] steep, int packet) {
+        for (int h = packet; h < packet + Rays.WIDTH; h += Lanes.COUNT) {
+            ((FloatVector) fromArray(SPECIES, go, h).mul(fromArray(SPECIES, lines.perUnit, h)).convertShape(D2F, HALF, 0)).intoArray(step,
+                    h);
+            ((FloatVector) fromArray(SPECIES, inverse, h).mul(fromArray(SPECIES, unit, h)).convertShape(D2F, HALF, 0)).intoArray(steep, h);
         }
     }
 

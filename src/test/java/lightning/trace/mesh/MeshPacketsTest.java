@@ -54,17 +54,30 @@ class MeshPacketsTest {
         MeshSolid solid = new MeshSolid(Meshes.ball(60, 100, false));
         double[] m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
         for (int n = 0; n < 500; n++) {
-            aim(random, solid.mesh());
+            aim(random, solid.mesh(), Math.pow(10, 3 * random.nextDouble()), solid.mesh().triangleCount());
             assertNearest(solid, m, MeshPackets.PACKETS);
             assertBlocked(solid, m, MeshPackets.PACKETS, random);
         }
     }
 
-    /** Makes rays of one origin through vertices and middles of edges, or from there to one end. */
-    private void aim(Random random, Mesh mesh) {
+    /** Rays from a point near the mesh that are led through it together, as those of an eye are. */
+    @Test
+    void raysOfOnePointThroughVerticesNearEachOther_keepEveryBit() {
+        Random random = new Random(3);
+        MeshSolid solid = new MeshSolid(Meshes.ball(60, 100, false));
+        double[] m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+        for (int n = 0; n < 2000; n++) {
+            aim(random, solid.mesh(), 1.5, 10);
+            assertNearest(solid, m, MeshPackets.PACKETS);
+            assertBlocked(solid, m, MeshPackets.PACKETS, random);
+        }
+    }
+
+    /** Makes rays of one origin through vertices and middles of edges of triangles that follow each other, or from there to one end. */
+    private void aim(Random random, Mesh mesh, double far, int triangles) {
+        int first = random.nextInt(mesh.triangleCount() - triangles + 1);
         boolean back = random.nextBoolean();
         double[] eye = new double[3];
-        double far = Math.pow(10, 3 * random.nextDouble());
         for (int k = 0; k < 3; k++) {
             eye[k] = far * random.nextGaussian();
         }
@@ -75,7 +88,7 @@ class MeshPacketsTest {
             group[g] = p;
             masks[g] = -1 >>> -Rays.WIDTH;
             for (int i = 0; i < Rays.WIDTH; i++) {
-                int corner = random.nextInt(mesh.triangleCount()) * 3;
+                int corner = (first + random.nextInt(triangles)) * 3;
                 int a = 3 * mesh.triangles()[corner];
                 int b = 3 * mesh.triangles()[corner + random.nextInt(2)];
                 for (int k = 0; k < 3; k++) {
