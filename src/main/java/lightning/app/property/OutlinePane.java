@@ -1,5 +1,6 @@
 package lightning.app.property;
 
+import java.text.NumberFormat;
 import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
@@ -33,6 +34,8 @@ final class OutlinePane extends VBox {
     private final EditorModel model;
     private final ListView<OutlineRow> list = new ListView<>();
     private final Label count = new Label();
+    /** Made once: to look up how a language writes numbers takes a twentieth of an edit. */
+    private final NumberFormat grouped = NumberFormat.getIntegerInstance(Texts.locale());
     private final Set<String> unfolded = new HashSet<>();
     /** What is listed, and which of it is selected; null before the first. */
     private Stage listed;
@@ -155,7 +158,7 @@ final class OutlinePane extends VBox {
         list.getSelectionModel().clearSelection();
         OutlineRow.update(list.getItems(), stage, unfolded);
         int shapes = stage.shapeCount();
-        count.setText(shapes == 1 ? Texts.of("1 shape") : String.format(Texts.locale(), Texts.of("%,d shapes"), shapes));
+        count.setText(shapes == 1 ? Texts.of("1 shape") : Texts.of("{0} shapes", grouped.format(shapes)));
         showing = false;
     }
 
