@@ -107,7 +107,7 @@ final class AreaKernel {
                 mayFace[b] &= ~(shadows.dark()[b] & anyInside[b]);
             }
             if (tinted) {
-                shadows.addTints(rows, ways, clear[s], tintSum);
+                shadows.addTints(rows, ways, lamp.area(), s, clear[s], tintSum);
             }
             add(rows, lamp, s, clear[s]);
         }
@@ -230,7 +230,7 @@ final class AreaKernel {
                 clear[s][b] |= chosen[b];
             }
             if (tinted) {
-                shadows.addTints(rows, ways, chosen, tintSum);
+                shadows.addTints(rows, ways, lamp.area(), s, chosen, tintSum);
             }
         }
     }

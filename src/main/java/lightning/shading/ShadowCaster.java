@@ -71,7 +71,7 @@ final class ShadowCaster {
         demands = Demands.of(view);
         this.geometry = geometry;
         this.tracer = tracer;
-        tints = casts && geometry.tinting() != null ? new TintCaster(geometry) : null;
+        tints = casts && geometry.tinting() != null ? new TintCaster(geometry, tracer) : null;
     }
 
     /** Rows asked since the start: each a ray, but where it is certain beforehand that nothing is in the way. */
@@ -178,10 +178,12 @@ final class ShadowCaster {
             return null;
         }
         float[][] to = TintCaster.begun(rows, before, columns);
+        if (any) {
+            tints.ask(rows, asked, way);
+        }
         for (int i = 0; i < rows.count; i++) {
             if (RowBits.contains(asked, i)) {
-                Vec3 source = way.source();
-                float[] tint = any ? tints.tint(rows, i, source.x(), source.y(), source.z(), way.ends()) : null;
+                float[] tint = any ? tints.tint(rows, i) : null;
                 for (int c = 0; c < 3; c++) {
                     to[c][i] = tint == null ? 1 : tint[c];
                 }
@@ -190,11 +192,12 @@ final class ShadowCaster {
         return TintCaster.kept(rows, to);
     }
 
-    /** Adds what passes on each row's free way to a sample of the area that it was turned to. */
-    void addTints(HitRows rows, RowWays way, int[] free, double[][] sums) {
+    /** Adds what passes on each row's free way to sample {@code s} of an area, to which it was turned and whose ways are tinted. */
+    void addTints(HitRows rows, RowWays way, LampArea area, int s, int[] free, double[][] sums) {
+        tints.ask(rows, free, way, area, s);
         for (int i = 0; i < rows.count; i++) {
             if (RowBits.contains(free, i)) {
-                float[] tint = tinted ? tints.tint(rows, i, way.x[i], way.y[i], way.z[i], way.ends) : null;
+                float[] tint = tints.tint(rows, i);
                 for (int c = 0; c < 3; c++) {
                     sums[c][i] += tint == null ? 1 : tint[c];
                 }

@@ -6,17 +6,21 @@ import java.util.Map;
 import lightning.math.Vec3;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
-import lightning.trace.mesh.MeshProbe;
+import lightning.trace.RowWays;
+import lightning.trace.Tracer;
+import lightning.trace.Ways;
 import lightning.trace.primitive.Crossings;
 import lightning.trace.primitive.PrimitiveTable;
 import lightning.trace.tree.Beam;
-import lightning.trace.tree.BoxRay;
 import lightning.trace.tree.Bvh;
 import lightning.trace.tree.Candidates;
 import lightning.trace.tree.WayEnd;
 
-/** Finds what passes of a light on free ways through clear shapes, way by way. Holds scratch memory: one for each thread. */
+/** Finds what passes of a light on free ways through clear shapes. Holds scratch memory: one for each thread. */
 final class TintCaster {
+    private static final WayEnd[] OPEN = {};
+
+    private final Tracer tracer;
     private final PrimitiveTable primitives;
     private final Bvh tree;
     /** The shapes that light passes on any way from the tile. */
@@ -24,13 +28,14 @@ final class TintCaster {
     private final Candidates all;
     private Candidates asked;
     private final Map<Vec3, WayEnd> ends = new HashMap<>();
-    private final BoxRay box = new BoxRay();
-    private final MeshProbe probe = new MeshProbe();
-    private final Crossings met = new Crossings();
+    private final Map<LampArea, WayEnd[]> areaEnds = new HashMap<>();
+    private final RowWays ways = new RowWays();
+    private final Crossings met = new Crossings(Terms.ROWS);
     private final Transmittance transmittance = new Transmittance();
 
     /** @param geometry in which light passes some shapes */
-    TintCaster(Geometry geometry) {
+    TintCaster(Geometry geometry, Tracer tracer) {
+        this.tracer = tracer;
         primitives = geometry.primitives();
         tree = geometry.tinting();
         all = Candidates.all(tree, geometry.tinters());
@@ -44,32 +49,66 @@ final class TintCaster {
         return !clear.isEmpty();
     }
 
+    /** Asks chosen rows for what ways to one place, or in one direction, pass. */
+    void ask(HitRows rows, int[] chosen, Ways way) {
+        Vec3 source = way.source();
+        int end = RowBits.words(rows.count) * RowBits.WIDTH;
+        Arrays.fill(ways.x, 0, end, source.x());
+        Arrays.fill(ways.y, 0, end, source.y());
+        Arrays.fill(ways.z, 0, end, source.z());
+        Arrays.fill(ways.turn, 0, end, 0);
+        ways.ends = way.ends();
+        WayEnd at = way.ends() ? ends.computeIfAbsent(source, point -> WayEnd.at(point, tree)) : WayEnd.OPEN;
+        ways.open = at.isOpen();
+        Arrays.fill(ways.end, 0, end, at);
+        cross(rows, chosen);
+    }
+
+    /** The same for ways to sample {@code s} of an area. */
+    void ask(HitRows rows, int[] chosen, RowWays way, LampArea area, int s) {
+        int end = RowBits.words(rows.count) * RowBits.WIDTH;
+        System.arraycopy(way.x, 0, ways.x, 0, end);
+        System.arraycopy(way.y, 0, ways.y, 0, end);
+        System.arraycopy(way.z, 0, ways.z, 0, end);
+        System.arraycopy(way.turn, 0, ways.turn, 0, end);
+        ways.ends = way.ends;
+        WayEnd[] places = way.ends ? areaEnds.computeIfAbsent(area, this::ends) : OPEN;
+        ways.open = places == OPEN;
+        for (int i = 0; !ways.open && i < rows.count; i++) {
+            ways.end[i] = places[LampArea.place(s, way.turn[i])];
+        }
+        cross(rows, chosen);
+    }
+
+    /** Where ways to the places of an area end; {@link #OPEN} where none of them lies on anything that light passes. */
+    private WayEnd[] ends(LampArea area) {
+        WayEnd[] all = new WayEnd[area.x.length];
+        Arrays.setAll(all, i -> WayEnd.at(new Vec3(area.x[i], area.y[i], area.z[i]), tree));
+        return Arrays.stream(all).allMatch(WayEnd::isOpen) ? OPEN : all;
+    }
+
+    private void cross(HitRows rows, int[] chosen) {
+        met.clear();
+        tracer.cross(rows, chosen, ways, asked, met);
+    }
+
     /**
-     * What passes of the light on a way from a row; valid until the next.
+     * What passes of the light on the way from a row that was asked; valid until the next.
      *
-     * @param toX   of the point that it leads to, or of its direction; likewise {@code toY} and {@code toZ}
-     * @param leads whether it is a point
      * @return red, green and blue, or null where all passes
      */
-    float[] tint(HitRows rows, int i, double toX, double toY, double toZ, boolean leads) {
+    float[] tint(HitRows rows, int i) {
+        if (met.first(i) == Crossings.NONE) {
+            return null;
+        }
         double x = rows.px[i];
         double y = rows.py[i];
         double z = rows.pz[i];
-        double dx = leads ? toX - x : toX;
-        double dy = leads ? toY - y : toY;
-        double dz = leads ? toZ - z : toZ;
-        double limit = leads ? 1 : Double.POSITIVE_INFINITY;
-        WayEnd end = leads ? ends.computeIfAbsent(new Vec3(toX, toY, toZ), point -> WayEnd.at(point, tree)) : WayEnd.OPEN;
-        box.enter(x, y, z, dx, dy, dz);
-        met.clear();
-        for (int c = 0; c < asked.count; c++) {
-            if (box.hits(asked.boxes, 6 * c, limit)) {
-                int s = asked.primitive[c];
-                int index = end.indexOf(s);
-                primitives.crossings(s, x, y, z, dx, dy, dz, index >= 0 && end.touches(index, x, y, z), limit, probe, false, met);
-            }
-        }
-        return met.count > 0 && transmittance.of(primitives, met, x, y, z, dx, dy, dz, leads) ? transmittance.rgb : null;
+        boolean leads = ways.ends;
+        double dx = leads ? ways.x[i] - x : ways.x[i];
+        double dy = leads ? ways.y[i] - y : ways.y[i];
+        double dz = leads ? ways.z[i] - z : ways.z[i];
+        return transmittance.of(primitives, met, i, x, y, z, dx, dy, dz, leads) ? transmittance.rgb : null;
     }
 
     /** Columns that are 1 where nothing else is known. */

@@ -31,23 +31,25 @@ final class Transmittance {
         boolean ends = lamp.type().hasPosition();
         Vec3 point = new Vec3(at.px(), at.py(), at.pz());
         Vec3 way = ends ? lamp.source().minus(point) : lamp.source();
-        var met = new Crossings();
+        var met = new Crossings(1);
         geometry.casting(lamp.light().shadowedBy()).crossingsOfAll(new Ray(point, way), ends ? end : WayEnd.OPEN,
                 ends ? 1 : Double.POSITIVE_INFINITY, met);
         var transmittance = new Transmittance();
-        transmittance.of(geometry.primitives(), met, point.x(), point.y(), point.z(), way.x(), way.y(), way.z(), ends);
+        transmittance.of(geometry.primitives(), met, 0, point.x(), point.y(), point.z(), way.x(), way.y(), way.z(), ends);
         return transmittance.rgb;
     }
 
     /**
      * Computes {@link #rgb}; whether any of it is not 1.
      *
-     * @param met  where the way meets what light passes
+     * @param met  where ways meet what light passes
+     * @param way  which of them
      * @param ox   where it begins; likewise {@code oy} and {@code oz}
      * @param dx   the way, of any length; likewise {@code dy} and {@code dz}
      * @param ends whether it leads to a point, at distance 1; else it has no end
      */
-    boolean of(PrimitiveTable primitives, Crossings met, double ox, double oy, double oz, double dx, double dy, double dz, boolean ends) {
+    boolean of(PrimitiveTable primitives, Crossings met, int way, double ox, double oy, double oz, double dx, double dy, double dz,
+            boolean ends) {
         rgb[0] = 1;
         rgb[1] = 1;
         rgb[2] = 1;
@@ -57,11 +59,11 @@ final class Transmittance {
         float vz = (float) (dz / length);
         double last = 0;
         Clarity entered = null;
-        for (int i = 0; i < met.count; i++) {
+        for (int i = met.first(way); i != Crossings.NONE; i = met.next(i)) {
             double t = met.t[i];
             Material material = primitives.tint(met.primitive[i]);
             Clarity clarity = material.clarity();
-            surface.at(primitives, met.primitive[i], met.part[i], ox, oy, oz, dx, dy, dz, t);
+            surface.face(primitives, met.primitive[i], met.part[i], ox, oy, oz, dx, dy, dz, t);
             boolean leaves = surface.isInside() && !clarity.thin();
             ClearSums.tint(clarity, leaves ? (float) ((t - last) * length) : -1, tint);
             float share = Refraction.mirrored(clarity, false, surface.nx, surface.ny, surface.nz, vx, vy, vz);

@@ -194,7 +194,7 @@ public final class Geometry {
     }
 
     /**
-     * Writes where a way meets what light passes; every primitive is asked, and every triangle.
+     * Writes where a way meets what light passes, as way 0; every primitive is asked, and every triangle.
      *
      * @param end   {@link WayEnd#OPEN} for a ray
      * @param limit 1 for a way to a point; {@code +∞} for a ray
@@ -204,6 +204,7 @@ public final class Geometry {
         Vec3 o = way.origin();
         Vec3 d = way.direction();
         to.clear();
+        to.turnTo(0);
         for (int s = 0; tinters != null && s < tinters.length; s++) {
             if (tinters[s]) {
                 primitives.crossings(s, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), end.touches(s, o), limit, probe, true, to);

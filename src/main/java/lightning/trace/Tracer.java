@@ -1,5 +1,6 @@
 package lightning.trace;
 
+import lightning.trace.primitive.Crossings;
 import lightning.trace.primitive.Surface;
 import lightning.trace.tree.Candidates;
 import lightning.trace.tree.PointBox;
@@ -48,6 +49,15 @@ public interface Tracer {
 
     /** The same where each row's way leads elsewhere. */
     void blocked(HitRows rows, int[] chosen, RowWays ways, Candidates candidates, int[] blocked);
+
+    /**
+     * Finds all places where ways from rows meet some shapes.
+     *
+     * @param chosen     the rows to ask
+     * @param candidates of a beam that all ways are in, not too many
+     * @param to         gets the places, of ways with the numbers of the rows
+     */
+    void cross(HitRows rows, int[] chosen, RowWays ways, Candidates candidates, Crossings to);
 
     /** One that does it the same way among other shapes. */
     Tracer among(Geometry others);

@@ -14,6 +14,8 @@ import lightning.trace.RowWays;
 import lightning.trace.SamplePlaces;
 import lightning.trace.Tracer;
 import lightning.trace.Ways;
+import lightning.trace.primitive.Crossings;
+import lightning.trace.primitive.PrimitiveTable;
 import lightning.trace.solid.Lanes;
 import lightning.trace.tree.Candidates;
 import lightning.trace.tree.PointBox;
@@ -26,13 +28,17 @@ class LaneTracer implements Tracer {
     private static final VectorSpecies<Float> HALF = VectorSpecies.of(float.class, VectorShape.forBitSize(DOUBLES.vectorBitSize() / 2));
     private static final int W = RayPacket.WIDTH;
 
+    private final PrimitiveTable primitives;
     private final PacketTracer packets;
     private final RayPacket packet = new RayPacket();
     private final SurfacePacket surface = new SurfacePacket();
     private final double[] sampleX = new double[W];
     private final double[] sampleY = new double[W];
+    /** Made when it is needed first. */
+    private CrossingLanes crossings;
 
     LaneTracer(Geometry geometry) {
+        primitives = geometry.primitives();
         packets = new PacketTracer(geometry);
     }
 
@@ -256,6 +262,14 @@ class LaneTracer implements Tracer {
             o.intoArray(origin, i);
             (ends ? s.sub(o) : s).intoArray(direction, i);
         }
+    }
+
+    @Override
+    public void cross(HitRows rows, int[] chosen, RowWays ways, Candidates candidates, Crossings to) {
+        if (crossings == null) {
+            crossings = new CrossingLanes(primitives);
+        }
+        crossings.cross(rows, chosen, ways, candidates, to);
     }
 
     @Override

@@ -44,11 +44,11 @@ final class SolidLanes {
     }
 
     /** The first lane of the vectors in which the mask has bits. */
-    private static int first(int mask) {
+    static int first(int mask) {
         return (mask & -1 >>> -Lanes.COUNT) != 0 ? 0 : Lanes.COUNT;
     }
 
-    private static int end(int mask) {
+    static int end(int mask) {
         return mask >>> Lanes.COUNT != 0 ? RayPacket.WIDTH : Lanes.COUNT;
     }
 

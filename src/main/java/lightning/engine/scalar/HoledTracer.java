@@ -8,6 +8,7 @@ import lightning.trace.RowWays;
 import lightning.trace.SamplePlaces;
 import lightning.trace.Tracer;
 import lightning.trace.Ways;
+import lightning.trace.primitive.Crossings;
 import lightning.trace.primitive.PrimitiveTable;
 import lightning.trace.solid.Form;
 import lightning.trace.tree.Candidates;
@@ -114,6 +115,11 @@ public final class HoledTracer implements Tracer {
         if (mayPass(candidates)) {
             plain.blocked(rows, blocked.clone(), ways, candidates, blocked);
         }
+    }
+
+    @Override
+    public void cross(HitRows rows, int[] chosen, RowWays ways, Candidates candidates, Crossings to) {
+        whole.cross(rows, chosen, ways, candidates, to);
     }
 
     private boolean mayPass(Candidates candidates) {

@@ -1,6 +1,7 @@
 package lightning.engine.scalar;
 
 import lightning.trace.CameraRays;
+import lightning.trace.CrossingWalk;
 import lightning.trace.Geometry;
 import lightning.trace.HitRows;
 import lightning.trace.RayColumns;
@@ -8,6 +9,7 @@ import lightning.trace.RowWays;
 import lightning.trace.SamplePlaces;
 import lightning.trace.Tracer;
 import lightning.trace.Ways;
+import lightning.trace.primitive.Crossings;
 import lightning.trace.primitive.PrimitiveTable;
 import lightning.trace.primitive.Surface;
 import lightning.trace.tree.Candidates;
@@ -20,6 +22,8 @@ final class ScalarTracer implements Tracer {
     private final PrimitiveTable primitives;
     private final RayWalk walk;
     private final Surface surface = new Surface();
+    /** Made when it is needed first. */
+    private CrossingWalk crossings;
 
     ScalarTracer(Geometry geometry) {
         primitives = geometry.primitives();
@@ -157,6 +161,14 @@ final class ScalarTracer implements Tracer {
             }
             blocked[b] = bits;
         }
+    }
+
+    @Override
+    public void cross(HitRows rows, int[] chosen, RowWays ways, Candidates candidates, Crossings to) {
+        if (crossings == null) {
+            crossings = new CrossingWalk(primitives);
+        }
+        crossings.cross(rows, chosen, ways, candidates, to);
     }
 
     @Override

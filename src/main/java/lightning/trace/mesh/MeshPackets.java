@@ -46,6 +46,12 @@ public final class MeshPackets {
     private int mapAt;
     private int count;
     private boolean any;
+    /** Whether what is met is noted, and stops no ray. */
+    private boolean every;
+    private int crossings;
+    private int[] crossingRay = new int[MOST];
+    private int[] crossingTriangle = new int[MOST];
+    private double[] crossingDistance = new double[MOST];
     private int farthest;
 
     /**
@@ -85,6 +91,32 @@ public final class MeshPackets {
     /** Finds whose way is blocked, which {@link #met} tells: rays that meet a triangle at less than their limits. */
     public void blocked() {
         search(true);
+    }
+
+    /** Finds all triangles that rays meet at less than their limits. */
+    public void cross() {
+        every = true;
+        crossings = 0;
+        search(true);
+        every = false;
+    }
+
+    /** How many there are for all rays, in any order. */
+    public int crossings() {
+        return crossings;
+    }
+
+    /** The ray of one of them: ray i of packet k has the number {@code k · WIDTH + i}. */
+    public int crossingRay(int n) {
+        return crossingRay[n];
+    }
+
+    public int crossingTriangle(int n) {
+        return crossingTriangle[n];
+    }
+
+    public double crossingDistance(int n) {
+        return crossingDistance[n];
     }
 
     /** The rays of packet {@code k} that meet a triangle: one bit for each. */
@@ -233,7 +265,9 @@ public final class MeshPackets {
             int s = Integer.numberOfTrailingZeros(left);
             double t = rays.distance(i, tree.vertex, MeshTree.LEAF * leaf + s);
             int id = tree.triangle[MeshTree.WIDTH * leaf + s];
-            if (any ? t < best[i] : t < MeshRay.MISS && (t < best[i] || t == best[i] && (!isMet(i) || id < triangle[i]))) {
+            if (every) {
+                note(i, id, t);
+            } else if (any ? t < best[i] : t < MeshRay.MISS && (t < best[i] || t == best[i] && (!isMet(i) || id < triangle[i]))) {
                 triangle[i] = id;
                 met[i / Rays.WIDTH] |= 1 << i % Rays.WIDTH;
                 if (any) {
@@ -246,6 +280,20 @@ public final class MeshPackets {
             }
         }
         return nearer;
+    }
+
+    private void note(int i, int id, double t) {
+        if (!(t < best[i])) {
+            return;
+        }
+        if (crossings == crossingRay.length) {
+            crossingRay = Arrays.copyOf(crossingRay, 2 * crossings);
+            crossingTriangle = Arrays.copyOf(crossingTriangle, 2 * crossings);
+            crossingDistance = Arrays.copyOf(crossingDistance, 2 * crossings);
+        }
+        crossingRay[crossings] = i;
+        crossingTriangle[crossings] = id;
+        crossingDistance[crossings++] = t;
     }
 
     private boolean isMet(int i) {

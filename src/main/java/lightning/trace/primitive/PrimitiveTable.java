@@ -447,8 +447,7 @@ public final class PrimitiveTable {
      * @param every whether each triangle of a mesh is asked
      */
     public void crossings(int s, double ox, double oy, double oz, double dx, double dy, double dz, boolean ends, double limit,
-            MeshProbe probe,
-            boolean every, Crossings to) {
+            MeshProbe probe, boolean every, Crossings to) {
         Touch touch = ends ? Touch.END : touch(s, ox, oy, oz);
         Holes holes = cutout(s) == null ? null : holes(s, ox, oy, oz, dx, dy, dz);
         if (mesh(s) != null) {
@@ -469,5 +468,11 @@ public final class PrimitiveTable {
             to.add(s, 0, t, limit, holes);
             to.add(s, 0, last(s, ox, oy, oz, dx, dy, dz, touch, t), limit, holes);
         }
+    }
+
+    /** The same for a solid without holes, which a way that neither begins nor ends on it is known to meet first at {@code t}. */
+    public void crossings(int s, double ox, double oy, double oz, double dx, double dy, double dz, double t, double limit, Crossings to) {
+        to.add(s, 0, t, limit, null);
+        to.add(s, 0, last(s, ox, oy, oz, dx, dy, dz, Touch.NEITHER, t), limit, null);
     }
 }

@@ -27,7 +27,7 @@ final class SmoothNormal {
     double liftZ;
 
     /**
-     * Computes normal and lift, both in the scene.
+     * Computes the normal, in the scene.
      *
      * @param m  the map to the mesh's own space at {@code m[i …]}, by whose transpose normals come back
      * @param gx the triangle's normal, of length 1, on the side that is seen
@@ -49,13 +49,13 @@ final class SmoothNormal {
             sumZ += facet.weight(v) * z[v];
         }
         side = sumX * gx + sumY * gy + sumZ * gz < 0 ? -1 : 1;
-        lift(facet, gx, gy, gz);
         if (!to.take(side * sumX, side * sumY, side * sumZ)) {
             to.take(gx, gy, gz);
         }
     }
 
-    private void lift(Facet facet, double gx, double gy, double gz) {
+    /** Computes the lift at the point whose normal was computed last. */
+    void lift(Facet facet, double gx, double gy, double gz) {
         liftX = 0;
         liftY = 0;
         liftZ = 0;

@@ -52,6 +52,26 @@ public final class Surface {
 
     /** Computes the surface of a part of primitive {@code s} at distance {@code t} along the ray. */
     public void at(PrimitiveTable primitives, int s, int part, double ox, double oy, double oz, double dx, double dy, double dz, double t) {
+        face(primitives, s, part, ox, oy, oz, dx, dy, dz, t);
+        slack = (Math.abs(ox) + Math.abs(oy) + Math.abs(oz)) * ERROR + primitives.error[s];
+        double x = hitX;
+        double y = hitY;
+        double z = hitZ;
+        if (isRound(primitives, s)) {
+            smooth.lift(facet, unitX, unitY, unitZ);
+            x += smooth.liftX;
+            y += smooth.liftY;
+            z += smooth.liftZ;
+        }
+        double off = (Math.abs(x * unitX) + Math.abs(y * unitY) + Math.abs(z * unitZ)) * OFFSET + slack;
+        px = (float) (x + unitX * off);
+        py = (float) (y + unitY * off);
+        pz = (float) (z + unitZ * off);
+    }
+
+    /** The same without a point: own coordinates, normal and side alone. */
+    public void face(PrimitiveTable primitives, int s, int part, double ox, double oy, double oz, double dx, double dy, double dz,
+            double t) {
         double x = ox + t * dx;
         double y = oy + t * dy;
         double z = oz + t * dz;
@@ -97,22 +117,14 @@ public final class Surface {
         unitY = by;
         unitZ = bz;
         inside = facing < 0;
-        slack = (Math.abs(ox) + Math.abs(oy) + Math.abs(oz)) * ERROR + primitives.error[s];
         boolean round = mesh != null && facet.isSmooth();
         if (round) {
             smooth.at(facet, m, i, bx, by, bz, shading);
-            x += smooth.liftX;
-            y += smooth.liftY;
-            z += smooth.liftZ;
         }
         Relief relief = primitives.relief(s);
         if (round || relief != null) {
             shade(primitives, s, relief, round, dx, dy, dz);
         }
-        double off = (Math.abs(x * bx) + Math.abs(y * by) + Math.abs(z * bz)) * OFFSET + slack;
-        px = (float) (x + bx * off);
-        py = (float) (y + by * off);
-        pz = (float) (z + bz * off);
     }
 
     /** Finds the point behind the surface that was computed last, where a ray that passes goes on. No mesh's normals lift it. */
