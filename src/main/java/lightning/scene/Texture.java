@@ -85,6 +85,13 @@ public final class Texture {
         }
     }
 
+    /** One channel of {@link #mix(int, int, int, int, double, double, float[])}. */
+    public float mix(int x0, int y0, int x1, int y1, double across, double along, int channel) {
+        double above = channel(x0, y0, channel) * (1 - across) + channel(x1, y0, channel) * across;
+        double below = channel(x0, y1, channel) * (1 - across) + channel(x1, y1, channel) * across;
+        return (float) (above * (1 - along) + below * along);
+    }
+
     /**
      * The luminance of four pixels mixed bilinearly, 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709), in double.
      *

@@ -2,7 +2,6 @@ package lightning.engine.lanes;
 
 import jdk.incubator.vector.FloatVector;
 import lightning.engine.Engine;
-import lightning.engine.scalar.HoledTracer;
 import lightning.shading.Sums;
 import lightning.shading.Terms;
 import lightning.trace.Geometry;
@@ -20,8 +19,7 @@ public record LaneEngine() implements Engine {
 
     @Override
     public Tracer tracer(Geometry geometry) {
-        Tracer whole = geometry.primitives().hasMeshes() ? new GroupedTracer(geometry) : new LaneTracer(geometry);
-        return geometry.primitives().haveHoles() ? new HoledTracer(geometry, whole) : whole;
+        return geometry.primitives().hasMeshes() ? new GroupedTracer(geometry) : new LaneTracer(geometry);
     }
 
     @Override

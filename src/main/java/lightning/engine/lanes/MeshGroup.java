@@ -1,8 +1,10 @@
 package lightning.engine.lanes;
 
 import java.util.Arrays;
+import lightning.trace.mesh.GroupSieve;
 import lightning.trace.mesh.MeshPackets;
 import lightning.trace.mesh.MeshProbe;
+import lightning.trace.primitive.Holes;
 import lightning.trace.primitive.PrimitiveTable;
 import lightning.trace.solid.Form;
 
@@ -20,10 +22,33 @@ final class MeshGroup {
     /** Which of the group's packets are in the search. */
     private final int[] asked = new int[MeshPackets.PACKETS];
     private final double[] unlimited = new double[W];
+    /** The group and the mesh that are asked. */
+    private RayPacket[] rays;
+    private int asking;
+    /** Null where nothing has holes. */
+    private final Holes holes;
+    private final GroupSieve sieve = this::passes;
+    private final RayPacket[] alone = new RayPacket[1];
 
     MeshGroup(PrimitiveTable primitives) {
         this.primitives = primitives;
+        holes = primitives.haveHoles() ? new Holes(primitives) : null;
         Arrays.fill(unlimited, Form.MISS);
+    }
+
+    private void begin(RayPacket[] group, int s) {
+        packets.begin(primitives.mesh(s), primitives.data, primitives.at[s]);
+        if (holes != null && primitives.hasHoles(s)) {
+            rays = group;
+            asking = s;
+            packets.sift(sieve);
+        }
+    }
+
+    private boolean passes(int ray, int triangle, double t) {
+        RayPacket p = rays[asked[ray / W]];
+        int i = ray % W;
+        return holes.enter(asking, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]).passes(triangle, t);
     }
 
     /** Those rays of packet {@code k} that are in a set. */
@@ -36,7 +61,7 @@ final class MeshGroup {
         if (primitives.isUnderEye(s)) {
             return nearerInTurn(group, set, s);
         }
-        packets.begin(primitives.mesh(s), primitives.data, primitives.at[s]);
+        begin(group, s);
         int count = 0;
         for (long left = set; left != 0; left &= ~((long) ALL << asked[count++] * W)) {
             int k = Long.numberOfTrailingZeros(left) / W;
@@ -82,7 +107,7 @@ final class MeshGroup {
         if (index >= 0 || primitives.isUnderEye(s)) {
             return belowInTurn(group, set, s, index);
         }
-        packets.begin(primitives.mesh(s), primitives.data, primitives.at[s]);
+        begin(group, s);
         int count = 0;
         for (long left = set; left != 0; left &= ~((long) ALL << asked[count++] * W)) {
             int k = Long.numberOfTrailingZeros(left) / W;
@@ -125,7 +150,9 @@ final class MeshGroup {
             }
             return done;
         }
-        packets.begin(primitives.mesh(s), primitives.data, primitives.at[s]);
+        alone[0] = p;
+        asked[0] = 0;
+        begin(alone, s);
         packets.add(p, done, unlimited);
         packets.nearest();
         for (int left = packets.met(0); left != 0; left &= left - 1) {

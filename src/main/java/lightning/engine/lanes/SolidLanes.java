@@ -8,11 +8,13 @@ import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LT;
 import static lightning.trace.solid.Lanes.SPECIES;
 
+import java.util.Arrays;
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
+import lightning.trace.primitive.Holes;
 import lightning.trace.primitive.PrimitiveTable;
 import lightning.trace.solid.Form;
 import lightning.trace.solid.KindLanes;
@@ -25,6 +27,8 @@ import lightning.trace.solid.Touch;
  * <p>Solids are asked for whole vectors of lanes, those in which the mask has bits. Lanes that the primitive's box has
  * rejected get the same answer as from the box: a miss, or a hit behind a nearer one. Meshes are asked for the lanes of the mask
  * alone ({@link MeshGroup}).
+ *
+ * <p>Where a solid has holes a ray is asked for them if the whole solid is nearer than what the ray has: what is there of it is no nearer.
  */
 final class SolidLanes {
     private static final VectorSpecies<Integer> INTS =
@@ -34,6 +38,9 @@ final class SolidLanes {
     /** The distances to the primitive in question. */
     private final double[] own = new double[RayPacket.WIDTH];
     private final KindLanes lanes = new KindLanes();
+    /** Null where nothing has holes. */
+    private final Holes holes;
+    private final double[] unlimited = new double[RayPacket.WIDTH];
     final MeshGroup mesh;
     /** A group of one packet. */
     private final RayPacket[] alone = new RayPacket[1];
@@ -41,6 +48,8 @@ final class SolidLanes {
     SolidLanes(PrimitiveTable primitives) {
         this.primitives = primitives;
         mesh = new MeshGroup(primitives);
+        holes = primitives.haveHoles() ? new Holes(primitives) : null;
+        Arrays.fill(unlimited, Form.MISS);
     }
 
     /** The first lane of the vectors in which the mask has bits. */
@@ -52,11 +61,24 @@ final class SolidLanes {
         return mask >>> Lanes.COUNT != 0 ? RayPacket.WIDTH : Lanes.COUNT;
     }
 
-    private void distances(RayPacket p, int s, int from, int to) {
+    /**
+     * Writes the distances of the lanes {@code from … to − 1}.
+     *
+     * @param mask   the lanes that are asked for holes
+     * @param limits how far each is: what is whole is no farther off than what is there
+     */
+    private void distances(RayPacket p, int s, int mask, double[] limits, int from, int to) {
         lanes.distances(primitives.kind(s), primitives.data, primitives.at[s], p, own, from, to);
         if (primitives.isUnderEye(s)) {
             for (int i = from; i < to; i++) {
                 own[i] = primitives.distance(s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]);
+            }
+        } else if (holes != null && primitives.hasHoles(s)) {
+            for (int left = mask; left != 0; left &= left - 1) {
+                int i = Integer.numberOfTrailingZeros(left);
+                if (own[i] <= limits[i] && own[i] < Form.MISS) {
+                    own[i] = primitives.there(s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i], own[i], limits[i], holes);
+                }
             }
         }
     }
@@ -86,7 +108,7 @@ final class SolidLanes {
         }
         int from = first(mask);
         int to = end(mask);
-        distances(p, s, from, to);
+        distances(p, s, mask, p.t, from, to);
         boolean any = false;
         for (int h = from; h < to; h += Lanes.COUNT) {
             DoubleVector t = fromArray(SPECIES, own, h);
@@ -117,7 +139,7 @@ final class SolidLanes {
         int index = p.end.indexOf(s);
         int from = first(mask);
         int to = end(mask);
-        distances(p, s, from, to);
+        distances(p, s, mask, p.limit, from, to);
         if (index >= 0) {
             distancesToLight(p, s, index, from, to);
         }
@@ -137,7 +159,7 @@ final class SolidLanes {
         }
         int from = first(mask);
         int to = end(mask);
-        distances(p, s, from, to);
+        distances(p, s, mask, unlimited, from, to);
         int done = 0;
         for (int i = from; i < to; i++) {
             if ((mask >>> i & 1) != 0 && p.primitive[i] == s) {

@@ -45,6 +45,8 @@ public final class MeshPackets {
     private double[] map;
     private int mapAt;
     private int count;
+    /** Null where the mesh has no holes. */
+    private GroupSieve sieve;
     private boolean any;
     /** Whether what is met is noted, and stops no ray. */
     private boolean every;
@@ -64,10 +66,16 @@ public final class MeshPackets {
         map = m;
         mapAt = at;
         count = 0;
+        sieve = null;
         if (stack.length < tree.stack) {
             stack = new int[tree.stack];
             since = new int[tree.stack];
         }
+    }
+
+    /** Lets the rays of the group pass triangles where they have holes. */
+    public void sift(GroupSieve by) {
+        sieve = by;
     }
 
     /**
@@ -267,7 +275,8 @@ public final class MeshPackets {
             int id = tree.triangle[MeshTree.WIDTH * leaf + s];
             if (every) {
                 note(i, id, t);
-            } else if (any ? t < best[i] : t < MeshRay.MISS && (t < best[i] || t == best[i] && (!isMet(i) || id < triangle[i]))) {
+            } else if ((any ? t < best[i] : t < MeshRay.MISS && (t < best[i] || t == best[i] && (!isMet(i) || id < triangle[i])))
+                    && (sieve == null || !sieve.passes(i, id, t))) {
                 triangle[i] = id;
                 met[i / Rays.WIDTH] |= 1 << i % Rays.WIDTH;
                 if (any) {

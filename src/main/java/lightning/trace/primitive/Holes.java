@@ -6,35 +6,39 @@ import lightning.trace.mesh.Facet;
 import lightning.trace.mesh.MeshSolid;
 import lightning.trace.mesh.Sieve;
 
-/** Tells where one ray finds a hole in a primitive whose material is cut out. */
+/** Tells where one ray after the other finds a hole in a primitive whose material is cut out. Reused; not shared between threads. */
 public final class Holes implements Sieve {
     private final PrimitiveTable primitives;
-    private final int s;
-    private final TextureMap map;
-    private final double cutoff;
-    private final double ox;
-    private final double oy;
-    private final double oz;
-    private final double dx;
-    private final double dy;
-    private final double dz;
+    private int s;
+    private TextureMap map;
+    private double cutoff;
+    private double ox;
+    private double oy;
+    private double oz;
+    private double dx;
+    private double dy;
+    private double dz;
     private final PictureCell cell = new PictureCell();
     private final Facet facet = new Facet();
     private final double[] uv = new double[2];
-    private final float[] there = new float[3];
 
-    /** @param cutout of primitive {@code s}; it cuts */
-    Holes(PrimitiveTable primitives, int s, Cutout cutout, double ox, double oy, double oz, double dx, double dy, double dz) {
+    public Holes(PrimitiveTable primitives) {
         this.primitives = primitives;
-        this.s = s;
+    }
+
+    /** Takes a primitive that has holes and a ray. */
+    public Holes enter(int of, double originX, double originY, double originZ, double directionX, double directionY, double directionZ) {
+        Cutout cutout = primitives.cutout(of);
+        s = of;
         map = cutout.cutout().orElseThrow();
         cutoff = cutout.cutoff();
-        this.ox = ox;
-        this.oy = oy;
-        this.oz = oz;
-        this.dx = dx;
-        this.dy = dy;
-        this.dz = dz;
+        ox = originX;
+        oy = originY;
+        oz = originZ;
+        dx = directionX;
+        dy = directionY;
+        dz = directionZ;
+        return this;
     }
 
     @Override
@@ -56,7 +60,6 @@ public final class Holes implements Sieve {
             uv[1] = facet.coordinate(1);
         }
         cell.at(map, uv[0], uv[1]);
-        cell.color(there);
-        return there[0] < cutoff;
+        return cell.red() < cutoff;
     }
 }

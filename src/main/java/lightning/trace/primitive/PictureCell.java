@@ -38,6 +38,11 @@ final class PictureCell {
         image.mix(x0, y0, x1, y1, across, along, rgb);
     }
 
+    /** Its first channel alone. */
+    float red() {
+        return image.mix(x0, y0, x1, y1, across, along, 0);
+    }
+
     /** By how much the luminance rises over the picture's width, as it does from one pixel to the left to one to the right. */
     double slopeAcross() {
         return (luminance(1, 0) - luminance(-1, 0)) * 0.5 * image.width();

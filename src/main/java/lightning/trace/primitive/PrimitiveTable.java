@@ -265,13 +265,13 @@ public final class PrimitiveTable {
         return cutout(s) != null;
     }
 
-    private Cutout cutout(int s) {
+    Cutout cutout(int s) {
         return traits.cutout(s);
     }
 
     /** Where a ray finds holes in primitive {@code s}, which has some. */
-    public Holes holes(int s, double ox, double oy, double oz, double dx, double dy, double dz) {
-        return new Holes(this, s, cutout(s), ox, oy, oz, dx, dy, dz);
+    private Holes holes(int s, double ox, double oy, double oz, double dx, double dy, double dz) {
+        return new Holes(this).enter(s, ox, oy, oz, dx, dy, dz);
     }
 
     /** What bends the normals of primitive {@code s}; null for nothing. */
@@ -382,12 +382,26 @@ public final class PrimitiveTable {
         if (t == Form.MISS || cutout(s) == null) {
             return t;
         }
-        Holes holes = holes(s, ox, oy, oz, dx, dy, dz);
+        return there(s, ox, oy, oz, dx, dy, dz, touch, t, Form.MISS, holes(s, ox, oy, oz, dx, dy, dz));
+    }
+
+    /**
+     * The distance to what is there first of a solid with holes, which a ray that neither begins nor ends on it meets at {@code t} if nothing is
+     * missing; {@code +∞} where nothing is there, and perhaps where it lies beyond a limit.
+     *
+     * @param holes scratch
+     */
+    public double there(int s, double ox, double oy, double oz, double dx, double dy, double dz, double t, double limit, Holes holes) {
+        return there(s, ox, oy, oz, dx, dy, dz, Touch.NEITHER, t, limit, holes.enter(s, ox, oy, oz, dx, dy, dz));
+    }
+
+    private double there(int s, double ox, double oy, double oz, double dx, double dy, double dz, Touch touch, double t, double limit,
+            Holes holes) {
         if (!holes.passes(0, t)) {
             return t;
         }
         double out = last(s, ox, oy, oz, dx, dy, dz, touch, t);
-        return out < Form.MISS && !holes.passes(0, out) ? out : Form.MISS;
+        return out < Form.MISS && out <= limit && !holes.passes(0, out) ? out : Form.MISS;
     }
 
     /** The distance to a surface without holes. */
