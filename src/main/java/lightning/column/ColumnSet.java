@@ -97,7 +97,18 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
         return get(kind) != null;
     }
 
-    /** The bytes of a kind's array, its header left out; 0 where there is none. */
+    /** These, with columns of some kinds of floats shared as far as {@code count} rows have one value there. */
+    public ColumnSet<C> withUniform(Set<C> which, int count) {
+        ColumnSet<C> set = this;
+        for (C kind : which) {
+            float[] own = (float[]) get(kind);
+            float[] shared = UniformColumns.shared(own, count);
+            set = shared == own ? set : set.with(kind, shared);
+        }
+        return set;
+    }
+
+    /** The bytes of a kind's array, its header left out; 0 where there is none, or one that is shared. */
     public long bytes(C kind) {
         return has(kind) ? kind.element().bytes(get(kind)) : 0;
     }

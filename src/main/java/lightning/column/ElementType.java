@@ -5,9 +5,13 @@ public enum ElementType {
     /** Read one by one: as many as there are rows. */
     BYTE(Byte.BYTES, 1),
     /** Of this and what follows a multiple of 16, so that lanes may run over the end. */
-    SHORT(Short.BYTES, 16),
-    INT(Integer.BYTES, 16),
-    FLOAT(Float.BYTES, 16);
+    SHORT(Short.BYTES, ElementType.GRAIN),
+    INT(Integer.BYTES, ElementType.GRAIN),
+    FLOAT(Float.BYTES, ElementType.GRAIN);
+
+    /** The most rows that have columns together. */
+    static final int MOST_ROWS = 1024;
+    static final int GRAIN = 16;
 
     private final int bytes;
     private final int grain;
@@ -38,7 +42,7 @@ public enum ElementType {
         };
     }
 
-    /** The bytes of a column of them, its header left out. */
+    /** The bytes of a column of them, its header left out; none of one that is shared, see {@link UniformColumns}. */
     long bytes(Object column) {
         int length = switch (this) {
             case BYTE -> ((byte[]) column).length;
@@ -46,6 +50,6 @@ public enum ElementType {
             case INT -> ((int[]) column).length;
             case FLOAT -> ((float[]) column).length;
         };
-        return (long) bytes * length;
+        return length == UniformColumns.LENGTH ? 0 : (long) bytes * length;
     }
 }

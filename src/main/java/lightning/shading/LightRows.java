@@ -76,6 +76,8 @@ public final class LightRows implements LightLayer {
         }
     }
 
+    /** What a distant light gives a plane. */
+    private static final Set<Column> UNIFORM = EnumSet.of(Column.COSINE);
     private static final float[] ONES = ones();
     private static final float[] ZEROS = new float[Terms.ROWS];
     /** For each state and way a column that holds no other: shared by all layers of which every row has it, and not counted as memory. */
@@ -226,12 +228,12 @@ public final class LightRows implements LightLayer {
     }
 
     /**
-     * This layer over {@code rows} rows without what need not be kept: states of its own where all are the same, and highlights where none
+     * This layer over {@code rows} rows without what need not be kept: states or cosines of its own where all are the same, and highlights where none
      * is: adding none in place of +0 to sums that are never negative changes no bit. Grazing terms are closed beside specular ones, so
      * that where there are any both stay.
      */
     public LightRows compact(int rows) {
-        ColumnSet<Column> kept = columns;
+        ColumnSet<Column> kept = columns.withUniform(UNIFORM, rows);
         if (rows > 0 && shared(state) == 0 && Arrays.equals(state, 0, rows, ALL[state[0]], 0, rows)) {
             kept = kept.with(Column.STATE, ALL[state[0]]);
         }
@@ -284,8 +286,12 @@ public final class LightRows implements LightLayer {
         boolean shares = in.number() == 1;
         ColumnSet<Column> read = in.columns(Column.class);
         LightRows layer = new LightRows(shares ? read.with(Column.STATE, UNREACHED.state) : read, lit);
-        // States that were shared were written as long as those of any tile.
-        return layer.compact(layer.specular == null ? layer.state.length : Math.min(layer.state.length, layer.specular.length));
+        // What was shared was written as long as that of any tile.
+        return layer.compact(Math.min(layer.state.length, Math.min(length(layer.cosine), length(layer.specular))));
+    }
+
+    private static int length(float[] column) {
+        return column == null ? Integer.MAX_VALUE : column.length;
     }
 
     /** The columns that this layer has. */

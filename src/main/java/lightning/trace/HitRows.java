@@ -82,6 +82,9 @@ public final class HitRows {
         }
     }
 
+    /** Those that are often the same on all rows of a tile. */
+    private static final Set<Column> UNIFORM = EnumSet.of(Column.PX, Column.PY, Column.PZ, Column.NX, Column.NY, Column.NZ);
+
     /** How many rows are in use. */
     public int count;
     /** Points, off the surface, render space. */
@@ -191,6 +194,12 @@ public final class HitRows {
         return rows;
     }
 
+    /** These rows, with columns that others share where all points or normals have one coordinate. */
+    public HitRows compact() {
+        ColumnSet<Column> shared = columns.withUniform(UNIFORM, count);
+        return shared == columns ? this : in(shared, reflective);
+    }
+
     /** These rows without texels. */
     HitRows withoutTexels() {
         return in(columns.without(Part.TEXEL.columns()), reflective);
@@ -277,7 +286,7 @@ public final class HitRows {
         for (int r = 0; r < runEnd.length; r++) {
             rows.addRun(runMaterial[r], runEnd[r]);
         }
-        return rows;
+        return rows.compact();
     }
 
     /** The columns that these rows have. */

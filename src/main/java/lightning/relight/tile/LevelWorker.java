@@ -72,7 +72,8 @@ final class LevelWorker {
     }
 
     /** The layers of all lights that shine, from nothing. */
-    TileLevel lit(HitRows rows) {
+    TileLevel lit(HitRows traced) {
+        HitRows rows = traced.compact();
         LightLayer[] layers = new LightLayer[shown.lights().length];
         for (int l = 0; l < layers.length && !job.progress().isCancelled(); l++) {
             if (!shown.lights()[l].isDark()) {

@@ -122,7 +122,7 @@ final class LowerLevels {
         TileLevel level = worker.lit(seen);
         int seenPlace = EdgeCoder.place(place, bounce);
         add(level, depth + 1, seenPlace);
-        trace(seen, depth + 1, seenPlace);
+        trace(level.rows(), depth + 1, seenPlace);
     }
 
     private void add(TileLevel level, int depth, int place) {
