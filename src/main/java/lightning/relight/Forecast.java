@@ -66,7 +66,8 @@ final class Forecast {
         double pixels = (double) picture.width() * picture.height();
         double film = sampling.isFine() ? pixels * MemoryNeed.COLOR : 0;
         double side = Math.max(picture.width(), picture.height());
-        double each = center + rim / side;
+        // A picture smaller than the small ones is cheap, whatever it takes.
+        double each = center + rim / Math.max(side, SIDE);
         double bytes = film + switch (sampling.antialias()) {
             case OFF -> pixels * each;
             case EVERY -> pixels * each * sampling.perPixel();
