@@ -84,6 +84,12 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
         return (timing.upperQuartile() - timing.lowerQuartile()) / 2;
     }
 
+    /** How many effects are measured of a scene, where memory is enough. */
+    public static int measurable(Scene scene) {
+        Effects effects = Effects.of(scene);
+        return (int) Effect.ALL.stream().filter(effect -> canMeasure(effect, effects)).count();
+    }
+
     private static boolean canMeasure(Effect effect, Effects effects) {
         return effects.has(effect) || effect.isForcible();
     }

@@ -1,6 +1,5 @@
 package lightning.bench;
 
-import lightning.effects.Effect;
 import lightning.engine.choice.Engines;
 import lightning.fulltrace.TraditionalTracer;
 import lightning.scene.Scene;
@@ -69,9 +68,9 @@ record Pace(double msPerPixel) {
         return fullMs(size) * 2.2 * (WARM_UPS + repetitions);
     }
 
-    /** Each effect in turns with the picture as it is, in the first pass and an update. */
-    double effectsMs(PictureSize size, int repetitions) {
-        return (fullMs(size) * 2.5 * (WARM_UPS + repetitions) + EFFECT_LEAST_MS) * Effect.ALL.size();
+    /** So many effects, each in turns with the picture as it is, in the first pass and an update. */
+    double effectsMs(PictureSize size, int repetitions, int effects) {
+        return (fullMs(size) * 2.5 * (WARM_UPS + repetitions) + EFFECT_LEAST_MS) * effects;
     }
 
     /** So many edits and a full trace in turns. */

@@ -58,7 +58,8 @@ final class SceneBench implements AutoCloseable {
         cases().forEach((edit, values) -> parts.add(new Part(where + ", " + edit,
                 pace.ladderMs(size, settings.repetitions()) * values.size(), progress -> edit(values, progress))));
         if (settings.effects() && size.equals(settings.sizes().getLast())) {
-            parts.add(new Part(where + ", effects", pace.effectsMs(size, EFFECTS * settings.repetitions()), this::effects));
+            parts.add(new Part(where + ", effects",
+                    pace.effectsMs(size, EFFECTS * settings.repetitions(), EffectCosts.measurable(scene)), this::effects));
         }
         return parts;
     }

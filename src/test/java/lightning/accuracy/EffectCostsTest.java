@@ -36,6 +36,12 @@ class EffectCostsTest {
     }
 
     @Test
+    void measurableEffects_areThoseThatAreMeasured() {
+        Scene scene = StudioScene.of(LightType.POINT);
+        assertThat(of(scene).effects()).filteredOn(EffectCost::measured).hasSize(EffectCosts.measurable(scene));
+    }
+
+    @Test
     void unmeasuredEffect_wasTooLargeUnlessNobodyCanForceIt() {
         EffectCosts costs = of(StudioScene.of(LightType.POINT));
         assertThat(costs.tooLarge()).isEmpty();
@@ -46,7 +52,7 @@ class EffectCostsTest {
     }
 
     @Test
-    void shadowsInUse_takeTheirRaysAndNoBytes() {
+    void shadowsInUse_takeTheirRays() {
         EffectCost shadows = cost(of(StudioScene.of(LightType.POINT)), Effect.SHADOWS);
         assertThat(shadows.inUse()).isTrue();
         assertThat(shadows.callers()).containsExactly(StudioScene.KEY);
