@@ -4,7 +4,10 @@ import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.List;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Function;
 import lightning.text.Quote;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
@@ -15,9 +18,25 @@ import picocli.CommandLine.UnmatchedArgumentException;
 /** Runs the command that the arguments name. */
 public final class Lightning {
     private static final int HELP_WIDTH = 120;
-    /** As the help lists them. */
-    private static final List<String> NAMES = List.of("edit", "render", "relight", "shot", "node", "explain", "import", "export",
-            "export-lights", "effects", "tour", "bench", "check", "compare");
+    /** What makes each, in the order in which the help lists them. */
+    private static final Map<String, Function<Console, Object>> COMMANDS = new LinkedHashMap<>();
+
+    static {
+        COMMANDS.put("edit", _ -> new EditCommand());
+        COMMANDS.put("render", RenderCommand::new);
+        COMMANDS.put("relight", RelightCommand::new);
+        COMMANDS.put("shot", Lightning::shot);
+        COMMANDS.put("node", NodeCommand::new);
+        COMMANDS.put("explain", ExplainCommand::new);
+        COMMANDS.put("import", ImportCommand::new);
+        COMMANDS.put("export", ExportCommand::new);
+        COMMANDS.put("export-lights", ExportLightsCommand::new);
+        COMMANDS.put("effects", EffectsCommand::new);
+        COMMANDS.put("tour", TourCommand::new);
+        COMMANDS.put("bench", BenchCommand::new);
+        COMMANDS.put("check", CheckCommand::new);
+        COMMANDS.put("compare", CompareCommand::new);
+    }
 
     private Lightning() {}
 
@@ -49,34 +68,18 @@ public final class Lightning {
 
     /** The command that the first word names: to make all of them takes longer than a small picture. All, where it names none. */
     static CommandLine commands(Console console, String... args) {
-        return commands(console, args.length > 0 && NAMES.contains(args[0]) ? List.of(args[0]) : NAMES);
+        return commands(console, args.length > 0 && COMMANDS.containsKey(args[0]) ? Set.of(args[0]) : COMMANDS.keySet());
     }
 
-    private static Object command(String name, Console console) {
-        return switch (name) {
-            case "edit" -> new EditCommand();
-            case "render" -> new RenderCommand(console);
-            case "relight" -> new RelightCommand(console);
-            case "shot" -> new CommandLine(new ShotCommand()).addSubcommand(new ShotRenderCommand(console))
-                    .addSubcommand(new ShotRelightCommand(console));
-            case "node" -> new NodeCommand(console);
-            case "explain" -> new ExplainCommand(console);
-            case "import" -> new ImportCommand(console);
-            case "export" -> new ExportCommand(console);
-            case "export-lights" -> new ExportLightsCommand(console);
-            case "effects" -> new EffectsCommand(console);
-            case "tour" -> new TourCommand(console);
-            case "bench" -> new BenchCommand(console);
-            case "check" -> new CheckCommand(console);
-            case "compare" -> new CompareCommand(console);
-            default -> throw new IllegalArgumentException(name);
-        };
+    private static CommandLine shot(Console console) {
+        return new CommandLine(new ShotCommand()).addSubcommand(new ShotRenderCommand(console))
+                .addSubcommand(new ShotRelightCommand(console));
     }
 
-    private static CommandLine commands(Console console, List<String> names) {
+    private static CommandLine commands(Console console, Set<String> names) {
         CommandLine commands = new CommandLine(new RootCommand(console));
         for (String name : names) {
-            commands.addSubcommand(command(name, console));
+            commands.addSubcommand(COMMANDS.get(name).apply(console));
         }
         NumberOptions.register(commands);
         return commands
