@@ -17,7 +17,7 @@ record ExactUpdater(LightKernel kernel) implements LayerUpdater {
 
     @Override
     public LightLayer full(HitRows rows, Luminaire light) {
-        return kernel.full(rows, light.lamp(), Columns.FRESH).compact(rows.count);
+        return kept(null, kernel.full(rows, light.lamp(), Columns.FRESH), rows);
     }
 
     @Override
@@ -26,7 +26,7 @@ record ExactUpdater(LightKernel kernel) implements LayerUpdater {
             case LightUpdate.Keep _,LightUpdate.Reweight _,LightUpdate.Refresh _ -> before;
             case LightUpdate.FullRecompute _ -> full(rows, to);
             case LightUpdate.Partial p ->
-                    kernel.partial(rows, to.lamp(), (LightRows) before, p.cone(), p.falloff(), Columns.FRESH).compact(rows.count);
+                    kept(before, kernel.partial(rows, to.lamp(), (LightRows) before, p.cone(), p.falloff(), Columns.FRESH), rows);
         };
     }
 
@@ -34,18 +34,18 @@ record ExactUpdater(LightKernel kernel) implements LayerUpdater {
     public LightLayer convert(HitRows rows, Luminaire light, LightLayer before) {
         return switch (before) {
             case LightRows layer -> layer;
-            case RatioRows layer -> kernel.again(rows, light.lamp(), layer, Columns.FRESH).compact(rows.count);
+            case RatioRows layer -> kept(null, kernel.again(rows, light.lamp(), layer, Columns.FRESH), rows);
         };
     }
 
     @Override
     public LightLayer speculars(HitRows rows, Luminaire light, LightLayer before, MaterialSet changed) {
-        return kernel.speculars(rows, light.lamp(), (LightRows) before, changed, Columns.FRESH).compact(rows.count);
+        return kept(before, kernel.speculars(rows, light.lamp(), (LightRows) before, changed, Columns.FRESH), rows);
     }
 
     @Override
     public LightLayer shadowed(HitRows rows, Luminaire light, LightLayer before, ShapeChange change) {
-        return kernel.shadowed(rows, light.lamp(), (LightRows) before, change, Columns.FRESH).compact(rows.count);
+        return kept(before, kernel.shadowed(rows, light.lamp(), (LightRows) before, change, Columns.FRESH), rows);
     }
 
     @Override
@@ -55,11 +55,19 @@ record ExactUpdater(LightKernel kernel) implements LayerUpdater {
 
     @Override
     public LightLayer sorted(RowSplice splice, LightLayer before) {
-        return kernel.sorted(splice, (LightRows) before).compact(splice.rows().count);
+        return kept(null, kernel.sorted(splice, (LightRows) before), splice.rows());
     }
 
     @Override
     public LightLayer joined(RowSplice splice, LightLayer before, LightLayer added, Luminaire light) {
-        return kernel.joined(splice, (LightRows) before, (LightRows) added, light.lamp()).compact(splice.rows().count);
+        return kept(null, kernel.joined(splice, (LightRows) before, (LightRows) added, light.lamp()), splice.rows());
+    }
+
+    /**
+     * A layer without what need not be kept. One that an edit leaves as it was is so already: its columns are not looked over again, which an edit of
+     * one light would else do with those of all others.
+     */
+    private static LightRows kept(LightLayer before, LightRows after, HitRows rows) {
+        return after == before ? after : after.compact(rows.count);
     }
 }
