@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Attenuation;
@@ -17,7 +18,7 @@ import lightning.scene.Scene;
  * The paper's printed edits (§4.1–4.9) and a few more, of materials and shapes too, for any scene.
  *
  * <p>Each case edits the first light of the type it needs that shines; a case that finds no such
- * light, or would change nothing, is left out. On {@code scenes/bird.jen} the values are those that
+ * light, or would change nothing, is left out. Where no point light shines, another that has a place is moved. On {@code scenes/bird.jen} the values are those that
  * the paper prints (colours, attenuation, ambience); where the paper shows only pictures, and on other
  * scenes, they follow from the scene's own values and from what its camera sees.
  */
@@ -63,6 +64,12 @@ public final class PaperCases {
         return List.copyOf(builder.cases);
     }
 
+    /** The edit that moves a light, with its first value; where none has a place, the one that turns a directional light. */
+    public static Optional<PaperCase> moved(Scene scene) {
+        List<PaperCase> cases = of(scene);
+        return Stream.of("position", "direction").flatMap(name -> cases.stream().filter(c -> c.name().equals(name))).findFirst();
+    }
+
     private void printed() {
         edit("color", "Fig. 6", 98, LightType.DIRECTIONAL, l -> l.withColor(pick(RED, new Rgb(0.3, 0.6, 1), new Rgb(1, 0.8, 0.3))));
         edit("intensity", "Fig. 6", 98, LightType.DIRECTIONAL, this::dimmed);
@@ -71,8 +78,9 @@ public final class PaperCases {
         edit("angle-larger", "Fig. 10", 81, LightType.SPOT,
                 l -> l.withAngle(Math.min(l.angle() * pick(1.5, 1.2, 1.8), Limits.MAX_ANGLE)));
         edit("dropoff", "Fig. 13", 95, LightType.SPOT, this::steeper);
-        edit("position", "Fig. 15", 82, LightType.POINT,
-                l -> l.withPosition(pick(framing.point(0, -0.3, 2.1), framing.point(0.6, 0.3, 1.6), framing.point(-0.7, 0.6, 1.2))));
+        shining(LightType.POINT).or(() -> scene.lights().stream().filter(l -> l.type().hasPosition() && isShining(l)).findFirst())
+                .ifPresent(l -> add("position", "Fig. 15", 82, scene.withLight(l.withPosition(
+                        pick(framing.point(0, -0.3, 2.1), framing.point(0.6, 0.3, 1.6), framing.point(-0.7, 0.6, 1.2))))));
         edit("direction", "Fig. 15", 83, LightType.DIRECTIONAL,
                 l -> l.withDirection(pick(framing.vector(1, -1, 0.7), framing.vector(-1, -1, 0.3), framing.vector(0.3, -1, -0.6))));
         edit("type", "Fig. 15", 82, pick(LightType.DIRECTIONAL, LightType.DIRECTIONAL, LightType.POINT), this::retyped);

@@ -66,8 +66,7 @@ final class SceneBench implements AutoCloseable {
 
     /** What each effect takes, in the first pass and in the update after a light was moved. */
     private void effects(Progress progress) {
-        List<PaperCase> moved = PaperCases.of(scene).stream().filter(edit -> edit.name().equals("position")).toList();
-        Scene after = moved.isEmpty() ? scene : moved.getFirst().after();
+        Scene after = PaperCases.moved(scene).map(PaperCase::after).orElse(scene);
         // The ladder's pictures need not lie in memory beside all the samples.
         close();
         EffectCosts costs = EffectCosts.of(scene, after, Options.DEFAULT.withReflections(Reflections.STALE).withThreads(settings.threads()),

@@ -1,6 +1,7 @@
 package lightning.cli;
 
 import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import lightning.cache.CachedTile;
 import lightning.cache.PixelCache;
@@ -15,16 +16,16 @@ import lightning.trace.HitRows;
  * @param rows      hit rows of all levels
  * @param layerRows rows of all layers: a row counts once for each light
  * @param hits      the columns of hit rows, by what they come and go with
- * @param layers    the columns of the lights' layers
+ * @param layers    the columns of the lights' layers by their titles, in their order: what is kept in several counts once
  * @param mirrored  colours of mirror images, and the shapes that mirrored rays hit
  * @param all       everything, as the cache itself counts
  */
-record ColumnBytes(long rows, long layerRows, Map<HitRows.Part, Long> hits, Map<LightRows.Column, Long> layers, long mirrored, long all) {
+record ColumnBytes(long rows, long layerRows, Map<HitRows.Part, Long> hits, Map<String, Long> layers, long mirrored, long all) {
     static ColumnBytes of(PixelCache cache) {
         long layerRows = 0;
         long levels = 0;
         Map<HitRows.Part, Long> hits = new EnumMap<>(HitRows.Part.class);
-        Map<LightRows.Column, Long> layers = new EnumMap<>(LightRows.Column.class);
+        Map<String, Long> layers = new LinkedHashMap<>();
         for (CachedTile tile : cache.all()) {
             for (TileLevel level : tile.levels) {
                 HitRows rows = level.rows();
@@ -36,7 +37,7 @@ record ColumnBytes(long rows, long layerRows, Map<HitRows.Part, Long> hits, Map<
                     if (layer instanceof LightRows l) {
                         layerRows += rows.count;
                         for (LightRows.Column column : LightRows.Column.values()) {
-                            layers.merge(column, l.bytes(column), Long::sum);
+                            layers.merge(column.title(), l.bytes(column), Long::sum);
                         }
                     }
                 }

@@ -27,7 +27,7 @@ import picocli.CommandLine.Option;
             "what its absence saves. Finer samples, which are never invisible, are forced at edges. All are medians of turns with",
             "and without; a difference within the noise is marked with ~. Then come the bytes of each kind of column.",
             "",
-            "The edit is one of the tour's, 'position' (a light is moved) unless --case names another."},
+            "The edit is one of the tour's, 'position' (a light is moved; 'direction' where none has a place) unless --case names another."},
         footer = {
             "Examples:",
             "  lightning effects scenes/bird.jen --size 1920x1080",
@@ -41,7 +41,7 @@ final class EffectsCommand implements Callable<Integer> {
     private PictureOptions picture;
     @Mixin
     private ThreadsOption threads;
-    @Option(names = "--case", paramLabel = "NAME", defaultValue = "position", description = "The edit, by its name in the tour.")
+    @Option(names = "--case", paramLabel = "NAME", description = "The edit, by its name in the tour.")
     private String edit;
     @Mixin
     private RepetitionsOption repetitions;
@@ -65,16 +65,16 @@ final class EffectsCommand implements Callable<Integer> {
         return ExitCode.DONE;
     }
 
-    /** The scene after the edit; the scene itself where it has no light to edit. */
+    /** The scene after the edit; the scene itself where none is named and it has no light to move. */
     private Scene edited(Scene scene) throws BadInput {
+        if (edit == null) {
+            return PaperCases.moved(scene).map(PaperCase::after).orElse(scene);
+        }
         List<PaperCase> cases = PaperCases.of(scene);
         for (PaperCase one : cases) {
             if (one.name().equals(edit)) {
                 return one.after();
             }
-        }
-        if (scene.lights().isEmpty() && edit.equals("position")) {
-            return scene;
         }
         throw new BadInput("--case " + edit + ": expected one of "
                 + String.join(", ", cases.stream().map(PaperCase::name).toList()) + ", which this scene allows");
@@ -109,7 +109,7 @@ final class EffectsCommand implements Callable<Integer> {
                 cache.scene().picture().depth());
         bytes.hits().forEach((part, n) -> column(title(part), n, bytes));
         column("mirror images", bytes.mirrored(), bytes);
-        bytes.layers().forEach((column, n) -> column(column.title(), n, bytes));
+        bytes.layers().forEach((title, n) -> column(title, n, bytes));
         column("in all", bytes.all(), bytes);
     }
 

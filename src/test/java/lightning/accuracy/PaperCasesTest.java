@@ -196,6 +196,23 @@ class PaperCasesTest {
     }
 
     @Test
+    void lightOfAnotherType_isMovedWhereNoPointLightShines() {
+        Scene scene = scene(Light.of("key", LightType.RECT), Light.of("rim", LightType.SPOT));
+        Scene after = PaperCases.moved(scene).orElseThrow().after();
+        assertThat(after.light("key").orElseThrow().position()).isNotEqualTo(scene.light("key").orElseThrow().position());
+        assertThat(after.light("rim")).isEqualTo(scene.light("rim"));
+    }
+
+    @Test
+    void directionalLight_isTurnedWhereNoLightHasAPlace() {
+        assertThat(PaperCases.moved(scene(Light.of("sun", LightType.DIRECTIONAL))).orElseThrow().name()).isEqualTo("direction");
+    }
+
+    private static Scene scene(Light... lights) {
+        return SceneFiles.read("bird").withLights(List.of(lights));
+    }
+
+    @Test
     void editOfAShape_tracesLessThanThePicture() {
         Scene bird = SceneFiles.read("bird");
         long all = (long) bird.picture().width() * bird.picture().height();

@@ -175,6 +175,19 @@ class OtherCommandsTest {
     }
 
     @Test
+    void effectsOfASceneWithoutAPointLight_moveAnotherLight() throws Exception {
+        Files.writeString(scene, "jen 1\nsphere ball {}\nlight key rect { at 0 3 3  direction 0 -1 -1 }\n");
+        assertThat(Cli.run("effects", scene, "--size", "8x6", "--repetitions", "1").isDone().out())
+                .containsPattern("; update [0-9.]+ ms: key: full recompute\n");
+    }
+
+    @Test
+    void effects_tellEachKindOfColumnOnce() {
+        String out = Cli.run("effects", scene, "--size", "8x6", "--repetitions", "1").isDone().out();
+        assertThat(out.lines().filter(line -> line.contains(" bytes ")).map(line -> line.substring(0, 30))).doesNotHaveDuplicates();
+    }
+
+    @Test
     void effectsOfAnUnknownCase_isRefused() {
         Cli.run("effects", scene, "--case", "nothing").isRefusedSaying("--case nothing: expected one of color,");
     }

@@ -18,7 +18,6 @@ import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
 import lightning.accuracy.EffectCosts;
-import lightning.accuracy.PaperCase;
 import lightning.accuracy.PaperCases;
 import lightning.app.model.EditorModel;
 import lightning.app.model.StatusText;
@@ -169,11 +168,9 @@ public final class EffectsPane extends VBox {
      */
     private Optional<LastEdit> edit() {
         return (model.isAnimating() ? Optional.<LastEdit>empty() : model.workbench().lastEdit())
-                .filter(e -> Effects.of(e.before()).absent().equals(Effects.of(model.scene()).absent())).or(() -> {
-                    List<PaperCase> cases = PaperCases.of(model.scene());
-                    return cases.stream().filter(c -> c.name().equals("position")).findFirst().or(() -> cases.stream().findFirst())
-                            .map(c -> new LastEdit(c.before(), c.after(), true));
-                });
+                .filter(e -> Effects.of(e.before()).absent().equals(Effects.of(model.scene()).absent()))
+                .or(() -> PaperCases.moved(model.scene()).or(() -> PaperCases.of(model.scene()).stream().findFirst())
+                        .map(c -> new LastEdit(c.before(), c.after(), true)));
     }
 
     private void measure() {
