@@ -22,7 +22,7 @@ public final class HdrReader {
     public static final int PIXELS = 8 << 20;
 
     private static final int HEADER = 1 << 16;
-    private static final Pattern SIZE = Pattern.compile("-Y ([0-9]{1,5}) \\+X ([0-9]{1,5})");
+    private static final Pattern SIZE = Pattern.compile("-Y ([0-9]{1,18}) \\+X ([0-9]{1,18})");
     private static final Pattern EXPOSURE = Pattern.compile("EXPOSURE= *([0-9.]{1,20}(?:[eE][+-]?[0-9]{1,3})?) *");
 
     private final Path file;
@@ -52,11 +52,11 @@ public final class HdrReader {
 
     private Sky sky() throws MeshException {
         Matcher size = header();
-        int height = Integer.parseInt(size.group(1));
-        int width = Integer.parseInt(size.group(2));
+        int height = side(size.group(1));
+        int width = side(size.group(2));
         long pixels = (long) width * height;
         if (pixels < 1 || pixels > PIXELS) {
-            throw problem("a picture must have from 1 to " + PIXELS + " pixels, has " + width + "×" + height);
+            throw problem("a picture must have from 1 to " + PIXELS + " pixels, has " + size.group(2) + "×" + size.group(1));
         }
         long least = height * Math.min(4L * width, 4 + 8L * ((width + 126) / 127));
         if (bytes.length - next < least) {
@@ -79,6 +79,11 @@ public final class HdrReader {
                     "expected nothing behind the last of " + height + " lines, found " + (bytes.length - next) + " bytes");
         }
         return new Sky(width, height, rgb);
+    }
+
+    /** A number of pixels along a side, cut at more than there may be in all. */
+    private static int side(String digits) {
+        return (int) Math.min(Long.parseLong(digits), PIXELS + 1);
     }
 
     /** Reads to behind the line that tells the size. */

@@ -47,7 +47,7 @@ public final class IesReader {
         }
         words.number("number of lamps", 0, 1e9);
         words.number("lumens per lamp", -1, 1e12);
-        words.number("multiplier", Double.MIN_NORMAL, 1e12);
+        words.number("multiplier", 1e-30, 1e12);
         int vertical = words.whole("number of vertical angles", 1, BYTES);
         int horizontal = words.whole("number of horizontal angles", 1, BYTES);
         Photometry.Type type = switch (words.whole("photometric type", 1, 3)) {

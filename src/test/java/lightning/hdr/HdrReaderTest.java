@@ -75,6 +75,7 @@ class HdrReaderTest {
         "-Y 1 +X 2 | +X 2 -Y 1 | line 5: the size must be written as -Y HEIGHT +X WIDTH, was '+X 2 -Y 1'",
         "-Y 1 +X 2 | -Y 0 +X 2 | line 5: a picture must have from 1 to 8388608 pixels, has 2×0",
         "-Y 1 +X 2 | -Y 99999 +X 99999 | line 5: a picture must have from 1 to 8388608 pixels, has 99999×99999",
+        "-Y 1 +X 2 | -Y 2000000000 +X 2000000000 | line 5: a picture must have from 1 to 8388608 pixels, has 2000000000×2000000000",
         "-Y 1 +X 2 | -Y 2048 +X 4096 | line 5: 4096×2048 pixels take at least 548864 bytes, found 8",
         "-Y 1 +X 2 | -Y 1 +X 1 | expected nothing behind the last of 1 lines, found 4 bytes",
         "# by hand | EXPOSURE=0 | line 2: an exposure must be a number from 1e-30 to 1e30, was '0'",

@@ -80,6 +80,7 @@ class IesReaderTest {
     @CsvSource(delimiter = '|', value = {
         "TILT=NONE | a file of intensities must have a line that begins with TILT=, found none |",
         "3 2 1 2 | line 2: number of vertical angles must be a number from 1 to 1048576, was '0' | 0 2 1 2",
+        "1 3 2 1 2 | line 2: multiplier must be a number from 1e-30 to 1e12, was '0' | 0 3 2 1 2",
         "3 2 1 2 | line 3: expected 3000002 angles and intensities, found 11 | 2 1000000 1 2",
         "3 2 1 2 | line 3: expected 19 angles and intensities, found 11 | 4 3 1 2",
         "3 2 1 2 | line 2: photometric type must be a number from 1 to 3, was '4' | 3 2 4 2",
