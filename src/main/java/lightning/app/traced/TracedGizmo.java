@@ -154,15 +154,16 @@ final class TracedGizmo extends Pane {
         release();
     }
 
-    /** Draws all anew. */
+    /** Draws all anew. A canvas that is changed has the window draw all that lies under it again, even one that is empty before and after. */
     void draw() {
+        canvas.setVisible(picture.isHover() || drag != null || placer.isDragging());
+        if (!canvas.isVisible()) {
+            return;
+        }
         canvas.setWidth(picture.getWidth());
         canvas.setHeight(picture.getHeight());
         GraphicsContext g = canvas.getGraphicsContext2D();
         g.clearRect(0, 0, canvas.getWidth(), canvas.getHeight());
-        if (!picture.isHover() && drag == null && !placer.isDragging()) {
-            return;
-        }
         Bounds place = picture.placeProperty().getValue();
         g.save();
         g.translate(place.getMinX(), place.getMinY());

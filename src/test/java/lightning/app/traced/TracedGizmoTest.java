@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
+import javafx.scene.canvas.Canvas;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import lightning.app.EditorDesk;
 import lightning.app.widget.PictureView;
 import lightning.edit.Command;
+import lightning.edit.LightEdits;
 import lightning.edit.PreviewCamera;
 import lightning.edit.Viewport;
 import lightning.math.Vec3;
@@ -53,6 +55,18 @@ class TracedGizmoTest extends EditorDesk {
         drag(stage.position(), MouseButton.PRIMARY, 20, 0);
         assertThat(light("stage").position()).isEqualTo(stage.position());
         assertThat(light("stage").direction()).isNotEqualTo(stage.direction());
+    }
+
+    /** A canvas that is drawn has all that lies under it drawn again too. */
+    @Test
+    void mouseElsewhere_leavesNothingOverThePicture() {
+        Canvas canvas = robot.lookup("#traced-gizmo > *").queryAs(Canvas.class);
+        robot.moveTo(inPicture(new Vec3(0, 1, 0)));
+        assertThat(canvas.isVisible()).isTrue();
+        robot.moveTo("#go");
+        assertThat(canvas.isVisible()).isFalse();
+        robot.interact(() -> model().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withIntensity(0.5))));
+        assertThat(canvas.isVisible()).isFalse();
     }
 
     @Test
