@@ -24,6 +24,10 @@ class ResultsDocumentTest {
     private static final Path DOCUMENT = Path.of("docs", "results.md");
     private static final Path KEPT = Path.of("benchmarks", "results", "results.json");
     private static final Path KEPT_EFFECTS = Path.of("benchmarks", "results", "effects.json");
+    /** Scenes of today's lights and surfaces, at a smaller size. */
+    private static final Path KEPT_SURFACES = Path.of("benchmarks", "results", "surfaces.json");
+    /** Ends the names of tables that are made from it. */
+    private static final String SMALL = ", small";
     /** Kept once {@code benchmarks/run} has measured it. */
     private static final Path KEPT_COLD = Path.of("benchmarks", "results", "cold.json");
     private static final Path KEPT_EDITING = Path.of("benchmarks", "results", "editing.json");
@@ -44,23 +48,25 @@ class ResultsDocumentTest {
         Tables cold = Files.exists(KEPT_COLD) ? new Tables(ResultsFile.readJson(KEPT_COLD)) : tables;
         Tables editing = new Tables(ResultsFile.readJson(KEPT_EDITING));
         Tables meshes = new Tables(ResultsFile.readJson(KEPT_MESHES));
+        Tables small = new Tables(ResultsFile.readJson(KEPT_SURFACES));
         String text = Files.readString(DOCUMENT);
         String wanted = TABLE.matcher(text).replaceAll(m -> {
-            Tables made = switch (m.group(2)) {
+            String name = m.group(2).replace(SMALL, "");
+            Tables made = m.group(2).endsWith(SMALL) ? small : switch (name) {
                 case "scenes", "effects in use", "effects absent" -> every;
                 case "cold" -> cold;
                 case "editing" -> editing;
                 case "meshes", "rays" -> meshes;
                 default -> tables;
             };
-            return Matcher.quoteReplacement(m.group(1) + made.of(m.group(2)) + m.group(4));
+            return Matcher.quoteReplacement(m.group(1) + made.of(name) + m.group(4));
         });
         if (Boolean.getBoolean("lightning.write")) {
             Files.writeString(DOCUMENT, wanted);
         }
         assertThat(Files.readString(DOCUMENT)).isEqualTo(wanted);
         assertThat(TABLE.matcher(text).results().map(m -> m.group(2))).contains("savings", "ladder", "effects in use", "effects absent",
-                "cold");
+                "effects in use, small", "cold");
     }
 
     private static Results together(Results all, Results effectsAlone) {
