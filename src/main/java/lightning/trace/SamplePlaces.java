@@ -39,6 +39,23 @@ public record SamplePlaces(int x0, int y0, short[] pixels, int from, int to, int
         return y0 + pixel(ray) / SIDE + offset(ray / grid % grid, grid);
     }
 
+    /** Writes {@link #x} and {@link #y} of {@code count} rays from {@code first} on, counting on where each place by itself divides. */
+    public void write(int first, int count, double[] x, double[] y) {
+        int ofPixel = grid * grid;
+        int at = first / ofPixel;
+        int cell = first % ofPixel;
+        int column = cell % grid;
+        int line = cell / grid;
+        for (int i = 0; i < count; i++) {
+            int pixel = pixels == null ? at : pixels[from + at];
+            x[i] = x0 + pixel % SIDE + offset(column, grid);
+            y[i] = y0 + pixel / SIDE + offset(line, grid);
+            column = column + 1 == grid ? 0 : column + 1;
+            line = column > 0 ? line : line + 1 == grid ? 0 : line + 1;
+            at += column == 0 && line == 0 ? 1 : 0;
+        }
+    }
+
     /** How far the middle of column or line {@code cell} of a pixel's samples is from the pixel's side, in pixels. */
     static double offset(int cell, int grid) {
         return (2 * cell + 1) / (2.0 * grid);

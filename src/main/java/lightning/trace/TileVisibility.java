@@ -30,6 +30,8 @@ public final class TileVisibility {
     private final Candidates candidates = new Candidates();
     private final RayColumns rays;
     private final int[] starts;
+    /** Of the material that each ray hit, −1 for a miss. */
+    private final int[] ranks = new int[RayColumns.MOST];
     private final double[] direction = new double[3];
     /** Made when it is needed first. */
     private Surface surface;
@@ -210,9 +212,10 @@ public final class TileVisibility {
     /** Sorts the hits by material and computes their surfaces. */
     private HitRows rows(Allocator allocator) {
         Arrays.fill(starts, 0);
+        rank();
         for (int i = 0; i < rays.count; i++) {
-            if (rays.primitive[i] >= 0) {
-                starts[rank(i) + 1]++;
+            if (ranks[i] >= 0) {
+                starts[ranks[i] + 1]++;
             }
         }
         boolean textured = false;
@@ -234,8 +237,8 @@ public final class TileVisibility {
             }
         }
         for (int i = 0; i < rays.count; i++) {
-            if (rays.primitive[i] >= 0) {
-                rays.order[starts[rank(i)]++] = (short) i;
+            if (ranks[i] >= 0) {
+                rays.order[starts[ranks[i]]++] = (short) i;
             }
         }
         fill(rows, textured);
@@ -293,8 +296,17 @@ public final class TileVisibility {
         rows.inside[row] = SurfaceProbe.way(materials.clarity(primitives.material[primitive]), surface, rays.t[ray]);
     }
 
-    /** The place in the order of rows of the material that a ray hit. */
-    private int rank(int ray) {
-        return materials.rank(primitives.material[rays.primitive[ray]]);
+    /** Finds the place in the order of rows of the material that each ray hit; rays beside each other mostly hit the same primitive. */
+    private void rank() {
+        int last = -1;
+        int rank = -1;
+        for (int i = 0; i < rays.count; i++) {
+            int primitive = rays.primitive[i];
+            if (primitive != last) {
+                last = primitive;
+                rank = primitive < 0 ? -1 : materials.rank(primitives.material[primitive]);
+            }
+            ranks[i] = rank;
+        }
     }
 }

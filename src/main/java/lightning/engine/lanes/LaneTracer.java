@@ -60,10 +60,7 @@ class LaneTracer implements Tracer {
     public void samples(CameraRays camera, SamplePlaces places, RayColumns rays) {
         for (int ray = 0; ray < places.count(); ray += W) {
             int live = Math.min(W, places.count() - ray);
-            for (int i = 0; i < live; i++) {
-                sampleX[i] = places.x(ray + i);
-                sampleY[i] = places.y(ray + i);
-            }
+            places.write(ray, live, sampleX, sampleY);
             EyeLanes.at(camera, sampleX, sampleY, rays.dx, rays.dy, rays.dz, ray);
         }
     }
@@ -118,6 +115,7 @@ class LaneTracer implements Tracer {
 
     @Override
     public void surfaces(RayColumns rays, HitRows rows, boolean own) {
+        begin(rays, packet);
         for (int row = 0; row < rays.hits; row += W) {
             int live = Math.min(W, rays.hits - row);
             surfaces(rays, row, live);
@@ -135,6 +133,7 @@ class LaneTracer implements Tracer {
 
     @Override
     public void ownPoints(RayColumns rays) {
+        begin(rays, packet);
         for (int row = 0; row < rays.hits; row += W) {
             int live = Math.min(W, rays.hits - row);
             meet(rays, row, live);
@@ -148,13 +147,16 @@ class LaneTracer implements Tracer {
         packets.surfaces(packet, live, surface);
     }
 
-    /** Puts hits from {@code row} on into a packet. */
+    /** Puts hits from {@code row} on into a packet, in which the eye's origin stands already. */
     private void meet(RayColumns rays, int row, int live) {
+        for (int i = 0; rays.fromX != null && i < live; i++) {
+            int from = rays.slot[rays.order[row + i]];
+            packet.ox[i] = rays.fromX[from];
+            packet.oy[i] = rays.fromY[from];
+            packet.oz[i] = rays.fromZ[from];
+        }
         for (int i = 0; i < live; i++) {
             int ray = rays.order[row + i];
-            packet.ox[i] = rays.originX(ray);
-            packet.oy[i] = rays.originY(ray);
-            packet.oz[i] = rays.originZ(ray);
             packet.dx[i] = rays.dx[ray];
             packet.dy[i] = rays.dy[ray];
             packet.dz[i] = rays.dz[ray];
