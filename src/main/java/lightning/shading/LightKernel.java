@@ -18,7 +18,8 @@ import lightning.trace.Tracer;
  */
 public final class LightKernel {
     private final LightLinks links;
-    private final AreaKernel areas;
+    /** Made when a light larger than a point asks for it first. */
+    private AreaKernel areas;
     private final Tracer tracer;
     private final Terms terms;
     private final TermColumns written;
@@ -42,7 +43,11 @@ public final class LightKernel {
         demands = Demands.of(view);
         links = new LightLinks(geometry, tracer, view);
         written = new TermColumns(geometry.materials(), terms, demands);
-        areas = new AreaKernel(links, tracer, terms, written, demands);
+    }
+
+    private AreaKernel areas() {
+        areas = areas == null ? new AreaKernel(links, tracer, terms, written, demands) : areas;
+        return areas;
     }
 
     /** What computes the terms. */
@@ -64,7 +69,7 @@ public final class LightKernel {
     public LightRows full(HitRows rows, Lamp lamp, Columns columns) {
         if (lamp.isArea()) {
             rowsTouched += rows.count;
-            return areas.full(rows, lamp, columns);
+            return areas().full(rows, lamp, columns);
         }
         if (!demands.reaches(lamp, rows, tracer) || !links.reaches(lamp, rows)) {
             return LightRows.UNREACHED;
@@ -177,7 +182,7 @@ public final class LightKernel {
             return before;
         }
         rowsTouched += cone == ConeChange.NONE ? before.lit : rows.count;
-        return areas.partial(rows, lamp, before, cone != ConeChange.NONE, columns);
+        return areas().partial(rows, lamp, before, cone != ConeChange.NONE, columns);
     }
 
     /**
@@ -237,7 +242,7 @@ public final class LightKernel {
     public LightRows again(HitRows rows, Lamp lamp, LightLayer before, Columns columns) {
         rowsTouched += before.lit();
         if (lamp.isArea()) {
-            return areas.again(rows, lamp, before, columns);
+            return areas().again(rows, lamp, before, columns);
         }
         if (before.lit() == 0) {
             return LightRows.unlit(before.states()).withTint(before.tint());
@@ -266,7 +271,7 @@ public final class LightKernel {
         }
         if (lamp.isArea()) {
             rowsTouched += before.lit;
-            LightRows again = areas.again(rows, lamp, before, columns);
+            LightRows again = areas().again(rows, lamp, before, columns);
             return before.with(LightRows.Column.SPECULAR, again.specular).with(LightRows.Column.GRAZING, again.grazing)
                     .with(LightRows.Column.COSINE, metallic ? same(rows, before.cosine, again.cosine) : before.cosine);
         }

@@ -29,7 +29,8 @@ import lightning.trace.Tracer;
 final class LevelWorker {
     private final Job job;
     private final PreparedScene shown;
-    final TileVisibility visibility;
+    /** Made when rays are traced first. */
+    private TileVisibility visibility;
     final TileComposer composer;
     private final Tracer tracer;
     /** Made when it is needed first. */
@@ -44,11 +45,16 @@ final class LevelWorker {
         this.job = job;
         this.shown = shown;
         this.tracer = tracer;
-        visibility = new TileVisibility(shown.geometry(), shown.scene(), tracer);
         lights = new LightKernel(shown.geometry(), tracer, engine.terms(), job.options().view());
         ratios = new RatioKernel(lights);
         updater = LayerUpdater.of(job.options().accuracy(), lights, ratios);
         composer = new TileComposer(shown.geometry().materials(), engine.sums(), job.options().view());
+    }
+
+    /** What traces the rays of tiles and levels. */
+    TileVisibility visibility() {
+        visibility = visibility == null ? new TileVisibility(shown.geometry(), shown.scene(), tracer) : visibility;
+        return visibility;
     }
 
     long shadowRays() {

@@ -109,15 +109,15 @@ final class LowerLevels {
     }
 
     private void trace(HitRows rows, Bounce bounce, int depth, int place) {
-        if (nextKnown < known.length && worker.visibility.touches(rows, bounce, job.shapes().seen())) {
+        if (nextKnown < known.length && worker.visibility().touches(rows, bounce, job.shapes().seen())) {
             // What is seen from these rows may be other rows, and then nothing is known of what is seen from theirs.
             nextKnown = known.length;
         }
         int[] shapes = nextKnown < known.length ? known[nextKnown++] : null;
-        HitRows seen = worker.visibility.seenFrom(rows, bounce, shapes, allocator(rows));
-        mirroredRays += worker.visibility.rays();
+        HitRows seen = worker.visibility().seenFrom(rows, bounce, shapes, allocator(rows));
+        mirroredRays += worker.visibility().rays();
         if (!job.keepsRows()) {
-            hitShapes.add(shapes == null ? worker.visibility.hitShapes() : shapes);
+            hitShapes.add(shapes == null ? worker.visibility().hitShapes() : shapes);
         }
         TileLevel level = worker.lit(seen);
         int seenPlace = EdgeCoder.place(place, bounce);
@@ -149,7 +149,7 @@ final class LowerLevels {
             if (job.progress().isCancelled()) {
                 return;
             }
-            if (had && has && !worker.visibility.touches(rows, bounce, job.shapes().seen())) {
+            if (had && has && !worker.visibility().touches(rows, bounce, job.shapes().seen())) {
                 update(rows, bounce, order, depth, place);
                 continue;
             }
@@ -189,8 +189,8 @@ final class LowerLevels {
         }
         int[] unknown = order == null ? new int[0] : order.unfollowed(bounce);
         if (unknown.length > 0) {
-            TileLevel added = worker.lit(worker.visibility.seenFrom(rows, bounce, unknown, unknown.length, allocator(rows)));
-            mirroredRays += worker.visibility.rays();
+            TileLevel added = worker.lit(worker.visibility().seenFrom(rows, bounce, unknown, unknown.length, allocator(rows)));
+            mirroredRays += worker.visibility().rays();
             RowSplice all = RowSplice.seenFrom(null, bounce.rows(rows), kept.rows(), added.rows(), job.mirrored().geometry().materials());
             kept = worker.joined(all, kept, added);
             here = here == null ? all : here.then(all);
@@ -248,9 +248,9 @@ final class LowerLevels {
     private void ask(HitRows rows, int depth, boolean coded, Answer answer) {
         for (Bounce bounce : Bounce.values()) {
             if (depth < job.depthBefore() && bounce.rows(rows) > 0 && next < old.length) {
-                HitRows again = worker.visibility.seenFrom(rows, bounce, null,
+                HitRows again = worker.visibility().seenFrom(rows, bounce, null,
                         (count, textured, clear) -> new HitRows(count, textured, clear, coded, job.owned()));
-                mirroredRays += worker.visibility.rays();
+                mirroredRays += worker.visibility().rays();
                 TileLevel level = answer.of(old[next++], again);
                 levels.add(level);
                 ask(level.rows(), depth + 1, coded, answer);

@@ -79,13 +79,13 @@ final class TileWorker {
         int y0 = tile / job.tilesX() * Film.TILE;
         eyeRays += (long) Math.min(Film.TILE, job.scene().picture().width() - x0)
                 * Math.min(Film.TILE, job.scene().picture().height() - y0);
-        return traced(SamplePlaces.centers(x0, y0), eye.visibility.eye(x0, y0, Film.TILE, rows(job.coding())), job.coding(), false);
+        return traced(SamplePlaces.centers(x0, y0), eye.visibility().eye(x0, y0, Film.TILE, rows(job.coding())), job.coding(), false);
     }
 
     /** Traces finer samples; null where the work was cancelled. */
     CachedTile fine(SamplePlaces places) {
         eyeRays += places.count();
-        return traced(places, eye.visibility.fine(places, rows(false)), false, true);
+        return traced(places, eye.visibility().fine(places, rows(false)), false, true);
     }
 
     /** Whether the samples made last have other colours than before. */
@@ -114,7 +114,7 @@ final class TileWorker {
     /** Updates the centres of a tile's pixels as planned; null where the work was cancelled. */
     CachedTile relight(int tile, CachedTile old) {
         SamplePlaces places = SamplePlaces.centers(tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE);
-        if (!job.shapes().isEmpty() && eye.visibility.eyeTouches(places, job.shapes().seen())) {
+        if (!job.shapes().isEmpty() && eye.visibility().eyeTouches(places, job.shapes().seen())) {
             return firstPass(tile);
         }
         boolean seeksEdges = job.sampling().antialias() == Antialias.EDGES;
@@ -137,11 +137,11 @@ final class TileWorker {
     private HitRows seen(SamplePlaces places, boolean coded) {
         if (places.pixels() != null) {
             eyeRays += places.count();
-            return eye.visibility.fine(places, rows(coded));
+            return eye.visibility().fine(places, rows(coded));
         }
         eyeRays += (long) Math.min(Film.TILE, job.scene().picture().width() - places.x0())
                 * Math.min(Film.TILE, job.scene().picture().height() - places.y0());
-        return eye.visibility.eye(places.x0(), places.y0(), Film.TILE, rows(coded));
+        return eye.visibility().eye(places.x0(), places.y0(), Film.TILE, rows(coded));
     }
 
     /** A tile whose rows know whose they are where a light asks for that, and do not where none does. */
@@ -173,7 +173,7 @@ final class TileWorker {
 
     /** Updates finer samples as planned; null where the work was cancelled. */
     CachedTile relight(SamplePlaces places, CachedTile old) {
-        return !job.shapes().isEmpty() && eye.visibility.eyeTouches(places, job.shapes().seen()) ? fine(places)
+        return !job.shapes().isEmpty() && eye.visibility().eyeTouches(places, job.shapes().seen()) ? fine(places)
                 : relight(places, old, false, true);
     }
 
