@@ -13,13 +13,14 @@ import lightning.edit.LightGizmo;
 import lightning.edit.NodeGizmo;
 import lightning.edit.PreviewCamera;
 import lightning.edit.Viewport;
+import lightning.math.Vec3;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
 /**
  * The lights' wireframes over the preview (paper §3.2): yellow the selected one, faint those that do not shine. The selected
- * light, which is the one that is edited, has a canvas of its own; that of the others is drawn again only where one of them or
- * the view is another.
+ * light, which is the one that is edited, has a canvas of its own with the marks of the selected shape. Each is drawn again only where
+ * something on it or the view is another, since the window then draws the preview under it again too.
  */
 final class GizmoLayer extends Pane {
     private static final double HANDLE_EDGE = 4;
@@ -33,10 +34,29 @@ final class GizmoLayer extends Pane {
     private View seen;
     private List<Light> shining = List.of();
     private List<Light> dark = List.of();
+    private Own own;
     private int gizmosDrawn;
 
     /** @param size what multiplies the wireframes' normal size; the markers at the border stay as they are */
     private record View(PreviewCamera camera, Viewport canvas, double size) {}
+
+    /**
+     * What is selected in place of a light.
+     *
+     * @param box     what marks a group
+     * @param handles of a shape or a group, over all else
+     */
+    record Marks(List<LightGizmo.Stroke> box, Optional<NodeGizmo> handles) {
+        static final Marks NONE = new Marks(List.of(), Optional.empty());
+    }
+
+    /**
+     * All that the canvas of the selected shows.
+     *
+     * @param lines    of the selected light, in the scene; none where none is selected
+     * @param position its own; null where none is
+     */
+    private record Own(View view, List<LightGizmo.Line> lines, Vec3 position, Marks marks) {}
 
     GizmoLayer() {
         setMouseTransparent(true);
@@ -44,7 +64,7 @@ final class GizmoLayer extends Pane {
     }
 
     /** @param size what multiplies the wireframes' normal size; the markers at the border stay as they are */
-    void draw(Scene scene, Light chosen, PreviewCamera camera, Viewport canvas, double size) {
+    void draw(Scene scene, Light chosen, Marks marks, PreviewCamera camera, Viewport canvas, double size) {
         View view = new View(camera, canvas, size);
         List<Light> shiningNow = new ArrayList<>();
         List<Light> darkNow = new ArrayList<>();
@@ -61,17 +81,15 @@ final class GizmoLayer extends Pane {
             shining = shiningNow;
             dark = darkNow;
         }
-        draw(clear(selected, canvas), chosen == null ? List.of() : List.of(chosen), GizmoPaint.SELECTED, view);
-    }
-
-    /** The handles of the selected shape, where there are any, over all else; the lights were drawn in the same view. */
-    void draw(Optional<NodeGizmo> handles, PreviewCamera camera) {
-        handles.ifPresent(gizmo -> GizmoPaint.handles(selected.getGraphicsContext2D(), gizmo, camera, seen.canvas(), HANDLE_EDGE));
-    }
-
-    /** What marks the selected group, over all else; likewise. */
-    void draw(List<LightGizmo.Stroke> box) {
-        GizmoPaint.wires(selected.getGraphicsContext2D(), box, GizmoPaint.SELECTED);
+        Own now = chosen == null ? new Own(view, List.of(), null, marks)
+                : new Own(view, LightGizmo.of(chosen, camera, canvas, size).lines(), chosen.position(), marks);
+        if (!now.equals(own)) {
+            GraphicsContext g = clear(selected, canvas);
+            draw(g, chosen == null ? List.of() : List.of(chosen), GizmoPaint.SELECTED, view);
+            GizmoPaint.wires(g, marks.box(), GizmoPaint.SELECTED);
+            marks.handles().ifPresent(gizmo -> GizmoPaint.handles(g, gizmo, camera, canvas, HANDLE_EDGE));
+            own = now;
+        }
     }
 
     private static GraphicsContext clear(Canvas canvas, Viewport size) {

@@ -22,6 +22,7 @@ import lightning.app.model.Sentence;
 import lightning.app.widget.CanvasSize;
 import lightning.app.widget.PixelImage;
 import lightning.edit.GroupBox;
+import lightning.edit.LightGizmo;
 import lightning.edit.Situation;
 import lightning.edit.Viewport;
 import lightning.effects.ViewEffects;
@@ -164,11 +165,10 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
                     LightMarker.firstView(model.lights(), model.previewCameraProperty().get(), mouse.canvas()));
         }
         gizmos.setVisible(!model.previewLook().gizmosHiddenProperty().get());
-        gizmos.draw(model.scene(), model.selectedLight(), model.previewCameraProperty().get(), mouse.canvas(),
-                model.previewLook().sizeProperty().get().factor());
-        gizmos.draw(model.selectedNode().filter(Group.class::isInstance).map(Group.class::cast).map(group -> GroupBox
-                .strokes(box.lines(model.scene(), group), model.previewCameraProperty().get(), mouse.canvas())).orElse(List.of()));
-        gizmos.draw(mouse.handles(), model.previewCameraProperty().get());
+        List<LightGizmo.Stroke> group = model.selectedNode().filter(Group.class::isInstance).map(Group.class::cast).map(g -> GroupBox
+                .strokes(box.lines(model.scene(), g), model.previewCameraProperty().get(), mouse.canvas())).orElse(List.of());
+        gizmos.draw(model.scene(), model.selectedLight(), new GizmoLayer.Marks(group, mouse.handles()), model.previewCameraProperty().get(),
+                mouse.canvas(), model.previewLook().sizeProperty().get().factor());
         loop.draw(new PreviewLoop.Wish(look.of(model.scene()), model.previewCameraProperty().get(), frame.width(), frame.height(),
                 model.viewProperty().get().ofPicture(),
                 model.previewLook().glowingProperty().get() ? ViewEffects.PREVIEW_1998 : ViewEffects.PREVIEW,

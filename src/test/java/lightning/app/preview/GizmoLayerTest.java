@@ -3,8 +3,11 @@ package lightning.app.preview;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Optional;
+import lightning.edit.LightGizmo;
 import lightning.edit.PreviewCamera;
 import lightning.edit.Viewport;
+import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.scene.Camera;
 import lightning.scene.Light;
@@ -28,7 +31,7 @@ class GizmoLayerTest {
 
     private int drawn(Scene scene, Light selected, PreviewCamera camera) {
         int before = layer.gizmosDrawn();
-        layer.draw(scene, selected, camera, CANVAS, 1);
+        layer.draw(scene, selected, GizmoLayer.Marks.NONE, camera, CANVAS, 1);
         return layer.gizmosDrawn() - before;
     }
 
@@ -40,16 +43,32 @@ class GizmoLayerTest {
     }
 
     @Test
-    void anotherLightThatIsEdited_drawsAll() {
+    void editThatItsGizmoDoesNotShow_drawsNone() {
         drawn(SCENE, KEY, CAMERA);
-        assertThat(drawn(SCENE.withLight(FILL.withPosition(new Vec3(-1, 2, 0))), KEY, CAMERA)).isEqualTo(3);
+        Light brighter = KEY.withIntensity(2).withColor(new Rgb(1, 0.5, 0.2));
+        assertThat(drawn(SCENE.withLight(brighter), brighter, CAMERA)).isZero();
     }
 
     @Test
-    void soloLight_darkensTheOthersToo() {
+    void anotherLightThatIsEdited_drawsAllButTheSelectedOne() {
+        drawn(SCENE, KEY, CAMERA);
+        assertThat(drawn(SCENE.withLight(FILL.withPosition(new Vec3(-1, 2, 0))), KEY, CAMERA)).isEqualTo(2);
+    }
+
+    @Test
+    void soloLight_darkensTheOthers() {
         drawn(SCENE, KEY, CAMERA);
         Light solo = KEY.withSolo(true);
-        assertThat(drawn(SCENE.withLight(solo), solo, CAMERA)).isEqualTo(3);
+        assertThat(drawn(SCENE.withLight(solo), solo, CAMERA)).isEqualTo(2);
+    }
+
+    @Test
+    void otherMarks_areDrawnWithTheSelectedLight() {
+        drawn(SCENE, KEY, CAMERA);
+        int before = layer.gizmosDrawn();
+        var box = List.of(new LightGizmo.Stroke(new Viewport.Pixel(1, 1), new Viewport.Pixel(2, 2)));
+        layer.draw(SCENE, KEY, new GizmoLayer.Marks(box, Optional.empty()), CAMERA, CANVAS, 1);
+        assertThat(layer.gizmosDrawn() - before).isEqualTo(1);
     }
 
     @Test
