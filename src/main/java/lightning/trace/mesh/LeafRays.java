@@ -37,8 +37,10 @@ final class LeafRays {
     /**
      * Asks a leaf whose box is {@code of.box[box]} of the rays {@code from … end − 1}, whole packets; how many of them may meet anything, which are
      * the first of {@link #ray}.
+     *
+     * @param set those that are asked, one bit for each
      */
-    int find(MeshTree of, int at, int box, int from, int end) {
+    int find(MeshTree of, int at, int box, long set, int from, int end) {
         tree = of;
         leaf = at;
         float[] v = of.vertex;
@@ -48,7 +50,8 @@ final class LeafRays {
         extent = extent(of.box, box);
         int count = 0;
         for (int i = from; i < end; i += Rays.WIDTH) {
-            int entering = sight.enters(of.box, box, i);
+            int asking = (int) (set >>> i) & -1 >>> -Rays.WIDTH;
+            int entering = asking == 0 ? 0 : sight.enters(of.box, box, i) & asking;
             enters[i / Rays.WIDTH] = entering;
             count += Integer.bitCount(entering);
         }

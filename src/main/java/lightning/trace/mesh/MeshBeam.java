@@ -1,6 +1,5 @@
 package lightning.trace.mesh;
 
-import static jdk.incubator.vector.VectorOperators.GE;
 import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LE;
 import static jdk.incubator.vector.VectorOperators.LT;
@@ -22,7 +21,6 @@ import lightning.trace.solid.Rays;
 final class MeshBeam {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
     private static final VectorSpecies<Float> LANES = FloatVector.SPECIES_PREFERRED;
-    private static final VectorSpecies<Integer> LANE_INTS = IntVector.SPECIES_PREFERRED;
     private static final float WIDER = 0x1p-22f;
     /** No distance within a mesh is as large. */
     private static final float NEVER = 1e30f;
@@ -35,27 +33,30 @@ final class MeshBeam {
     private final float[] mostStep = new float[Rays.WIDTH];
     /** Where the beam enters each child, as the bits of floats. */
     final int[] in = new int[MeshTree.WIDTH];
+    /** The rays that were taken, one bit for each. */
+    long rays;
     /** The greatest difference between the rays' steps on any axis. */
     float spread;
     /** The greatest difference between the rays' origins on any axis. */
     float width;
 
-    /** Takes the rays {@code i … end − 1}, whole packets, as far as they are open, of which at least one must be. */
-    void take(MeshSight rays, int i, int end) {
+    /** Takes a set of rays, not empty, of the packets {@code i … end − 1}. */
+    void take(MeshSight sight, long set, int i, int end) {
+        rays = set;
         spread = 0;
         width = 0;
-        axis(rays.startX, rays.stepX, rays.wide, rays.far, i, end, 0);
-        axis(rays.startY, rays.stepY, rays.wide, rays.far, i, end, 8);
-        axis(rays.startZ, rays.stepZ, rays.wide, rays.far, i, end, 16);
+        axis(sight.startX, sight.stepX, sight.wide, i, end, 0);
+        axis(sight.startY, sight.stepY, sight.wide, i, end, 8);
+        axis(sight.startZ, sight.stepZ, sight.wide, i, end, 16);
     }
 
-    private void axis(float[] start, float[] step, float[] wide, int[] far, int from, int end, int at) {
+    private void axis(float[] start, float[] step, float[] wide, int from, int end, int at) {
         FloatVector low = FloatVector.broadcast(LANES, Float.POSITIVE_INFINITY);
         FloatVector high = low.neg();
         FloatVector lowStep = low;
         FloatVector highStep = high;
         for (int i = from; i < end; i += Rays.WIDTH) {
-            VectorMask<Float> open = IntVector.fromArray(LANE_INTS, far, i).compare(GE, 0).cast(LANES);
+            VectorMask<Float> open = VectorMask.fromLong(LANES, rays >>> i);
             FloatVector o = FloatVector.fromArray(LANES, start, i);
             FloatVector w = FloatVector.fromArray(LANES, wide, i);
             FloatVector d = FloatVector.fromArray(LANES, step, i);

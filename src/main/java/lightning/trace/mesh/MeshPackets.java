@@ -8,7 +8,8 @@ import lightning.trace.solid.Rays;
  *
  * <p>A group is up to {@link #PACKETS} packets. Where all its rays go much the same way they are led through the tree together, as one beam
  * against eight boxes; at a leaf the rays of a packet are tested against its box, and those that enter it against its eight triangles, one after the
- * other. Where they go apart each packet is led by itself, and where that does, each ray, against eight boxes at a time.
+ * other. A beam that comes to many leaves in vain parts on its way down: those rays that enter a node go on by themselves. Where rays begin
+ * apart or go very different ways each packet is led by itself, and where that does, each ray, against eight boxes at a time.
  *
  * <pre>{@code
  * packets.begin(solid, map, 0);
@@ -22,25 +23,34 @@ public final class MeshPackets {
 
     private static final int MOST = PACKETS * Rays.WIDTH;
     /** Rays whose steps differ by more than this are no beam. */
-    private static final float SPREAD = 0.25f;
+    private static final float SPREAD = 1;
     /** Nor are rays whose origins lie farther apart than this share of the mesh's largest coordinate. */
     private static final double WIDTH = 0.1;
     /** Fewer rays are asked alone. */
     private static final int FEW = 3;
+    /** Each beam has at most half as many rays as the one that it is a part of. */
+    private static final int PARTS = 8;
+    /** A beam that came to more leaves than this in vain is asked at each node which of its rays enter it. */
+    private static final int PATIENCE = 8;
 
     private final MeshLanes rays = new MeshLanes(MOST);
     private final MeshSight sight = new MeshSight(rays, MOST);
-    private final MeshBeam beam = new MeshBeam();
+    /** The beam of all, and those of ever fewer rays that it parts into on its way down. */
+    private final MeshBeam[] beams = new MeshBeam[PARTS];
     private final LeafRays near = new LeafRays(sight, MOST);
     private final double[] best = new double[MOST];
     private final int[] triangle = new int[MOST];
     private final int[] met = new int[PACKETS];
-    /** Those rays of each packet that are still asked. */
+    /** Those rays of each packet that are led through the tree. */
     private final int[] open = new int[PACKETS];
+    /** Those of the group that are still asked: ray i of packet k is bit {@code k · WIDTH + i}. */
+    private long asked;
     /** Those too short to be led through the tree. */
     private final int[] brief = new int[PACKETS];
     private int[] stack = new int[64];
     private int[] since = new int[64];
+    /** The beam of each node that was put aside. */
+    private byte[] within = new byte[64];
     private MeshTree tree;
     private double[] map;
     private int mapAt;
@@ -55,6 +65,14 @@ public final class MeshPackets {
     private int[] crossingTriangle = new int[MOST];
     private double[] crossingDistance = new double[MOST];
     private int farthest;
+    /** How many leaves the beam came to where no ray may meet anything. */
+    private int idle;
+
+    public MeshPackets() {
+        for (int i = 0; i < PARTS; i++) {
+            beams[i] = new MeshBeam();
+        }
+    }
 
     /**
      * Begins a group.
@@ -70,6 +88,7 @@ public final class MeshPackets {
         if (stack.length < tree.stack) {
             stack = new int[tree.stack];
             since = new int[tree.stack];
+            within = new byte[tree.stack];
         }
     }
 
@@ -147,11 +166,15 @@ public final class MeshPackets {
         int end = count * Rays.WIDTH;
         Arrays.fill(met, 0, count, 0);
         sight.enter(tree, open, brief, count, best, any);
+        asked = 0;
+        for (int k = 0; k < count; k++) {
+            asked |= (long) open[k] << k * Rays.WIDTH;
+        }
         if (!together(0, end)) {
             for (int i = 0; i < end; i += Rays.WIDTH) {
                 if (open[i / Rays.WIDTH] != 0 && (count == 1 || !together(i, i + Rays.WIDTH))) {
                     for (int left = open[i / Rays.WIDTH]; left != 0; left &= left - 1) {
-                        alone(i + Integer.numberOfTrailingZeros(left));
+                        alone(i + Integer.numberOfTrailingZeros(left), 0, 0);
                     }
                 }
             }
@@ -175,18 +198,15 @@ public final class MeshPackets {
 
     /** Leads the open rays {@code i … end − 1}, whole packets, through the tree as one beam, if they are one. */
     private boolean together(int i, int end) {
-        int live = 0;
-        for (int k = i; k < end; k += Rays.WIDTH) {
-            live += Integer.bitCount(open[k / Rays.WIDTH]);
-        }
-        if (live == 0) {
+        long set = asked & -1L << i & -1L >>> -end;
+        if (set == 0) {
             return true;
         }
-        if (live < FEW) {
+        if (Long.bitCount(set) < FEW) {
             return false;
         }
-        beam.take(sight, i, end);
-        if (beam.spread > SPREAD || beam.width > WIDTH * tree.reach) {
+        beams[0].take(sight, set, i, end);
+        if (beams[0].spread > SPREAD || beams[0].width > WIDTH * tree.reach) {
             return false;
         }
         lead(i, end);
@@ -194,26 +214,49 @@ public final class MeshPackets {
     }
 
     private void lead(int from, int end) {
+        idle = 0;
         farthest = sight.reach(from, end);
-        int top = push(0, beam.touches(tree, 0, farthest), beam.in, 0);
-        while (top > 0 && farthest >= 0) {
+        int top = push(0, beams[0].touches(tree, 0, farthest), beams[0].in, 0, 0);
+        while (top > 0) {
             top--;
-            if (since[top] > farthest) {
+            long set = beams[within[top]].rays & asked;
+            if (since[top] > farthest || set == 0) {
                 continue;
             }
             int ref = stack[top];
             int child = tree.child[ref];
-            if (child >= 0) {
-                top = push(child, beam.touches(tree, child, farthest), beam.in, top);
-            } else if (leaf(~child, MeshTree.NODE * (ref >> 3) + (ref & 7), from, end)) {
+            int box = MeshTree.NODE * (ref >> 3) + (ref & 7);
+            if (child >= 0 && idle <= PATIENCE) {
+                int b = within[top];
+                top = push(child, beams[b].touches(tree, child, farthest), beams[b].in, b, top);
+            } else if (child >= 0) {
+                top = part(child, sight.enters(tree.box, box, set, from, end), within[top], from, end, top);
+            } else if (leaf(~child, box, set, from, end) && !any) {
                 farthest = sight.reach(from, end);
             }
         }
     }
 
+    /** Goes on with those rays of a beam that enter a node: alone where they are few, as a beam of their own where they are half of it or less. */
+    private int part(int node, long set, int beam, int from, int end, int top) {
+        int n = Long.bitCount(set);
+        if (n < FEW) {
+            for (long left = set; left != 0; left &= left - 1) {
+                alone(Long.numberOfTrailingZeros(left), node, top);
+            }
+            return top;
+        }
+        int b = beam;
+        if (2 * n <= Long.bitCount(beams[b].rays)) {
+            beams[++b].take(sight, set, from, end);
+        }
+        return push(node, beams[b].touches(tree, node, farthest), beams[b].in, b, top);
+    }
+
     /** Asks the triangles of a leaf whose box is {@code tree.box[box]} for rays that are led together; whether any is nearer than before. */
-    private boolean leaf(int leaf, int box, int from, int end) {
-        int n = near.find(tree, leaf, box, from, end);
+    private boolean leaf(int leaf, int box, long set, int from, int end) {
+        int n = near.find(tree, leaf, box, set, from, end);
+        idle += n == 0 ? 1 : 0;
         boolean nearer = false;
         for (int k = 0; k < n; k++) {
             nearer |= take(near.ray[k], leaf, near.slots[k]);
@@ -221,10 +264,10 @@ public final class MeshPackets {
         return nearer;
     }
 
-    /** Leads ray {@code i} through the tree. */
-    private void alone(int i) {
-        int top = push(0, sight.children(tree.box, 0, i), sight.in, 0);
-        while (top > 0) {
+    /** Leads ray {@code i} through what is below a node; the stack is in use up to {@code bottom}. */
+    private void alone(int i, int node, int bottom) {
+        int top = push(node, sight.children(tree.box, node, i), sight.in, 0, bottom);
+        while (top > bottom) {
             top--;
             if (since[top] > sight.far[i]) {
                 continue;
@@ -234,7 +277,7 @@ public final class MeshPackets {
             while (next >= 0) {
                 int mask = sight.children(tree.box, next, i);
                 if (mask == 0 || (mask & mask - 1) != 0) {
-                    top = push(next, mask, sight.in, top);
+                    top = push(next, mask, sight.in, 0, top);
                     ref = -1;
                     break;
                 }
@@ -251,7 +294,7 @@ public final class MeshPackets {
     }
 
     /** Puts children of a node on the stack, the nearest last. */
-    private int push(int node, int mask, int[] enters, int top) {
+    private int push(int node, int mask, int[] enters, int beam, int top) {
         int end = top;
         for (int left = mask; left != 0; left &= left - 1) {
             int c = Integer.numberOfTrailingZeros(left);
@@ -261,6 +304,7 @@ public final class MeshPackets {
                 since[at] = since[at - 1];
                 stack[at] = stack[at - 1];
             }
+            within[end - 1] = (byte) beam;
             since[at] = in;
             stack[at] = MeshTree.WIDTH * node + c;
         }
@@ -280,7 +324,7 @@ public final class MeshPackets {
                 triangle[i] = id;
                 met[i / Rays.WIDTH] |= 1 << i % Rays.WIDTH;
                 if (any) {
-                    sight.far[i] = -1;
+                    asked &= ~(1L << i);
                     return true;
                 }
                 best[i] = t;

@@ -213,6 +213,17 @@ final class MeshSight {
         return most.reduceLanes(MAX);
     }
 
+    /** Which rays of a set among those of the packets {@code from … end − 1} may meet the box at {@code b[i]}. */
+    long enters(float[] b, int i, long set, int from, int end) {
+        long enter = 0;
+        for (int h = from; h < end; h += Rays.WIDTH) {
+            if ((set >>> h & -1 >>> -Rays.WIDTH) != 0) {
+                enter |= (long) enters(b, i, h) << h;
+            }
+        }
+        return enter & set;
+    }
+
     /** Which rays of the packet from {@code h} on may meet the box at {@code b[i]}. */
     int enters(float[] b, int i, int h) {
         FloatVector steep = FloatVector.fromArray(FLOATS, steepX, h);

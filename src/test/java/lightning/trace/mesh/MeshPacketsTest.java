@@ -73,6 +73,19 @@ class MeshPacketsTest {
         }
     }
 
+    /** A beam that is wider than the mesh's boxes parts on its way down, and each of its rays goes on in one part. */
+    @Test
+    void raysThatGoApart_keepEveryBit() {
+        Random random = new Random(4);
+        MeshSolid solid = new MeshSolid(Meshes.ball(60, 100, false));
+        double[] m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+        for (int n = 0; n < 300; n++) {
+            aim(random, solid.mesh(), 2, 3000);
+            assertNearest(solid, m, MeshPackets.PACKETS);
+            assertBlocked(solid, m, MeshPackets.PACKETS, random);
+        }
+    }
+
     /** Makes rays of one origin through vertices and middles of edges of triangles that follow each other, or from there to one end. */
     private void aim(Random random, Mesh mesh, double far, int triangles) {
         int first = random.nextInt(mesh.triangleCount() - triangles + 1);
