@@ -138,11 +138,12 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
      *     message says what was expected and found
      */
     void checkNumber(int index, double v) {
-        if (v >= min && v <= max && !(whole && v != Math.rint(v))) {
+        boolean broken = whole && v != Math.rint(v);
+        if (v >= min && v <= max && !broken) {
             return;
         }
         String what = name + labels.get(index);
-        if (whole && v != Math.rint(v)) {
+        if (broken) {
             throw new IllegalArgumentException(what + " must be a whole number, was " + Limits.text(v));
         }
         Limits.range(what, v, min, max);
