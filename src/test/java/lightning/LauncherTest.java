@@ -49,6 +49,7 @@ class LauncherTest {
         assertThat(launcher.toFile().setExecutable(true)).isTrue();
         Files.copy(Path.of("src/main/launcher/java.options"), launcher.resolveSibling("java.options"));
         Files.copy(Path.of("src/main/launcher/render.options"), launcher.resolveSibling("render.options"));
+        Files.copy(Path.of("src/main/launcher/picture.options"), launcher.resolveSibling("picture.options"));
         Files.copy(Path.of("src/main/launcher/make-archive"), launcher.resolveSibling("make-archive"));
     }
 
@@ -127,9 +128,10 @@ class LauncherTest {
         assertThat(java.waitFor()).isZero();
     }
 
-    @Test
-    void optionsOfARender_areTakenByJava() throws Exception {
-        Process java = new ProcessBuilder(realJava().resolve("bin/java").toString(), "@src/main/launcher/render.options", "-version")
+    @ParameterizedTest
+    @ValueSource(strings = {"render.options", "picture.options"})
+    void optionsOfARender_areTakenByJava(String options) throws Exception {
+        Process java = new ProcessBuilder(realJava().resolve("bin/java").toString(), "@src/main/launcher/" + options, "-version")
                 .redirectErrorStream(true).start();
         assertThat(new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8)).doesNotContain("Unrecognized", "warning");
         assertThat(java.waitFor()).isZero();
@@ -190,9 +192,10 @@ class LauncherTest {
     /** Says with what it was called; makes what is asked for. */
     private static final String ARCHIVING_JAVA = """
             for option in "$@"; do
-              case $option in -XX:ArchiveClassesAtExit=*) archive=${option#*=} ;; esac
+              case $option in -XX:ArchiveClassesAtExit=* | -XX:AOTCacheOutput=*) archive=${option#*=} ;; esac
             done
             case "$*" in
+              *-XX:AOTCacheOutput=*) printf archive >"$archive" ;;
               *-XX:ArchiveClassesAtExit=*) echo "$*" >>"$HOME/making"; printf archive >"$archive" ;;
               *) printf '[%s]' "$@" ;;
             esac""";
@@ -245,6 +248,41 @@ class LauncherTest {
                 .contains("[-XX:SharedArchiveFile=" + archive + "][-XX:+VerifySharedSpaces][-Xlog:cds*=off][-Xlog:aot*=off]")
                 .endsWith("[lightning.Main][check]");
         assertThat(Path.of(folder + "/making")).content().hasLineCount(1);
+    }
+
+    @Test
+    void render_beginsInAJavaThatIsQuickToStart() throws Exception {
+        Map<String, Path> variables = archiving();
+        String archive = archiveOf(variables).toString().replace(".jsa", ".aot");
+        assertThat(run(variables, "", launcher, "render", "a.jen").out()).contains("[-XX:AOTCache=" + archive + "]",
+                "[-XX:TieredStopAtLevel=1]", "[-Dlightning.launcher=" + launcher.toRealPath() + "]").containsOnlyOnce("GC]")
+                .doesNotContain("jdk.incubator.vector", "SharedArchiveFile", "Tier4").endsWith("[lightning.Main][render][a.jen]");
+    }
+
+    @Test
+    void longRender_isDoneByTheJavaOfOtherCommands() throws Exception {
+        var variables = new HashMap<>(archiving());
+        archiveOf(variables);
+        variables.put("LIGHTNING_LONG", Path.of("1"));
+        assertThat(run(variables, "", launcher, "render").out()).contains("jdk.incubator.vector", "SharedArchiveFile", "Tier4")
+                .doesNotContain("AOTCache", "TieredStopAtLevel");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"relight", "bench", "edit"})
+    void otherCommands_haveAllOfJava(String command) throws Exception {
+        Map<String, Path> variables = archiving();
+        archiveOf(variables);
+        assertThat(run(variables, "", launcher, command).out()).contains("jdk.incubator.vector", "SharedArchiveFile")
+                .doesNotContain("AOTCache", "TieredStopAtLevel");
+    }
+
+    @Test
+    void renderWithOptionsOfTheUsersOwn_isByTheJavaOfOtherCommands() throws Exception {
+        var variables = new HashMap<>(archiving());
+        archiveOf(variables);
+        variables.put("JAVA_TOOL_OPTIONS", Path.of("-Dtheirs"));
+        assertThat(run(variables, "", launcher, "render").out()).contains("jdk.incubator.vector").doesNotContain("AOTCache");
     }
 
     @Test

@@ -13,6 +13,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -117,6 +119,68 @@ class ProgramFolderIT {
         assertThat(checked()).as("an archive with other bytes").isEqualTo(plain);
         Files.writeString(archive, "no archive at all");
         assertThat(checked()).as("another file").isEqualTo(plain);
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void shortPictures_areMadeByAJavaWithoutVectors_andLongOnesByItsSuccessor() throws Exception {
+        Path java = noisyJava();
+        String few = "light a point { at 0 3 3 }\n";
+        byte[] plain = rendered(few, java);
+        assertThat(started()).singleElement().asString().contains("jdk.incubator.vector");
+        archive();
+        assertThat(rendered(few, java)).as("by a lighter Java").isEqualTo(plain);
+        assertThat(started()).singleElement().asString().contains("AOTCache=").doesNotContain("jdk.incubator.vector");
+        String many = IntStream.range(0, 8).mapToObj(i -> "light a" + i + " directional { spread 1 samples 64 }\n")
+                .collect(Collectors.joining());
+        rendered("picture { size 640 400 }\n" + many, java);
+        assertThat(started()).satisfiesExactly(first -> assertThat(first).contains("AOTCache="),
+                second -> assertThat(second).contains("jdk.incubator.vector").doesNotContain("AOTCache="));
+        Path archive = Path.of(archive().toString().replace(".jsa", ".aot"));
+        byte[] whole = Files.readAllBytes(archive);
+        Files.write(archive, Arrays.copyOf(whole, whole.length / 2));
+        assertThat(rendered(few, java)).as("half the archive").isEqualTo(plain);
+        Arrays.fill(whole, whole.length / 2, whole.length / 2 + 1000, (byte) 7);
+        Files.write(archive, whole);
+        assertThat(rendered(few, java)).as("an archive with other bytes").isEqualTo(plain);
+        Files.writeString(archive, "no archive at all");
+        assertThat(rendered(few, java)).as("another file").isEqualTo(plain);
+    }
+
+    /** The folder of a Java that writes down with what it is started. */
+    private Path noisyJava() throws IOException {
+        Path real = Path.of(System.getProperty("java.home"));
+        Path home = Files.createDirectories(folder.resolve("java/bin")).getParent();
+        Files.copy(real.resolve("release"), home.resolve("release"));
+        Path script = Files.writeString(home.resolve("bin/java"), "#!/bin/bash\necho \"$*\" >>'" + folder.resolve("starts")
+                + "'\nexec '" + real.resolve("bin/java") + "' \"$@\"\n");
+        assertThat(script.toFile().setExecutable(true)).isTrue();
+        return home;
+    }
+
+    /** With what Java was started for a render, since this was asked last. */
+    private List<String> started() throws IOException {
+        Path starts = folder.resolve("starts");
+        List<String> lines = Files.readAllLines(starts).stream()
+                .filter(line -> line.contains("lightning.Main render") && !line.contains("AOTCacheOutput")).toList();
+        Files.delete(starts);
+        return lines;
+    }
+
+    /** The picture of a ball in some lights, as the program writes it; it has nothing to complain of. */
+    private byte[] rendered(String lights, Path java) throws Exception {
+        Path scene = Files.writeString(folder.resolve("scene.jen"), "jen 1\nsphere ball { }\n" + lights);
+        Path picture = folder.resolve("picture.pfm");
+        Path out = folder.resolve("out");
+        ProcessBuilder render = launcher(folder, "render", scene.toString(), "-o", picture.toString())
+                .redirectErrorStream(true).redirectOutput(out.toFile());
+        render.environment().put("XDG_CACHE_HOME", folder.resolve("cache").toString());
+        render.environment().put("JAVA_HOME", java.toString());
+        assertThat(render.start().waitFor()).as(Files.readString(out)).isZero();
+        assertThat(Files.readString(out)).contains("first pass of").doesNotContain("rror", "arning");
+        byte[] bytes = Files.readAllBytes(picture);
+        Files.delete(picture);
+        return bytes;
     }
 
     /** What the program says of a scene, on both outputs. */

@@ -16,7 +16,9 @@ import lightning.warmup.LateWarmUp;
 import lightning.work.Workers;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
 
 /** Traces a scene and writes the picture. */
 @Command(name = "render", abbreviateSynopsis = true, header = "Trace a scene and write the picture.",
@@ -31,6 +33,8 @@ import picocli.CommandLine.Option;
 final class RenderCommand implements Callable<Integer> {
     private final Console console;
 
+    @Spec
+    private CommandSpec line;
     @Mixin
     private SceneFile input;
     @Mixin
@@ -64,6 +68,7 @@ final class RenderCommand implements Callable<Integer> {
             throw new BadInput("a trace that keeps nothing has no layers; leave out --layers or --traditional");
         }
         Scene scene = picture.apply(input.read().scene());
+        SecondStart.ifLong(scene, line.root().commandLine().getParseResult().originalArgs());
         if (traditional) {
             traceTraditionally(scene);
         } else {

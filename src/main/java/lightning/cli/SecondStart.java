@@ -1,0 +1,36 @@
+package lightning.cli;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.scene.Scene;
+import lightning.warmup.LongPicture;
+import lightning.work.Successor;
+
+/**
+ * Gives a long picture over to a Java that is slower to start and faster in the end, where the launcher began with one that is quick to
+ * start: docs/decisions/0120-a-picture-by-a-lighter-java.md.
+ */
+final class SecondStart {
+    /** Names the launcher's file where it began so. */
+    private static final String LAUNCHER = "lightning.launcher";
+    /** Tells the launcher that the picture is long. */
+    private static final String LONG = "LIGHTNING_LONG=1";
+
+    private SecondStart() {}
+
+    /**
+     * Starts the command anew in this process's place if it is worth that, before anything was written or printed.
+     *
+     * @param scene     as the view shows it
+     * @param arguments all of the command line, the command's name first
+     */
+    static void ifLong(Scene scene, List<String> arguments) {
+        String launcher = System.getProperty(LAUNCHER);
+        if (launcher == null || !LongPicture.is(scene)) {
+            return;
+        }
+        List<String> words = new ArrayList<>(List.of("/usr/bin/env", LONG, launcher));
+        words.addAll(arguments);
+        Successor.take(words);
+    }
+}

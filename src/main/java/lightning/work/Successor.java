@@ -1,0 +1,45 @@
+package lightning.work;
+
+import java.lang.foreign.Arena;
+import java.lang.foreign.FunctionDescriptor;
+import java.lang.foreign.Linker;
+import java.lang.foreign.MemorySegment;
+import java.lang.foreign.ValueLayout;
+import java.lang.invoke.MethodHandle;
+import java.nio.charset.Charset;
+import java.util.List;
+
+/**
+ * Another program in this process's place ({@code execv(2)}): the process's number, its environment, folder and standard streams stay, so
+ * whoever waits for this program or ends it does so with the other. Only on Linux, and where Java may call native code.
+ */
+public final class Successor {
+    private Successor() {}
+
+    /**
+     * Runs a program from its beginning, in place of this one; nothing else of this program runs, no shutdown hook either. Returns only
+     * where that cannot be done, and nothing has happened then.
+     *
+     * @param words the program's file and its arguments, without a NUL
+     */
+    public static void take(List<String> words) {
+        if (!System.getProperty("os.name").equals("Linux") || !Successor.class.getModule().isNativeAccessEnabled()) {
+            return;
+        }
+        try (Arena arena = Arena.ofConfined()) {
+            // As Java decoded them.
+            Charset charset = Charset.forName(System.getProperty("sun.jnu.encoding"));
+            MemorySegment list = arena.allocate(ValueLayout.ADDRESS, words.size() + 1L);
+            for (int i = 0; i < words.size(); i++) {
+                list.setAtIndex(ValueLayout.ADDRESS, i, arena.allocateFrom(words.get(i), charset));
+            }
+            list.setAtIndex(ValueLayout.ADDRESS, words.size(), MemorySegment.NULL);
+            Linker linker = Linker.nativeLinker();
+            MethodHandle execv = linker.downcallHandle(linker.defaultLookup().find("execv").orElseThrow(),
+                    FunctionDescriptor.of(ValueLayout.JAVA_INT, ValueLayout.ADDRESS, ValueLayout.ADDRESS));
+            var _ = (int) execv.invokeExact(list.getAtIndex(ValueLayout.ADDRESS, 0), list);
+        } catch (Throwable e) {
+            // This program goes on.
+        }
+    }
+}
