@@ -180,6 +180,13 @@ class AnimationWindowTest {
         robot.clickOn("#export").clickOn("#cancel-export");
         OpenEditor.await(() -> status(robot).startsWith("Export cancelled after "));
         assertThat(robot.lookup("#export").query().isDisabled()).isFalse();
+        awaitLastPicture();
+    }
+
+    /** An export that was cancelled ends with the picture that it is writing; the test's folder goes only then. */
+    private static void awaitLastPicture() throws Exception {
+        OpenEditor
+                .await(() -> Thread.getAllStackTraces().keySet().stream().noneMatch(thread -> thread.getName().equals("lightning-export")));
     }
 
     /** The preview draws so many frames, the light one unit further along x before each. */
