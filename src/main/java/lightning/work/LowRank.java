@@ -1,9 +1,9 @@
 package lightning.work;
 
 import java.lang.foreign.FunctionDescriptor;
-import java.lang.foreign.Linker;
 import java.lang.foreign.ValueLayout;
 import java.lang.invoke.MethodHandle;
+import java.util.Optional;
 
 /**
  * Lets the operating system run a thread on what others leave of the processors. On Linux each thread has a rank of its own
@@ -18,15 +18,12 @@ final class LowRank {
 
     /** Lowers the rank of the thread that calls. */
     static void take() {
-        if (!System.getProperty("os.name").equals("Linux") || !LowRank.class.getModule().isNativeAccessEnabled()) {
-            return;
-        }
         try {
-            Linker linker = Linker.nativeLinker();
-            MethodHandle nice = linker.downcallHandle(linker.defaultLookup().find("nice").orElseThrow(),
-                    FunctionDescriptor.of(ValueLayout.JAVA_INT, ValueLayout.JAVA_INT));
-            // What it answers, a failure too, changes nothing.
-            var _ = (int) nice.invokeExact(STEPS);
+            Optional<MethodHandle> nice = SystemCall.ofLinux("nice", FunctionDescriptor.of(ValueLayout.JAVA_INT, ValueLayout.JAVA_INT));
+            if (nice.isPresent()) {
+                // What it answers, a failure too, changes nothing.
+                var _ = (int) nice.get().invokeExact(STEPS);
+            }
         } catch (Throwable e) {
             // The thread works with the rank that it has.
         }

@@ -2,12 +2,12 @@ package lightning.work;
 
 import java.lang.foreign.Arena;
 import java.lang.foreign.FunctionDescriptor;
-import java.lang.foreign.Linker;
 import java.lang.foreign.MemorySegment;
 import java.lang.foreign.ValueLayout;
 import java.lang.invoke.MethodHandle;
 import java.nio.charset.Charset;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Another program in this process's place ({@code execv(2)}): the process's number, its environment, folder and standard streams stay, so
@@ -23,10 +23,12 @@ public final class Successor {
      * @param words the program's file and its arguments, without a NUL
      */
     public static void take(List<String> words) {
-        if (!System.getProperty("os.name").equals("Linux") || !Successor.class.getModule().isNativeAccessEnabled()) {
-            return;
-        }
         try (Arena arena = Arena.ofConfined()) {
+            Optional<MethodHandle> execv = SystemCall.ofLinux("execv",
+                    FunctionDescriptor.of(ValueLayout.JAVA_INT, ValueLayout.ADDRESS, ValueLayout.ADDRESS));
+            if (execv.isEmpty()) {
+                return;
+            }
             // As Java decoded them.
             Charset charset = Charset.forName(System.getProperty("sun.jnu.encoding"));
             MemorySegment list = arena.allocate(ValueLayout.ADDRESS, words.size() + 1L);
@@ -34,10 +36,7 @@ public final class Successor {
                 list.setAtIndex(ValueLayout.ADDRESS, i, arena.allocateFrom(words.get(i), charset));
             }
             list.setAtIndex(ValueLayout.ADDRESS, words.size(), MemorySegment.NULL);
-            Linker linker = Linker.nativeLinker();
-            MethodHandle execv = linker.downcallHandle(linker.defaultLookup().find("execv").orElseThrow(),
-                    FunctionDescriptor.of(ValueLayout.JAVA_INT, ValueLayout.ADDRESS, ValueLayout.ADDRESS));
-            var _ = (int) execv.invokeExact(list.getAtIndex(ValueLayout.ADDRESS, 0), list);
+            var _ = (int) execv.get().invokeExact(list.getAtIndex(ValueLayout.ADDRESS, 0), list);
         } catch (Throwable e) {
             // This program goes on.
         }
