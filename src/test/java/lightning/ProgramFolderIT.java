@@ -16,6 +16,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.assertj.core.api.ThrowingConsumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -111,14 +112,7 @@ class ProgramFolderIT {
         java.set(java.indexOf("-cp") + 1, PROGRAM.toRealPath() + "/lib/*:" + PROGRAM.toRealPath() + "/cluster/*");
         assertThat(new ProcessBuilder(java).redirectErrorStream(true).start().waitFor()).as("with a cluster's libraries").isZero();
         assertThat(checked()).as("with the archive").isEqualTo(plain);
-        byte[] whole = Files.readAllBytes(archive);
-        Files.write(archive, Arrays.copyOf(whole, whole.length / 2));
-        assertThat(checked()).as("half the archive").isEqualTo(plain);
-        Arrays.fill(whole, whole.length / 2, whole.length / 2 + 1000, (byte) 7);
-        Files.write(archive, whole);
-        assertThat(checked()).as("an archive with other bytes").isEqualTo(plain);
-        Files.writeString(archive, "no archive at all");
-        assertThat(checked()).as("another file").isEqualTo(plain);
+        assertNoObstacleWhereBroken(archive, what -> assertThat(checked()).as(what).isEqualTo(plain));
     }
 
     @Test
@@ -137,14 +131,19 @@ class ProgramFolderIT {
         assertThat(started()).satisfiesExactly(first -> assertThat(first).contains("AOTCache="),
                 second -> assertThat(second).contains("jdk.incubator.vector").doesNotContain("AOTCache="));
         Path archive = Path.of(archive().toString().replace(".jsa", ".aot"));
+        assertNoObstacleWhereBroken(archive, what -> assertThat(rendered(few, java)).as(what).isEqualTo(plain));
+    }
+
+    /** Checks with the archive broken in some ways; the check is given a name of each. */
+    private static void assertNoObstacleWhereBroken(Path archive, ThrowingConsumer<String> check) throws IOException {
         byte[] whole = Files.readAllBytes(archive);
         Files.write(archive, Arrays.copyOf(whole, whole.length / 2));
-        assertThat(rendered(few, java)).as("half the archive").isEqualTo(plain);
+        check.accept("half the archive");
         Arrays.fill(whole, whole.length / 2, whole.length / 2 + 1000, (byte) 7);
         Files.write(archive, whole);
-        assertThat(rendered(few, java)).as("an archive with other bytes").isEqualTo(plain);
+        check.accept("an archive with other bytes");
         Files.writeString(archive, "no archive at all");
-        assertThat(rendered(few, java)).as("another file").isEqualTo(plain);
+        check.accept("another file");
     }
 
     /** The folder of a Java that writes down with what it is started. */
@@ -171,13 +170,8 @@ class ProgramFolderIT {
     private byte[] rendered(String lights, Path java) throws Exception {
         Path scene = Files.writeString(folder.resolve("scene.jen"), "jen 1\nsphere ball { }\n" + lights);
         Path picture = folder.resolve("picture.pfm");
-        Path out = folder.resolve("out");
-        ProcessBuilder render = launcher(folder, "render", scene.toString(), "-o", picture.toString())
-                .redirectErrorStream(true).redirectOutput(out.toFile());
-        render.environment().put("XDG_CACHE_HOME", folder.resolve("cache").toString());
-        render.environment().put("JAVA_HOME", java.toString());
-        assertThat(render.start().waitFor()).as(Files.readString(out)).isZero();
-        assertThat(Files.readString(out)).contains("first pass of").doesNotContain("[warning]", "[error]", "Error", "Exception");
+        assertThat(said(java, "render", scene.toString(), "-o", picture.toString()))
+                .contains("first pass of").doesNotContain("[warning]", "[error]", "Error", "Exception");
         byte[] bytes = Files.readAllBytes(picture);
         Files.delete(picture);
         return bytes;
@@ -185,12 +179,16 @@ class ProgramFolderIT {
 
     /** What the program says of a scene, on both outputs. */
     private String checked() throws Exception {
+        return said(Path.of(System.getProperty("java.home")), "check", Path.of("scenes/bird.jen").toAbsolutePath().toString());
+    }
+
+    /** What the program says, on both outputs, where it has archives made for this test and does what it is asked for. */
+    private String said(Path java, String... arguments) throws Exception {
         Path out = folder.resolve("out");
-        ProcessBuilder check = launcher(folder, "check", Path.of("scenes/bird.jen").toAbsolutePath().toString())
-                .redirectErrorStream(true).redirectOutput(out.toFile());
-        check.environment().put("XDG_CACHE_HOME", folder.resolve("cache").toString());
-        check.environment().put("JAVA_HOME", System.getProperty("java.home"));
-        assertThat(check.start().waitFor()).as(Files.readString(out)).isZero();
+        ProcessBuilder program = launcher(folder, arguments).redirectErrorStream(true).redirectOutput(out.toFile());
+        program.environment().put("XDG_CACHE_HOME", folder.resolve("cache").toString());
+        program.environment().put("JAVA_HOME", java.toString());
+        assertThat(program.start().waitFor()).as(Files.readString(out)).isZero();
         return Files.readString(out);
     }
 
