@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import lightning.math.Rgb;
@@ -78,9 +79,8 @@ public final class PaperCases {
         edit("angle-larger", "Fig. 10", 81, LightType.SPOT,
                 l -> l.withAngle(Math.min(l.angle() * pick(1.5, 1.2, 1.8), Limits.MAX_ANGLE)));
         edit("dropoff", "Fig. 13", 95, LightType.SPOT, this::steeper);
-        shining(LightType.POINT).or(() -> scene.lights().stream().filter(l -> l.type().hasPosition() && isShining(l)).findFirst())
-                .ifPresent(l -> add("position", "Fig. 15", 82, scene.withLight(l.withPosition(
-                        pick(framing.point(0, -0.3, 2.1), framing.point(0.6, 0.3, 1.6), framing.point(-0.7, 0.6, 1.2))))));
+        edit("position", "Fig. 15", 82, shining(LightType.POINT).or(() -> shining(l -> l.type().hasPosition())),
+                l -> l.withPosition(pick(framing.point(0, -0.3, 2.1), framing.point(0.6, 0.3, 1.6), framing.point(-0.7, 0.6, 1.2))));
         edit("direction", "Fig. 15", 83, LightType.DIRECTIONAL,
                 l -> l.withDirection(pick(framing.vector(1, -1, 0.7), framing.vector(-1, -1, 0.3), framing.vector(0.3, -1, -0.6))));
         edit("type", "Fig. 15", 82, pick(LightType.DIRECTIONAL, LightType.DIRECTIONAL, LightType.POINT), this::retyped);
@@ -162,7 +162,11 @@ public final class PaperCases {
     }
 
     private void edit(String name, String figure, double saving, LightType type, UnaryOperator<Light> edit) {
-        shining(type).ifPresent(l -> add(name, figure, saving, scene.withLight(edit.apply(l))));
+        edit(name, figure, saving, shining(type), edit);
+    }
+
+    private void edit(String name, String figure, double saving, Optional<Light> light, UnaryOperator<Light> edit) {
+        light.ifPresent(l -> add(name, figure, saving, scene.withLight(edit.apply(l))));
     }
 
     private void add(String name, String figure, double saving, Scene... steps) {
@@ -174,7 +178,11 @@ public final class PaperCases {
     }
 
     private Optional<Light> shining(LightType type) {
-        return scene.lights().stream().filter(l -> l.type() == type && isShining(l)).findFirst();
+        return shining(l -> l.type() == type);
+    }
+
+    private Optional<Light> shining(Predicate<Light> which) {
+        return scene.lights().stream().filter(l -> which.test(l) && isShining(l)).findFirst();
     }
 
     private boolean isShining(Light light) {

@@ -3,6 +3,7 @@ package lightning.trace.mesh;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Random;
+import java.util.function.ToDoubleFunction;
 import lightning.mesh.Mesh;
 import lightning.sample.Meshes;
 import lightning.trace.solid.Rays;
@@ -13,6 +14,8 @@ import org.junit.jupiter.api.Test;
 
 /** Lanes answer as the scalar walk does, bit for bit: together and alone, from near and from afar. */
 class MeshPacketsTest {
+    private static final Mesh BALL = Meshes.ball(60, 100, false);
+
     private final MeshPackets packets = new MeshPackets();
     private final MeshProbe probe = new MeshProbe();
     private final Rays[] group = new Rays[MeshPackets.PACKETS];
@@ -30,7 +33,7 @@ class MeshPacketsTest {
     /** The vector code must have been compiled by the optimising compiler to say that its bits are right. */
     @Test
     void hotCode_keepsEveryBit() {
-        check(new MeshSolid(Meshes.ball(60, 100, false)), new Random(1), 6000);
+        check(new MeshSolid(BALL), new Random(1), 6000);
     }
 
     private void check(MeshSolid solid, Random random, int times) {
@@ -50,37 +53,27 @@ class MeshPacketsTest {
     /** What floats leave out must not be what the test in doubles lets in: rays through vertices and along edges are the hardest. */
     @Test
     void raysThroughVerticesAndEdges_keepEveryBit() {
-        Random random = new Random(2);
-        MeshSolid solid = new MeshSolid(Meshes.ball(60, 100, false));
-        double[] m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-        for (int n = 0; n < 500; n++) {
-            aim(random, solid.mesh(), Math.pow(10, 3 * random.nextDouble()), solid.mesh().triangleCount());
-            assertNearest(solid, m, MeshPackets.PACKETS);
-            assertBlocked(solid, m, MeshPackets.PACKETS, random);
-        }
+        assertEveryBit(new Random(2), 500, random -> Math.pow(10, 3 * random.nextDouble()), BALL.triangleCount());
     }
 
     /** Rays from a point near the mesh that are led through it together, as those of an eye are. */
     @Test
     void raysOfOnePointThroughVerticesNearEachOther_keepEveryBit() {
-        Random random = new Random(3);
-        MeshSolid solid = new MeshSolid(Meshes.ball(60, 100, false));
-        double[] m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-        for (int n = 0; n < 2000; n++) {
-            aim(random, solid.mesh(), 1.5, 10);
-            assertNearest(solid, m, MeshPackets.PACKETS);
-            assertBlocked(solid, m, MeshPackets.PACKETS, random);
-        }
+        assertEveryBit(new Random(3), 2000, _ -> 1.5, 10);
     }
 
     /** A beam that is wider than the mesh's boxes parts on its way down, and each of its rays goes on in one part. */
     @Test
     void raysThatGoApart_keepEveryBit() {
-        Random random = new Random(4);
-        MeshSolid solid = new MeshSolid(Meshes.ball(60, 100, false));
+        assertEveryBit(new Random(4), 300, _ -> 2, 3000);
+    }
+
+    /** So many groups of rays that {@link #aim} makes, at such distances, through so many triangles of a ball. */
+    private void assertEveryBit(Random random, int groups, ToDoubleFunction<Random> far, int triangles) {
+        MeshSolid solid = new MeshSolid(BALL);
         double[] m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-        for (int n = 0; n < 300; n++) {
-            aim(random, solid.mesh(), 2, 3000);
+        for (int n = 0; n < groups; n++) {
+            aim(random, BALL, far.applyAsDouble(random), triangles);
             assertNearest(solid, m, MeshPackets.PACKETS);
             assertBlocked(solid, m, MeshPackets.PACKETS, random);
         }
