@@ -37,11 +37,12 @@ final class CheckCommand implements Callable<Integer> {
         List<String> parts = new ArrayList<>();
         parts.add(counted("shape", scene.placedShapes().stream().map(s -> s.shape().solid().noun())));
         parts.add(counted("light", scene.lights().stream().map(CheckCommand::kind)));
-        parts.add(number(scene.materials().size(), "material"));
-        parts.add(number(scene.materials().stream().flatMap(m -> m.texture().stream()).map(t -> t.file()).distinct().count(), "texture"));
+        parts.add(Console.count(scene.materials().size(), "material"));
+        parts.add(Console.count(scene.materials().stream().flatMap(m -> m.texture().stream()).map(t -> t.file()).distinct().count(),
+                "texture"));
         long gobos = scene.lights().stream().flatMap(l -> l.gobo().stream()).map(Gobo::file).distinct().count();
         if (gobos > 0) {
-            parts.add(number(gobos, "gobo"));
+            parts.add(Console.count(gobos, "gobo"));
         }
         console.line("%s: no problems; %s; %d x %d pixels, depth %d", input.path(), String.join(", ", parts),
                 scene.picture().width(), scene.picture().height(), scene.picture().depth());
@@ -53,11 +54,7 @@ final class CheckCommand implements Callable<Integer> {
         Map<String, Long> counts = kinds.collect(Collectors.groupingBy(k -> k, TreeMap::new, Collectors.counting()));
         long all = counts.values().stream().mapToLong(n -> n).sum();
         String detail = counts.entrySet().stream().map(e -> e.getValue() + " " + e.getKey()).collect(Collectors.joining(", "));
-        return number(all, noun) + (all == 0 ? "" : " (" + detail + ")");
-    }
-
-    private static String number(long count, String noun) {
-        return count + " " + noun + (count == 1 ? "" : "s");
+        return Console.count(all, noun) + (all == 0 ? "" : " (" + detail + ")");
     }
 
     private static String kind(Light light) {

@@ -50,6 +50,11 @@ record Console(PrintStream out, PrintStream err, boolean terminal) {
         return text.lines().map(Visible::escaped).collect(Collectors.joining("\n"));
     }
 
+    /** As in "3 lights"; of nouns that take an s. */
+    static String count(long number, String noun) {
+        return number + " " + noun + (number == 1 ? "" : "s");
+    }
+
     /** Fills in a format; files stand in it as {@link Quote#path} shows them. */
     static String text(String format, Object... values) {
         Object[] shown = Stream.of(values).map(v -> v instanceof Path path ? Quote.path(path) : v).toArray();

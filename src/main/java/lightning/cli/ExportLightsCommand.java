@@ -60,7 +60,8 @@ final class ExportLightsCommand implements Callable<Integer> {
         }
         SafeFile.write(output, out -> out.write(lights.bytes()));
         console.notes(output, "not the same there", lights.notes());
-        console.line("%s: written; %d lights%s", output, scene.lights().size(), into == null ? "" : ", in " + chosen.words());
+        console.line("%s: written; %s%s", output, Console.count(scene.lights().size(), "light"),
+                into == null ? "" : ", in " + chosen.words());
         return ExitCode.DONE;
     }
 }

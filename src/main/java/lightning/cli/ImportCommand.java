@@ -71,9 +71,8 @@ final class ImportCommand implements Callable<Integer> {
                             file, taken.words()));
         }
         console.notes(file, "left out or not the same", read.notes());
-        console.line("%s: written; %d shapes, %d materials, %d lights", output, read.scene().stage().shapeCount(),
-                read.scene().materials().size(),
-                read.scene().lights().size());
+        console.line("%s: written; %s, %s, %s", output, Console.count(read.scene().stage().shapeCount(), "shape"),
+                Console.count(read.scene().materials().size(), "material"), Console.count(read.scene().lights().size(), "light"));
         return ExitCode.DONE;
     }
 

@@ -18,7 +18,7 @@ class ImportCommandTest {
     @Test
     void file_becomesASceneThatCanBeChecked() throws Exception {
         Cli done = Cli.run("import", Files.writeString(folder.resolve("a.obj"), TRIANGLE), "-o", folder.resolve("a.jen")).isDone();
-        assertThat(done.out()).contains("a.jen: written; 1 shapes, 0 materials, 1 lights");
+        assertThat(done.out()).contains("a.jen: written; 1 shape, 0 materials, 1 light");
         assertThat(done.err()).contains("left out or not the same: lines (1)");
         Cli.run("check", folder.resolve("a.jen")).isDone();
     }
@@ -48,7 +48,7 @@ class ImportCommandTest {
         });
         Cli.run("import", gltf, "-o", folder.resolve("a.jen"), "--light-units", "watts").isDone();
         Cli back = Cli.run("export-lights", folder.resolve("a.jen"), "--into", gltf, "-o", folder.resolve("b.gltf")).isDone();
-        assertThat(back.out()).contains("1 lights, in watts");
+        assertThat(back.out()).contains("1 light, in watts");
         assertThat(Files.readString(folder.resolve("b.gltf"))).containsPattern("\"intensity\" : (100\\.0|99\\.9999999|100\\.0000000)");
     }
 
