@@ -5,18 +5,22 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
 import java.time.Duration;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import lightning.file.FileState;
+import lightning.work.Wait;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class DiskWatchTest {
+    private static final int PATIENCE_SECONDS = 120;
+
     @TempDir
     private Path folder;
 
@@ -33,14 +37,16 @@ class DiskWatchTest {
         watch.watch(file, known);
     }
 
+    /** The watching thread makes and removes its file in the folder. */
     @AfterEach
-    void close() {
+    void close() throws Exception {
         watch.close();
+        Wait.untilEnded("lightning-disk");
     }
 
     private DiskNews await(Predicate<DiskNews> what) throws InterruptedException {
         while (true) {
-            DiskNews news = heard.poll(20, TimeUnit.SECONDS);
+            DiskNews news = heard.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
             assertThat(news).as("what is waited for").isNotNull();
             if (what.test(news)) {
                 return news;
@@ -83,7 +89,8 @@ class DiskWatchTest {
     void deletedFile_isGoneUntilItIsBack() throws Exception {
         Files.delete(file);
         await(DiskNews::isGone);
-        Files.writeString(file, Desk.TEXT);
+        // Whole at once: a look between the file and its text would see another.
+        Files.move(Files.writeString(folder.resolve("again"), Desk.TEXT), file, StandardCopyOption.ATOMIC_MOVE);
         assertThat(await(news -> !news.isGone()).isChanged()).isFalse();
     }
 
@@ -102,7 +109,7 @@ class DiskWatchTest {
         var news = new LinkedBlockingQueue<DiskNews>();
         try (var without = new DiskWatch(new Presence(blocked), Duration.ofMillis(5), news::add)) {
             without.watch(file, FileState.NONE);
-            assertThat(news.poll(20, TimeUnit.SECONDS)).matches(DiskNews::isChanged);
+            assertThat(news.poll(PATIENCE_SECONDS, TimeUnit.SECONDS)).matches(DiskNews::isChanged);
         }
     }
 

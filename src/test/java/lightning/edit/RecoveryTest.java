@@ -16,6 +16,7 @@ import java.util.stream.Stream;
 import lightning.scene.Scene;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
+import lightning.work.Wait;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;

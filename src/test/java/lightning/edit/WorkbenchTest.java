@@ -21,6 +21,7 @@ import lightning.relight.plan.UpdatePlan;
 import lightning.relight.tile.Options;
 import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.work.Wait;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

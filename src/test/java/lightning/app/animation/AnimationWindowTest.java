@@ -26,6 +26,7 @@ import lightning.edit.motion.MotionPathFile;
 import lightning.math.Vec3;
 import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.work.Wait;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
@@ -180,13 +181,8 @@ class AnimationWindowTest {
         robot.clickOn("#export").clickOn("#cancel-export");
         OpenEditor.await(() -> status(robot).startsWith("Export cancelled after "));
         assertThat(robot.lookup("#export").query().isDisabled()).isFalse();
-        awaitLastPicture();
-    }
-
-    /** An export that was cancelled ends with the picture that it is writing; the test's folder goes only then. */
-    private static void awaitLastPicture() throws Exception {
-        OpenEditor
-                .await(() -> Thread.getAllStackTraces().keySet().stream().noneMatch(thread -> thread.getName().equals("lightning-export")));
+        // It ends with the picture that it is writing; the test's folder goes only then.
+        Wait.untilEnded("lightning-export");
     }
 
     /** The preview draws so many frames, the light one unit further along x before each. */

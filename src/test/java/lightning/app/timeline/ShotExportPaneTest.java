@@ -18,6 +18,7 @@ import lightning.app.widget.Looks;
 import lightning.edit.OpenDocument;
 import lightning.movie.Ffmpeg;
 import lightning.shading.ReferenceTracer;
+import lightning.work.Wait;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -112,7 +113,7 @@ class ShotExportPaneTest extends EditorDesk {
     }
 
     @Test
-    void cancelledExport_leavesWhatIsFinished() {
+    void cancelledExport_leavesWhatIsFinished() throws Exception {
         answered = folder.resolve("out");
         type("shot-last", "5000");
         begin("Exporting");
@@ -120,8 +121,7 @@ class ShotExportPaneTest extends EditorDesk {
         click("shot-cancel");
         waitFor("it ended", () -> text("shot-status").startsWith("Cancelled; "));
         assertThat(text("shot-status")).endsWith(" of 5000 pictures are written");
-        waitFor("its thread ended",
-                () -> Thread.getAllStackTraces().keySet().stream().noneMatch(t -> "lightning-shot-export".equals(t.getName())));
+        Wait.untilEnded("lightning-shot-export");
     }
 
     @Test
