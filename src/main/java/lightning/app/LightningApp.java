@@ -17,6 +17,7 @@ import lightning.app.model.Preferences;
 import lightning.app.model.Sentence;
 import lightning.app.model.Speech;
 import lightning.app.model.TracedRaster;
+import lightning.app.traced.TracedPane;
 import lightning.app.widget.Looks;
 import lightning.app.widget.PictureView;
 import lightning.edit.FileThread;
@@ -156,6 +157,7 @@ public class LightningApp extends Application {
         TracedRaster.Pixels seen = read.glimpse().raster().pixels();
         if (seen != null) {
             picture.setPixels(seen.width(), seen.height(), seen.pixels());
+            picture.say(TracedPane.coarse());
         }
     }
 

@@ -3,8 +3,13 @@ package lightning.app;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import javafx.collections.ListChangeListener;
+import javafx.scene.Node;
 import javafx.scene.control.Label;
+import javafx.scene.text.Text;
 import javafx.stage.Stage;
 import lightning.app.widget.PictureView;
 import org.junit.jupiter.api.Test;
@@ -26,6 +31,7 @@ class LightningAppTest {
     private String first;
     /** Whether the picture came into the window; empty before it came at all. */
     private Optional<Boolean> seen = Optional.empty();
+    private final List<String> said = new ArrayList<>();
 
     @Start
     private void start(Stage primary) throws Exception {
@@ -36,6 +42,12 @@ class LightningAppTest {
         var picture = (PictureView) primary.getScene().lookup("#traced-picture");
         // A pane takes it out of the window until it is made.
         picture.emptyProperty().subscribe(empty -> seen = empty ? seen : Optional.of(picture.getScene() != null));
+        picture.getChildrenUnmodifiable().addListener((ListChangeListener<Node>) _ -> said.addAll(words(picture)));
+    }
+
+    /** What the picture says by itself. */
+    private static List<String> words(PictureView picture) {
+        return picture.lookupAll("#first-words Text").stream().map(text -> ((Text) text).getText()).toList();
     }
 
     @Stop
@@ -55,6 +67,13 @@ class LightningAppTest {
     void picture_isThereBeforeThePanes(FxRobot robot) throws Exception {
         OpenEditor.await(() -> robot.lookup("#editor").tryQuery().isPresent());
         assertThat(seen).contains(true);
+    }
+
+    @Test
+    void pictureBeforeThePanes_saysThatItIsCoarse(FxRobot robot) throws Exception {
+        OpenEditor.await(() -> robot.lookup("#editor").tryQuery().isPresent());
+        assertThat(said).containsExactly("Coarse picture, a finer one follows");
+        assertThat(words(robot.lookup("#traced-picture").query())).isEmpty();
     }
 
     @Test

@@ -22,4 +22,9 @@ final class Badge extends Label {
     void tell(String text) {
         remark.tell(text);
     }
+
+    /** The same where the window's thread may have no time to say it later. */
+    void tellAtOnce(String text) {
+        remark.tellAtOnce(text);
+    }
 }

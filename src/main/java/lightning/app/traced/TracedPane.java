@@ -40,7 +40,7 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignE;
 
 /** The ray-traced canvas: the picture, what it does not show yet, how far it is, and what a pixel of it is made of. */
 public final class TracedPane extends BorderPane implements AutoCloseable {
-    private static final Insets BADGES = new Insets(12);
+    private static final Insets BADGES = new Insets(PictureView.MARGIN);
     private static final double ZOOM = 1.5;
     /** As many lines as are told of a pixel, so that the picture keeps its room. */
     private static final String NO_PIXEL = " \n ";
@@ -62,6 +62,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             new Obstacle(compareBox, compare, Texts.of("Compare: the snapshot on the left, the picture on the right; drag to wipe"));
     private final TracedMouse mouse;
     private TracedRaster.Pixels shown;
+    /** Whether there was a picture with all its samples, or none will be: before, the window's thread has much to do. */
+    private boolean begun;
 
     public TracedPane(EditorModel model) {
         this(model, Lasting.Later.WINDOW);
@@ -72,7 +74,10 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         this(model, view(), later);
     }
 
-    /** @param picture shows the picture from now on; a {@link #view}, which may show something already, elsewhere in the window */
+    /**
+     * @param picture shows the picture from now on; a {@link #view}, which may show something already, elsewhere in the window, and say
+     *                so: the pane says it then
+     */
     public TracedPane(EditorModel model, PictureView picture) {
         this(model, picture, Lasting.Later.WINDOW);
     }
@@ -144,6 +149,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         model.repaintsProperty().subscribe(_ -> repaint());
         model.situationProperty().subscribe(_ -> mark());
         model.renderingProperty().subscribe(_ -> mark());
+        picture.say("");
     }
 
     /** What shows the picture. */
@@ -151,6 +157,11 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         var view = new PictureView();
         view.setId("traced-picture");
         return view;
+    }
+
+    /** What is said of a coarse picture, which is there before the first whole one. */
+    public static String coarse() {
+        return Texts.of("Coarse picture, a finer one follows");
     }
 
     private Node header() {
@@ -233,6 +244,9 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             return VisiblePart.same(mouse.patched(), now.scene()) ? Texts.of("A region shows edits that the rest does not")
                     : Texts.of("A region shows other edits than the rest");
         }
+        if (now.frame().isEmpty()) {
+            return model.raster().pixels() == null ? "" : coarse();
+        }
         // What is played is always on its way.
         boolean comes = now.animating() && now.inWork().isPresent();
         if (comes || now.pendingRemark().isEmpty()) {
@@ -251,9 +265,19 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         return state.cancelled() ? Texts.of("Cancelled. Go traces the picture.") : Texts.of("Tracing {0} …", model.document().name());
     }
 
+    private void tellPending(String remark) {
+        RenderState state = model.renderingProperty().get();
+        begun |= state.frame() != null && state.frame().finished() || state.cancelled() || state.problem() != null;
+        if (begun) {
+            pending.tell(remark);
+        } else {
+            pending.tellAtOnce(remark);
+        }
+    }
+
     private void mark() {
         waiting.setText(waiting());
-        pending.tell(remark());
+        tellPending(remark());
         var frame = model.renderingProperty().get().frame();
         String shown = frame == null ? "" : frame.look().label();
         look.tell(shown.isEmpty() ? "" : Texts.of("View: {0}", shown));

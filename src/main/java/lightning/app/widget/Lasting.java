@@ -60,6 +60,15 @@ public final class Lasting {
         }
     }
 
+    /** The same, seen at once. */
+    public void tellAtOnce(String remark) {
+        tell(remark);
+        if (callOff != null) {
+            callOff.run();
+            show();
+        }
+    }
+
     private void show() {
         callOff = null;
         visible = true;

@@ -18,12 +18,16 @@ import javafx.scene.shape.Rectangle;
 public final class PictureView extends Region {
     private static final double LEAST_ZOOM = 1 / 32.0;
     private static final double MOST_ZOOM = 64;
+    /** From the edges of the view to what is said on it, as of all remarks on a picture; pixels. */
+    public static final double MARGIN = 12;
 
     /** A place of the picture. */
     public record Pixel(int x, int y) {}
 
     private final ImageView image = new ImageView();
     private final Wipe wipe = new Wipe();
+    /** What is said on the picture; null for nothing. */
+    private PlainNote note;
     private final ReadOnlyBooleanWrapper empty = new ReadOnlyBooleanWrapper(true);
     private PixelBuffer<IntBuffer> buffer;
     private boolean fit = true;
@@ -56,6 +60,15 @@ public final class PictureView extends Region {
     /** The pixels of a part have changed. */
     public void changed(int left, int top, int right, int bottom) {
         buffer.updateBuffer(_ -> new Rectangle2D(left, top, right - left, bottom - top));
+    }
+
+    /** Says something on the picture that needs no style sheet; empty for nothing. */
+    public void say(String words) {
+        getChildren().remove(note);
+        note = words.isEmpty() ? null : new PlainNote(words);
+        if (note != null) {
+            getChildren().add(note);
+        }
     }
 
     /** What the image shows now, {@code int[width * height]}, opaque 0xFFRRGGBB, the top row first. */
@@ -179,6 +192,9 @@ public final class PictureView extends Region {
 
     @Override
     protected void layoutChildren() {
+        if (note != null) {
+            note.resizeRelocate(MARGIN, MARGIN, note.prefWidth(-1), note.prefHeight(-1));
+        }
         if (isEmpty()) {
             return;
         }
