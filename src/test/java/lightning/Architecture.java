@@ -18,12 +18,14 @@ import com.tngtech.archunit.lang.CompositeArchRule;
 import com.tngtech.archunit.lang.ConditionEvents;
 import com.tngtech.archunit.lang.SimpleConditionEvent;
 import com.tngtech.archunit.library.GeneralCodingRules;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import lightning.text.Told;
 
 /**
  * Who may know whom: a row for each package, with all that it may import. Nothing is known that is not told here, and no
@@ -74,7 +76,7 @@ final class Architecture {
             row("relight.tile", "scene effects image trace shading engine engine.choice cache work relight.plan"),
             row("relight", "math column scene effects image trace shading engine cache work relight.plan relight.tile"),
             row("shot", "text column scene scene.shot image trace shading engine cache work file relight.plan relight.tile relight"),
-            row("cluster.wire", ""),
+            row("cluster.wire", "text"),
             row("cluster", "text scene scene.shot image jen file mesh work relight shot cluster.wire"),
             row("layer", ENGINE + " exr file"),
             row("movie", ENGINE + " file"),
@@ -194,6 +196,16 @@ final class Architecture {
         return noClasses().that(not(resideInAnyPackage(packageOf("cli"), packageOf("bench")).or(resideInAPackage("lightning"))))
                 .should(GeneralCodingRules.ACCESS_STANDARD_STREAMS)
                 .as("only lightning.cli, lightning.bench and lightning.Main print")
+                .allowEmptyShould(true);
+    }
+
+    /** What is thrown to be caught by others reaches a user somewhere, and must not be taken there for a fault of the program. */
+    static ArchRule checkedExceptionsAreTold() {
+        return classes()
+                .that(assignableTo(Exception.class).and(not(assignableTo(RuntimeException.class)))
+                        .and(not(assignableTo(IOException.class))))
+                .should().beAssignableTo(Told.class)
+                .as("checked exceptions are for users to read")
                 .allowEmptyShould(true);
     }
 

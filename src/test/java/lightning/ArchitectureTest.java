@@ -60,6 +60,17 @@ class ArchitectureTest {
     }
 
     @Test
+    void program_checkedExceptionsAreTold() {
+        Architecture.checkedExceptionsAreTold().check(PROGRAM);
+    }
+
+    @Test
+    void exceptionThatNobodyCanRead_isCaught() throws IOException {
+        assertCaught(Architecture.checkedExceptionsAreTold(), "checked exceptions are for users to read",
+                "package lightning.mesh; class Bad extends Exception {}");
+    }
+
+    @Test
     void program_referenceTracerKnowsNoFastCode() {
         Architecture.referenceTracerKnowsNoFastCode().check(PROGRAM);
     }

@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.bench.Failure;
 import lightning.bench.NamedScene;
+import lightning.file.FileSentence;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
 
@@ -39,7 +40,7 @@ record BenchScenes(List<NamedScene> scenes, List<Failure> problems) {
             } catch (JenException e) {
                 problems.add(unread(file, e.problems().stream().map(Object::toString).collect(Collectors.joining("\n"))));
             } catch (IOException e) {
-                problems.add(unread(file, Complaint.sentence(e)));
+                problems.add(unread(file, FileSentence.of(e)));
             }
         }
         return new BenchScenes(scenes, problems);

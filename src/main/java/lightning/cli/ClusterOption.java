@@ -3,6 +3,7 @@ package lightning.cli;
 import java.util.List;
 import java.util.Optional;
 import lightning.cluster.HostPort;
+import lightning.cluster.JoinException;
 import lightning.cluster.Place;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -16,7 +17,7 @@ final class ClusterOption {
     private HostPort cluster;
 
     /** Where this process takes part; empty where all is done here. */
-    Optional<Place> place() throws BadInput {
+    Optional<Place> place() throws BadInput, JoinException {
         return cluster == null ? Optional.empty()
                 : Optional.of(member.place("--cluster", List.of(cluster), Place.ASKING_PORT, Place.ASKING_PORTS));
     }

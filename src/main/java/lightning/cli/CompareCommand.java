@@ -10,7 +10,6 @@ import lightning.image.Film;
 import lightning.image.Flip;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
-import lightning.mesh.MeshException;
 import lightning.scene.Sky;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -66,16 +65,12 @@ final class CompareCommand implements Callable<Integer> {
         if (!file.toString().toLowerCase(Locale.ROOT).endsWith(".hdr")) {
             return PictureFile.read(file);
         }
-        try {
-            Sky picture = HdrReader.read(file);
-            float[] rgb = new float[3 * picture.width() * picture.height()];
-            for (int i = 0; i < rgb.length; i++) {
-                rgb[i] = picture.channel(i / 3 % picture.width(), i / 3 / picture.width(), i % 3);
-            }
-            return Film.ofScanlines(picture.width(), picture.height(), rgb);
-        } catch (MeshException e) {
-            throw new BadInput(e.getMessage());
+        Sky picture = HdrReader.read(file);
+        float[] rgb = new float[3 * picture.width() * picture.height()];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = picture.channel(i / 3 % picture.width(), i / 3 / picture.width(), i % 3);
         }
+        return Film.ofScanlines(picture.width(), picture.height(), rgb);
     }
 
     private void print(Difference d, long values, double flip) {

@@ -1,18 +1,14 @@
 package lightning.cli;
 
 import java.io.IOException;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.FileSystemException;
 import java.nio.file.InvalidPathException;
-import java.nio.file.NoSuchFileException;
-import java.nio.file.NotDirectoryException;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.Predicate;
+import lightning.file.FileSentence;
 import lightning.jen.JenException;
 import lightning.relight.PictureTooLarge;
-import lightning.text.Quote;
+import lightning.text.Told;
 
 /** Turns whatever went wrong into sentences and an exit code; the only place that does. */
 final class Complaint {
@@ -39,8 +35,8 @@ final class Complaint {
             }
             case InvalidPathException e -> sentence(console, "the name '" + e.getInput() + "' cannot be a file's here: " + e.getReason()
                     + "; where it has letters beyond ASCII, start with a locale of UTF-8, as LC_ALL=C.UTF-8");
-            case BadInput e -> sentence(console, e.getMessage());
-            case IOException e -> sentence(console, sentence(e));
+            case Told told -> sentence(console, told.getMessage());
+            case IOException e -> sentence(console, FileSentence.of(e));
             case PictureTooLarge e -> sentence(console, e.message(way -> words(way, options)));
             case OutOfMemoryError _ -> sentence(console, "there is not enough memory; ask for a smaller --size where the picture is large, "
                     + "or give Java more with JAVA_TOOL_OPTIONS=-Xmx8g");
@@ -75,18 +71,6 @@ final class Complaint {
     private static int sentence(Console console, String sentence) {
         console.complain("lightning: " + sentence);
         return ExitCode.BAD_INPUT;
-    }
-
-    /** What Java's file errors mean; their own messages are mostly just the file's name. */
-    static String sentence(IOException e) {
-        return switch (e) {
-            case NoSuchFileException missing -> Quote.path(missing.getFile()) + ": there is no such file";
-            case AccessDeniedException denied -> Quote.path(denied.getFile()) + ": permission denied";
-            case NotDirectoryException no -> Quote.path(no.getFile()) + ": is no folder";
-            case FileAlreadyExistsException there -> Quote.path(there.getFile()) + ": is there already and is no folder";
-            case FileSystemException other when other.getReason() != null -> Quote.path(other.getFile()) + ": " + other.getReason();
-            default -> e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
-        };
     }
 
     /** The one line of our own code where it happened. */

@@ -7,7 +7,6 @@ import java.util.concurrent.Callable;
 import lightning.exchange.LightUnits;
 import lightning.exchange.LightsBack;
 import lightning.file.SafeFile;
-import lightning.mesh.MeshException;
 import lightning.scene.Scene;
 import lightning.work.Progress;
 import picocli.CommandLine.Command;
@@ -52,12 +51,7 @@ final class ExportLightsCommand implements Callable<Integer> {
         PictureOutput.checkFile(output);
         Scene scene = input.read().scene();
         LightUnits chosen = units != null ? units : LightUnits.chosenIn(Files.readString(input.path())).orElse(LightUnits.CANDELA);
-        LightsBack lights;
-        try {
-            lights = into == null ? LightsBack.json(scene) : LightsBack.into(into, scene, chosen, Progress.NONE);
-        } catch (MeshException e) {
-            throw new BadInput(e.getMessage());
-        }
+        LightsBack lights = into == null ? LightsBack.json(scene) : LightsBack.into(into, scene, chosen, Progress.NONE);
         SafeFile.write(output, out -> out.write(lights.bytes()));
         console.notes(output, "not the same there", lights.notes());
         console.line("%s: written; %s%s", output, Console.count(scene.lights().size(), "light"),

@@ -10,7 +10,6 @@ import lightning.exchange.LightUnits;
 import lightning.exchange.UnitPictures;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
-import lightning.mesh.MeshException;
 import lightning.work.Workers;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -58,8 +57,6 @@ final class ImportCommand implements Callable<Integer> {
         Import read;
         try (var bar = new ProgressBar(console, "reading")) {
             read = Importer.read(file, output, units == null ? LightUnits.CANDELA : units, bar);
-        } catch (MeshException e) {
-            throw new BadInput(e.getMessage());
         }
         read.write();
         if (pictures) {

@@ -24,30 +24,27 @@ final class MemberOptions {
      *
      * @param option what names the others, for messages
      * @param others who is asked first
-     * @throws BadInput if nobody could be reached so
+     * @throws BadInput      if nobody could be reached so
+     * @throws JoinException if a place or the certificate cannot be used
      */
-    Place place(String option, List<HostPort> others, int port, int ports) throws BadInput {
+    Place place(String option, List<HostPort> others, int port, int ports) throws BadInput, JoinException {
         if (certificate == null) {
             throw new BadInput("--certificate FILE is missing: the file that all machines of the cluster have; "
                     + "'lightning node --make-certificate FILE' makes one");
         }
-        try {
-            InetAddress own = bind == null ? InetAddress.getLoopbackAddress() : HostPort.address(bind);
-            if (own.isAnyLocalAddress()) {
-                throw new BadInput("--bind must be one address of this machine, was " + bind);
-            }
-            List<InetSocketAddress> join = new ArrayList<>();
-            for (HostPort other : others) {
-                InetSocketAddress address = other.address();
-                if (own.isLoopbackAddress() && !address.getAddress().isLoopbackAddress()) {
-                    throw new BadInput(option + " " + other.host() + " is another machine, and this one can be reached by none: "
-                            + "state --bind ADDRESS, an address of this machine that others reach");
-                }
-                join.add(address);
-            }
-            return Place.of(own, port, ports, join, certificate);
-        } catch (JoinException e) {
-            throw new BadInput(e.getMessage());
+        InetAddress own = bind == null ? InetAddress.getLoopbackAddress() : HostPort.address(bind);
+        if (own.isAnyLocalAddress()) {
+            throw new BadInput("--bind must be one address of this machine, was " + bind);
         }
+        List<InetSocketAddress> join = new ArrayList<>();
+        for (HostPort other : others) {
+            InetSocketAddress address = other.address();
+            if (own.isLoopbackAddress() && !address.getAddress().isLoopbackAddress()) {
+                throw new BadInput(option + " " + other.host() + " is another machine, and this one can be reached by none: "
+                        + "state --bind ADDRESS, an address of this machine that others reach");
+            }
+            join.add(address);
+        }
+        return Place.of(own, port, ports, join, certificate);
     }
 }

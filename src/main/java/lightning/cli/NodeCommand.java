@@ -7,7 +7,6 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import lightning.cluster.FrameNode;
 import lightning.cluster.HostPort;
-import lightning.cluster.JoinException;
 import lightning.cluster.Place;
 import lightning.cluster.SelfSigned;
 import lightning.cluster.TlsNetwork;
@@ -93,8 +92,6 @@ final class NodeCommand implements Callable<Integer> {
             node.start();
             console.line("a node at %s:%d; Ctrl-C ends it", place.bind().getHostAddress(), place.port());
             Thread.sleep(Long.MAX_VALUE);
-        } catch (JoinException e) {
-            throw new BadInput(e.getMessage());
         } catch (InterruptedException e) {
             throw new CancellationException();
         }

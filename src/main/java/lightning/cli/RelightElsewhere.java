@@ -11,7 +11,6 @@ import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import lightning.cluster.DistributedShot;
-import lightning.cluster.JoinException;
 import lightning.cluster.Place;
 import lightning.image.Film;
 import lightning.movie.FrameFiles;
@@ -88,8 +87,6 @@ record RelightElsewhere(Console console, PictureOutput output, Place place, Path
                 console.line("%d. %d frames relit by %s in %.1f ms, %d of them traced again; %.1f ms with their pictures", group + 1,
                         range.count(), nodes(shot), relighting, traced, (System.nanoTime() - start) / 1e6);
             }
-        } catch (JoinException e) {
-            throw new BadInput(e.getMessage());
         } catch (InterruptedException e) {
             throw new CancellationException();
         }

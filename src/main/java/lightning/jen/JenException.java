@@ -2,9 +2,10 @@ package lightning.jen;
 
 import java.util.List;
 import java.util.stream.Collectors;
+import lightning.text.Told;
 
 /** A scene file cannot be used; holds every problem found in it, in the order of the file. */
-public final class JenException extends Exception {
+public final class JenException extends Exception implements Told {
     private static final long serialVersionUID = 1;
 
     private final transient List<Problem> problems;

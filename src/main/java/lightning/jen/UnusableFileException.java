@@ -1,7 +1,9 @@
 package lightning.jen;
 
+import lightning.text.Told;
+
 /** Says in a sentence why a file that a scene names cannot be used. */
-public final class UnusableFileException extends Exception {
+public final class UnusableFileException extends Exception implements Told {
     private static final long serialVersionUID = 1;
 
     UnusableFileException(String message) {

@@ -2,10 +2,11 @@ package lightning.mesh;
 
 import java.nio.file.Path;
 import lightning.text.Quote;
+import lightning.text.Told;
 import lightning.text.Visible;
 
 /** A file of meshes cannot be used; the message says in one line which file, the place in it, what was expected and what was found. */
-public final class MeshException extends Exception {
+public final class MeshException extends Exception implements Told {
     private static final long serialVersionUID = 1;
 
     /**

@@ -11,6 +11,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javafx.application.Platform;
+import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuBar;
@@ -283,6 +284,8 @@ class FilesTest extends EditorDesk {
         answer = Files.writeString(folder.resolve("bad.obj"), "v 0 0 0\nf 1 2 3\n");
         begin(Command.LOAD_FILE);
         waitFor("it tells", () -> says("bad.obj could not be opened"));
+        assertThat(robot.lookup(".dialog-pane .label").queryAllAs(Label.class)).extracting(Label::getText)
+                .anyMatch(text -> text.startsWith(folder.resolve("bad.obj") + ": line 2: "));
         assertThat(text("message")).isEmpty();
         assertThat(model().document().name()).isEqualTo("desk.jen");
         assertThat(folder.resolve("bad.jen")).doesNotExist();

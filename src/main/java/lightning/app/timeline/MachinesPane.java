@@ -14,7 +14,6 @@ import lightning.app.model.EditorModel;
 import lightning.app.model.MachineChoice;
 import lightning.app.model.Sentence;
 import lightning.cluster.HostPort;
-import lightning.cluster.JoinException;
 import lightning.scene.shot.Shot;
 import lightning.text.Texts;
 import lightning.work.OwnThread;
@@ -117,8 +116,7 @@ final class MachinesPane extends VBox {
         }, why -> {
             if (mine == attempt) {
                 begin.setDisable(false);
-                status.setText(
-                        why instanceof JoinException || why instanceof IllegalArgumentException ? why.getMessage() : Sentence.of(why));
+                status.setText(why instanceof IllegalArgumentException ? why.getMessage() : Sentence.of(why));
             }
         });
     }

@@ -1,7 +1,9 @@
 package lightning.cluster.wire;
 
+import lightning.text.Told;
+
 /** Bytes that are no message; the sentence tells where, what was expected and what was found. */
-public final class WireException extends Exception {
+public final class WireException extends Exception implements Told {
     private static final long serialVersionUID = 1;
 
     WireException(String message) {
