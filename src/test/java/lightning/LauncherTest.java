@@ -12,6 +12,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import lightning.work.Wait;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -209,13 +210,8 @@ class LauncherTest {
     /** The archive that a first start has made beside it. */
     private Path archiveOf(Map<String, Path> variables) throws Exception {
         assertThat(run(variables, "", launcher).out()).doesNotContain("SharedArchive");
-        for (int i = 0; i < 3000; i++) {
-            if (archives().size() == 1 && !Files.exists(Path.of(archives().getFirst() + ".making"))) {
-                return archives().getFirst();
-            }
-            Thread.sleep(10);
-        }
-        throw new AssertionError("no archive was made");
+        Wait.until("an archive is made", () -> archives().size() == 1 && !Files.exists(Path.of(archives().getFirst() + ".making")));
+        return archives().getFirst();
     }
 
     private List<Path> archives() throws IOException {
@@ -231,9 +227,7 @@ class LauncherTest {
     /** What makes an archive goes on beside the test; its folder goes only when that has ended. */
     @AfterEach
     void letWhatGoesOnBesideEnd() throws Exception {
-        for (int i = 0; i < 1000 && ProcessHandle.allProcesses().anyMatch(this::isOfThisFolder); i++) {
-            Thread.sleep(10);
-        }
+        Wait.until("no process works in the folder", () -> ProcessHandle.allProcesses().noneMatch(this::isOfThisFolder));
     }
 
     private boolean isOfThisFolder(ProcessHandle process) {

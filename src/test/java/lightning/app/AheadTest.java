@@ -9,6 +9,7 @@ import javafx.scene.Group;
 import javafx.scene.Scene;
 import javafx.stage.Stage;
 import lightning.app.widget.Slices;
+import lightning.work.Wait;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.framework.junit5.Start;
@@ -41,7 +42,7 @@ class AheadTest {
     void stepWaits_whileAnythingComesInSlices() throws Exception {
         Thread.sleep(LONGER_THAN_A_REST_MS);
         assertThat(made).hasValue(0);
-        WaitForAsyncUtils.waitForAsyncFx(5000, sliced::end);
-        WaitForAsyncUtils.waitFor(5, TimeUnit.SECONDS, () -> made.get() == 3);
+        WaitForAsyncUtils.waitForAsyncFx(TimeUnit.SECONDS.toMillis(Wait.MOST_SECONDS), sliced::end);
+        WaitForAsyncUtils.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS, () -> made.get() == 3);
     }
 }

@@ -26,6 +26,7 @@ import lightning.edit.Viewport;
 import lightning.math.Vec3;
 import lightning.scene.Light;
 import lightning.shading.ReferenceTracer;
+import lightning.work.Wait;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -37,7 +38,6 @@ import org.testfx.util.WaitForAsyncUtils;
 /** An editor on a small scene with one light of each type, all of them in view. */
 @ExtendWith(JavaFxNeeds.class)
 public abstract class EditorDesk {
-    private static final int PATIENCE_SECONDS = 30;
     private static final String SCENE = """
             jen 1
             picture  { size 64 48  depth 2 }
@@ -65,7 +65,7 @@ public abstract class EditorDesk {
     void open() throws Exception {
         FxToolkit.registerPrimaryStage();
         // The first editor of a process takes its time on a machine that has other work.
-        FxToolkit.toolkitContext().setSetupTimeoutInMillis(TimeUnit.SECONDS.toMillis(4 * PATIENCE_SECONDS));
+        FxToolkit.toolkitContext().setSetupTimeoutInMillis(TimeUnit.SECONDS.toMillis(4 * Wait.MOST_SECONDS));
         Path file = Files.writeString(folder.resolve("desk.jen"), SCENE);
         FxToolkit.setupFixture(() -> {
             Looks.DARK.wear();
@@ -117,10 +117,10 @@ public abstract class EditorDesk {
     /** Waits until something holds, as seen from the window's thread, and the window shows it. */
     public void waitFor(String what, Callable<Boolean> holds) {
         try {
-            WaitForAsyncUtils.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS,
-                    () -> WaitForAsyncUtils.asyncFx(holds).get(PATIENCE_SECONDS, TimeUnit.SECONDS));
+            WaitForAsyncUtils.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS,
+                    () -> WaitForAsyncUtils.asyncFx(holds).get(Wait.MOST_SECONDS, TimeUnit.SECONDS));
         } catch (TimeoutException e) {
-            throw new AssertionError("waited " + PATIENCE_SECONDS + " s until " + what, e);
+            throw new AssertionError("waited " + Wait.MOST_SECONDS + " s until " + what, e);
         }
         QuickRobot.settle();
     }

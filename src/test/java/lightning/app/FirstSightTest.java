@@ -10,6 +10,7 @@ import javafx.application.Platform;
 import javafx.stage.Stage;
 import lightning.app.model.Preferences;
 import lightning.edit.FileThread;
+import lightning.work.Wait;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -74,7 +75,7 @@ class FirstSightTest {
         preferences.set("table", table);
         preferences.save();
         show("16 12");
-        WaitForAsyncUtils.waitFor(30, TimeUnit.SECONDS,
+        WaitForAsyncUtils.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS,
                 () -> WaitForAsyncUtils.asyncFx(() -> sight.model().viewProperty().get().cube().isPresent()).get());
     }
 
@@ -84,7 +85,7 @@ class FirstSightTest {
         preferences.set("table", folder.resolve("gone.cube"));
         preferences.save();
         show("16 12");
-        WaitForAsyncUtils.waitFor(30, TimeUnit.SECONDS,
+        WaitForAsyncUtils.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS,
                 () -> WaitForAsyncUtils.asyncFx(() -> sight.model().messageProperty().get().contains("there is no such file")).get());
         assertThat(sight.model().viewProperty().get().cube()).isEmpty();
     }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import javafx.scene.layout.Region;
 import javafx.stage.Stage;
+import lightning.work.Wait;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
@@ -16,8 +17,6 @@ import org.testfx.util.WaitForAsyncUtils;
 /** A scene that has a shot opens with its timeline. */
 @ExtendWith({JavaFxNeeds.class, OnStage.class})
 class FirstTimelineTest {
-    private static final int PATIENCE_SECONDS = 120;
-
     private LightningApp app;
     private volatile Editor editor;
 
@@ -45,7 +44,7 @@ class FirstTimelineTest {
 
     @Test
     void timeline_hasRoomForItsRows(FxRobot robot) throws Exception {
-        WaitForAsyncUtils.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS,
+        WaitForAsyncUtils.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS,
                 () -> editor != null && robot.lookup("#timeline").tryQuery().isPresent());
         QuickRobot.settle();
         assertThat(robot.lookup("#timeline").<Region>query().getHeight()).isBetween(198.0, 200.0);

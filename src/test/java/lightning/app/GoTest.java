@@ -24,6 +24,7 @@ import lightning.scene.Sampling;
 import lightning.scene.Scene;
 import lightning.shading.ReferenceTracer;
 import lightning.shading.TraceCounts;
+import lightning.work.Wait;
 import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
@@ -231,7 +232,7 @@ class GoTest extends EditorDesk {
         manyLights();
         size(1920, 1080);
         waitFor("progress is shown", () -> isShown("progress"));
-        assertThat(WaitForAsyncUtils.asyncFx(() -> true).get(5, TimeUnit.SECONDS)).isTrue();
+        assertThat(WaitForAsyncUtils.asyncFx(() -> true).get(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isTrue();
         robot.interact(robot.lookup("#cancel-progress").<Button>query()::fire);
         waitFor("it is over", () -> !isShown("progress"));
         assertThat(model().frame().scene()).isEqualTo(before);

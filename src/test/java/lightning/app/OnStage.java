@@ -5,6 +5,7 @@ import java.lang.reflect.Method;
 import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
 import javafx.stage.Stage;
+import lightning.work.Wait;
 import org.junit.jupiter.api.extension.AfterEachCallback;
 import org.junit.jupiter.api.extension.BeforeEachCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
@@ -21,8 +22,6 @@ import org.testfx.util.WaitForAsyncUtils;
  * {@link Start} fills the stage, that with {@link Stop} ends what it began.
  */
 public final class OnStage implements BeforeEachCallback, AfterEachCallback, ParameterResolver {
-    private static final long PATIENCE_SECONDS = 30;
-
     private final QuickRobot robot = new QuickRobot();
     private Stage stage;
 
@@ -51,7 +50,7 @@ public final class OnStage implements BeforeEachCallback, AfterEachCallback, Par
     }
 
     private static void onWindowsThread(Step step) throws Exception {
-        WaitForAsyncUtils.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS, WaitForAsyncUtils.asyncFx(() -> {
+        WaitForAsyncUtils.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS, WaitForAsyncUtils.asyncFx(() -> {
             step.run();
             return null;
         }));

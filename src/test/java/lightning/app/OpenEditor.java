@@ -19,6 +19,7 @@ import lightning.edit.OpenDocument;
 import lightning.edit.Recovery;
 import lightning.jen.JenException;
 import lightning.scene.Light;
+import lightning.work.Wait;
 import org.testfx.util.WaitForAsyncUtils;
 
 /** A model with a small scene of a light of each type, to show panes of. */
@@ -26,7 +27,6 @@ public final class OpenEditor {
     public static final String SPOT = "key";
     public static final String POINT = "fill";
     public static final String SUN = "sun";
-    private static final long MOST_SECONDS = 20;
     private static final String TEXT = """
             jen 1
             picture { size 40 30  depth 2 }
@@ -87,6 +87,6 @@ public final class OpenEditor {
 
     /** Returns as soon as the condition holds. */
     public static void await(BooleanSupplier condition) throws TimeoutException {
-        WaitForAsyncUtils.waitFor(MOST_SECONDS, TimeUnit.SECONDS, condition::getAsBoolean);
+        WaitForAsyncUtils.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS, condition::getAsBoolean);
     }
 }

@@ -21,6 +21,7 @@ import javafx.scene.robot.Robot;
 import javafx.stage.Stage;
 import javafx.stage.Window;
 import lightning.app.widget.Slices;
+import lightning.work.Wait;
 import org.testfx.api.FxRobot;
 import org.testfx.robot.Motion;
 import org.testfx.service.query.PointQuery;
@@ -31,7 +32,6 @@ import org.testfx.util.WaitForAsyncUtils;
  * window has handled it and has laid itself out.
  */
 public final class QuickRobot extends FxRobot {
-    private static final long PATIENCE_SECONDS = 30;
     private static final int ROUNDS = 3;
     private static final int PULSES = 2;
     private static final int DRAG_STEPS = 8;
@@ -70,7 +70,7 @@ public final class QuickRobot extends FxRobot {
     private static <T> T await(Callable<T> what) {
         try {
             return Platform.isFxApplicationThread() ? what.call()
-                    : WaitForAsyncUtils.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS, WaitForAsyncUtils.asyncFx(what));
+                    : WaitForAsyncUtils.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS, WaitForAsyncUtils.asyncFx(what));
         } catch (RuntimeException e) {
             throw e;
         } catch (Exception e) {
@@ -106,8 +106,8 @@ public final class QuickRobot extends FxRobot {
             return null;
         });
         try {
-            if (!pulses.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
-                throw new AssertionError("the window was not drawn within " + PATIENCE_SECONDS + " s");
+            if (!pulses.await(Wait.MOST_SECONDS, TimeUnit.SECONDS)) {
+                throw new AssertionError("the window was not drawn within " + Wait.MOST_SECONDS + " s");
             }
         } catch (InterruptedException e) {
             throw new AssertionError(e);
@@ -116,7 +116,7 @@ public final class QuickRobot extends FxRobot {
 
     /** What is put into the window pulse by pulse is in it then. */
     private static void awaitSlices() {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(Wait.MOST_SECONDS);
         while (await(Slices::isAnyGoing) && System.nanoTime() < end) {
             awaitPulses();
         }

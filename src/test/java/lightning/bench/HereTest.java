@@ -5,8 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
-import java.util.concurrent.TimeUnit;
+import lightning.work.Wait;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -28,13 +27,10 @@ class HereTest {
     @DisabledOnOs(OS.WINDOWS)
     void describeThatDoesNotEnd_isEndedAndTellsNoCommit() throws Exception {
         // It holds its output open, and never ends by itself.
-        String waiting = "echo $$ > " + folder.resolve("pid") + "; echo abc; exec tail -f /dev/null";
-        assertThat(Here.describe(folder, List.of("sh", "-c", waiting), 1000)).isEqualTo("unknown");
-        long pid = Long.parseLong(Files.readString(folder.resolve("pid")).strip());
-        Optional<ProcessHandle> left = ProcessHandle.of(pid);
-        if (left.isPresent()) {
-            left.get().onExit().get(20, TimeUnit.SECONDS);
-        }
+        Path open = Files.writeString(folder.resolve("open"), "");
+        assertThat(Here.describe(folder, List.of("sh", "-c", "echo abc; exec tail -f " + open), 1000)).isEqualTo("unknown");
+        Wait.until("it is ended", () -> ProcessHandle.current().descendants()
+                .noneMatch(process -> process.info().commandLine().orElse("").contains(open.toString())));
     }
 
     @Test

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import lightning.file.SafeFile;
 import lightning.work.Progress;
+import lightning.work.Wait;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -45,7 +46,7 @@ class InterruptTest {
             process.toHandle().destroy();
             assertThat(out.lines().toList()).contains("lightning: cancelled");
         }
-        assertThat(process.waitFor(10, TimeUnit.SECONDS)).isTrue();
+        assertThat(process.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isTrue();
         assertThat(process.exitValue()).isEqualTo(143);
         try (var files = Files.list(folder)) {
             assertThat(files.toList()).isEqualTo(List.of(scene));

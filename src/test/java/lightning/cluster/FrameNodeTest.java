@@ -23,6 +23,7 @@ import lightning.cluster.wire.Message;
 import lightning.cluster.wire.WireException;
 import lightning.relight.tile.Options;
 import lightning.shot.LocalKeeper;
+import lightning.work.Wait;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -30,7 +31,6 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** What a node does with messages that no coordinator sends. */
 final class FrameNodeTest {
-    private static final int PATIENCE_SECONDS = 60;
     private static final UUID SESSION = new UUID(3, 4);
     private static final byte[] TEXT = """
             jen 1
@@ -58,7 +58,7 @@ final class FrameNodeTest {
         Peer(LocalNetwork.End end) throws InterruptedException {
             this.end = end;
             end.join(this);
-            node = views.poll(PATIENCE_SECONDS, TimeUnit.SECONDS).iterator().next();
+            node = views.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS).iterator().next();
         }
 
         @Override
@@ -89,7 +89,7 @@ final class FrameNodeTest {
         }
 
         <M extends Message> M await(Class<M> type) throws InterruptedException {
-            Message message = answers.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            Message message = answers.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS);
             assertThat(message).isInstanceOf(type);
             return type.cast(message);
         }

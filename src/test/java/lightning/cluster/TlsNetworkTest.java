@@ -20,6 +20,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import javax.net.ssl.SSLException;
 import javax.net.ssl.SSLSocket;
+import lightning.work.Wait;
 import org.jgroups.Address;
 import org.jgroups.BytesMessage;
 import org.jgroups.LongMessage;
@@ -39,7 +40,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 final class TlsNetworkTest {
-    private static final int PATIENCE_SECONDS = 60;
     private static final Place.Timing QUICK = new Place.Timing(8000, 1000, 1500);
 
     @TempDir
@@ -79,7 +79,7 @@ final class TlsNetworkTest {
         }
 
         private Set<Member> next() throws InterruptedException {
-            Set<Member> view = views.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            Set<Member> view = views.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS);
             assertThat(view).as("a change of members").isNotNull();
             return view;
         }
@@ -109,7 +109,7 @@ final class TlsNetworkTest {
             byte[] large = new byte[1 << 20];
             large[5] = 7;
             one.send(to, large);
-            assertThat(b.messages.poll(PATIENCE_SECONDS, TimeUnit.SECONDS)).isEqualTo(large);
+            assertThat(b.messages.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isEqualTo(large);
             assertThat(one.name(to)).isEqualTo("127.0.0.1:" + second);
         }
     }
@@ -132,7 +132,7 @@ final class TlsNetworkTest {
                 }
             });
             for (int i = 0; i < 24; i++) {
-                assertThat(b.messages.poll(PATIENCE_SECONDS, TimeUnit.SECONDS)).as("message " + i).hasSize(1 << 20).startsWith(i);
+                assertThat(b.messages.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS)).as("message " + i).hasSize(1 << 20).startsWith(i);
             }
             sender.join();
         }
@@ -162,7 +162,7 @@ final class TlsNetworkTest {
             var context = javax.net.ssl.SSLContext.getInstance("TLSv1.3");
             context.init(null, new javax.net.ssl.TrustManager[] {new TrustsAll()}, null);
             try (SSLSocket socket = (SSLSocket) context.getSocketFactory().createSocket(InetAddress.getLoopbackAddress(), port)) {
-                socket.setSoTimeout(PATIENCE_SECONDS * 1000);
+                socket.setSoTimeout(Wait.MOST_SECONDS * 1000);
                 assertThatThrownBy(() -> {
                     socket.startHandshake();
                     // With TLS 1.3 the refusal comes behind the client's own end of the handshake; who was let in hears nothing.
@@ -170,7 +170,7 @@ final class TlsNetworkTest {
                 }).isInstanceOf(SSLException.class).hasMessageContaining("certificate");
             }
             try (Socket plain = new Socket(InetAddress.getLoopbackAddress(), port)) {
-                plain.setSoTimeout(PATIENCE_SECONDS * 1000);
+                plain.setSoTimeout(Wait.MOST_SECONDS * 1000);
                 plain.getOutputStream().write(new byte[100]);
                 InputStream in = plain.getInputStream();
                 // An alert of TLS, then the end.

@@ -19,8 +19,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class DiskWatchTest {
-    private static final int PATIENCE_SECONDS = 120;
-
     @TempDir
     private Path folder;
 
@@ -46,7 +44,7 @@ class DiskWatchTest {
 
     private DiskNews await(Predicate<DiskNews> what) throws InterruptedException {
         while (true) {
-            DiskNews news = heard.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            DiskNews news = heard.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS);
             assertThat(news).as("what is waited for").isNotNull();
             if (what.test(news)) {
                 return news;
@@ -109,7 +107,7 @@ class DiskWatchTest {
         var news = new LinkedBlockingQueue<DiskNews>();
         try (var without = new DiskWatch(new Presence(blocked), Duration.ofMillis(5), news::add)) {
             without.watch(file, FileState.NONE);
-            assertThat(news.poll(PATIENCE_SECONDS, TimeUnit.SECONDS)).matches(DiskNews::isChanged);
+            assertThat(news.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS)).matches(DiskNews::isChanged);
         }
     }
 

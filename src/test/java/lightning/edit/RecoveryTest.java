@@ -178,7 +178,7 @@ class RecoveryTest {
             told.countDown();
         })) {
             autosave.changed(document);
-            assertThat(told.await(20, TimeUnit.SECONDS)).isTrue();
+            assertThat(told.await(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isTrue();
         }
         assertThat(troubles).hasSize(1);
     }
@@ -194,7 +194,7 @@ class RecoveryTest {
             var texture = new TextureMap("a\nb.png", 1, 1, new Texture(1, 1, new float[3]));
             document.apply(new Change.To(scene.withMaterial(scene.materials().getFirst().withTexture(Optional.of(texture)))));
             autosave.changed(document);
-            assertThat(troubles.poll(20, TimeUnit.SECONDS)).isInstanceOf(RuntimeException.class);
+            assertThat(troubles.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isInstanceOf(RuntimeException.class);
             document.history().undo();
             autosave.changed(document);
             Wait.until(() -> !recovery.found().isEmpty());

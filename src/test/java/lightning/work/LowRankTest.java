@@ -22,7 +22,7 @@ class LowRankTest {
         int own = rank();
         try (ExecutorService behind = OwnThread.inTurnBehind("behind")) {
             for (int i = 0; i < 2; i++) {
-                assertThat(behind.submit(LowRankTest::rank).get(10, TimeUnit.SECONDS)).isEqualTo(Math.min(LOWEST, own + 10));
+                assertThat(behind.submit(LowRankTest::rank).get(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isEqualTo(Math.min(LOWEST, own + 10));
             }
         }
     }
@@ -31,11 +31,11 @@ class LowRankTest {
     void otherThreads_keepTheirRank() throws Exception {
         int own = rank();
         try (ExecutorService behind = OwnThread.inTurnBehind("behind")) {
-            behind.submit(LowRankTest::rank).get(10, TimeUnit.SECONDS);
+            behind.submit(LowRankTest::rank).get(Wait.MOST_SECONDS, TimeUnit.SECONDS);
         }
         var rank = new CompletableFuture<Integer>();
         OwnThread.of("beside", () -> rank.complete(rank())).start();
-        assertThat(rank.get(10, TimeUnit.SECONDS)).isEqualTo(own);
+        assertThat(rank.get(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isEqualTo(own);
         assertThat(rank()).isEqualTo(own);
     }
 

@@ -6,8 +6,8 @@ import java.util.concurrent.locks.LockSupport;
 
 /** Waits for what other threads do. */
 public final class Wait {
-    /** Far more than anything takes on a machine that has other work: only what never comes about takes so long. */
-    private static final long MOST_SECONDS = 120;
+    /** Seconds: far more than anything takes on a machine that has other work: only what never comes about takes so long. */
+    public static final int MOST_SECONDS = 120;
 
     private Wait() {}
 

@@ -20,6 +20,7 @@ import lightning.scene.Scene;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 import lightning.work.Progress;
+import lightning.work.Wait;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -63,7 +64,7 @@ class PreviewLoopTest {
     }
 
     private PreviewLoop.Picture next() throws InterruptedException {
-        PreviewLoop.Picture picture = pictures.poll(30, TimeUnit.SECONDS);
+        PreviewLoop.Picture picture = pictures.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS);
         assertThat(picture).as("a picture").isNotNull();
         return picture;
     }

@@ -8,7 +8,6 @@ import java.util.OptionalInt;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import lightning.edit.Desk;
 import lightning.image.Film;
@@ -23,6 +22,7 @@ import lightning.shot.FrameUpdate;
 import lightning.shot.RelitShot;
 import lightning.shot.Take;
 import lightning.work.Progress;
+import lightning.work.Wait;
 import org.junit.jupiter.api.Test;
 
 class FilmStripTest {
@@ -101,7 +101,7 @@ class FilmStripTest {
         try (var strip = strip()) {
             strip.see(IntStream.rangeClosed(1, FRAMES).boxed().toList());
             strip.show(animated(Desk.scene()), 1);
-            assertThat(asked.await(30, TimeUnit.SECONDS)).isTrue();
+            assertThat(asked.await(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isTrue();
             for (int frame = 2; frame <= FRAMES; frame++) {
                 waitForPicture(strip, frame);
             }
@@ -116,26 +116,18 @@ class FilmStripTest {
         try (var strip = strip()) {
             strip.see(List.of(2));
             strip.show(animated(Desk.scene()), 2);
-            waitFor("the first picture", () -> strip.showsNewest(2));
+            Wait.until("the first picture", () -> strip.showsNewest(2));
             free = new CountDownLatch(1);
             strip.show(animated(Desk.scene().withWorld(World.DEFAULT.withAmbience(0.5))), 2);
             assertThat(strip.state(2)).isEqualTo(FrameState.STALE);
             assertThat(strip.showsNewest(2)).isFalse();
             assertThat(strip.picture(2)).isPresent();
             free.countDown();
-            waitFor("the next picture", () -> strip.showsNewest(2));
+            Wait.until("the next picture", () -> strip.showsNewest(2));
         }
     }
 
-    private static void waitForPicture(FilmStrip strip, int frame) throws InterruptedException {
-        waitFor("the picture of frame " + frame, () -> strip.picture(frame).isPresent());
-    }
-
-    private static void waitFor(String what, BooleanSupplier isThere) throws InterruptedException {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(10);
-        while (!isThere.getAsBoolean()) {
-            assertThat(System.nanoTime()).as("waited for %s", what).isLessThan(end);
-            Thread.sleep(10);
-        }
+    private static void waitForPicture(FilmStrip strip, int frame) throws Exception {
+        Wait.until("the picture of frame " + frame, () -> strip.picture(frame).isPresent());
     }
 }

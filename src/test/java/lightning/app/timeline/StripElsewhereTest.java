@@ -33,6 +33,7 @@ import lightning.shading.ReferenceTracer;
 import lightning.shot.FrameState;
 import lightning.shot.LocalKeeper;
 import lightning.text.Release;
+import lightning.work.Wait;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -42,7 +43,6 @@ import org.testfx.util.WaitForAsyncUtils;
 class StripElsewhereTest extends EditorDesk {
     private static final String SHOT =
             "shot { frames 1 4  camera { from { 1 0 2 9  4 1 2 9 } }  light lamp { intensity { 1 0.5  4 2.5 } } }";
-    private static final int PATIENCE_SECONDS = 120;
 
     private final InetAddress loopback = InetAddress.getLoopbackAddress();
     private final List<FrameNode> nodes = new ArrayList<>();
@@ -94,7 +94,7 @@ class StripElsewhereTest extends EditorDesk {
     }
 
     private void waitToBeTold(String what) {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(Wait.MOST_SECONDS);
         while (!told().equals(what)) {
             assertThat(System.nanoTime()).as("waited until the strip says %s; it says %s", what, told()).isLessThan(end);
             WaitForAsyncUtils.sleep(20, TimeUnit.MILLISECONDS);
@@ -125,7 +125,7 @@ class StripElsewhereTest extends EditorDesk {
     /** Where the machine that has it is lost in that moment, another traces it. */
     private Film film(int frame) throws Exception {
         var film = new CompletableFuture<Film>();
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(Wait.MOST_SECONDS);
         while (!film.isDone()) {
             assertThat(System.nanoTime()).as("waited for the film of frame " + frame).isLessThan(end);
             if (strip().state(frame) == FrameState.CURRENT) {
@@ -209,7 +209,7 @@ class StripElsewhereTest extends EditorDesk {
             // However soon it is traced here.
             ahead.follow(model().situationProperty().get().withInWork(Optional.of(scene)), strip());
         });
-        assertThat(film.get(PATIENCE_SECONDS, TimeUnit.SECONDS).sameBits(new ReferenceTracer(fourth).trace())).isTrue();
+        assertThat(film.get(Wait.MOST_SECONDS, TimeUnit.SECONDS).sameBits(new ReferenceTracer(fourth).trace())).isTrue();
         waitForPicture();
         assertCanvasShows(new ReferenceTracer(fourth).trace());
     }

@@ -12,6 +12,7 @@ import lightning.scene.Antialias;
 import lightning.scene.Picture;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
+import lightning.work.Wait;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Assume;
@@ -73,7 +74,7 @@ class FirstLookTest {
         try (var loop = new RenderLoop(Options.DEFAULT.withThreads(1), look)) {
             look.loop = loop;
             loop.render(scene.withPicture(picture));
-            Film first = look.seen.poll(20, TimeUnit.SECONDS);
+            Film first = look.seen.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS);
             assertThat(first).as("a picture").isNotNull();
             if (rays(picture) < MOST_RAYS) {
                 assertThat(first.width()).as("a small picture is not told coarsely first").isEqualTo(width);

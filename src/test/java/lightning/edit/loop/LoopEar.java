@@ -11,6 +11,7 @@ import lightning.accuracy.WarmSaving;
 import lightning.image.Film;
 import lightning.relight.plan.UpdatePlan;
 import lightning.scene.Scene;
+import lightning.work.Wait;
 
 /** Hears a render loop, and can hold it at its next tile. */
 public final class LoopEar implements RenderListener {
@@ -38,7 +39,7 @@ public final class LoopEar implements RenderListener {
         private final CountDownLatch released = new CountDownLatch(1);
 
         public void awaitReached() throws InterruptedException {
-            if (!reached.await(20, TimeUnit.SECONDS)) {
+            if (!reached.await(Wait.MOST_SECONDS, TimeUnit.SECONDS)) {
                 throw new AssertionError("the loop did not come to a tile");
             }
         }
@@ -50,7 +51,7 @@ public final class LoopEar implements RenderListener {
         private void stand() {
             reached.countDown();
             try {
-                released.await(20, TimeUnit.SECONDS);
+                released.await(Wait.MOST_SECONDS, TimeUnit.SECONDS);
             } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
             }
@@ -74,7 +75,7 @@ public final class LoopEar implements RenderListener {
     /** The next event of this kind; others before it are dropped. */
     public <T> T next(Class<T> kind) throws InterruptedException {
         while (true) {
-            Object event = events.poll(20, TimeUnit.SECONDS);
+            Object event = events.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS);
             if (event == null) {
                 throw new AssertionError("no " + kind.getSimpleName() + " came");
             }

@@ -30,6 +30,7 @@ import lightning.shading.ReferenceTracer;
 import lightning.shading.TraceCounts;
 import lightning.trace.Geometry;
 import lightning.work.Progress;
+import lightning.work.Wait;
 import lightning.work.Workers;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -148,8 +149,8 @@ class RenderLoopTest {
     void pictureThatDoesNotFit_isRefusedBeforeAnyPartOfItIsTraced() throws Exception {
         try (RenderLoop small = with(50_000_000)) {
             small.render(sized(scene, 2048, 2048));
-            assertThat(ear.events.poll(20, TimeUnit.SECONDS)).isInstanceOf(LoopEar.Started.class);
-            assertThat(ear.events.poll(20, TimeUnit.SECONDS)).isInstanceOf(PictureTooLarge.class);
+            assertThat(ear.events.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isInstanceOf(LoopEar.Started.class);
+            assertThat(ear.events.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isInstanceOf(PictureTooLarge.class);
         }
     }
 
