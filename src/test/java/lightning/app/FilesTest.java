@@ -15,6 +15,7 @@ import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuBar;
+import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 import lightning.app.model.Precision;
 import lightning.app.model.Preferences;
@@ -289,6 +290,17 @@ class FilesTest extends EditorDesk {
         assertThat(text("message")).isEmpty();
         assertThat(model().document().name()).isEqualTo("desk.jen");
         assertThat(folder.resolve("bad.jen")).doesNotExist();
+        robot.type(javafx.scene.input.KeyCode.ESCAPE);
+    }
+
+    @Test
+    void longSentence_isSaidInTheMiddleOfTheWindow() throws IOException {
+        Path deep = Files.createDirectories(folder.resolve("a folder of meshes ".repeat(10).strip()));
+        answer = Files.writeString(deep.resolve("bad.obj"), "v 0 0 0\nf 1 2 3\n");
+        begin(Command.LOAD_FILE);
+        waitFor("it tells", () -> says("bad.obj could not be opened"));
+        Window told = robot.lookup(".dialog-pane").query().getScene().getWindow();
+        assertThat(told.getX() + told.getWidth() / 2).isCloseTo(stage.getX() + stage.getWidth() / 2, Offset.offset(2.0));
         robot.type(javafx.scene.input.KeyCode.ESCAPE);
     }
 

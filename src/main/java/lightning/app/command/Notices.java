@@ -161,13 +161,23 @@ public final class Notices {
             case INFORMATION, WARNING, NONE -> MaterialDesignI.INFORMATION_OUTLINE;
         };
         alert.setGraphic(FontIcon.of(icon, ICON));
-        var content = new Label(text);
-        content.setWrapText(true);
-        content.setMaxWidth(WIDTH);
-        alert.getDialogPane().setContent(content);
+        alert.getDialogPane().setContent(new Sentences(text));
         alert.getDialogPane().setMinHeight(Region.USE_PREF_SIZE);
         alert.setOnShown(_ -> OnScreen.fit(alert.getDialogPane().getScene().getWindow()));
         return alert;
+    }
+
+    /** Lines that are no longer than can be read, also where a dialog asks how wide they are to set itself in the middle of its window. */
+    private static final class Sentences extends Label {
+        Sentences(String text) {
+            super(text);
+            setWrapText(true);
+        }
+
+        @Override
+        protected double computePrefWidth(double height) {
+            return Math.min(super.computePrefWidth(height), WIDTH);
+        }
     }
 
     /** Line and column, then what is wrong. */
