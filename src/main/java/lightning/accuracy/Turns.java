@@ -1,5 +1,7 @@
 package lightning.accuracy;
 
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -14,7 +16,8 @@ import lightning.work.Progress;
  * patience ends.
  *
  * @param repetitions  how often each work is measured, ≥ 1
- * @param patienceMs   how long it warms up at most, milliseconds, beyond the least number of rounds
+ * @param patienceMs   how long it warms up at most, milliseconds of its thread's own work, beyond the least number of rounds: where others
+ *                     have the processors, Java comes to compile as late
  * @param steadyMs     for how long, milliseconds of the works' own time, no work may have become faster: works that take next
  *                     to nothing stay as slow as they are for many rounds, until Java comes to compile them
  */
@@ -26,6 +29,7 @@ record Turns(int repetitions, double patienceMs, double steadyMs) {
         double milliseconds() throws X;
     }
 
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
     private static final double PATIENCE_MS = 3000;
     private static final int LEAST_WARM_UPS = 2;
     private static final int STEADY_ROUNDS = 2;
@@ -77,10 +81,10 @@ record Turns(int repetitions, double patienceMs, double steadyMs) {
     <X extends Exception> boolean warmUp(List<Turn<X>> works, Progress progress) throws X {
         double[] best = new double[works.size()];
         Arrays.fill(best, Double.POSITIVE_INFINITY);
-        long start = System.nanoTime();
+        double start = worked();
         int steady = 0;
         double steadyFor = 0;
-        for (int round = 0; round < LEAST_WARM_UPS || !isSteady(steady, steadyFor) && since(start) < patienceMs; round++) {
+        for (int round = 0; round < LEAST_WARM_UPS || !isSteady(steady, steadyFor) && worked() - start < patienceMs; round++) {
             steady++;
             for (int i = 0; i < best.length; i++) {
                 double ms = next(works.get(i), progress);
@@ -110,10 +114,11 @@ record Turns(int repetitions, double patienceMs, double steadyMs) {
     static double time(Runnable work) {
         long start = System.nanoTime();
         work.run();
-        return since(start);
+        return (System.nanoTime() - start) / 1e6;
     }
 
-    private static double since(long start) {
-        return (System.nanoTime() - start) / 1e6;
+    /** How long the calling thread had a processor, milliseconds. */
+    private static double worked() {
+        return THREADS.getCurrentThreadCpuTime() / 1e6;
     }
 }

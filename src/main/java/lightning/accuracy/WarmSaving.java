@@ -53,7 +53,7 @@ public record WarmSaving(Update of, Timing update, Timing full) {
      * Measures a saving. The trace gets its tree of boxes for free.
      *
      * @param workers    of the trace; the update has its own, as many as its options say
-     * @param patienceMs how long warming up takes at most, milliseconds
+     * @param patienceMs how long warming up takes at most, milliseconds of the own work of who calls
      * @return empty where that was too short for Java to get warm
      * @throws CancellationException if {@code progress} asked to stop
      */

@@ -43,7 +43,7 @@ import picocli.CommandLine.Option;
             "  lightning relight scenes/balls.jen -o dull.png --set \"material:gold.reflective=0 0 0\" --set material:jade.shininess=20",
             "  lightning relight scenes/bird.jen -o new.png --add \"fill point intensity=0.5 at=0 3 2\" --save new.jen"})
 final class RelightCommand implements Callable<Integer> {
-    /** How long the times of one line may take to come to rest, milliseconds. */
+    /** How long the times of one line may take to come to rest, milliseconds of own work. */
     static final double WARM_UP_MS = 5000;
 
     private final Console console;

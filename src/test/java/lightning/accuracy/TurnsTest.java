@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.locks.LockSupport;
 import lightning.work.Progress;
 import org.junit.jupiter.api.Test;
 
@@ -54,6 +55,17 @@ class TurnsTest {
     void impatientWarmUp_tellsThatItIsNotSteady() {
         assertThat(new Turns(1, 0).warmUp(List.of(work('a', 1)), Progress.NONE)).isFalse();
         assertThat(new Turns(1, 1e6).warmUp(List.of(work('a', 1)), Progress.NONE)).isTrue();
+    }
+
+    @Test
+    void patience_isOfOwnWorkAndNotOfWhatOthersTakeOfTheMachine() {
+        Turns.Turn<RuntimeException> work = work('a', 64, 32, 16, 8, 4, 2, 1);
+        // Whoever waits for a processor works as little as whoever sleeps.
+        Turns.Turn<RuntimeException> late = () -> {
+            LockSupport.parkNanos(200_000_000);
+            return work.milliseconds();
+        };
+        assertThat(new Turns(1, 1000).warmUp(List.of(late), Progress.NONE)).isTrue();
     }
 
     @Test

@@ -22,7 +22,7 @@ import lightning.work.Workers;
  */
 final class Verifier implements AutoCloseable {
     private static final int PATIENCE_SECONDS = 10;
-    /** How long a saving's times may take to come to rest, milliseconds, while nobody works. */
+    /** How long a saving's times may take to come to rest, milliseconds of own work, while nobody works. */
     private static final double WARM_UP_MS = 20_000;
     /** Nobody works who did nothing for so long; how often that is looked at. */
     private static final long SEEN_NS = 150_000_000;
