@@ -28,6 +28,7 @@ final class ContentFolder {
     private final Path contents;
     private final Path scenes;
     private long bytes;
+    private boolean cleared;
 
     /** Where content comes from. */
     interface Parts {
@@ -92,6 +93,9 @@ final class ContentFolder {
      * @throws IOException      as {@link #file}
      */
     synchronized Path scene(Bill bill, Parts parts) throws IOException {
+        if (cleared) {
+            throw new IOException("the node has ended");
+        }
         Path folder = scenes.resolve(Hash.of(new Bill(new Bill.Content(NO_TEXT, 0), bill.files()).encode()).hex());
         PrivateFolder.make(folder);
         for (Map.Entry<String, Bill.Content> named : bill.files().entrySet()) {
@@ -118,8 +122,9 @@ final class ContentFolder {
         }
     }
 
-    /** Removes all; whoever reads a file of it goes on. */
+    /** Removes all, and keeps nothing any more; whoever reads a file of it goes on. */
     synchronized void clear() {
+        cleared = true;
         try {
             remove(contents);
             remove(scenes);

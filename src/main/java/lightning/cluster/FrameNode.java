@@ -22,6 +22,7 @@ public final class FrameNode implements Network.Listener, AutoCloseable {
     private final ContentFolder contents;
     private final Map<UUID, NodeSession> sessions = new ConcurrentHashMap<>();
     private final Strangers strangers;
+    private boolean closed;
 
     /**
      * How a node holds frames.
@@ -93,27 +94,32 @@ public final class FrameNode implements Network.Listener, AutoCloseable {
     private void welcome(Member from, Message.Hello hello) {
         if (!hello.release().equals(settings.release())) {
             strangers.tell(from, "it runs " + hello.release() + ", this node " + settings.release());
-        } else if (!sessions.containsKey(hello.session())) {
-            // One that offers a new session has given up its old one, of which this node may not have heard.
-            sessions.forEach((id, session) -> {
-                if (session.owner.equals(from)) {
-                    end(id);
-                }
-            });
-            if (sessions.size() == MOST_SESSIONS) {
-                return;
-            }
-            try {
-                sessions.put(hello.session(), new NodeSession(from, hello.session(), settings.keeper().next(), contents,
-                        message -> network.send(from, Codec.encode(message))));
-                settings.log().accept("holds frames for " + network.name(from));
-            } catch (IOException e) {
-                strangers.tell(from, "there is no room for its frames: " + e.getMessage());
-                return;
-            }
+        } else if (!sessions.containsKey(hello.session()) && !begin(from, hello.session())) {
+            return;
         }
         // One of another release is told ours all the same, so that it can say why.
         network.send(from, Codec.encode(new Message.Ready(hello.session(), settings.release(), settings.threads(), settings.memory())));
+    }
+
+    private synchronized boolean begin(Member from, UUID id) {
+        // One that offers a new session has given up its old one, of which this node may not have heard.
+        sessions.forEach((old, session) -> {
+            if (session.owner.equals(from)) {
+                end(old);
+            }
+        });
+        if (closed || sessions.size() == MOST_SESSIONS) {
+            return false;
+        }
+        try {
+            sessions.put(id, new NodeSession(from, id, settings.keeper().next(), contents,
+                    message -> network.send(from, Codec.encode(message))));
+            settings.log().accept("holds frames for " + network.name(from));
+            return true;
+        } catch (IOException e) {
+            strangers.tell(from, "there is no room for its frames: " + e.getMessage());
+            return false;
+        }
     }
 
     private void end(UUID id) {
@@ -136,8 +142,12 @@ public final class FrameNode implements Network.Listener, AutoCloseable {
     @Override
     public void close() {
         network.close();
-        sessions.values().forEach(NodeSession::close);
-        sessions.clear();
+        synchronized (this) {
+            // What was on its way may still be heard.
+            closed = true;
+            sessions.values().forEach(NodeSession::close);
+            sessions.clear();
+        }
         contents.clear();
     }
 }

@@ -125,7 +125,7 @@ final class ClusterPace {
         SelfSigned.write(folder.resolve("shared.p12"));
         List<Integer> ports = new ArrayList<>();
         for (int i = 0; i < nodes; i++) {
-            ports.add(TlsNetworkTest.freePort());
+            ports.add(FreePort.next());
         }
         List<NodeProcess> processes = new ArrayList<>();
         List<Piped> pipes = new ArrayList<>();

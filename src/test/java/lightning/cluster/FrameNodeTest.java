@@ -1,7 +1,9 @@
 package lightning.cluster;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -113,9 +115,10 @@ final class FrameNodeTest {
     }
 
     @AfterEach
-    void end() {
+    void end() throws Exception {
         node.close();
         peer.end.close();
+        Wait.untilEnded("lightning-node");
     }
 
     private static Bill.Content text() {
@@ -227,5 +230,21 @@ final class FrameNodeTest {
         assertThat(folder.resolve("own/contents")).isNotEmptyDirectory();
         node.close();
         assertThat(Files.exists(folder.resolve("own/contents"))).isFalse();
+    }
+
+    @Test
+    void contentThatComesAfterItsEnd_isNotKept() throws Exception {
+        Path own = folder.resolve("ended");
+        var contents = new ContentFolder(own);
+        contents.clear();
+        assertThatThrownBy(() -> contents.scene(new Bill(text(), new TreeMap<>()), (_, _) -> TEXT)).isInstanceOf(IOException.class);
+        assertThat(own).isEmptyDirectory();
+    }
+
+    @Test
+    void helloThatAnEndedNodeHearsLate_beginsNothing() {
+        node.close();
+        node.heard(new Member(UUID.randomUUID()), Codec.encode(new Message.Hello(new UUID(5, 6), "r")));
+        assertThat(said).containsExactly("holds frames for member 1");
     }
 }

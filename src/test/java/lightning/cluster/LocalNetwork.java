@@ -92,7 +92,9 @@ final class LocalNetwork {
 
         @Override
         public String name(Member member) {
-            return "member " + List.copyOf(ends.keySet()).indexOf(member);
+            synchronized (LocalNetwork.this) {
+                return "member " + List.copyOf(ends.keySet()).indexOf(member);
+            }
         }
 
         @Override

@@ -51,7 +51,7 @@ final class NodeKillTest {
         SelfSigned.write(folder.resolve("shared.p12"));
         List<Integer> ports = new ArrayList<>();
         for (int i = 0; i < NODES; i++) {
-            ports.add(TlsNetworkTest.freePort());
+            ports.add(FreePort.next());
         }
         var random = new Random(KILLS);
         var lost = new AtomicInteger();

@@ -32,7 +32,7 @@ final class RelightElsewhereTest {
     void pictures_areThoseOfTheCommandWithoutACluster_andOthersCertificatesGetNone() throws Exception {
         String certificate = folder.resolve("shared.p12").toString();
         assertThat(run(0, "node", "--make-certificate", certificate)).contains("a new key with its certificate");
-        int port = TlsNetworkTest.freePort();
+        int port = FreePort.next();
         String[] words = {"shot", "relight", "scenes/dusk.jen", "--frames", "1-4", "--size", "60x40", "--set", "sky.on=no", "--then",
             "--set", "world.ambience=0.3"};
         try (var _ = new NodeProcess(port, List.of(port), folder)) {

@@ -7,7 +7,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -85,12 +84,6 @@ final class TlsNetworkTest {
         }
     }
 
-    static int freePort() throws IOException {
-        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            return socket.getLocalPort();
-        }
-    }
-
     private static Place place(int port, int join, Path certificate) {
         InetAddress here = InetAddress.getLoopbackAddress();
         return new Place(here, port, 1, List.of(new InetSocketAddress(here, join)), certificate, QUICK);
@@ -98,8 +91,8 @@ final class TlsNetworkTest {
 
     @Test
     void membersOfOneCertificate_hearEachOther() throws Exception {
-        int first = freePort();
-        int second = freePort();
+        int first = FreePort.next();
+        int second = FreePort.next();
         var a = new Heard();
         var b = new Heard();
         try (var one = new TlsNetwork(place(first, first, certificate)); var two = new TlsNetwork(place(second, first, certificate))) {
@@ -117,10 +110,11 @@ final class TlsNetworkTest {
     /** JGroups lets a member send some megabytes before it must hear that these were taken. */
     @Test
     void moreThanAMemberTakesAtOnce_arrivesWhole() throws Exception {
-        int first = freePort();
+        int first = FreePort.next();
         var a = new Heard();
         var b = new Heard();
-        try (var one = new TlsNetwork(place(first, first, certificate)); var two = new TlsNetwork(place(freePort(), first, certificate))) {
+        try (var one = new TlsNetwork(place(first, first, certificate));
+                var two = new TlsNetwork(place(FreePort.next(), first, certificate))) {
             one.join(a);
             two.join(b);
             Member to = a.awaitOthers(1).iterator().next();
@@ -140,10 +134,10 @@ final class TlsNetworkTest {
 
     @Test
     void strangerWithAnotherCertificate_staysAlone() throws Exception {
-        int first = freePort();
+        int first = FreePort.next();
         var a = new Heard();
         var stranger = new Heard();
-        try (var one = new TlsNetwork(place(first, first, certificate)); var two = new TlsNetwork(place(freePort(), first, other))) {
+        try (var one = new TlsNetwork(place(first, first, certificate)); var two = new TlsNetwork(place(FreePort.next(), first, other))) {
             one.join(a);
             two.join(stranger);
             // Long enough for parts of a cluster to find each other.
@@ -155,7 +149,7 @@ final class TlsNetworkTest {
 
     @Test
     void strangerWithoutACertificate_isRefused() throws Exception {
-        int port = freePort();
+        int port = FreePort.next();
         try (var one = new TlsNetwork(place(port, port, certificate))) {
             one.join(new Heard());
             // It trusts whomever it meets, but has nothing to show.
@@ -206,7 +200,7 @@ final class TlsNetworkTest {
 
     @Test
     void messagesThatNameClasses_areNeverRead() throws Exception {
-        int port = freePort();
+        int port = FreePort.next();
         try (var one = new TlsNetwork(place(port, port, certificate))) {
             one.join(new Heard());
             for (short type : new short[] {Message.NIO_MSG, Message.COMPOSITE_MSG, Message.FRAG_MSG, Message.EARLYBATCH_MSG}) {
@@ -232,7 +226,7 @@ final class TlsNetworkTest {
 
     @Test
     void messagesOfItsProtocols_areRead() throws Exception {
-        int port = freePort();
+        int port = FreePort.next();
         try (var one = new TlsNetwork(place(port, port, certificate))) {
             one.join(new Heard());
             SeqnoList missing = new SeqnoList(200, 7).add(8, 100, 206);
@@ -260,7 +254,7 @@ final class TlsNetworkTest {
     @Test
     void fileThatIsNoCertificate_isRefusedWithASentence() throws IOException {
         Path file = Files.writeString(folder.resolve("no.p12"), "no");
-        var network = new TlsNetwork(place(freePort(), 7800, file));
+        var network = new TlsNetwork(place(FreePort.next(), 7800, file));
         assertThatThrownBy(() -> network.join(new Heard())).isInstanceOf(JoinException.class).hasMessageContaining("no.p12")
                 .hasMessageContaining("expected a key");
         network.close();
