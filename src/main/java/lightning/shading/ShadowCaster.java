@@ -123,9 +123,21 @@ final class ShadowCaster {
         boolean come = casts && change.come().touches(beam);
         Arrays.fill(chosen, 0);
         boolean any = false;
-        for (int i = 0; (gone || come) && i < rows.count; i++) {
-            boolean asked = gone && (state[i] & LightRows.BLOCKED) != 0 && touches(rows, i, way, change.gone())
-                    || come && (state[i] & LightRows.CLEAR) != 0 && touches(rows, i, way, change.come());
+        for (int from = 0; (gone || come) && from < rows.count; from += TOGETHER * RowBits.WIDTH) {
+            int to = Math.min(rows.count, from + TOGETHER * RowBits.WIDTH);
+            sweep(tracer.box(rows.px, rows.py, rows.pz, from, to));
+            any |= choose(rows, from, to, way, state, gone && change.gone().touches(beam) ? change.gone() : BoxSet.NONE,
+                    come && change.come().touches(beam) ? change.come() : BoxSet.NONE, chosen);
+        }
+        return any;
+    }
+
+    /** Adds those of rows {@code from … to − 1} whose blocked ways may meet what is gone, or whose free ways what came. */
+    private boolean choose(HitRows rows, int from, int to, Ways way, byte[] state, BoxSet gone, BoxSet come, int[] chosen) {
+        boolean any = false;
+        for (int i = from; i < to && !(gone.isEmpty() && come.isEmpty()); i++) {
+            boolean asked = (state[i] & LightRows.BLOCKED) != 0 && !gone.isEmpty() && touches(rows, i, way, gone)
+                    || (state[i] & LightRows.CLEAR) != 0 && !come.isEmpty() && touches(rows, i, way, come);
             if (asked) {
                 RowBits.add(chosen, i);
                 any = true;

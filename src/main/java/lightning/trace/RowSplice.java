@@ -1,6 +1,7 @@
 package lightning.trace;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import lightning.column.ColumnKind;
 import lightning.column.ColumnSet;
 
@@ -23,15 +24,19 @@ public final class RowSplice {
     private final int reflective;
     private final int clear;
 
-    /** @param sequence rows in the order that rows of one material keep, as {@link #source} */
-    private RowSplice(HitRows old, HitRows added, int[] sequence, MaterialTable materials) {
+    /**
+     * @param sequence rows in the order that rows of one material keep, as {@link #source}
+     * @param count    how many they are
+     */
+    private RowSplice(HitRows old, HitRows added, int[] sequence, int count, MaterialTable materials) {
         this.old = old;
         this.added = added;
-        int[] oldMaterials = materials(old);
-        int[] addedMaterials = added == null ? new int[0] : materials(added);
+        int[] oldRanks = ranks(old, materials);
+        int[] addedRanks = added == null ? null : ranks(added, materials);
         int[] starts = new int[materials.count() + 1];
-        for (int s : sequence) {
-            starts[materials.rank(s < 0 ? addedMaterials[~s] : oldMaterials[s]) + 1]++;
+        for (int i = 0; i < count; i++) {
+            int s = sequence[i];
+            starts[(s < 0 ? addedRanks[~s] : oldRanks[s]) + 1]++;
         }
         for (int r = 0; r < materials.count(); r++) {
             starts[r + 1] += starts[r];
@@ -39,11 +44,12 @@ public final class RowSplice {
         int[] ends = starts.clone();
         reflective = starts[materials.reflectiveCount()];
         clear = starts[materials.clearCount()];
-        source = new int[sequence.length];
+        source = new int[count];
         now = new int[old.count];
         Arrays.fill(now, -1);
-        for (int s : sequence) {
-            int row = starts[materials.rank(s < 0 ? addedMaterials[~s] : oldMaterials[s])]++;
+        for (int i = 0; i < count; i++) {
+            int s = sequence[i];
+            int row = starts[s < 0 ? addedRanks[~s] : oldRanks[s]]++;
             source[row] = s;
             if (s >= 0) {
                 now[s] = row;
@@ -90,19 +96,28 @@ public final class RowSplice {
         return end;
     }
 
-    private static int[] materials(HitRows rows) {
-        int[] materials = new int[rows.count];
+    /** Of each row the place of its material in the order of rows. */
+    private static int[] ranks(HitRows rows, MaterialTable materials) {
+        int[] ranks = new int[rows.count];
         for (int r = 0; r < rows.runs; r++) {
-            Arrays.fill(materials, rows.runStart(r), rows.runEnd[r], rows.runMaterial[r]);
+            Arrays.fill(ranks, rows.runStart(r), rows.runEnd[r], materials.rank(rows.runMaterial[r]));
         }
-        return materials;
+        return ranks;
     }
 
-    /** The same rows in the order that other materials ask for. */
-    public static RowSplice sorted(HitRows old, MaterialTable materials) {
-        int[] all = new int[old.count];
-        Arrays.setAll(all, i -> i);
-        var splice = new RowSplice(old, null, all, materials);
+    /**
+     * The same rows in the order that other materials ask for.
+     *
+     * @param anew the parents of those that go, as their rays are traced anew
+     */
+    public static RowSplice sorted(HitRows old, BitSet anew, MaterialTable materials) {
+        int[] kept = new int[old.count];
+        int count = 0;
+        for (int i = 0; i < old.count; i++) {
+            kept[count] = i;
+            count += anew.get(old.parent[i]) ? 0 : 1;
+        }
+        var splice = new RowSplice(old, null, kept, count, materials);
         splice.copy(old.parent);
         return splice;
     }
@@ -112,23 +127,43 @@ public final class RowSplice {
      *
      * @param above what became of that level's rows; null if all of them are what they were
      * @param rays  from how many rows of that level they go on now
-     * @param added rows traced from some of them; null for none
+     * @param anew  rows of that level, as it is now, whose rays are traced anew: what these hit goes
      */
-    public static RowSplice seenFrom(RowSplice above, int rays, HitRows old, HitRows added, MaterialTable materials) {
+    public static RowSplice seenFrom(RowSplice above, int rays, HitRows old, BitSet anew, MaterialTable materials) {
+        return seenFrom(above, rays, old, anew, null, materials);
+    }
+
+    /**
+     * Rows put together of those that are there and those traced since.
+     *
+     * @param rays  how many parents there are
+     * @param added rows of other parents
+     */
+    public static RowSplice joined(int rays, HitRows old, HitRows added, MaterialTable materials) {
+        return seenFrom(null, rays, old, new BitSet(), added, materials);
+    }
+
+    private static RowSplice seenFrom(RowSplice above, int rays, HitRows old, BitSet anew, HitRows added, MaterialTable materials) {
         int[] hit = new int[rays];
         Arrays.fill(hit, Integer.MIN_VALUE);
         short[] parents = new short[HitRows.padded(old.count)];
         for (int i = 0; i < old.count; i++) {
             int parent = above == null ? old.parent[i] : above.now[old.parent[i]];
             parents[i] = (short) parent;
-            if (parent >= 0 && parent < rays) {
+            if (parent >= 0 && parent < rays && !anew.get(parent)) {
                 hit[parent] = i;
             }
         }
         for (int i = 0; added != null && i < added.count; i++) {
             hit[added.parent[i]] = ~i;
         }
-        var splice = new RowSplice(old, added, Arrays.stream(hit).filter(s -> s != Integer.MIN_VALUE).toArray(), materials);
+        int count = 0;
+        for (int s : hit) {
+            if (s != Integer.MIN_VALUE) {
+                hit[count++] = s;
+            }
+        }
+        var splice = new RowSplice(old, added, hit, count, materials);
         splice.copy(parents);
         return splice;
     }
@@ -166,15 +201,12 @@ public final class RowSplice {
     }
 
     /** The rows whose ray that goes on in some way is not known, because they are new or cast none before. */
-    public int[] unfollowed(Bounce bounce) {
-        int[] found = new int[bounce.rows(rows)];
-        int count = 0;
-        for (int i = 0; i < found.length; i++) {
-            if (source[i] < 0 || source[i] >= bounce.rows(old)) {
-                found[count++] = i;
-            }
+    public BitSet unfollowed(Bounce bounce) {
+        BitSet found = new BitSet();
+        for (int i = 0; i < bounce.rows(rows); i++) {
+            found.set(i, source[i] < 0 || source[i] >= bounce.rows(old));
         }
-        return Arrays.copyOf(found, count);
+        return found;
     }
 
     /**

@@ -1,10 +1,12 @@
 package lightning.trace;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import lightning.scene.Scene;
 import lightning.trace.primitive.PrimitiveTable;
 import lightning.trace.primitive.Surface;
 import lightning.trace.tree.Beam;
+import lightning.trace.tree.BoxRay;
 import lightning.trace.tree.BoxSet;
 import lightning.trace.tree.Candidates;
 
@@ -27,6 +29,7 @@ public final class TileVisibility {
     private final Geometry geometry;
     private final Tracer tracer;
     private final Beam beam = new Beam();
+    private final BoxRay way = new BoxRay();
     private final Candidates candidates = new Candidates();
     private final RayColumns rays;
     private final int[] starts;
@@ -59,6 +62,14 @@ public final class TileVisibility {
     public HitRows eye(int x0, int y0, int size, Allocator allocator) {
         int columns = Math.min(size, width - x0);
         int lines = Math.min(size, height - y0);
+        centers(x0, y0, size, columns, lines);
+        camera.sweep(beam, x0, y0, columns, lines);
+        candidates.collect(geometry.bvh(), beam);
+        tracer.nearest(rays, candidates);
+        return rows(allocator);
+    }
+
+    private void centers(int x0, int y0, int size, int columns, int lines) {
         rays.fromEye();
         rays.count = columns * lines;
         rays.columns = columns;
@@ -68,14 +79,30 @@ public final class TileVisibility {
             }
         }
         tracer.eye(camera, x0, y0, columns, lines, rays);
-        camera.sweep(beam, x0, y0, columns, lines);
-        candidates.collect(geometry.bvh(), beam);
-        tracer.nearest(rays, candidates);
-        return rows(allocator);
     }
 
-    /** Whether any eye ray of the places can meet any of the boxes. */
-    public boolean eyeTouches(SamplePlaces places, BoxSet boxes) {
+    private void samples(SamplePlaces places) {
+        rays.fromEye();
+        rays.count = places.count();
+        rays.columns = 0;
+        for (int ray = 0; ray < rays.count; ray++) {
+            rays.slot[ray] = (short) ray;
+        }
+        tracer.samples(camera, places, rays);
+    }
+
+    /** Directs the eye rays of some places; of the centres of pixels those in the picture. */
+    private void direct(SamplePlaces places) {
+        if (places.pixels() == null) {
+            int columns = Math.min(SamplePlaces.SIDE, width - places.x0());
+            int lines = Math.min(SamplePlaces.SIDE, height - places.y0());
+            centers(places.x0(), places.y0(), SamplePlaces.SIDE, columns, lines);
+        } else {
+            samples(places);
+        }
+    }
+
+    private boolean eyeTouches(SamplePlaces places, BoxSet boxes) {
         if (places.pixels() == null) {
             camera.sweep(beam, places.x0(), places.y0(), Math.min(SamplePlaces.SIDE, width - places.x0()),
                     Math.min(SamplePlaces.SIDE, height - places.y0()));
@@ -85,17 +112,64 @@ public final class TileVisibility {
         return boxes.touches(beam);
     }
 
-    /** Whether any ray that goes on from a level's rows in some way can meet any of the boxes. */
-    public boolean touches(HitRows from, Bounce bounce, BoxSet boxes) {
+    /** The numbers of those of the places whose eye rays can meet any of the boxes. */
+    public BitSet eyeTouching(SamplePlaces places, BoxSet boxes) {
+        if (boxes.isEmpty() || !eyeTouches(places, boxes)) {
+            return new BitSet();
+        }
+        direct(places);
+        return touching(boxes);
+    }
+
+    /** The rows of a level whose rays that go on in some way can meet any of the boxes. */
+    public BitSet touching(HitRows from, Bounce bounce, BoxSet boxes) {
         if (bounce.rows(from) == 0 || boxes.isEmpty()) {
-            return false;
+            return new BitSet();
         }
         direct(from, bounce);
         if (rays.count == 0) {
-            return false;
+            return new BitSet();
         }
         bound(bounce);
-        return boxes.touches(beam);
+        return boxes.touches(beam) ? touching(boxes) : new BitSet();
+    }
+
+    private BitSet touching(BoxSet boxes) {
+        BitSet touching = new BitSet();
+        for (int i = 0; i < rays.count; i++) {
+            way.enter(rays.originX(i), rays.originY(i), rays.originZ(i), rays.dx[i], rays.dy[i], rays.dz[i]);
+            if (boxes.touches(way, Double.POSITIVE_INFINITY)) {
+                touching.set(rays.slot[i]);
+            }
+        }
+        return touching;
+    }
+
+    /**
+     * Traces the eye rays of some places.
+     *
+     * @param which the numbers of those places, at least one
+     * @return the rows of those that hit something; {@code parent} is the place's number
+     */
+    public HitRows eye(SamplePlaces places, BitSet which, Allocator allocator) {
+        direct(places);
+        int count = 0;
+        for (int i = 0; i < rays.count; i++) {
+            if (which.get(rays.slot[i])) {
+                rays.slot[count] = rays.slot[i];
+                rays.dx[count] = rays.dx[i];
+                rays.dy[count] = rays.dy[i];
+                rays.dz[count++] = rays.dz[i];
+            }
+        }
+        rays.count = count;
+        rays.columns = 0;
+        beam.clear();
+        beam.origin(rays.originX(0), rays.originY(0), rays.originZ(0));
+        rays.sweep(beam, tracer);
+        candidates.collect(geometry.bvh(), beam);
+        tracer.nearest(rays, candidates);
+        return rows(allocator);
     }
 
     /**
@@ -105,13 +179,7 @@ public final class TileVisibility {
      * @return the rows of the samples that hit something; {@code parent} is the sample's number
      */
     public HitRows fine(SamplePlaces places, Allocator allocator) {
-        rays.fromEye();
-        rays.count = places.count();
-        rays.columns = 0;
-        for (int ray = 0; ray < rays.count; ray++) {
-            rays.slot[ray] = (short) ray;
-        }
-        tracer.samples(camera, places, rays);
+        samples(places);
         places.bound(beam, camera);
         candidates.collect(geometry.bvh(), beam);
         tracer.nearest(rays, candidates);
@@ -138,13 +206,13 @@ public final class TileVisibility {
     /**
      * Traces the rays that go on from some of those rows.
      *
-     * @param which those rows, ascending
-     * @param count how many
+     * @param which those rows
      * @return as {@link #seenFrom(HitRows, Bounce, int[], Allocator)}
      */
-    public HitRows seenFrom(HitRows from, Bounce bounce, int[] which, int count, Allocator allocator) {
-        for (int i = 0; i < count; i++) {
-            rays.slot[i] = (short) which[i];
+    public HitRows seenFromSome(HitRows from, Bounce bounce, BitSet which, Allocator allocator) {
+        int count = 0;
+        for (int row = which.nextSetBit(0); row >= 0; row = which.nextSetBit(row + 1)) {
+            rays.slot[count++] = (short) row;
         }
         direct(from, bounce, count);
         nearest(bounce);

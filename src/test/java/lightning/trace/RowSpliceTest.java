@@ -46,7 +46,7 @@ class RowSpliceTest {
         HitRows old = rows(random, parents.subList(0, known), before);
         HitRows added = more == 0 ? null : rows(random, parents.subList(known, known + more), after);
 
-        HitRows now = RowSplice.seenFrom(null, PARENTS, old, added, after).rows();
+        HitRows now = RowSplice.joined(PARENTS, old, added, after).rows();
 
         assertThat(now.count).isEqualTo(known + more);
         assertThat(now.clear).isEqualTo(old.clear + (added == null ? 0 : added.clear));

@@ -1,6 +1,7 @@
 package lightning.relight.tile;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.function.Function;
 import lightning.cache.TileLevel;
 import lightning.engine.Engine;
@@ -27,6 +28,9 @@ import lightning.trace.Tracer;
  * memory: one for each thread.
  */
 final class LevelWorker {
+    /** With a larger share of rays traced anew, putting rows together takes what it spares (figures: docs/performance.md). */
+    private static final double MOST_ANEW = 0.25;
+
     private final Job job;
     private final PreparedScene shown;
     /** Made when rays are traced first. */
@@ -49,6 +53,11 @@ final class LevelWorker {
         ratios = new RatioKernel(lights);
         updater = LayerUpdater.of(job.options().accuracy(), lights, ratios);
         composer = new TileComposer(shown.geometry().materials(), engine.sums(), job.options().view());
+    }
+
+    /** Whether so few of some rays are traced anew that what the others hit is worth keeping. */
+    static boolean areFew(BitSet anew, int rays) {
+        return anew.cardinality() <= MOST_ANEW * rays;
     }
 
     /** What traces the rays of tiles and levels. */
@@ -157,7 +166,7 @@ final class LevelWorker {
             LightLayer more = added.layers()[l];
             layers[l] = before == null || more == null ? null : updater.joined(splice, before, more, shown.lights()[l]);
         }
-        return moved(old, splice.rows(), layers);
+        return moved(old, splice.rows().compact(), layers);
     }
 
     private TileLevel moved(TileLevel old, HitRows rows, LightLayer[] layers) {

@@ -2,6 +2,7 @@ package lightning.relight.tile;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import lightning.cache.CachedTile;
 import lightning.cache.TileLevel;
@@ -109,7 +110,7 @@ final class LowerLevels {
     }
 
     private void trace(HitRows rows, Bounce bounce, int depth, int place) {
-        if (nextKnown < known.length && worker.visibility().touches(rows, bounce, job.shapes().seen())) {
+        if (nextKnown < known.length && !worker.visibility().touching(rows, bounce, job.shapes().seen()).isEmpty()) {
             // What is seen from these rows may be other rows, and then nothing is known of what is seen from theirs.
             nextKnown = known.length;
         }
@@ -149,9 +150,12 @@ final class LowerLevels {
             if (job.progress().isCancelled()) {
                 return;
             }
-            if (had && has && !worker.visibility().touches(rows, bounce, job.shapes().seen())) {
-                update(rows, bounce, order, depth, place);
-                continue;
+            if (had && has) {
+                BitSet anew = worker.visibility().touching(rows, bounce, job.shapes().seen());
+                if (LevelWorker.areFew(anew, bounce.rows(rows))) {
+                    update(rows, bounce, order, anew, depth, place);
+                    continue;
+                }
             }
             changed |= had || has;
             if (had) {
@@ -173,10 +177,11 @@ final class LowerLevels {
         }
     }
 
-    private void update(HitRows rows, Bounce bounce, RowSplice order, int depth, int place) {
+    /** @param anew those of the rows whose rays may hit something else than before */
+    private void update(HitRows rows, Bounce bounce, RowSplice order, BitSet anew, int depth, int place) {
         TileLevel before = old[next++];
-        RowSplice here = moves(order, before.rows())
-                ? RowSplice.seenFrom(order, bounce.rows(rows), before.rows(), null, job.mirrored().geometry().materials()) : null;
+        RowSplice here = !anew.isEmpty() || moves(order, before.rows())
+                ? RowSplice.seenFrom(order, bounce.rows(rows), before.rows(), anew, job.mirrored().geometry().materials()) : null;
         TileLevel kept = here == null ? before : worker.sorted(here, before);
         if (job.mirrors() != null) {
             TileLevel textured = worker.retextured(kept, rows, bounce, job.mirrors());
@@ -187,11 +192,12 @@ final class LowerLevels {
             changed |= job.mirrors().recolors(textured, updated.layers());
             kept = updated;
         }
-        int[] unknown = order == null ? new int[0] : order.unfollowed(bounce);
-        if (unknown.length > 0) {
-            TileLevel added = worker.lit(worker.visibility().seenFrom(rows, bounce, unknown, unknown.length, allocator(rows)));
+        BitSet unknown = order == null ? new BitSet() : order.unfollowed(bounce);
+        unknown.or(anew);
+        if (!unknown.isEmpty()) {
+            TileLevel added = worker.lit(worker.visibility().seenFromSome(rows, bounce, unknown, allocator(rows)));
             mirroredRays += worker.visibility().rays();
-            RowSplice all = RowSplice.seenFrom(null, bounce.rows(rows), kept.rows(), added.rows(), job.mirrored().geometry().materials());
+            RowSplice all = RowSplice.joined(bounce.rows(rows), kept.rows(), added.rows(), job.mirrored().geometry().materials());
             kept = worker.joined(all, kept, added);
             here = here == null ? all : here.then(all);
         }

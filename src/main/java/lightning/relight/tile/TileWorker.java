@@ -1,6 +1,7 @@
 package lightning.relight.tile;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import lightning.cache.CachedTile;
 import lightning.cache.TileLevel;
 import lightning.engine.Engine;
@@ -114,13 +115,19 @@ final class TileWorker {
     /** Updates the centres of a tile's pixels as planned; null where the work was cancelled. */
     CachedTile relight(int tile, CachedTile old) {
         SamplePlaces places = SamplePlaces.centers(tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE);
-        if (!job.shapes().isEmpty() && eye.visibility().eyeTouches(places, job.shapes().seen())) {
+        BitSet anew = touching(places);
+        if (!LevelWorker.areFew(anew, places.count())) {
             return firstPass(tile);
         }
         boolean seeksEdges = job.sampling().antialias() == Antialias.EDGES;
         boolean codes = old.codes != null;
-        return relight(places, seeksEdges == codes ? old : seeksEdges ? withCodes(places, old) : withoutCodes(old), seeksEdges,
+        return relight(places, seeksEdges == codes ? old : seeksEdges ? withCodes(places, old) : withoutCodes(old), anew, seeksEdges,
                 false);
+    }
+
+    /** Those of the places whose rays may hit something else than before. */
+    private BitSet touching(SamplePlaces places) {
+        return job.shapes().isEmpty() ? new BitSet() : eye.visibility().eyeTouching(places, job.shapes().seen());
     }
 
     /**
@@ -173,23 +180,31 @@ final class TileWorker {
 
     /** Updates finer samples as planned; null where the work was cancelled. */
     CachedTile relight(SamplePlaces places, CachedTile old) {
-        return !job.shapes().isEmpty() && eye.visibility().eyeTouches(places, job.shapes().seen()) ? fine(places)
-                : relight(places, old, false, true);
+        BitSet anew = touching(places);
+        return LevelWorker.areFew(anew, places.count()) ? relight(places, old, anew, false, true) : fine(places);
     }
 
     /**
+     * @param anew  places whose rays are traced anew
      * @param codes whether anti-aliasing looks at these rows
      * @param fine  whether they are finer samples
      */
-    private CachedTile relight(SamplePlaces places, CachedTile of, boolean codes, boolean fine) {
+    private CachedTile relight(SamplePlaces places, CachedTile of, BitSet anew, boolean codes, boolean fine) {
         CachedTile old = owned(places, of);
         TileLevel known = old.levels[0];
         MaterialUpdate materials = job.top().plan().materials();
-        RowSplice order = materials.mirrors().isIn(known.rows())
-                ? RowSplice.sorted(known.rows(), materials.materials()) : null;
+        RowSplice order = !anew.isEmpty() || materials.mirrors().isIn(known.rows())
+                ? RowSplice.sorted(known.rows(), anew, job.shown().geometry().materials()) : null;
         TileLevel sorted = order == null ? known : eye.sorted(order, known);
         sorted = eye.retextured(sorted, places, job.top());
         TileLevel top = eye.updated(sorted, job.top());
+        if (!anew.isEmpty() && !job.progress().isCancelled()) {
+            TileLevel added = eye.lit(eye.visibility().eye(places, anew, rows(known.rows().code != null)));
+            eyeRays += anew.cardinality();
+            RowSplice all = RowSplice.joined(Film.TILE_PIXELS, top.rows(), added.rows(), job.shown().geometry().materials());
+            top = eye.joined(all, top, added);
+            order = order.then(all);
+        }
         if (job.progress().isCancelled()) {
             return null;
         }
