@@ -10,6 +10,7 @@ import javafx.scene.image.Image;
 import javafx.scene.image.ImageView;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.VBox;
+import javafx.scene.text.TextAlignment;
 import lightning.app.widget.PixelImage;
 import lightning.exchange.LightUnits;
 import lightning.image.Film;
@@ -22,8 +23,11 @@ final class LightUnitCards extends VBox {
 
     private Optional<LightUnits> chosen = Optional.empty();
 
-    /** @param then runs when one was chosen */
-    LightUnitCards(Map<LightUnits, Film> pictures, Runnable then) {
+    /**
+     * @param widest in pixels of the screen's own scale: pictures become smaller where all of them would be wider
+     * @param then   runs when one was chosen
+     */
+    LightUnitCards(Map<LightUnits, Film> pictures, double widest, Runnable then) {
         super(GAP);
         var why =
                 new Label(Texts.of("The file has numbers for its lights and does not say what they are: exporters write one or the other. "
@@ -31,7 +35,14 @@ final class LightUnitCards extends VBox {
         why.setWrapText(true);
         var cards = new HBox(GAP);
         pictures.forEach((units, film) -> {
-            var card = new Button(title(units), new ImageView(image(film)));
+            var picture = new ImageView(image(film));
+            picture.setPreserveRatio(true);
+            // Half a gap and more lies between a card's edge and its picture.
+            picture.setFitWidth(Math.min(film.width(), (widest - GAP) / pictures.size() - 3 * GAP));
+            var card = new Button(title(units), picture);
+            card.setPrefWidth(picture.getFitWidth() + 2 * GAP);
+            card.setWrapText(true);
+            card.setTextAlignment(TextAlignment.CENTER);
             card.setId("units-" + units.name().toLowerCase(Locale.ROOT));
             card.setContentDisplay(ContentDisplay.TOP);
             card.setAccessibleText(Texts.of("Take the numbers as {0}", units.words()));

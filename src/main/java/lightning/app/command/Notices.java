@@ -44,6 +44,8 @@ public final class Notices {
     static final ButtonType RELOAD = new ButtonType(Texts.of("Take the File's"), ButtonData.NO);
     private static final ButtonType LATER = new ButtonType(Texts.of("Ask Later"), ButtonData.CANCEL_CLOSE);
     private static final double WIDTH = 560;
+    /** What a dialog's content has beside it, of the dialog and of its window, at most. */
+    private static final double FRAME = 40;
     private static final double LIST_HEIGHT = 320;
     private static final double ROW_HEIGHT = 36;
 
@@ -119,7 +121,7 @@ public final class Notices {
         Alert alert =
                 alert(Alert.AlertType.CONFIRMATION, Texts.of("Which of these is {0}?", Quote.path(file.getFileName())), "",
                         ButtonType.CANCEL);
-        var cards = new LightUnitCards(pictures, alert::close);
+        var cards = new LightUnitCards(pictures, OnScreen.of(owner).getWidth() - FRAME, alert::close);
         alert.getDialogPane().setContent(cards);
         alert.showAndWait();
         return cards.chosen();

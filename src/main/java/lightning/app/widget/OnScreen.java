@@ -24,8 +24,7 @@ public final class OnScreen {
         if (!window.isShowing() || !(window.getWidth() > 0) || Double.isNaN(window.getX()) || Double.isNaN(window.getY())) {
             return;
         }
-        Rectangle2D screen = Screen.getScreensForRectangle(window.getX(), window.getY(), 1, 1).stream().findFirst()
-                .orElseGet(Screen::getPrimary).getVisualBounds();
+        Rectangle2D screen = of(window);
         Rectangle2D now = new Rectangle2D(window.getX(), window.getY(), window.getWidth(), window.getHeight());
         Rectangle2D place = within(screen, now);
         if (!place.equals(now)) {
@@ -34,6 +33,12 @@ public final class OnScreen {
             window.setWidth(place.getWidth());
             window.setHeight(place.getHeight());
         }
+    }
+
+    /** What windows may take of the screen where this one begins. */
+    public static Rectangle2D of(Window window) {
+        return Screen.getScreensForRectangle(window.getX(), window.getY(), 1, 1).stream().findFirst()
+                .orElseGet(Screen::getPrimary).getVisualBounds();
     }
 
     /** The nearest place of a window wholly on a screen; smaller where the screen is. */
