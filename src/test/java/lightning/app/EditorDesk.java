@@ -64,8 +64,6 @@ public abstract class EditorDesk {
     @BeforeEach
     void open() throws Exception {
         FxToolkit.registerPrimaryStage();
-        // The first editor of a process takes its time on a machine that has other work.
-        FxToolkit.toolkitContext().setSetupTimeoutInMillis(TimeUnit.SECONDS.toMillis(4 * Wait.MOST_SECONDS));
         Path file = Files.writeString(folder.resolve("desk.jen"), SCENE);
         FxToolkit.setupFixture(() -> {
             Looks.DARK.wear();

@@ -6,9 +6,12 @@ import java.lang.foreign.Arena;
 import java.lang.foreign.SymbolLookup;
 import java.util.Map;
 import java.util.TreeSet;
+import java.util.concurrent.TimeUnit;
+import lightning.work.Wait;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.extension.BeforeAllCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
+import org.testfx.api.FxToolkit;
 
 /**
  * Skips the tests of a class where the machine lacks libraries that JavaFX draws text with, and names
@@ -21,6 +24,9 @@ public final class JavaFxNeeds implements BeforeAllCallback {
 
     @Override
     public void beforeAll(ExtensionContext context) {
+        // The first window of a process takes its time on a machine that has other work.
+        FxToolkit.toolkitContext().setLaunchTimeoutInMillis(TimeUnit.SECONDS.toMillis(Wait.MOST_SECONDS));
+        FxToolkit.toolkitContext().setSetupTimeoutInMillis(TimeUnit.SECONDS.toMillis(Wait.MOST_SECONDS));
         if (!System.getProperty("os.name").equals("Linux")) {
             return;
         }

@@ -6,12 +6,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import javafx.collections.ListChangeListener;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.text.Text;
 import javafx.stage.Stage;
 import lightning.app.widget.PictureView;
+import lightning.work.Wait;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
@@ -24,7 +26,7 @@ class LightningAppTest {
     private final LightningApp app = new LightningApp() {
         @Override
         long patience() {
-            return 20_000;
+            return TimeUnit.SECONDS.toMillis(Wait.MOST_SECONDS);
         }
     };
     private Stage stage;

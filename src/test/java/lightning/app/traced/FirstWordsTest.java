@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import javafx.application.Platform;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
@@ -16,6 +18,7 @@ import lightning.app.widget.HandTime;
 import lightning.edit.FileThread;
 import lightning.edit.OpenDocument;
 import lightning.edit.Recovery;
+import lightning.work.Wait;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
@@ -44,13 +47,14 @@ class FirstWordsTest {
         model.close();
     }
 
-    private void open(FxRobot robot, String picture) throws Exception {
+    private void open(FxRobot robot, String picture, Runnable then) throws Exception {
         Path file = Files.writeString(folder.resolve("scene.jen"), "jen 1\npicture { " + picture + " }\nsphere ball { }\n");
         OpenDocument document = OpenDocument.open(file);
         robot.interact(() -> {
             model = new EditorModel(document, new Recovery(folder.resolve("recovery")), new FileThread(Platform::runLater));
             pane = new TracedPane(model, new HandTime());
             OpenEditor.show(stage, pane);
+            then.run();
         });
     }
 
@@ -61,17 +65,27 @@ class FirstWordsTest {
 
     @Test
     void coarsePicture_saysSoAtOnce(FxRobot robot) throws Exception {
-        open(robot, "size 6000 4000");
+        open(robot, "size 6000 4000", () -> {});
         OpenEditor.await(() -> !pane.isEmpty());
         assertThat(model.frame()).isNull();
         assertThat(said(robot)).isEqualTo("Coarse picture, a finer one follows");
     }
 
+    /** Many edges, whose samples take seconds: the window is told of the centres while they are made. */
     @Test
     void centresOfTheFirstPicture_sayThatSamplesFollowAtOnce(FxRobot robot) throws Exception {
-        open(robot, "size 3000 2000  antialias edges  samples 8");
-        OpenEditor.await(() -> model.frame() != null);
-        assertThat(model.frame().finished()).isFalse();
-        assertThat(said(robot)).isEqualTo("Finer samples follow");
+        var spheres = new StringBuilder("size 1500 1000  antialias edges  samples 8 }");
+        for (int i = 0; i < 400; i++) {
+            spheres.append("\nsphere s").append(i).append(" { at ").append(i % 20 / 10.0 - 1).append(' ').append(i / 20 / 10.0 - 1)
+                    .append(" 0  scale 0.04 0.04 0.04 }");
+        }
+        var words = new CompletableFuture<String>();
+        open(robot, spheres + "\nworld {", () -> model.renderingProperty().subscribe(now -> {
+            if (now.frame() != null && !words.isDone()) {
+                // When all have heard of it.
+                Platform.runLater(() -> words.complete((model.frame().finished() ? "finished: " : "centres: ") + said(robot)));
+            }
+        }));
+        assertThat(words.get(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isEqualTo("centres: Finer samples follow");
     }
 }
