@@ -1,10 +1,8 @@
 package lightning.app;
 
-import com.sun.javafx.perf.PerformanceTracker;
 import com.sun.management.OperatingSystemMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -17,7 +15,6 @@ import javafx.scene.layout.Pane;
 import javafx.stage.Stage;
 import lightning.app.model.EditorModel;
 import lightning.app.widget.PictureView;
-import lightning.edit.Change;
 import lightning.edit.LightEdits;
 import lightning.edit.loop.Frame;
 import lightning.engine.choice.Engines;
@@ -34,10 +31,6 @@ public final class Window {
     private static final long STORY_MS = 60_000;
     private static final long LOOK_MS = 500;
     private static final double LONG_MS = 100;
-    /** Steps of a drag before those that count, these, and the time between them, milliseconds. */
-    private static final int WARM_UPS = 100;
-    private static final int SAMPLES = 60;
-    private static final long STEP_MS = 90;
     private static final long PAUSE_MS = 2;
 
     private Window() {}
@@ -54,7 +47,7 @@ public final class Window {
         System.exit(0);
     }
 
-    private static void say(String line, Object... values) {
+    static void say(String line, Object... values) {
         System.out.printf(Locale.ROOT, line + "%n", values);
     }
 
@@ -141,13 +134,13 @@ public final class Window {
         }
     }
 
-    /** A light's intensity and then its place dragged, in a warm editor. */
+    /** A light's intensity, colour and place dragged, in a warm editor. */
     public static final class Slider extends LightningApp {
         @Override
         void opened(Editor editor) {
             List<String> arguments = getParameters().getUnnamed();
             Thread.ofPlatform().daemon().start(() -> Window.run(() -> {
-                drag(editor, Integer.parseInt(arguments.get(1)), Integer.parseInt(arguments.get(2)));
+                Drag.all(editor, Integer.parseInt(arguments.get(1)), Integer.parseInt(arguments.get(2)));
                 return null;
             }));
         }
@@ -162,19 +155,19 @@ public final class Window {
         Platform.exit();
     }
 
-    private static <T> T onWindow(Callable<T> task) throws Exception {
+    static <T> T onWindow(Callable<T> task) throws Exception {
         var future = new FutureTask<>(task);
         Platform.runLater(future);
         return future.get();
     }
 
-    private static void await(Callable<Boolean> condition) throws Exception {
+    static void await(Callable<Boolean> condition) throws Exception {
         while (!onWindow(condition)) {
             Thread.sleep(PAUSE_MS);
         }
     }
 
-    private static boolean rests(EditorModel model) {
+    static boolean rests(EditorModel model) {
         return model.frame() != null && !model.situationProperty().get().isPending()
                 && model.situationProperty().get().inWork().isEmpty();
     }
@@ -217,71 +210,5 @@ public final class Window {
                 times.subList(0, 10).stream().map(ms -> String.format(Locale.ROOT, "%.0f", ms)).toList(),
                 slow.isEmpty() ? "" : ", long: " + slow);
         return null;
-    }
-
-    /** From the event to the drawn picture, and what lies between. */
-    private static void drag(Editor editor, int width, int height) throws Exception {
-        EditorModel model = editor.model();
-        Engines.use(Engines.FASTEST);
-        onWindow(() -> {
-            model.liveProperty().set(true);
-            return model.edit(scene -> Change.of(() -> scene.withPicture(scene.picture().withSize(width, height))));
-        });
-        await(() -> rests(model));
-        Scene scene = onWindow(() -> javafx.stage.Window.getWindows().getFirst().getScene());
-        for (String what : List.of("intensity", "position")) {
-            drag(model, scene, what);
-        }
-    }
-
-    private static void drag(EditorModel model, Scene scene, String what) throws Exception {
-        String[] parts = {"update", "handler", "after it to the window", "to layout", "to screen", "all", "all / update"};
-        double[][] ms = new double[parts.length][SAMPLES];
-        String name = model.lights().getFirst().name();
-        long[] at = new long[4];
-        Frame[] heard = {model.frame()};
-        onWindow(() -> {
-            model.renderingProperty().subscribe(state -> {
-                if (state.frame() != heard[0] && at[1] == 0) {
-                    heard[0] = state.frame();
-                    at[1] = System.nanoTime();
-                }
-            });
-            scene.addPostLayoutPulseListener(() -> {
-                if (at[1] != 0 && at[2] == 0) {
-                    at[2] = System.nanoTime();
-                }
-            });
-            PerformanceTracker.getSceneTracker(scene).setOnRenderedFrameTask(() -> {
-                long now = System.nanoTime();
-                Platform.runLater(() -> at[3] = at[2] != 0 && now > at[2] && at[3] == 0 ? now : at[3]);
-            });
-            return null;
-        });
-        for (int i = -WARM_UPS; i < SAMPLES; i++) {
-            int step = i + WARM_UPS + 1;
-            Thread.sleep(STEP_MS + (i * 7 & 31));
-            long start = System.nanoTime();
-            long edited = onWindow(() -> {
-                Arrays.fill(at, 0);
-                model.edit(s -> LightEdits.with(s, name, light -> what.equals("intensity") ? light.withIntensity(1 + 0.01 * step)
-                        : light.withPosition(light.position().plus(new Vec3(0.002, 0, 0)))));
-                return System.nanoTime();
-            });
-            await(() -> at[3] != 0);
-            double update = heard[0].update().milliseconds();
-            double[] sample = {update, edited - start, at[1] - edited, at[2] - at[1], at[3] - at[2], at[3] - start, 0};
-            for (int k = 1; k < 6; k++) {
-                sample[k] /= 1e6;
-            }
-            sample[6] = sample[5] / update;
-            for (int k = 0; k < parts.length; k++) {
-                ms[k][Math.max(i, 0)] = sample[k];
-            }
-        }
-        for (int k = 0; k < parts.length; k++) {
-            Arrays.sort(ms[k]);
-            say("%-10s %-24s %8.2f   %.2f to %.2f", what, parts[k], ms[k][SAMPLES / 2], ms[k][SAMPLES / 4], ms[k][3 * SAMPLES / 4]);
-        }
     }
 }
