@@ -21,6 +21,12 @@ final class Sections {
         var scroll = new ScrollPane(box);
         scroll.setFitToWidth(true);
         scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
+        scroll.skinProperty().subscribe(skin -> {
+            if (skin != null) {
+                // Kept as one picture, all of it would be drawn again for each number that a drag changes.
+                scroll.lookup(".viewport").setCache(false);
+            }
+        });
         return scroll;
     }
 

@@ -71,6 +71,12 @@ class PropertyPaneTest {
         assertThat(disabled(robot)).isEmpty();
     }
 
+    /** As one picture all of it is drawn again for each number. */
+    @Test
+    void properties_areNotKeptAsOnePicture(FxRobot robot) {
+        assertThat(robot.lookup(".properties .viewport").query().isCache()).isFalse();
+    }
+
     @Test
     void point_hasNoConeAndNoDirection(FxRobot robot) {
         robot.interact(() -> model.selectLight(OpenEditor.POINT));
