@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import lightning.mesh.MeshException;
 import lightning.text.Visible;
 import lightning.work.Progress;
+import lightning.work.Wait;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
@@ -26,7 +27,7 @@ import org.junit.jupiter.api.io.TempDir;
 class SampleFilesTest {
     private static final Path FOLDER = Path.of(System.getProperty("lightning.samples", "/usr/share/assimp/models"));
     /** The largest has 2 MB: a reader that takes longer hangs. */
-    private static final Duration LONGEST = Duration.ofSeconds(60);
+    private static final Duration LONGEST = Duration.ofSeconds(Wait.MOST_SECONDS);
 
     @TempDir
     private Path folder;

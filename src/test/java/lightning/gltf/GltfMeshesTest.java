@@ -14,6 +14,7 @@ import lightning.mesh.Mesh;
 import lightning.mesh.MeshException;
 import lightning.mesh.Notes;
 import lightning.work.Progress;
+import lightning.work.Wait;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -112,7 +113,7 @@ class GltfMeshesTest {
     }
 
     @Test
-    @Timeout(10)
+    @Timeout(Wait.MOST_SECONDS)
     void moreThanTheFileHolds_isRefusedBeforeMemoryIsTaken() {
         assertRefused(json("'count': 4, 'type': 'VEC3'", "'count': 60000000, 'type': 'VEC3'"),
                 "accessors[0]: needs 720000000 bytes of its bufferView, which has 128");

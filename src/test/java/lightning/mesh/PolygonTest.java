@@ -3,6 +3,7 @@ package lightning.mesh;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.SplittableRandom;
+import lightning.work.Wait;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
@@ -58,7 +59,7 @@ class PolygonTest {
     }
 
     @Test
-    @Timeout(5)
+    @Timeout(Wait.MOST_SECONDS)
     void outlineThatCrossesItself_comesToAnEnd() {
         var random = new SplittableRandom(1);
         for (int i = 0; i < 20; i++) {

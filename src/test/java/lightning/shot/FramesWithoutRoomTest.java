@@ -12,11 +12,12 @@ import java.util.concurrent.TimeUnit;
 import lightning.edit.Desk;
 import lightning.scene.shot.Shot;
 import lightning.work.Progress;
+import lightning.work.Wait;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** A frame for which a keeper has no room is given to another. */
-@Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+@Timeout(value = Wait.MOST_SECONDS, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class FramesWithoutRoomTest {
     private static final Take FIRST = new Take(Desk.scene(), Shot.DEFAULT);
     private static final Take SECOND = new Take(Desk.done(Desk.dial("intensity").set(FIRST.scene(), "key", 2)), Shot.DEFAULT);

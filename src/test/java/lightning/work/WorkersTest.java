@@ -85,7 +85,7 @@ class WorkersTest {
 
     /** As on a machine whose processors are busy: a small update would wait for a thread that has nothing left to do. */
     @Test
-    @Timeout(value = 20, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    @Timeout(value = Wait.MOST_SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     void threadThatHasNotBegunWhenAllIsDone_isNotWaitedFor() throws Exception {
         CountDownLatch busy = new CountDownLatch(1);
         CountDownLatch free = new CountDownLatch(1);

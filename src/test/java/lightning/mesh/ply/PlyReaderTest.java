@@ -14,6 +14,7 @@ import lightning.mesh.Mesh;
 import lightning.mesh.MeshException;
 import lightning.mesh.Notes;
 import lightning.work.Progress;
+import lightning.work.Wait;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -141,7 +142,7 @@ class PlyReaderTest {
     }
 
     @Test
-    @Timeout(10)
+    @Timeout(Wait.MOST_SECONDS)
     void moreThanTheFileHolds_isRefusedBeforeMemoryIsTaken() {
         assertRefused(SQUARE.replace("element vertex 4", "element vertex 1000000000"),
                 "element vertex: the header says 1000000000, which are at least 5999999999 bytes, but only 34 bytes follow it");

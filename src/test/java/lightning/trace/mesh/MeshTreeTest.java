@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import lightning.sample.Meshes;
+import lightning.work.Wait;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -14,7 +15,8 @@ class MeshTreeTest {
     private static final int TRIANGLES = 30_000;
 
     @Test
-    @Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    // Threads that wait for each other do so for ever.
+    @Timeout(value = 5 * Wait.MOST_SECONDS, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     void threadsOfTheCommonPool_canAllAskForTrees() {
         long built = IntStream.range(0, 200).parallel().mapToObj(seed -> MeshTree.of(Meshes.soup(TRIANGLES, seed)))
                 .filter(tree -> tree.bytes() > 0).count();
