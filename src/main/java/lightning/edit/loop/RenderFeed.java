@@ -12,7 +12,8 @@ import lightning.scene.Scene;
 
 /**
  * Carries what a render loop tells from its threads to the window's. However much is told before the window has time to
- * listen, it hears once, of the newest state. Of a document that was left nothing is told, whatever its loop still does.
+ * listen, it hears once, of the newest state. A picture and whether more is to be done, which are told one right after the other, it
+ * hears at once: each time it writes all panes. Of a document that was left nothing is told, whatever its loop still does.
  */
 public final class RenderFeed implements RenderListener {
     /** How far a work is is told so often at most, nanoseconds: the window's thread takes a processor from the work each time. */
@@ -75,14 +76,15 @@ public final class RenderFeed implements RenderListener {
         }
     }
 
+    /** Returns whether it is of the open document. */
+    private synchronized boolean note(UnaryOperator<RenderState> change) {
+        boolean open = isOfTheOpenDocument();
+        state = open ? change.apply(state) : state;
+        return open;
+    }
+
     private void tell(UnaryOperator<RenderState> change) {
-        synchronized (this) {
-            if (!isOfTheOpenDocument()) {
-                return;
-            }
-            state = change.apply(state);
-        }
-        if (hopping.compareAndSet(false, true)) {
+        if (note(change) && hopping.compareAndSet(false, true)) {
             window.execute(() -> {
                 hopping.set(false);
                 heard.run();
@@ -107,7 +109,10 @@ public final class RenderFeed implements RenderListener {
     @Override
     public void progress(int done, int total) {
         canvas.progress(done, total);
-        if (isTime(done, total)) {
+        if (done == total) {
+            // Heard with what came of it.
+            note(s -> s.at(done, total));
+        } else if (isTime(done, total)) {
             tell(s -> s.at(done, total));
         }
     }
@@ -134,7 +139,7 @@ public final class RenderFeed implements RenderListener {
     @Override
     public void rendered(Frame frame) {
         fill(() -> canvas.rendered(frame));
-        tell(s -> s.rendered(frame));
+        note(s -> s.rendered(frame));
     }
 
     @Override
@@ -164,6 +169,11 @@ public final class RenderFeed implements RenderListener {
     public void failed(Throwable problem) {
         canvas.failed(problem);
         tell(s -> s.stopped(problem));
+    }
+
+    @Override
+    public void goesOn() {
+        tell(s -> s);
     }
 
     @Override

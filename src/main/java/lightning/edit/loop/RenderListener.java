@@ -30,7 +30,7 @@ public interface RenderListener {
      */
     default void tile(Scene scene, int tile, float[][] film) {}
 
-    /** A picture is finished, or another look at it. */
+    /** A picture is finished, or another look at it. Whether more is to be done is told right after: {@link #goesOn} or {@link #idle}. */
     default void rendered(Frame frame) {}
 
     /** The last picture is dropped: see {@link RenderLoop#open}, of whose {@code number} all is that is told after this. */
@@ -47,6 +47,9 @@ public interface RenderListener {
 
     /** A work failed; the last picture stays. Memory may have run out, anything else is an error of the program. */
     default void failed(Throwable problem) {}
+
+    /** A work is over, and more waits. */
+    default void goesOn() {}
 
     /** Nothing is left to do. */
     default void idle() {}

@@ -47,6 +47,8 @@ final class RenderTurns implements Runnable {
                 if (queue.done(hands.rendered())) {
                     listener.idle();
                     hands.rest();
+                } else {
+                    listener.goesOn();
                 }
             }
         } catch (InterruptedException e) {

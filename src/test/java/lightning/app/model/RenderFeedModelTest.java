@@ -2,6 +2,7 @@ package lightning.app.model;
 
 import static lightning.model.Schedules.explore;
 import static lightning.model.Schedules.law;
+import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -62,6 +63,7 @@ class RenderFeedModelTest {
             Schedules.Beside loop = Schedules.beside(() -> {
                 feed.progress(1, 2);
                 feed.progress(2, 2);
+                feed.goesOn();
             });
             Schedules.Beside verifier = Schedules.beside(() -> feed.verifying(3, 3));
             window.runAll();
@@ -86,11 +88,43 @@ class RenderFeedModelTest {
             var feed = new RenderFeed(window, raster,
                     () -> law(feeds[0].state().frame() == null || raster.pixels() != null, "who hears of a picture can show it"));
             feeds[0] = feed;
-            Schedules.Beside loop = Schedules.beside(() -> feed.rendered(new Frame(FILM, FILM, Look.PLAIN, null, null, null, null, true)));
+            Schedules.Beside loop = Schedules.beside(() -> {
+                feed.rendered(new Frame(FILM, FILM, Look.PLAIN, null, null, null, null, true));
+                feed.goesOn();
+            });
             window.runAll();
             loop.end();
             window.runAll();
         });
+    }
+
+    @Test
+    void pictureAndWhetherMoreIsToBeDone_areHeardAtOnce() {
+        Frame frame = new Frame(FILM, FILM, Look.PLAIN, null, null, null, null, true);
+        explore(() -> {
+            var window = new Window();
+            var feeds = new RenderFeed[1];
+            var feed = new RenderFeed(window, new TracedRaster(), () -> law(feeds[0].state().frame() == frame, "the picture is heard"));
+            feeds[0] = feed;
+            Schedules.Beside loop = Schedules.beside(() -> {
+                feed.progress(2, 2);
+                feed.rendered(frame);
+                feed.idle();
+            });
+            window.runAll();
+            loop.end();
+            window.runAll();
+            law(window.hops == 1, "the window is called once");
+        });
+    }
+
+    @Test
+    void pictureBeforeMoreWork_isHeard() {
+        var window = new Window();
+        var feed = new RenderFeed(window, new TracedRaster(), () -> {});
+        feed.rendered(new Frame(FILM, FILM, Look.PLAIN, null, null, null, null, true));
+        feed.goesOn();
+        assertThat(window.hops).isEqualTo(1);
     }
 
     @Test
