@@ -3,7 +3,7 @@ package lightning.shading;
 /**
  * For one light of one tile, the sums of the branches beside its way to the root of the tree: all that
  * composing needs of the other lights. While that light alone is edited, each frame adds these few
- * sums instead of all lights, with the same bits.
+ * sums instead of all lights, with the same bits. Where no light is edited it is the sum of all of them.
  */
 public final class BranchSums {
     /**
@@ -11,9 +11,12 @@ public final class BranchSums {
      * are told apart by identity: sums made under another key are void.
      */
     public static final class Key {
+        /** Stands for the place of a light where none is edited. */
+        public static final int NO_LIGHT = -1;
+
         private final int light;
 
-        /** @param light the light's place in the scene */
+        /** @param light the light's place in the scene, or {@link #NO_LIGHT} */
         public Key(int light) {
             this.light = light;
         }

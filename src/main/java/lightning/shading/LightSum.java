@@ -41,7 +41,10 @@ final class LightSum {
     /** The same sum where the branches beside one light's way to the root are known. */
     SumRows of(int count, Luminaire[] all, LightLayer[] theirs, BranchSums branches) {
         begin(count, all, theirs);
-        gather(branches.key().light(), branches.key().light() + 1);
+        int light = branches.key().light();
+        if (light != BranchSums.Key.NO_LIGHT) {
+            gather(light, light + 1);
+        }
         for (SumRows branch : branches.fromLeaf()) {
             add(branch);
         }
@@ -51,19 +54,25 @@ final class LightSum {
     /** Computes the sums of all branches beside a light's way to the root. */
     BranchSums branches(int count, Luminaire[] all, LightLayer[] theirs, BranchSums.Key key) {
         begin(count, all, theirs);
+        if (key.light() == BranchSums.Key.NO_LIGHT) {
+            return new BranchSums(key, new SumRows[] {compact(sum(0, all.length))});
+        }
         List<SumRows> fromRoot = new ArrayList<>();
         int from = 0;
         int to = all.length;
         while (to - from > 1) {
             int middle = (from + to) >>> 1;
             boolean left = key.light() < middle;
-            SumRows beside = sum(left ? middle : from, left ? to : middle);
-            fromRoot.add(beside == null ? null : beside.compact(count));
+            fromRoot.add(compact(sum(left ? middle : from, left ? to : middle)));
             used = 0;
             from = left ? from : middle;
             to = left ? middle : to;
         }
         return new BranchSums(key, fromRoot.reversed().toArray(SumRows[]::new));
+    }
+
+    private SumRows compact(SumRows sum) {
+        return sum == null ? null : sum.compact(rows);
     }
 
     private void begin(int count, Luminaire[] all, LightLayer[] theirs) {

@@ -19,6 +19,16 @@ public record LevelPlan(List<LayerPlan> layers, List<String> dropped, boolean co
         dropped = List.copyOf(dropped);
     }
 
+    /** Whether all lights stay at their places, and of every row's material what they need to know: where no light is edited, neither is their sum. */
+    public boolean keepsLights() {
+        boolean keeps =
+                dropped.isEmpty() && materials.speculars().isEmpty() && materials.mirrors().isEmpty() && materials.retextured().isEmpty();
+        for (int l = 0; l < layers.size() && keeps; l++) {
+            keeps = layers.get(l).from() != null && layers.get(l).from().place() == l;
+        }
+        return keeps;
+    }
+
     /** The lights after an update that scales nothing, and what their layers are then computed for. */
     public List<KnownLight> after() {
         return after(false, 1);

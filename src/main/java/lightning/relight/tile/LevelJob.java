@@ -30,21 +30,25 @@ public record LevelJob(LevelPlan plan, List<LightJob> lights, ShapeChange shapes
         for (int l = 0; l < wanted.length; l++) {
             lights.add(LightJob.of(plan.layers().get(l), wanted[l], known));
         }
-        return new LevelJob(plan, lights, shapes, repeat.next(shapes.isEmpty() ? onlyChange(plan, lights) : -1, wanted.length));
+        return new LevelJob(plan, lights, shapes,
+                repeat.next(shapes.isEmpty() ? onlyChange(plan, lights) : RepeatedEdit.MUCH, wanted.length));
     }
 
-    /** The place of the only light whose contribution changes, where nothing else does, or −1. */
+    /** The place of the only light whose contribution changes, where nothing else does, or what {@link RepeatedEdit#next} has for others. */
     private static int onlyChange(LevelPlan plan, List<LightJob> lights) {
-        int only = -1;
+        int only = BranchSums.Key.NO_LIGHT;
         for (int l = 0; l < lights.size(); l++) {
             if (lights.get(l).changes()) {
                 if (only >= 0) {
-                    return -1;
+                    return RepeatedEdit.MUCH;
                 }
                 only = l;
             }
         }
-        return plan.compose() || !plan.materials().isEmpty() ? -1 : only;
+        if (only >= 0) {
+            return plan.compose() || !plan.materials().isEmpty() ? RepeatedEdit.MUCH : only;
+        }
+        return plan.keepsLights() ? only : RepeatedEdit.MUCH;
     }
 
     /** The layers over one tile's rows after the update; those not touched are the old ones. */

@@ -15,6 +15,7 @@ import lightning.math.Vec3;
 import lightning.relight.Renderer;
 import lightning.relight.plan.Reflections;
 import lightning.scene.Light;
+import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.work.Progress;
 import lightning.work.Workers;
@@ -72,6 +73,53 @@ class RepeatedEditTest {
                     FilmAssert.assertSameBits(renderer.film(), new TraditionalTracer(scene).trace(workers, Progress.NONE).film(), "drag");
                 }
             }
+        }
+    }
+
+    private static Scene editedBesideLights(Scene scene, Random random) {
+        List<Light> lights = new ArrayList<>(scene.lights());
+        Material material = scene.materials().get(random.nextInt(scene.materials().size()));
+        switch (random.nextInt(6)) {
+            case 0 -> lights.remove(random.nextInt(lights.size()));
+            case 1 -> lights.addFirst(lights.removeLast());
+            case 2 -> {
+                return scene.withMaterial(material.withBody(material.body().times(0.5 + 0.5 * random.nextDouble())));
+            }
+            case 3 -> {
+                return scene.withMaterial(material.withShininess(1 + 20 * random.nextDouble()));
+            }
+            default -> {
+                return scene.withWorld(scene.world().withAmbience(random.nextDouble()));
+            }
+        }
+        return scene.withLights(lights);
+    }
+
+    @Property(tries = 25)
+    void editsBesideLights_equalTheFullTrace(@ForAll Random random, @ForAll MirrorStorage storage,
+            @ForAll @IntRange(min = 11, max = 30) int lights) {
+        Scene scene = NIGHT.withLights(NIGHT.lights().subList(0, lights));
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withStorage(storage)); Workers workers = new Workers(2)) {
+            renderer.render(scene, Progress.NONE);
+            for (int edit = 0; edit < 10; edit++) {
+                scene = editedBesideLights(scene, random);
+                renderer.render(scene, Progress.NONE);
+                FilmAssert.assertSameBits(renderer.film(), new TraditionalTracer(scene).trace(workers, Progress.NONE).film(), "beside");
+            }
+        }
+    }
+
+    @Test
+    void sumOfAllLightsIsKept_fromTheSecondEditBesideThemUntilOneIsEdited() {
+        try (Renderer renderer = new Renderer(Options.DEFAULT)) {
+            renderer.render(NIGHT, Progress.NONE);
+            renderer.render(NIGHT.withWorld(NIGHT.world().withAmbience(0.5)), Progress.NONE);
+            assertThat(tilesWithSums(renderer.cache())).isZero();
+            Scene twice = NIGHT.withWorld(NIGHT.world().withAmbience(0.6));
+            renderer.render(twice, Progress.NONE);
+            assertThat(tilesWithSums(renderer.cache())).isPositive();
+            renderer.render(twice.withLight(NIGHT.lights().getFirst().withIntensity(0.1)), Progress.NONE);
+            assertThat(tilesWithSums(renderer.cache())).isZero();
         }
     }
 
