@@ -108,6 +108,17 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
         return set;
     }
 
+    /** These over {@code count} rows in arrays of their own, but for those that are shared. */
+    public ColumnSet<C> copied(int count) {
+        ColumnSet<C> set = new ColumnSet<>(kinds, columns.clone());
+        for (C kind : kinds) {
+            if (has(kind)) {
+                set.columns[kind.ordinal()] = kind.element().copy(get(kind), count);
+            }
+        }
+        return set;
+    }
+
     /** The bytes of a kind's array, its header left out; 0 where there is none, or one that is shared. */
     public long bytes(C kind) {
         return has(kind) ? kind.element().bytes(get(kind)) : 0;

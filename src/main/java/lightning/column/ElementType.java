@@ -1,5 +1,7 @@
 package lightning.column;
 
+import java.util.Arrays;
+
 /** What a column holds for each row. */
 public enum ElementType {
     /** Read one by one: as many as there are rows. */
@@ -39,6 +41,18 @@ public enum ElementType {
             case SHORT -> new short[length];
             case INT -> new int[length];
             case FLOAT -> new float[length];
+        };
+    }
+
+    /** A column for {@code rows} rows that begins like another; that other itself where it is shared, see {@link UniformColumns}. */
+    Object copy(Object column, int rows) {
+        int length = length(rows);
+        return switch (column) {
+            case byte[] a -> Arrays.copyOf(a, length);
+            case short[] a -> Arrays.copyOf(a, length);
+            case int[] a -> Arrays.copyOf(a, length);
+            case float[] a -> a.length == UniformColumns.LENGTH ? a : Arrays.copyOf(a, length);
+            default -> throw new IllegalArgumentException("no column holds " + column.getClass());
         };
     }
 

@@ -35,9 +35,15 @@ public final class UniformColumns {
             }
             free = known == null ? place : free;
         }
-        float[] shared = new float[LENGTH];
-        Arrays.fill(shared, column[0]);
+        float[] shared = of(column[0]);
         SHARED.set(free, shared);
         return shared;
+    }
+
+    /** A new column of one value, for rows of any tile to share. */
+    public static float[] of(float value) {
+        float[] column = new float[LENGTH];
+        Arrays.fill(column, value);
+        return column;
     }
 }

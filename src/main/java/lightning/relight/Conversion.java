@@ -114,7 +114,7 @@ record Conversion(PixelCache cache, Options to) {
         Layers(Geometry geometry, Options to, Engine engine) {
             kernel = new LightKernel(geometry, engine.tracer(geometry), engine.terms(), to.view());
             ratios = new RatioKernel(kernel);
-            updater = LayerUpdater.of(to.accuracy(), kernel, ratios);
+            updater = LayerUpdater.of(to.accuracy(), kernel, ratios, 0);
         }
 
         TileLevel convert(TileLevel old, Lights lights) {

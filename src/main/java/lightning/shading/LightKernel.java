@@ -140,7 +140,7 @@ public final class LightKernel {
         float[] diffuse = written.diffuses(rows, cosine, lit, columns);
         TermColumns.Speculars speculars = written.speculars(rows, lit, known, TermColumns.Speculars.of(before), columns);
         return new LightRows(state, diffuse, speculars.specular(), speculars.grazing(),
-                before == null ? written.falloffs(rows, lamp, columns) : before.falloff, count);
+                before == null || before.isFaded() ? written.falloffs(rows, lamp, columns) : before.falloff, count);
     }
 
     /**
@@ -161,7 +161,7 @@ public final class LightKernel {
         if (count == 0 && !(falloff && before.lit > 0)) {
             return before;
         }
-        if (count > 0 || lamp.hasCone()) {
+        if (count > 0 || lamp.hasCone() || before.isFaded()) {
             aim(rows, lamp);
         } else {
             terms.measure(rows, lamp);
@@ -172,8 +172,20 @@ public final class LightKernel {
         if (moved.lit == 0) {
             return moved;
         }
-        float[] falloffs = falloff || before.falloff == null ? written.falloffs(rows, lamp, columns) : before.falloff;
+        if (moved.isFaded()) {
+            return falloff ? whole(rows, lamp, moved, columns) : moved;
+        }
+        float[] falloffs = falloff && moved.falloff == before.falloff || moved.falloff == null ? written.falloffs(rows, lamp, columns)
+                : moved.falloff;
         return moved.with(LightRows.Column.FALLOFF, falloffs);
+    }
+
+    /** A layer with cosines and falloffs anew, each in a column of its own; its other columns stay. Expects terms that were aimed. */
+    private LightRows whole(HitRows rows, Lamp lamp, LightRows before, Columns columns) {
+        terms.cosines(rows, cosine);
+        RowBits.inState(before.state, rows.count, LightRows.LIT, lit);
+        return before.with(LightRows.Column.COSINE, written.diffuses(rows, cosine, lit, columns))
+                .with(LightRows.Column.FALLOFF, written.falloffs(rows, lamp, columns));
     }
 
     /** Whatever happens to the cone, every row that faces the light may have other samples in it. */
@@ -283,10 +295,17 @@ public final class LightKernel {
                 RowBits.remove(litBefore, rows.runStart(r), rows.runEnd[r]);
             }
         }
-        terms.aim(rows, lamp);
+        if (before.isFaded()) {
+            aim(rows, lamp);
+        } else {
+            terms.aim(rows, lamp);
+        }
         TermColumns.Speculars column =
                 written.speculars(rows, lit, before.specular == null ? null : litBefore, TermColumns.Speculars.of(before), columns);
         LightRows now = before.with(LightRows.Column.SPECULAR, column.specular()).with(LightRows.Column.GRAZING, column.grazing());
+        if (before.isFaded()) {
+            return whole(rows, lamp, now, columns);
+        }
         if (!metallic) {
             return now;
         }
@@ -324,7 +343,9 @@ public final class LightKernel {
         // A layer that lacks terms has no lit row, or none with a highlight: 0 stands for them. A lack of falloffs tells less.
         Set<LightRows.Column> known = EnumSet.allOf(LightRows.Column.class);
         boolean fades = before.falloff != null && (added == null || added.falloff != null);
-        known.removeIf(kind -> kind == LightRows.Column.FALLOFF && !fades
+        boolean faded = isFaded(before) && (added == null || isFaded(added));
+        boolean mixed = !faded && (before.isFaded() || added != null && added.isFaded());
+        known.removeIf(kind -> kind == LightRows.Column.FALLOFF && (!fades || faded)
                 || kind == LightRows.Column.SPECULAR && !written.hasSpecular(rows)
                 || kind == LightRows.Column.GRAZING && before.grazing == null && !written.hasMetallic(rows)
                 || LightRows.Column.TINT.contains(kind) && before.tint == null && (added == null || added.tint == null)
@@ -339,8 +360,19 @@ public final class LightKernel {
             return LightRows.unlit(state, LightRows.seen(columns, LightRows.Column.SEEN))
                     .withTint(LightRows.colors(columns, LightRows.Column.TINT));
         }
-        return new LightRows(fades || added == null ? columns
+        if (mixed) {
+            aim(rows, lamp);
+            terms.cosines(rows, cosine);
+            return layer(rows, lamp, state, null, Columns.FRESH).withTint(LightRows.colors(columns, LightRows.Column.TINT));
+        }
+        return new LightRows(faded ? columns.with(LightRows.Column.FALLOFF, LightRows.FADED)
+                : fades || added == null ? columns
                 : columns.with(LightRows.Column.FALLOFF, falloffs(rows, lamp)), count);
+    }
+
+    /** Whether the terms of all lit rows have the falloff in them. */
+    private static boolean isFaded(LightRows layer) {
+        return layer.isFaded() || layer.lit == 0;
     }
 
     /** For a light that does not fall off, or where one of the layers put together has no lit row and therefore no falloffs. */

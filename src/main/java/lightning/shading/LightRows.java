@@ -10,6 +10,7 @@ import lightning.column.ColumnReader;
 import lightning.column.ColumnSet;
 import lightning.column.ColumnWriter;
 import lightning.column.ElementType;
+import lightning.column.UniformColumns;
 import lightning.scene.Light;
 
 /**
@@ -80,9 +81,15 @@ public final class LightRows implements LightLayer {
     private static final Set<Column> UNIFORM = EnumSet.of(Column.COSINE);
     private static final float[] ONES = ones();
     private static final float[] ZEROS = new float[Terms.ROWS];
+    /** What a file tells of columns that stand for others there. */
+    private static final int OF_UNREACHED = 1;
+    private static final int OF_FADED = 2;
     /** For each state and way a column that holds no other: shared by all layers of which every row has it, and not counted as memory. */
     private static final byte[][] ALL = all();
     private static final float[][] PLAIN = {ONES, ONES, ONES};
+
+    /** The falloff of layers whose terms have theirs in them: 1 everywhere, shared by all of these and not counted as memory. */
+    static final float[] FADED = UniformColumns.of(1);
 
     /** All rows outside: shared by all tiles that no light in question reaches, and not counted as memory. */
     public static final LightRows UNREACHED = unlit(all(OUTSIDE));
@@ -95,7 +102,7 @@ public final class LightRows implements LightLayer {
     public final float[] specular;
     /** What a metallic material sends besides; null where no row is lit or none is metallic. */
     public final float[] grazing;
-    /** atten·spot; null where no row is lit or the light does not fall off. */
+    /** atten·spot; null where no row is lit or the light does not fall off; {@link #FADED} where the cosines have it in them. */
     public final float[] falloff;
     /** The columns of the samples seen, as many as there are for the light; null where it has one sample or no row sees any. */
     final short[][] seen;
@@ -237,10 +244,43 @@ public final class LightRows implements LightLayer {
         if (rows > 0 && shared(state) == 0 && Arrays.equals(state, 0, rows, ALL[state[0]], 0, rows)) {
             kept = kept.with(Column.STATE, ALL[state[0]]);
         }
-        if (specular != null && grazing == null && Arrays.equals(specular, 0, rows, ZEROS, 0, rows)) {
+        if (specular != null && grazing == null && !hasHighlight(rows)) {
             kept = kept.with(Column.SPECULAR, null);
         }
         return kept == columns ? this : new LightRows(kept, lit);
+    }
+
+    /** Whether the cosines have the falloff in them. */
+    boolean isFaded() {
+        return falloff == FADED;
+    }
+
+    /**
+     * This layer over {@code rows} rows with one column, cosine times falloff, in place of two, where no row has a highlight: the product
+     * is what composing takes of both, with the same bits. New falloffs then ask for the cosines anew. The cosines are written over.
+     */
+    public LightRows faded(int rows) {
+        if (falloff == null || lit == 0 || grazing != null || specular != null && hasHighlight(rows)) {
+            return this;
+        }
+        for (int i = 0; i < rows; i++) {
+            cosine[i] *= falloff[i];
+        }
+        return new LightRows(columns.with(Column.SPECULAR, null).with(Column.FALLOFF, FADED), lit);
+    }
+
+    private boolean hasHighlight(int rows) {
+        return !Arrays.equals(specular, 0, rows, ZEROS, 0, rows);
+    }
+
+    /** This layer over {@code rows} rows in columns of its own, {@linkplain #compact compact}. */
+    public LightRows copied(int rows) {
+        if (state == UNREACHED.state) {
+            return this;
+        }
+        LightRows compact = compact(rows);
+        ColumnSet<Column> own = compact.columns.copied(rows);
+        return new LightRows(shared(compact.state) > 0 ? own.with(Column.STATE, compact.state) : own, lit);
     }
 
     /** The state of a row, without the way. */
@@ -270,10 +310,10 @@ public final class LightRows implements LightLayer {
 
     /** Writes all that is known of the layer. */
     public void writeTo(ColumnWriter out) throws IOException {
-        boolean shares = state == UNREACHED.state;
+        boolean unreached = state == UNREACHED.state;
         out.number(lit);
-        out.number(shares ? 1 : 0);
-        out.columns(shares ? columns.with(Column.STATE, null) : columns);
+        out.number(unreached ? OF_UNREACHED : isFaded() ? OF_FADED : 0);
+        out.columns(unreached ? columns.with(Column.STATE, null) : isFaded() ? columns.with(Column.FALLOFF, null) : columns);
     }
 
     /**
@@ -283,9 +323,10 @@ public final class LightRows implements LightLayer {
      */
     public static LightRows readFrom(ColumnReader in) throws IOException {
         int lit = in.number();
-        boolean shares = in.number() == 1;
+        int shared = in.number();
         ColumnSet<Column> read = in.columns(Column.class);
-        LightRows layer = new LightRows(shares ? read.with(Column.STATE, UNREACHED.state) : read, lit);
+        LightRows layer = new LightRows(shared == OF_UNREACHED ? read.with(Column.STATE, UNREACHED.state)
+                : shared == OF_FADED ? read.with(Column.FALLOFF, FADED) : read, lit);
         // What was shared was written as long as that of any tile.
         return layer.compact(Math.min(layer.state.length, Math.min(length(layer.cosine), length(layer.specular))));
     }

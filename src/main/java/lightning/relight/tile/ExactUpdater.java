@@ -7,17 +7,26 @@ import lightning.shading.LightLayer;
 import lightning.shading.LightRows;
 import lightning.shading.Luminaire;
 import lightning.shading.RatioRows;
+import lightning.shading.ScratchColumns;
 import lightning.trace.HitRows;
 import lightning.trace.MaterialSet;
 import lightning.trace.RowSplice;
 import lightning.trace.ShapeChange;
 
 /** Updates that leave a layer as a full trace would make it, in every bit of its terms, and compact. */
-record ExactUpdater(LightKernel kernel) implements LayerUpdater {
+record ExactUpdater(LightKernel kernel, boolean fades, ScratchColumns scratch) implements LayerUpdater {
 
+    /** @param fades whether layers made from nothing keep cosine times falloff, where they have no highlight */
+    ExactUpdater(LightKernel kernel, boolean fades) {
+        this(kernel, fades, new ScratchColumns());
+    }
+
+    /** Made in scratch columns, so that new memory is taken for what is kept alone. */
     @Override
     public LightLayer full(HitRows rows, Luminaire light) {
-        return kept(null, kernel.full(rows, light.lamp(), Columns.FRESH), rows);
+        scratch.reset();
+        LightRows layer = kernel.full(rows, light.lamp(), scratch);
+        return (fades ? layer.faded(rows.count) : layer).copied(rows.count);
     }
 
     @Override

@@ -13,10 +13,14 @@ import lightning.trace.ShapeChange;
 
 /** Carries out a light's update on one tile's layer, at one accuracy. One for each thread. */
 public interface LayerUpdater {
-    /** The one of an accuracy. */
-    static LayerUpdater of(Accuracy accuracy, LightKernel lights, RatioKernel ratios) {
+    /**
+     * The one of an accuracy.
+     *
+     * @param count how many lights there are
+     */
+    static LayerUpdater of(Accuracy accuracy, LightKernel lights, RatioKernel ratios, int count) {
         return switch (accuracy) {
-            case EXACT -> new ExactUpdater(lights);
+            case EXACT -> new ExactUpdater(lights, count >= RepeatedEdit.LEAST_LIGHTS);
             case RATIO -> new RatioUpdater(ratios);
         };
     }

@@ -51,7 +51,7 @@ final class LevelWorker {
         this.tracer = tracer;
         lights = new LightKernel(shown.geometry(), tracer, engine.terms(), job.options().view());
         ratios = new RatioKernel(lights);
-        updater = LayerUpdater.of(job.options().accuracy(), lights, ratios);
+        updater = LayerUpdater.of(job.options().accuracy(), lights, ratios, shown.lights().length);
         composer = new TileComposer(shown.geometry().materials(), engine.sums(), job.options().view());
     }
 

@@ -7,7 +7,10 @@ import lightning.shading.BranchSums;
  * on, the sums over the other lights are kept.
  */
 public final class RepeatedEdit {
-    /** With fewer lights, adding them anew reads less memory than their sums take: measured in docs/performance.md. */
+    /**
+     * With fewer lights, adding them anew reads less memory than their sums take, and new falloffs take more time where cosines are not
+     * kept alone than what is then read less: measured in docs/performance.md.
+     */
     public static final int LEAST_LIGHTS = 8;
 
     /** Stands for the place of a light where several are edited, or what lights fall on. */

@@ -14,6 +14,7 @@ import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.relight.Renderer;
 import lightning.relight.plan.Reflections;
+import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.Material;
 import lightning.scene.Scene;
@@ -38,12 +39,14 @@ class RepeatedEditTest {
     }
 
     private static Light edited(Light light, Random random) {
-        return switch (random.nextInt(6)) {
+        return switch (random.nextInt(8)) {
             case 0 -> light.withColor(new Rgb(random.nextDouble(), random.nextInt(2), random.nextDouble()));
             case 1 -> light.withIntensity(random.nextInt(3) * random.nextDouble());
             case 2 -> light.withOn(!light.on());
             case 3 -> light.withPosition(light.position().plus(new Vec3(random.nextDouble() - 0.5, 0, 0.1)));
             case 4 -> light.withAngle(90 * random.nextDouble());
+            case 5 -> light.withAttenuation(new Attenuation(random.nextDouble(), random.nextInt(2), random.nextDouble()));
+            case 6 -> light.withDropoff(9 * random.nextDouble());
             default -> light.withDirection(light.direction().plus(new Vec3(0, 0, 0.1 * random.nextDouble())));
         };
     }
