@@ -33,7 +33,8 @@ import org.junit.jupiter.api.Test;
  * holes stands in the left one, a whole one in the right.
  */
 class CutoutWorkTest {
-    private static final int TILE = 32 * 32;
+    private static final Vec3 LEFT = new Vec3(-3.5, 0, 0);
+    private static final Vec3 RIGHT = new Vec3(3.5, 0, 0);
     private static final TextureMap THERE = new TextureMap("there.png", 2, 3,
             new Texture(2, 2, new float[] {0, 0, 0, 1, 1, 1, 0.5f, 0.5f, 0.5f, 0.2f, 0.2f, 0.2f}));
 
@@ -42,12 +43,12 @@ class CutoutWorkTest {
         return new Scene(new Picture(64, 32, 1), new Camera(new Vec3(0, 0, 20), Vec3.ZERO, Vec3.Y, 20), World.DEFAULT,
                 List.of(Material.of("cut").withDiffuse(Rgb.grey(0.7)).withCutout(cutout),
                         Material.of("whole").withDiffuse(Rgb.grey(0.7))),
-                List.of(ball("left", "cut", -3.5), ball("right", "whole", 3.5)),
+                List.of(ball("left", "cut", LEFT), ball("right", "whole", RIGHT)),
                 List.of(Light.of("sun", LightType.DIRECTIONAL).withDirection(new Vec3(0, -1, -0.5))));
     }
 
-    private static Shape ball(String name, String material, double x) {
-        return new Shape(Solid.SPHERE, name, material, new Placement(new Vec3(x, 0, 0), Vec3.ZERO, Vec3.ONE));
+    private static Shape ball(String name, String material, Vec3 at) {
+        return new Shape(Solid.SPHERE, name, material, new Placement(at, Vec3.ZERO, Vec3.ONE));
     }
 
     private static Studio studio() {
@@ -65,23 +66,23 @@ class CutoutWorkTest {
     }
 
     @Test
-    void otherCutoff_tracesTheTilesThatShowItAndNoOther() {
+    void otherCutoff_tracesTheRaysThatMayMeetItAndNoOther() {
         try (Studio studio = studio()) {
-            assertThat(edit(studio, "cut", cutout(studio).withCutoff(0.9)).rays().eye()).isEqualTo(TILE);
+            assertThat(edit(studio, "cut", cutout(studio).withCutoff(0.9)).rays().eye()).isEqualTo(BallBoxes.eyeRays(scene(), LEFT));
         }
     }
 
     @Test
-    void cutoutThatGoes_tracesTheTilesThatShowedIt() {
+    void cutoutThatGoes_tracesTheRaysThatMetIt() {
         try (Studio studio = studio()) {
-            assertThat(edit(studio, "cut", Cutout.NONE).rays().eye()).isEqualTo(TILE);
+            assertThat(edit(studio, "cut", Cutout.NONE).rays().eye()).isEqualTo(BallBoxes.eyeRays(scene(), LEFT));
         }
     }
 
     @Test
-    void cutoutThatComes_tracesTheTilesThatShowIt() {
+    void cutoutThatComes_tracesTheRaysThatMayMeetIt() {
         try (Studio studio = studio()) {
-            assertThat(edit(studio, "whole", cutout(studio)).rays().eye()).isEqualTo(TILE);
+            assertThat(edit(studio, "whole", cutout(studio)).rays().eye()).isEqualTo(BallBoxes.eyeRays(scene(), RIGHT));
         }
     }
 

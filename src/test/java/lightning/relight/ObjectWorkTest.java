@@ -4,12 +4,9 @@ import static lightning.relight.Studio.assertWork;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.UnaryOperator;
-import java.util.stream.IntStream;
 import lightning.image.FilmAssert;
-import lightning.math.Ray;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.relight.plan.Reflections;
@@ -29,7 +26,6 @@ import lightning.scene.Solid;
 import lightning.scene.World;
 import lightning.shading.ReferenceTracer;
 import lightning.shading.SeenRows;
-import lightning.trace.Eye;
 import lightning.trace.SurfacePoint;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -72,31 +68,8 @@ class ObjectWorkTest {
         return node.withPlacement(new Placement(p.at().plus(new Vec3(x, y, z)), p.rotate(), p.scale()));
     }
 
-    /** The eye rays that meet the box around a ball in any of some places. */
     private static long eyeRays(Vec3... balls) {
-        Scene scene = scene(SUN);
-        Eye eye = new Eye(scene);
-        return IntStream.range(0, 2 * TILE)
-                .filter(i -> meetsBox(scene, eye.through(i % 64, i / 64), balls)).count();
-    }
-
-    private static boolean meetsBox(Scene scene, Ray ray, Vec3... balls) {
-        return Arrays.stream(balls).anyMatch(ball -> meetsBox(ray, ball.minus(scene.camera().origin())));
-    }
-
-    private static boolean meetsBox(Ray ray, Vec3 ball) {
-        Vec3 way = ball.minus(ray.origin());
-        double[] middle = {way.x(), way.y(), way.z()};
-        double[] direction = {ray.direction().x(), ray.direction().y(), ray.direction().z()};
-        double in = 0;
-        double out = Double.POSITIVE_INFINITY;
-        for (int axis = 0; axis < 3; axis++) {
-            double near = (middle[axis] - 1) / direction[axis];
-            double far = (middle[axis] + 1) / direction[axis];
-            in = Math.max(in, Math.min(near, far));
-            out = Math.min(out, Math.max(near, far));
-        }
-        return in <= out;
+        return BallBoxes.eyeRays(scene(SUN), balls);
     }
 
     private static long left(SeenRows seen) {
@@ -204,7 +177,7 @@ class ObjectWorkTest {
             assertThat(update.rays().eye()).isZero();
             Vec3 before = new Vec3(-3.5, 4.5, 3);
             long towards = studio.seen().level(0).stream().filter(row -> studio.seen().mirrors(row)).map(SurfacePoint::mirrored)
-                    .filter(ray -> meetsBox(studio.scene(), ray, before, before.plus(Vec3.Y))).count();
+                    .filter(ray -> BallBoxes.meets(studio.scene(), ray, before, before.plus(Vec3.Y))).count();
             assertThat(towards).isPositive();
             assertThat(update.rays().mirrored()).isEqualTo(storage == MirrorStorage.FULL_ROWS ? towards : left(studio.seen()));
         }

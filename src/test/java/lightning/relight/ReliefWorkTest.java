@@ -33,7 +33,8 @@ import org.junit.jupiter.api.Test;
  * stands in the left one, a smooth one in the right.
  */
 class ReliefWorkTest {
-    private static final int TILE = 32 * 32;
+    private static final Vec3 LEFT = new Vec3(-3.5, 0, 0);
+    private static final Vec3 RIGHT = new Vec3(3.5, 0, 0);
     private static final TextureMap HEIGHTS = new TextureMap("heights.png", 2, 3,
             new Texture(2, 2, new float[] {0, 0, 0, 1, 1, 1, 0.5f, 0.5f, 0.5f, 0.2f, 0.2f, 0.2f}));
 
@@ -42,12 +43,12 @@ class ReliefWorkTest {
         return new Scene(new Picture(64, 32, 1), new Camera(new Vec3(0, 0, 20), Vec3.ZERO, Vec3.Y, 20), World.DEFAULT,
                 List.of(Material.of("rough").withDiffuse(Rgb.grey(0.7)).withRelief(relief),
                         Material.of("smooth").withDiffuse(Rgb.grey(0.7))),
-                List.of(ball("left", "rough", -3.5), ball("right", "smooth", 3.5)),
+                List.of(ball("left", "rough", LEFT), ball("right", "smooth", RIGHT)),
                 List.of(Light.of("sun", LightType.DIRECTIONAL).withDirection(new Vec3(0, -1, -0.5))));
     }
 
-    private static Shape ball(String name, String material, double x) {
-        return new Shape(Solid.SPHERE, name, material, new Placement(new Vec3(x, 0, 0), Vec3.ZERO, Vec3.ONE));
+    private static Shape ball(String name, String material, Vec3 at) {
+        return new Shape(Solid.SPHERE, name, material, new Placement(at, Vec3.ZERO, Vec3.ONE));
     }
 
     private static Studio studio() {
@@ -65,23 +66,23 @@ class ReliefWorkTest {
     }
 
     @Test
-    void otherHeight_tracesTheTilesThatShowItAndNoOther() {
+    void otherHeight_tracesTheRaysThatMayMeetItAndNoOther() {
         try (Studio studio = studio()) {
-            assertThat(edit(studio, "rough", relief(studio).withHeight(-0.1)).rays().eye()).isEqualTo(TILE);
+            assertThat(edit(studio, "rough", relief(studio).withHeight(-0.1)).rays().eye()).isEqualTo(BallBoxes.eyeRays(scene(), LEFT));
         }
     }
 
     @Test
-    void reliefThatGoes_tracesTheTilesThatShowedIt() {
+    void reliefThatGoes_tracesTheRaysThatMetIt() {
         try (Studio studio = studio()) {
-            assertThat(edit(studio, "rough", Relief.NONE).rays().eye()).isEqualTo(TILE);
+            assertThat(edit(studio, "rough", Relief.NONE).rays().eye()).isEqualTo(BallBoxes.eyeRays(scene(), LEFT));
         }
     }
 
     @Test
-    void reliefThatComes_tracesTheTilesThatShowIt() {
+    void reliefThatComes_tracesTheRaysThatMayMeetIt() {
         try (Studio studio = studio()) {
-            assertThat(edit(studio, "smooth", relief(studio)).rays().eye()).isEqualTo(TILE);
+            assertThat(edit(studio, "smooth", relief(studio)).rays().eye()).isEqualTo(BallBoxes.eyeRays(scene(), RIGHT));
         }
     }
 
