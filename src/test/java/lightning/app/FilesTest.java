@@ -385,6 +385,17 @@ class FilesTest extends EditorDesk {
     }
 
     @Test
+    void cancelledReading_leavesNoWordOfHowFarItWas() throws IOException {
+        Path other = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
+        robot.interact(() -> {
+            editor.files().load(other);
+            model().say("Reading other.jen: 64 %");
+            model().commands().run(Command.CANCEL);
+        });
+        assertThat(text("message")).isEmpty();
+    }
+
+    @Test
     void choiceOfAccuracy_isKeptAtOnce() {
         robot.interact(() -> model().precisionProperty().set(Precision.RATIO));
         waitFor("it is kept",

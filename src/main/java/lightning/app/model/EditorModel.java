@@ -467,7 +467,10 @@ public final class EditorModel implements AutoCloseable {
 
     /** Stops what runs, and waits no longer for what is read. */
     void cancel() {
-        fileWork.giveUp();
+        if (fileWork.giveUp()) {
+            // How far it was.
+            say("");
+        }
         workbench.cancel();
     }
 

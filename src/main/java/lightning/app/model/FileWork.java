@@ -54,7 +54,10 @@ public final class FileWork {
         return writing ? Texts.of("Writing") : Texts.of("Reading");
     }
 
-    void giveUp() {
+    /** Returns whether there was any. */
+    boolean giveUp() {
+        boolean any = file != null;
         file = null;
+        return any;
     }
 }
