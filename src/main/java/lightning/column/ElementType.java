@@ -47,12 +47,11 @@ public enum ElementType {
     /** A column for {@code rows} rows that begins like another; that other itself where it is shared, see {@link UniformColumns}. */
     Object copy(Object column, int rows) {
         int length = length(rows);
-        return switch (column) {
-            case byte[] a -> Arrays.copyOf(a, length);
-            case short[] a -> Arrays.copyOf(a, length);
-            case int[] a -> Arrays.copyOf(a, length);
-            case float[] a -> a.length == UniformColumns.LENGTH ? a : Arrays.copyOf(a, length);
-            default -> throw new IllegalArgumentException("no column holds " + column.getClass());
+        return switch (this) {
+            case BYTE -> Arrays.copyOf((byte[]) column, length);
+            case SHORT -> Arrays.copyOf((short[]) column, length);
+            case INT -> Arrays.copyOf((int[]) column, length);
+            case FLOAT -> ((float[]) column).length == UniformColumns.LENGTH ? column : Arrays.copyOf((float[]) column, length);
         };
     }
 

@@ -6,7 +6,6 @@ import java.io.ByteArrayOutputStream;
 import java.lang.foreign.MemorySegment;
 import java.nio.ByteBuffer;
 import java.nio.channels.Channels;
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.UnaryOperator;
@@ -16,7 +15,6 @@ import lightning.column.ColumnReader;
 import lightning.column.ColumnWriter;
 import lightning.fulltrace.TraditionalTracer;
 import lightning.image.FilmAssert;
-import lightning.jen.JenReader;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.relight.Renderer;
@@ -35,16 +33,7 @@ import org.junit.jupiter.api.Test;
 /** Where many lights shine, layers without highlights keep cosine times falloff; edits that need either alone find the bits of a full trace. */
 class FadedLayersTest {
     private static final Options CURRENT = Options.DEFAULT.withReflections(Reflections.CURRENT).withThreads(1);
-    private static final Scene NIGHT = night();
-
-    private static Scene night() {
-        try {
-            Scene scene = JenReader.read(Path.of("scenes/night.jen")).scene();
-            return scene.withPicture(scene.picture().withSize(70, 50));
-        } catch (Exception e) {
-            throw new IllegalStateException(e);
-        }
-    }
+    private static final Scene NIGHT = SmallNight.SCENE;
 
     private static List<LightRows> layers(Renderer renderer) {
         return Arrays.stream(renderer.cache().tiles()).flatMap(tile -> Arrays.stream(tile.levels)).map(TileLevel::layers)

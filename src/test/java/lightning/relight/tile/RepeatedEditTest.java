@@ -2,14 +2,12 @@ package lightning.relight.tile;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import lightning.cache.PixelCache;
 import lightning.fulltrace.TraditionalTracer;
 import lightning.image.FilmAssert;
-import lightning.jen.JenReader;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
 import lightning.relight.Renderer;
@@ -27,16 +25,7 @@ import org.junit.jupiter.api.Test;
 
 /** While one light is dragged the sums over the others are kept, and no bit differs for it. */
 class RepeatedEditTest {
-    private static final Scene NIGHT = night();
-
-    private static Scene night() {
-        try {
-            Scene scene = JenReader.read(Path.of("scenes/night.jen")).scene();
-            return scene.withPicture(scene.picture().withSize(70, 50));
-        } catch (Exception e) {
-            throw new IllegalStateException(e);
-        }
-    }
+    private static final Scene NIGHT = SmallNight.SCENE;
 
     private static Light edited(Light light, Random random) {
         return switch (random.nextInt(8)) {
