@@ -107,15 +107,34 @@ final class ObjImport {
     }
 
     private Material made(MtlMaterial m) throws IOException {
-        Rgb specular = pieces.color(m.specular(), 1, "specular colours of materials");
-        Material made = clear(m,
-                Material.of("material").withDiffuse(pieces.color(m.diffuse(), 1, "diffuse colours of materials")).withSpecular(specular)
-                        .withShininess(Pieces.clamp(m.shininess(), Limits.MAX_SHININESS))
-                        .withAmbient(pieces.color(m.emission(), Limits.MAX_EMISSION, "emission of materials"))
-                        .withReflective(m.mirrors() ? specular : Rgb.BLACK));
+        Rgb diffuse = pieces.color(m.diffuse(), 1, "diffuse colours of materials");
+        Rgb emission = pieces.color(m.emission(), Limits.MAX_EMISSION, "emission of materials");
+        Material opaque = switch (m.illumination()) {
+            case CONSTANT -> constant(m, diffuse.plus(emission));
+            case DIFFUSE, HIGHLIGHT, REFLECTION, GLASS, FRESNEL, REFRACTION, FRESNEL_REFRACTION, REFLECTION_MAP, GLASS_MAP, SHADOW_CATCHER ->
+                    lit(m).withDiffuse(diffuse).withAmbient(emission).withTexture(picture(m.texture()));
+        };
         Optional<TextureMap> cutout = picture(m.cutout());
         pieces.notes.add("pictures of what is there (map_d), cut out here where half of it is", cutout.isPresent() ? 1 : 0);
-        return made.withTexture(picture(m.texture())).withCutout(Cutout.NONE.withCutout(cutout));
+        return clear(m, opaque).withCutout(Cutout.NONE.withCutout(cutout));
+    }
+
+    /** A surface of one color, whatever lights it. */
+    private Material constant(MtlMaterial m, Rgb color) {
+        pieces.notes.add("textures of unlit materials", m.texture().isPresent() ? 1 : 0);
+        return Material.of("material").withAmbient(color).withDiffuse(Rgb.BLACK);
+    }
+
+    /** With the highlights and the mirrored rays of its model alone. */
+    private Material lit(MtlMaterial m) {
+        Rgb specular = pieces.color(m.specular(), 1, "specular colours of materials");
+        Material plain = Material.of("material").withReflective(m.illumination().mirrors() ? specular : Rgb.BLACK);
+        if (!m.highlights()) {
+            pieces.notes.add("highlights of exponents (Ns) below 1", m.illumination().highlights() && !specular.isBlack() ? 1 : 0);
+            return plain;
+        }
+        return plain.withSpecular(specular)
+                .withShininess(Pieces.clamp(m.shininess().orElse(plain.shininess()), Limits.MAX_SHININESS));
     }
 
     private Optional<TextureMap> picture(Optional<String> file) throws IOException {
@@ -130,6 +149,6 @@ final class ObjImport {
     /** What bends no light by its model is a veil of its filter's colour. */
     private Material clear(MtlMaterial m, Material opaque) {
         return new SeeThrough(pieces).made(opaque, 1 - Pieces.clamp(m.opacity(), 1), pieces.color(m.filter(), 1, "filters of materials"),
-                m.refracts() ? m.ior() : 1, !m.refracts(), 0);
+                m.illumination().refracts() ? m.ior() : 1, !m.illumination().refracts(), 0);
     }
 }

@@ -19,6 +19,11 @@ public record Rgb(double r, double g, double b) {
         return new Rgb(r * c.r, g * c.g, b * c.b);
     }
 
+    /** Channel by channel. */
+    public Rgb plus(Rgb c) {
+        return new Rgb(r + c.r, g + c.g, b + c.b);
+    }
+
     public boolean isBlack() {
         return r == 0 && g == 0 && b == 0;
     }

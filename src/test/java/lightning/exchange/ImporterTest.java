@@ -16,6 +16,7 @@ import lightning.math.Vec3;
 import lightning.mesh.MeshException;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Material;
 import lightning.scene.PlacedShape;
 import lightning.scene.Relief;
 import lightning.scene.Scene;
@@ -24,6 +25,8 @@ import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Files of other programs become scenes that can be read and shown. */
 class ImporterTest {
@@ -142,6 +145,43 @@ class ImporterTest {
         assertThat(scene.lights()).as("one is made up").hasSize(1);
     }
 
+    /** As MeshLab writes materials, under the diffuse model and under that of highlights. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2})
+    void exponentZero_addsNoWhite(int illumination) throws Exception {
+        Material material = objMaterial("Kd 0.5 0.2 0.1\nKs 1 1 1\nNs 0\nillum " + illumination + "\n").material();
+        assertThat(material.specular()).isEqualTo(Rgb.BLACK);
+        assertThat(material.diffuse()).isEqualTo(new Rgb(0.5, 0.2, 0.1));
+    }
+
+    @Test
+    void diffuseModel_hasNoHighlight() throws Exception {
+        assertThat(objMaterial("Ks 1 1 1\nNs 50\nillum 1\n").material().specular()).isEqualTo(Rgb.BLACK);
+        assertThat(objMaterial("Ks 1 1 1\nNs 50\nillum 2\n").material().specular()).isEqualTo(Rgb.WHITE);
+    }
+
+    @Test
+    void highlightWithoutAnExponent_hasTheUsualOne() throws Exception {
+        Material material = objMaterial("Ks 1 1 1\n").material();
+        assertThat(material.specular()).isEqualTo(Rgb.WHITE);
+        assertThat(material.shininess()).isEqualTo(Material.DEFAULT.shininess());
+    }
+
+    @Test
+    void mirrorWithoutAHighlight_stillMirrors() throws Exception {
+        Material material = objMaterial("Ks 0.5 0.5 0.5\nNs 0\nillum 3\n").material();
+        assertThat(material.specular()).isEqualTo(Rgb.BLACK);
+        assertThat(material.reflective()).isEqualTo(Rgb.grey(0.5));
+    }
+
+    @Test
+    void constantModel_isTheDiffuseColorWhateverLightsIt() throws Exception {
+        Material material = objMaterial("Kd 0.5 0.2 0.1\nKe 0 0 1\nKs 1 1 1\nNs 50\nillum 0\n").material();
+        assertThat(material.ambient()).isEqualTo(new Rgb(0.5, 0.2, 1.1));
+        assertThat(material.diffuse()).isEqualTo(Rgb.BLACK);
+        assertThat(material.specular()).isEqualTo(Rgb.BLACK);
+    }
+
     @Test
     void textInUtf16_isToldSo() throws IOException {
         Path file = Files.write(from.resolve("a.obj"), "\uFEFFv 0 0 0\nf 1 1 1\n".getBytes(StandardCharsets.UTF_16LE));
@@ -197,6 +237,12 @@ class ImporterTest {
         };
         assertThatExceptionOfType(CancellationException.class).isThrownBy(() -> Importer.read(file, to, LightUnits.CANDELA, stop));
         assertThat(to.getParent()).isEmptyDirectory();
+    }
+
+    private PlacedShape objMaterial(String lines) throws Exception {
+        Files.writeString(to.resolveSibling("m.mtl"), "newmtl a\n" + lines);
+        return imported(Files.writeString(to.resolveSibling("m.obj"), "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"))
+                .placedShapes().getFirst();
     }
 
     private static void assertNear(Vec3 actual, Vec3 expected) {

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
+import java.util.OptionalDouble;
 import lightning.math.Rgb;
 import lightning.mesh.ByteSource;
 import lightning.mesh.MeshException;
@@ -68,8 +68,8 @@ public final class MtlReader {
             case "Kd" -> now.diffuse = color(now.diffuse);
             case "Ks" -> now.specular = color(now.specular);
             case "Ke" -> now.emission = color(now.emission);
-            case "Ns" -> now.shininess = number();
-            case "illum" -> now.illumination = number();
+            case "Ns" -> now.shininess = OptionalDouble.of(number());
+            case "illum" -> now.illumination = illumination();
             case "d" -> now.opacity = opacity();
             case "Tr" -> now.transparency = number();
             case "Tf" -> now.filter = color(now.filter);
@@ -80,6 +80,15 @@ public final class MtlReader {
             case "map_d" -> now.cutout = picture();
             default -> notes.add(keyword + " of materials");
         }
+    }
+
+    /** The highlight model where the number names none. */
+    private Illumination illumination() throws IOException, MeshException {
+        Optional<Illumination> model = Illumination.of(number());
+        if (model.isEmpty() || model.get() == Illumination.SHADOW_CATCHER) {
+            notes.add("illumination models (illum) of materials that are not 0 to 9");
+        }
+        return model.orElse(Illumination.HIGHLIGHT);
     }
 
     /** Of {@code -halo}, by which the middle is clearer than the rim, the number alone. */
@@ -93,16 +102,12 @@ public final class MtlReader {
 
     /** A material of which not all lines are read. */
     private static final class Draft {
-        /** Models that let light through: glass and refraction, with and without Fresnel's equations. */
-        private static final Set<Double> CLEAR = Set.of(4.0, 6.0, 7.0, 9.0);
-        private static final Set<Double> REFRACTING = Set.of(6.0, 7.0);
-
         final String name;
         Rgb diffuse = Rgb.grey(0.8);
         Rgb specular = Rgb.BLACK;
         Rgb emission = Rgb.BLACK;
-        double shininess;
-        double illumination = 2;
+        OptionalDouble shininess = OptionalDouble.empty();
+        Illumination illumination = Illumination.HIGHLIGHT;
         double opacity = Double.NaN;
         double transparency = Double.NaN;
         Rgb filter;
@@ -115,9 +120,8 @@ public final class MtlReader {
         }
 
         MtlMaterial made() {
-            boolean mirrors = illumination >= 3 && illumination <= 9 && illumination != 4 && illumination != 9;
-            return new MtlMaterial(name, diffuse, specular, emission, shininess, mirrors, there(), filter == null ? Rgb.WHITE : filter, ior,
-                    REFRACTING.contains(illumination), texture, cutout);
+            return new MtlMaterial(name, illumination, diffuse, specular, emission, shininess, there(), filter == null ? Rgb.WHITE : filter,
+                    ior, texture, cutout);
         }
 
         /**
@@ -128,11 +132,11 @@ public final class MtlReader {
             if (!Double.isNaN(opacity) && opacity != 1) {
                 return opacity;
             }
-            if (REFRACTING.contains(illumination) && filter != null) {
+            if (illumination.refracts() && filter != null) {
                 return 0;
             }
             boolean alone = Double.isNaN(opacity) && !Double.isNaN(transparency);
-            return alone && (transparency != 1 || CLEAR.contains(illumination)) ? 1 - transparency : 1;
+            return alone && (transparency != 1 || illumination.transmits()) ? 1 - transparency : 1;
         }
     }
 

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import lightning.math.Rgb;
 import lightning.mesh.ByteSource;
 import lightning.mesh.MeshException;
@@ -45,11 +46,11 @@ class MtlReaderTest {
                 """);
         assertThat(materials).containsOnlyKeys("old oak", "plain");
         assertThat(materials.get("old oak"))
-                .isEqualTo(new MtlMaterial("old oak", new Rgb(0.5, 0.25, 0.125), Rgb.grey(0.5), new Rgb(0, 0, 2), 96.5,
-                        true, 0.5, Rgb.WHITE, 1.5, false, Optional.of("my wood.png"), Optional.of("holes.png")));
+                .isEqualTo(new MtlMaterial("old oak", Illumination.REFLECTION, new Rgb(0.5, 0.25, 0.125), Rgb.grey(0.5),
+                        new Rgb(0, 0, 2), OptionalDouble.of(96.5), 0.5, Rgb.WHITE, 1.5, Optional.of("my wood.png"), Optional.of("holes.png")));
         assertThat(materials.get("plain"))
-                .isEqualTo(new MtlMaterial("plain", Rgb.grey(0.8), Rgb.BLACK, Rgb.BLACK, 0, false, 1, Rgb.WHITE, 1.5, false,
-                        Optional.empty(), Optional.empty()));
+                .isEqualTo(new MtlMaterial("plain", Illumination.HIGHLIGHT, Rgb.grey(0.8), Rgb.BLACK, Rgb.BLACK, OptionalDouble.empty(), 1,
+                        Rgb.WHITE, 1.5, Optional.empty(), Optional.empty()));
         assertThat(notes.counts()).containsOnlyKeys("ambient colours (Ka) of materials", "options -s of pictures",
                 "options -clamp of pictures", "map_Bump of materials");
     }
@@ -64,10 +65,32 @@ class MtlReaderTest {
     @Test
     void glass_hasItsIndexAndFilter() throws Exception {
         MtlMaterial glass = read("newmtl a\nTf 0.5 0.75 1\nNi 1.33\nillum 6\n").get("a");
-        assertThat(glass.refracts()).isTrue();
+        assertThat(glass.illumination().refracts()).isTrue();
         assertThat(glass.ior()).isEqualTo(1.33);
         assertThat(glass.filter()).isEqualTo(new Rgb(0.5, 0.75, 1));
-        assertThat(read("newmtl a\nd 0.5\nillum 4\n").get("a").refracts()).isFalse();
+        assertThat(read("newmtl a\nd 0.5\nillum 4\n").get("a").illumination().refracts()).isFalse();
+    }
+
+    /** By the MTL specification, models 2 to 9 have highlights, 3 and 5 to 8 mirrored rays, 6 and 7 refracted ones. */
+    @ParameterizedTest
+    @CsvSource({"0, false, false, false", "1, false, false, false", "2, true, false, false", "3, true, true, false", "4, true, false, false",
+        "5, true, true, false", "6, true, true, true", "7, true, true, true", "8, true, true, false", "9, true, false, false",
+        "10, false, false, false", "11, true, false, false", "1.5, true, false, false", "-1, true, false, false"})
+    void illumination_saysWhetherSurfacesHighlightMirrorAndRefract(String number, boolean highlights, boolean mirrors, boolean refracts)
+            throws Exception {
+        MtlMaterial material = read("newmtl a\nKs 1 1 1\nNs 10\nillum " + number + "\n").get("a");
+        assertThat(material.highlights()).isEqualTo(highlights);
+        assertThat(material.illumination().mirrors()).isEqualTo(mirrors);
+        assertThat(material.illumination().refracts()).isEqualTo(refracts);
+        double known = Double.parseDouble(number);
+        assertThat(notes.counts().containsKey("illumination models (illum) of materials that are not 0 to 9"))
+                .isEqualTo(!(known >= 0 && known <= 9 && known == Math.rint(known)));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"Ns 0, false", "Ns 0.5, false", "Ns -1, false", "Ns 1, true", "'', true"})
+    void exponentBelowOne_isNoHighlight(String line, boolean highlights) throws Exception {
+        assertThat(read("newmtl a\nKs 1 1 1\n" + line + "\nillum 2\n").get("a").highlights()).isEqualTo(highlights);
     }
 
     @Test
