@@ -136,7 +136,7 @@ public final class GltfMeshes {
             Tangents.makeUnit(tangents, notes);
         }
         if (colors != null) {
-            VertexColors.cut(colors, notes);
+            VertexColors.cut(colors, used.length, notes);
         }
         tell(primitive, texture.set());
         if (normals != null) {

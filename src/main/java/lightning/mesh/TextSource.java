@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.OptionalDouble;
+import java.util.regex.Pattern;
 import lightning.text.Decimal;
 import lightning.text.Quote;
 
@@ -14,6 +15,7 @@ public final class TextSource {
     /** Whole numbers below it, and times a power of ten of the table, are one rounding away from the nearest double. */
     private static final long EXACT = 1L << 53;
     private static final int MOST_DIGITS = 18;
+    private static final Pattern NOT_A_NUMBER = Pattern.compile("[-+]?nan(\\(\\w*\\))?", Pattern.CASE_INSENSITIVE);
 
     static {
         double power = 1;
@@ -50,11 +52,7 @@ public final class TextSource {
      * @throws MeshException if it is longer than {@link MeshLimits#WORD_BYTES}
      */
     public boolean word() throws IOException, MeshException {
-        int c = bytes.peek();
-        while (c == ' ' || c == '\t') {
-            bytes.next();
-            c = bytes.peek();
-        }
+        int c = passSpaces();
         length = 0;
         while (c >= 0 && c != ' ' && c != '\t' && c != '\n' && c != '\r') {
             if (length == word.length) {
@@ -89,14 +87,26 @@ public final class TextSource {
 
     /** Passes the end of a line where there is nothing else between here and there. */
     public void passLineEnd() throws IOException {
+        int c = passSpaces();
+        if (c == '\n' || c == '\r') {
+            nextLine();
+        }
+    }
+
+    /** Whether nothing but spaces is left of this line. */
+    public boolean isAtLineEnd() throws IOException {
+        int c = passSpaces();
+        return c < 0 || c == '\n' || c == '\r';
+    }
+
+    /** The first byte behind spaces, which stays to be read; negative at the end of the file. */
+    private int passSpaces() throws IOException {
         int c = bytes.peek();
         while (c == ' ' || c == '\t') {
             bytes.next();
             c = bytes.peek();
         }
-        if (c == '\n' || c == '\r') {
-            nextLine();
-        }
+        return c;
     }
 
     /** Whether the last word is this one, which has ASCII letters only. */
@@ -155,6 +165,12 @@ public final class TextSource {
             throw problem(what + " must be a decimal number, was " + Quote.of(text()));
         }
         return read.getAsDouble();
+    }
+
+    /** The same, NaN where the word is C's way of writing that there is no number: {@code nan}, {@code -NaN(ind)}. */
+    public double numberOrNaN(String what) throws MeshException {
+        double v = quickNumber();
+        return !Double.isNaN(v) || NOT_A_NUMBER.matcher(text()).matches() ? v : number(what);
     }
 
     /**

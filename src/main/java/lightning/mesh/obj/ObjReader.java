@@ -3,9 +3,11 @@ package lightning.mesh.obj;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import lightning.math.SrgbCurve;
 import lightning.mesh.ByteSource;
 import lightning.mesh.FloatList;
@@ -17,6 +19,7 @@ import lightning.mesh.Notes;
 import lightning.mesh.PartNames;
 import lightning.mesh.Polygon;
 import lightning.mesh.TextSource;
+import lightning.mesh.VertexColors;
 import lightning.text.Decimal;
 import lightning.text.Quote;
 
@@ -26,6 +29,8 @@ import lightning.text.Quote;
  */
 public final class ObjReader {
     private static final int MOST_SMOOTHING = 1 << 30;
+    private static final String COORDINATES = "texture coordinates";
+    private static final String NORMALS = "normals";
 
     private final ByteSource source;
     private final TextSource text;
@@ -38,6 +43,8 @@ public final class ObjReader {
     private final IntList positions = new IntList();
     private final IntList vertices = new IntList();
     private final IntList cut = new IntList();
+    /** Texture coordinates or normals that corners named before the file had any. */
+    private final Set<String> missing = new HashSet<>();
     private String object = "";
     private String material = "";
     private int smooth;
@@ -93,12 +100,16 @@ public final class ObjReader {
         switch (keyword) {
             case "v" -> position();
             case "vt" -> {
+                checkOrder(COORDINATES);
                 int count = numbers(points.coordinates, 1, 2, Mesh.MAX_TEXTURE_COORDINATE);
                 if (count == 1) {
                     points.coordinates.add(0);
                 }
             }
-            case "vn" -> numbers(points.normals, 3, 3, Double.MAX_VALUE);
+            case "vn" -> {
+                checkOrder(NORMALS);
+                numbers(points.normals, 3, 3, Double.MAX_VALUE);
+            }
             case "f", "fo" -> face();
             case "o", "g" -> {
                 object = text.rest();
@@ -127,14 +138,14 @@ public final class ObjReader {
         double[] more = new double[4];
         int count = 0;
         while (count < more.length && word()) {
-            more[count++] = text.number("a vertex");
+            more[count++] = text.numberOrNaN("a vertex");
         }
         if (count >= 3) {
             while (points.colors.size() < before) {
                 points.colors.add(1);
             }
             for (int i = count - 3; i < count; i++) {
-                points.colors.add((float) SrgbCurve.linear(Math.clamp(more[i], 0, 1)));
+                points.colors.add((float) SrgbCurve.linear(more[i]));
             }
         }
     }
@@ -220,8 +231,8 @@ public final class ObjReader {
             if (end > at) {
                 switch (part) {
                     case 0 -> position = index(at, end, points.positionCount(), "vertices");
-                    case 1 -> coordinate = index(at, end, points.coordinateCount(), "texture coordinates");
-                    default -> normal = index(at, end, points.normalCount(), "normals");
+                    case 1 -> coordinate = optionalIndex(at, end, points.coordinateCount(), COORDINATES, coordinate);
+                    default -> normal = optionalIndex(at, end, points.normalCount(), NORMALS, normal);
                 }
             }
             at = end + 1;
@@ -230,24 +241,53 @@ public final class ObjReader {
         vertices.add(mesh.vertex(position, coordinate, normal));
     }
 
+    /** The index of something that a corner can do without, as it must where the file has none: then {@code without}. */
+    private int optionalIndex(int from, int to, int count, String what, int without) throws MeshException {
+        if (count > 0 || number(from, to) == 0) {
+            return index(from, to, count, what);
+        }
+        missing.add(what);
+        notes.add("indices of " + what + ", of which the file has none");
+        return without;
+    }
+
+    /** Refuses texture coordinates or normals that faces before them would have named. */
+    private void checkOrder(String what) throws MeshException {
+        if (missing.contains(what)) {
+            throw text.problem(what + " must stand before the faces that name them");
+        }
+    }
+
     /** An index that the file counts from 1, or from the last backwards with −1; counted from 0 here. */
     private int index(int from, int to, int count, String what) throws MeshException {
-        boolean negative = text.at(from) == '-';
-        long v = 0;
-        boolean digits = to - from > (negative ? 1 : 0) && to - from < 12;
-        for (int i = negative ? from + 1 : from; i < to && digits; i++) {
-            digits = text.at(i) >= '0' && text.at(i) <= '9';
-            v = 10 * v + text.at(i) - '0';
-        }
-        if (!digits || v < 1 || v > count) {
+        long v = number(from, to);
+        if (v == 0 || Math.abs(v) > count) {
             throw text.problem("a corner must name one of " + count + " " + what + " before it, was " + Quote.of(text.text()));
         }
-        return (int) (negative ? count - v : v - 1);
+        return (int) (v < 0 ? count + v : v - 1);
+    }
+
+    /** The whole number of up to eleven digits in a part of the word; 0 where there is none. */
+    private long number(int from, int to) {
+        boolean negative = text.at(from) == '-';
+        int first = negative ? from + 1 : from;
+        if (to == first || to - from >= 12) {
+            return 0;
+        }
+        long v = 0;
+        for (int i = first; i < to; i++) {
+            if (text.at(i) < '0' || text.at(i) > '9') {
+                return 0;
+            }
+            v = 10 * v + text.at(i) - '0';
+        }
+        return negative ? -v : v;
     }
 
     private List<ObjFile.ObjPart> parts() throws MeshException {
         if (points.colors.size() > 0) {
             points.whiten();
+            VertexColors.cut(points.colors.array(), points.positionCount(), notes);
         }
         Map<String, Integer> materials = new HashMap<>();
         meshes.values().forEach(mesh -> materials.merge(mesh.object, 1, Integer::sum));

@@ -4,6 +4,7 @@ import java.io.EOFException;
 import java.io.IOException;
 import lightning.mesh.ByteSource;
 import lightning.mesh.MeshException;
+import lightning.mesh.Notes;
 import lightning.mesh.TextSource;
 
 /** The numbers behind the header, in either form. */
@@ -11,26 +12,52 @@ final class PlyBody {
     private final ByteSource source;
     /** Null where the numbers are binary. */
     private final TextSource text;
+    private final Notes notes;
     /** What is being read, as messages call it. */
     private String element = "";
     private long number;
+    /** Elements that were entered. */
+    private long entered;
+    /** Whether each element ends with its line. */
+    private boolean byLines = true;
 
-    PlyBody(PlyHeader.Format format, TextSource text, ByteSource source) {
+    /** @param notes hears of numbers that the header does not name */
+    PlyBody(PlyHeader.Format format, TextSource text, ByteSource source, Notes notes) {
         this.source = source;
+        this.notes = notes;
         this.text = format == PlyHeader.Format.ASCII ? text : null;
         source.order(format.order);
     }
 
-    /** Says what follows. */
-    void enter(String newElement, long newNumber) {
+    /** Says what follows. Passes over what is left of the element before it, where lines of text end elements. */
+    void enter(String newElement, long newNumber) throws IOException {
+        if (text != null && byLines && entered > 0 && !text.isAtLineEnd()) {
+            if (entered == 1) {
+                // The second element stands on the line of the first: the file is one stream of numbers.
+                byLines = false;
+            } else {
+                notes.add("numbers at the ends of lines, which the header does not name");
+                text.nextLine();
+            }
+        }
+        entered++;
         element = newElement;
         number = newNumber;
     }
 
     /** The next number, as a double, which holds those of all types exactly. */
     double number(PlyType type) throws IOException, MeshException {
+        return number(type, false);
+    }
+
+    /** The next number, or NaN where the file says so. */
+    double numberOrNaN(PlyType type) throws IOException, MeshException {
+        return number(type, true);
+    }
+
+    private double number(PlyType type, boolean orNaN) throws IOException, MeshException {
         try {
-            return text == null ? type.read(source) : word();
+            return text == null ? type.read(source) : word(orNaN);
         } catch (EOFException e) {
             throw problem("the file ends before it does");
         }
@@ -53,12 +80,13 @@ final class PlyBody {
         return text == null ? source.problem(place, message) : text.problem(place + ": " + message);
     }
 
-    private double word() throws IOException, MeshException {
+    private double word(boolean orNaN) throws IOException, MeshException {
         while (!text.word()) {
             if (!text.nextLine()) {
                 throw new EOFException();
             }
         }
-        return text.number("a number of " + element + " " + number);
+        String what = "a number of " + element + " " + number;
+        return orNaN ? text.numberOrNaN(what) : text.number(what);
     }
 }

@@ -53,7 +53,7 @@ public final class PlyReader {
     private Mesh read() throws IOException, MeshException {
         var text = new TextSource(source);
         PlyHeader header = PlyHeader.read(text, source, notes);
-        body = new PlyBody(header.format(), text, source);
+        body = new PlyBody(header.format(), text, source, notes);
         for (PlyHeader.Element element : header.elements()) {
             switch (element.name()) {
                 case "vertex" -> vertices = PlyVertices.read(element, body, source, notes);

@@ -71,7 +71,7 @@ final class PlyVertices {
             vertices.read(i, element.properties(), body);
         }
         if (vertices.colors != null) {
-            VertexColors.cut(vertices.colors, notes);
+            VertexColors.cut(vertices.colors, vertices.count, notes);
         }
         return vertices;
     }
@@ -101,13 +101,18 @@ final class PlyVertices {
             Target target = targets[i];
             int numbers = property.isList() ? body.length(property) : 1;
             for (int j = 0; j < numbers; j++) {
-                double v = body.number(property.type());
+                double v = isColor(target) ? body.numberOrNaN(property.type()) : body.number(property.type());
                 if (target != null) {
                     target.to[target.each * vertex + target.index] =
                             target.linear == null ? (float) v : target.linear[code(v, target.linear.length, body)];
                 }
             }
         }
+    }
+
+    /** Writers of colors write {@code nan} where a vertex has none. */
+    private boolean isColor(Target target) {
+        return target != null && target.to == colors && target.linear == null;
     }
 
     private static int code(double v, int codes, PlyBody body) throws MeshException {

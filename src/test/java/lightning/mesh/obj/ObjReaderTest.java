@@ -98,18 +98,50 @@ class ObjReaderTest {
                 Map.of("lines", 2, "points", 1, "statements curv", 1, "faces of fewer than three corners", 1));
     }
 
+    /** Some exporters write the indices of a full corner whatever the file holds. */
+    @Test
+    void indicesOfWhatTheFileHasNone_areLeftOutAndTold() throws IOException, MeshException {
+        assertThat(only(CORNERS + "f 1/1 2/2 3/7\n")).isEqualTo(only(CORNERS + "f 1 2 3\n"));
+        assertThat(only(CORNERS + "s 1\nf 1//-1 2//2 3//9\n")).isEqualTo(only(CORNERS + "s 1\nf 1 2 3\n"));
+        assertThat(only(CORNERS + "vn 0 0 1\nf 1/1/1 2/2/1 3/3/1\n")).isEqualTo(only(CORNERS + "vn 0 0 1\nf 1//1 2//1 3//1\n"));
+        assertThat(notes.counts()).containsExactlyInAnyOrderEntriesOf(
+                Map.of("indices of texture coordinates, of which the file has none", 6, "indices of normals, of which the file has none", 3));
+    }
+
+    @Test
+    void coordinatesAfterTheFacesThatNameThem_areRefused() {
+        assertRefused(CORNERS + "f 1/1 2/1 3/1\nvt 0 0\n", "line 6: texture coordinates must stand before the faces that name them");
+        assertRefused(CORNERS + "f 1//1 2 3\nvn 0 0 1\n", "line 6: normals must stand before the faces that name them");
+    }
+
+    @Test
+    void colorThatIsNoNumber_isWhiteAndTold() throws IOException, MeshException {
+        Mesh mesh = only("v 0 0 0 0 1 0\nv 1 0 0 nan nan nan\nv 1 1 0 0 NaN 0\nf 1 2 3\n");
+        assertThat(mesh.colors()).containsExactly(0, 1, 0, 1, 1, 1, 1, 1, 1);
+        assertThat(notes.counts()).containsExactly(Map.entry("colors of vertices that are no numbers, white here", 2));
+    }
+
+    @Test
+    void colorsBeyondZeroToOne_areCutAndTold() throws IOException, MeshException {
+        assertThat(only("v 0 0 0 0 1 0\nv 1 0 0 2 -1 0\nv 1 1 0 0 0 0\nf 1 2 3\n").colors()).containsExactly(0, 1, 0, 1, 0, 0, 0, 0, 0);
+        assertThat(notes.counts()).containsExactly(Map.entry("colours of vertices beyond 0 to 1", 1));
+    }
+
     @Test
     void wrongFiles_areToldWithTheirLine() {
         assertRefused("v 0 0\n", "line 1: expected 3 numbers, found 2");
         assertRefused("v 0 0 x\n", "line 1: a coordinate must be a decimal number, was 'x'");
+        assertRefused("v 0 0 0 1 x 1\n", "line 1: a vertex must be a decimal number, was 'x'");
+        assertRefused("v 0 nan 0\n", "line 1: a coordinate must be a decimal number, was 'nan'");
         assertRefused("v 0 0 1e13\n", "line 1: a coordinate must be at most 1e12 in absolute value, was '1e13'");
         assertRefused(CORNERS + "f 1 2 5\n", "line 5: a corner must name one of 4 vertices before it, was '5'");
         assertRefused(CORNERS + "f 1 2 0\n", "line 5: a corner must name one of 4 vertices before it, was '0'");
         assertRefused(CORNERS + "f 1 2 -5\n", "line 5: a corner must name one of 4 vertices before it, was '-5'");
         assertRefused(CORNERS + "f 1 2 99999999999999999999\n",
                 "line 5: a corner must name one of 4 vertices before it, was '99999999999999999999'");
-        assertRefused(CORNERS + "f 1/1 2 3\n", "line 5: a corner must name one of 0 texture coordinates before it, was '1/1'");
-        assertRefused(CORNERS + "f 1//1 2 3\n", "line 5: a corner must name one of 0 normals before it, was '1//1'");
+        assertRefused(CORNERS + "vt 0 0\nf 1/2 2 3\n", "line 6: a corner must name one of 1 texture coordinates before it, was '1/2'");
+        assertRefused(CORNERS + "vn 0 0 1\nf 1//2 2 3\n", "line 6: a corner must name one of 1 normals before it, was '1//2'");
+        assertRefused(CORNERS + "f 1/x 2 3\n", "line 5: a corner must name one of 0 texture coordinates before it, was '1/x'");
         assertRefused(CORNERS + "vt 0 0\nvn 0 0 1\nf 1/1/1/1 2 3\n", "line 7: a corner must be as 3, 3/1, 3//2 or 3/1/2, was '1/1/1/1'");
         assertRefused(CORNERS + "s one\n", "line 5: a smoothing group must be a whole number from 0 to 1073741824, was 'one'");
         assertRefused(CORNERS, "must have faces: without them there is nothing to light");

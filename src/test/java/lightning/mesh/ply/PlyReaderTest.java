@@ -119,6 +119,44 @@ class PlyReaderTest {
     }
 
     @Test
+    void colorsOfFloatingTypes_areLinear() throws IOException, MeshException {
+        Mesh mesh = read(RICH.replace("uchar red", "float red").replace("uchar green", "float green").replace("uchar blue", "float blue")
+                .replace("255 0 0 0.5", "0.5 0.25 0 0.5").replace("0 255 0 1.5", "0 1 0 1.5").replace("0 0 255 2.5", "0 0 1 2.5"));
+        assertThat(mesh.colors()).containsExactly(0.5f, 0.25f, 0, 0, 1, 0, 0, 0, 1);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"ascii", "binary_little_endian"})
+    void colorThatIsNoNumber_isWhiteAndTold(String format) throws IOException, MeshException {
+        String file = SQUARE.replace("float z\n", "float z\nproperty float r\nproperty float g\nproperty float b\n")
+                .replace("0 0 0\n", "0 0 0 0 NaN 0\n").replace("1 0 0\n", "1 0 0 0.5 0 0\n").replace("1 1 0\n", "1 1 0 0 2 0\n")
+                .replace("0 1 0\n4", "0 1 0 0 0 0\n4");
+        try (ByteSource source = ByteSource.open(Files.write(folder.resolve("a.ply"), PlyText.in(format, file)), Progress.NONE)) {
+            assertThat(PlyReader.read(source, notes).colors()).containsExactly(1, 1, 1, 0.5f, 0, 0, 0, 1, 0, 0, 0, 0);
+        }
+        assertThat(notes.counts()).containsOnly(Map.entry("colors of vertices that are no numbers, white here", 1),
+                Map.entry("colours of vertices beyond 0 to 1", 1));
+    }
+
+    /** As one old version of MeshLab wrote colors of corners, without their property in the header. */
+    @Test
+    void numbersThatTheHeaderDoesNotName_arePassedOverLineByLine() throws IOException, MeshException {
+        String file = SQUARE.replace("element face 1", "element face 2").replace("vertex_indices\n", "vertex_indices\nproperty uchar red\n");
+        try (ByteSource source = ByteSource.open(
+                Files.writeString(folder.resolve("a.ply"), file.replace("4 0 1 2 3", "3 0 1 2 9 0.5 0.5\n3 0 2 3 9 0.5 0.5")), Progress.NONE)) {
+            assertThat(PlyReader.read(source, notes).triangles()).containsExactly(0, 1, 2, 0, 2, 3);
+        }
+        assertThat(notes.counts()).containsEntry("numbers at the ends of lines, which the header does not name", 1);
+    }
+
+    @Test
+    void elementsThatShareOrFillLines_areReadByTheirNumbers() throws IOException, MeshException {
+        String body = SQUARE.substring(SQUARE.indexOf("0 0 0\n"));
+        assertThat(read(SQUARE.replace(body, body.replace('\n', ' ')))).isEqualTo(read(SQUARE));
+        assertThat(read(SQUARE.replace(body, body.replace(' ', '\n')))).isEqualTo(read(SQUARE));
+    }
+
+    @Test
     void strips_turnRoundAndBeginAnew() throws IOException, MeshException {
         Mesh mesh = read(SQUARE.replace("element face 1", "element tristrips 1").replace("4 0 1 2 3", "8 0 1 2 3 -1 1 2 3"));
         assertThat(mesh.triangles()).containsExactly(0, 1, 2, 2, 1, 3, 1, 2, 3);
