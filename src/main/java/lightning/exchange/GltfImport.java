@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import lightning.gltf.GltfCamera;
 import lightning.gltf.GltfFile;
 import lightning.gltf.GltfLight;
 import lightning.gltf.GltfMaterial;
@@ -128,17 +129,18 @@ final class GltfImport {
         Vec3 from = world.point(Vec3.ZERO);
         Vec3 view = world.vector(new Vec3(0, 0, -1));
         Vec3 up = world.vector(Vec3.Y);
-        Optional<Double> angle = file.fieldOfView(index);
+        GltfCamera look = file.camera(index);
         if (pieces.camera.isPresent()) {
             pieces.notes.add("other cameras");
             return;
         }
-        if (angle.isEmpty()) {
+        if (look.fieldOfView().isEmpty()) {
             pieces.notes.add("cameras without perspective, shown with it");
         }
-        double fov = Math.clamp(Math.toDegrees(angle.orElse(Math.toRadians(Camera.DEFAULT.fov()))), Limits.MIN_FOV, Limits.MAX_FOV);
+        double fov = Math.clamp(Math.toDegrees(look.fieldOfView().orElse(Math.toRadians(Camera.DEFAULT.fov()))), Limits.MIN_FOV, Limits.MAX_FOV);
         try {
             pieces.camera = Optional.of(new Camera(from, from.plus(view.normalized()), up.normalized(), fov));
+            look.aspectRatio().ifPresent(pieces::shape);
         } catch (IllegalArgumentException | ArithmeticException e) {
             pieces.notes.add("cameras that cannot be placed");
         }

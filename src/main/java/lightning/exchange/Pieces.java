@@ -158,20 +158,39 @@ final class Pieces {
         return quadratic;
     }
 
+    /** Gives the picture the shape of {@code aspectRatio}, width / height, above 0; its longer side stays. */
+    void shape(double aspectRatio) {
+        int longer = Math.max(picture.width(), picture.height());
+        picture = picture.withSize(side(longer * aspectRatio, longer), side(longer / aspectRatio, longer));
+    }
+
+    private static int side(double pixels, int longest) {
+        return (int) Math.rint(Math.clamp(pixels, 1, longest));
+    }
+
     /** The scene, with a camera that sees all and a light, where it has none. */
     Import finish() throws MeshException {
-        if (lights.isEmpty()) {
-            remark("it has no light: this one is made up");
-            notes.add("lights made up, as the file has none");
-            lights.add(Light.of(names.unique("light", "light"), LightType.DIRECTIONAL).withDirection(new Vec3(-1, -2, -1.5)));
-        }
         try {
-            Scene scene = new Scene(picture, camera.orElseGet(this::view), world, List.copyOf(materials), List.copyOf(nodes),
-                    List.copyOf(lights));
+            Camera seen = camera.orElseGet(this::view);
+            if (lights.isEmpty()) {
+                remark("it has no light: this one is made up");
+                notes.add("lights made up, as the file has none");
+                lights.add(overTheShoulder(seen));
+            }
+            Scene scene = new Scene(picture, seen, world, List.copyOf(materials), List.copyOf(nodes), List.copyOf(lights));
             return new Import(scene, units, List.copyOf(remarks), to, List.copyOf(copies.values()), Map.copyOf(notes.counts()));
         } catch (IllegalArgumentException e) {
             throw new MeshException(source, "", "cannot be a scene here: " + e.getMessage());
         }
+    }
+
+    /** A key light on the camera's side: from above and from its left. */
+    private Light overTheShoulder(Camera seen) {
+        Vec3 view = seen.to().minus(seen.from()).normalized();
+        Vec3 right = view.cross(seen.up()).normalized();
+        Vec3 to = view.times(1.5).plus(right).minus(right.cross(view).times(1.2));
+        return Light.of(names.unique("light", "light"), LightType.DIRECTIONAL)
+                .withDirection(new Vec3(shortened(to.x(), 2), shortened(to.y(), 2), shortened(to.z(), 2)));
     }
 
     private Camera view() {

@@ -61,7 +61,7 @@ public final class GltfFile {
     /**
      * Reads a file, without the buffers beside it.
      *
-     * @throws MeshException if it is no glTF 2.0, or needs an extension without which its form is not known
+     * @throws MeshException if it is no glTF 2.0 (of glTF 1.0 the message says how to get there), or needs an extension without which its form is not known
      * @throws IOException   if it cannot be read
      */
     public static GltfFile read(Path path, Progress progress) throws IOException, MeshException {
@@ -96,6 +96,9 @@ public final class GltfFile {
     private static GltfFile binary(ByteSource source, Progress progress, JsonMapper mapper) throws IOException, MeshException {
         source.int32();
         int version = source.int32();
+        if (version == 1) {
+            throw version1(source.file());
+        }
         if (version != 2) {
             throw source.problem("version", "must be 2, was " + Integer.toUnsignedString(version));
         }
@@ -133,6 +136,9 @@ public final class GltfFile {
 
     private void check() throws MeshException {
         Json version = root.get("asset").get("version");
+        if (isVersion1(version)) {
+            throw version1(path);
+        }
         if (!version.text().orElse("").startsWith("2.")) {
             throw version.problem("must be 2.0, was " + version.text().orElse("missing"));
         }
@@ -143,6 +149,16 @@ public final class GltfFile {
                 throw required.at(i).problem("needs " + name + ", which Lightning cannot read; export it without");
             }
         }
+    }
+
+    /** Files of glTF 1.0 may leave their version out, or write it as a number; they name their meshes where those of 2.0 number them. */
+    private boolean isVersion1(Json version) {
+        String said = version.node().asString("");
+        return version.isThere() ? said.equals("1") || said.startsWith("1.") : root.node().path("meshes").isObject();
+    }
+
+    private static MeshException version1(Path path) {
+        return new MeshException(path, "", "is glTF 1.0; export it as glTF 2.0");
     }
 
     /** Tells the extensions in use that are not known. */

@@ -12,6 +12,7 @@ import lightning.math.Transform;
 import lightning.math.Vec3;
 import lightning.mesh.MeshException;
 import lightning.mesh.Notes;
+import lightning.text.Decimal;
 import lightning.text.Quote;
 
 /** What a glTF file says beside its meshes: nodes, cameras, lights, materials, images. */
@@ -118,17 +119,26 @@ public final class GltfScene {
         return List.copyOf(lights);
     }
 
-    /** The vertical opening angle of a camera, radians; empty where it has none, and nothing is smaller farther away. Its other numbers are told. */
-    public Optional<Double> fieldOfView(int camera) throws MeshException {
+    /** A camera by its number. Its other numbers are told. */
+    public GltfCamera camera(int camera) throws MeshException {
         Json look = file.array("cameras").at(camera);
         Json perspective = look.get("perspective");
-        Json yfov = perspective.get("yfov");
-        notes.add("aspect ratios of cameras", perspective.get("aspectRatio").isThere() ? 1 : 0);
+        Json orthographic = look.get("orthographic");
         for (String plane : List.of("znear", "zfar")) {
-            boolean there = perspective.get(plane).isThere() || look.get("orthographic").get(plane).isThere();
-            notes.add(plane + " of cameras", there ? 1 : 0);
+            notes.add(plane + " of cameras", perspective.get(plane).isThere() || orthographic.get(plane).isThere() ? 1 : 0);
         }
-        return yfov.isThere() ? Optional.of(yfov.number()) : Optional.empty();
+        Json yfov = perspective.get("yfov");
+        return new GltfCamera(yfov.isThere() ? Optional.of(yfov.number()) : Optional.empty(),
+                orthographic.isThere() ? Optional.of(aboveZero(orthographic.get("xmag")) / aboveZero(orthographic.get("ymag")))
+                        : perspective.get("aspectRatio").isThere() ? Optional.of(aboveZero(perspective.get("aspectRatio"))) : Optional.empty());
+    }
+
+    private static double aboveZero(Json value) throws MeshException {
+        double v = value.number();
+        if (!(v > 0)) {
+            throw value.problem("must be above 0, was " + Decimal.text(v));
+        }
+        return v;
     }
 
     /** All materials, by their numbers. */

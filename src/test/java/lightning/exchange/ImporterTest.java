@@ -26,6 +26,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Files of other programs become scenes that can be read and shown. */
@@ -119,7 +120,59 @@ class ImporterTest {
                         + "{'specularTexture': {'index': 0}, 'specularColorTexture': {'index': 0}}},");
         assertThat(read(Files.write(from.resolve("a.glb"), Gltf.binary(rich, Gltf.SQUARE))).notes())
                 .containsEntry("specularTexture of materials", 1).containsEntry("specularColorTexture of materials", 1)
-                .containsEntry("aspect ratios of cameras", 1).containsEntry("znear of cameras", 1).containsEntry("zfar of cameras", 1);
+                .containsEntry("znear of cameras", 1).containsEntry("zfar of cameras", 1);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1.5, 800, 533", "1, 800, 800", "0.5, 400, 800", "1e9, 800, 1", "1e-9, 1, 800"})
+    void aspectRatioOfTheCamera_isThePicturesShape(String ratio, int width, int height) throws Exception {
+        String shaped = SCENE.replace("{'yfov': 1}", "{'yfov': 1, 'aspectRatio': " + ratio + "}");
+        Import read = read(Files.write(from.resolve("a.glb"), Gltf.binary(shaped, Gltf.SQUARE)));
+        assertThat(read.scene().picture().width()).isEqualTo(width);
+        assertThat(read.scene().picture().height()).isEqualTo(height);
+        assertThat(read.scene().camera().fov()).as("vertical in both").isCloseTo(Math.toDegrees(1), Offset.offset(1e-9));
+        assertThat(read.notes()).doesNotContainKey("aspect ratios of cameras");
+    }
+
+    @Test
+    void orthographicCamera_hasTheShapeOfItsWindow() throws Exception {
+        String parallel = SCENE.replace("{'perspective': {'yfov': 1}}", "{'orthographic': {'xmag': 1, 'ymag': 2, 'znear': 0, 'zfar': 9}}");
+        Import read = read(Files.write(from.resolve("a.glb"), Gltf.binary(parallel, Gltf.SQUARE)));
+        assertThat(read.scene().picture().width()).isEqualTo(400);
+        assertThat(read.scene().picture().height()).isEqualTo(800);
+    }
+
+    @Test
+    void aspectRatioThatIsNone_isRefused() throws IOException {
+        Path file = Files.write(from.resolve("a.glb"),
+                Gltf.binary(SCENE.replace("{'yfov': 1}", "{'yfov': 1, 'aspectRatio': 0}"), Gltf.SQUARE));
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file))
+                .withMessageEndingWith("cameras[0].perspective.aspectRatio: must be above 0, was 0");
+    }
+
+    /** Wherever the camera stands, and however it is held, light comes over its shoulder. */
+    @ParameterizedTest
+    @CsvSource({"0, 0, 4, 0, 0, 0, 1", "0, 0, -4, 0, 1, 0, 0", "4, 0, 0, 0, 0.70710678, 0, 0.70710678", "0, 4, 0, -0.70710678, 0, 0, 0.70710678",
+        "0, 0, 4, 0, 0, 1, 0"})
+    void madeUpLight_standsOnTheCamerasSide(double x, double y, double z, double qx, double qy, double qz, double qw) throws Exception {
+        String unlit = Gltf.SQUARE_JSON.replace("'nodes': [{'mesh': 0, 'name': 'floor'}]",
+                "'nodes': [{'mesh': 0, 'name': 'floor', 'children': [1]}, {'camera': 0, 'translation': [" + x + "," + y + "," + z
+                        + "], 'rotation': [" + qx + "," + qy + "," + qz + "," + qw + "]}], 'cameras': [{'perspective': {'yfov': 1}}]");
+        assertLitFromTheCamera(imported(Files.write(from.resolve("a.glb"), Gltf.binary(unlit, Gltf.SQUARE))));
+    }
+
+    @Test
+    void madeUpLightOfAMadeUpCamera_standsOnItsSide() throws Exception {
+        assertLitFromTheCamera(imported(Files.writeString(from.resolve("b.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")));
+    }
+
+    private static void assertLitFromTheCamera(Scene scene) {
+        Vec3 to = scene.lights().getFirst().direction().normalized();
+        Vec3 view = scene.camera().to().minus(scene.camera().from()).normalized();
+        Vec3 right = view.cross(scene.camera().up()).normalized();
+        assertThat(to.dot(view)).as("along the view").isGreaterThan(0.6);
+        assertThat(to.dot(right.cross(view))).as("from above").isLessThan(-0.3);
+        assertThat(Math.abs(to.dot(right))).as("from one side").isGreaterThan(0.3);
     }
 
     @Test

@@ -127,7 +127,8 @@ class GltfMeshesTest {
 
     @Test
     void wrongFiles_areToldWithTheirPlace() {
-        assertRefused(json("'2.0'", "'1.0'"), "asset.version: must be 2.0, was 1.0");
+        assertRefused(json("'2.0'", "'3.0'"), "asset.version: must be 2.0, was 3.0");
+        assertRefused(json("'2.0'", "7"), "asset.version: must be text in quotes, was '7'");
         assertRefused(json("'indices': 3", "'indices': 4"), "meshes[0].primitives[0].indices: must be a whole number from 0 to 3, was '4'");
         assertRefused(json("'VEC2'", "'MAT4'"), "accessors[2].type: must be SCALAR, VEC2, VEC3 or VEC4, was 'MAT4'");
         assertRefused(json("'componentType': 5123", "'componentType': 5126"), "accessors[3]: indices must be single numbers without sign");
@@ -140,6 +141,23 @@ class GltfMeshesTest {
                 "buffers[0].uri: must be data or a file in the folder");
         assertRefused(json("'buffers': [{", "'buffers': [{'uri': 'not there.bin', "), "buffers[0].uri: there is no file 'not there.bin'");
         assertRefused(json("'mode'", "'mode'").replace("'asset'", "asset"), "line 1, column ");
+    }
+
+    /** With the version as text, as the number that early files have, without it, and as the head of a GLB. */
+    @Test
+    void filesOfVersion1_areToldHowToExportThem() throws IOException {
+        String message = "is glTF 1.0; export it as glTF 2.0";
+        assertRefused(json("'2.0'", "'1.0'"), message);
+        assertRefused(json("'2.0'", "'1.0.1'"), message);
+        assertRefused(json("'2.0'", "1"), message);
+        assertRefused("{'meshes': {'a': {}}, 'nodes': {}, 'asset': {}}", message);
+        byte[] binary = Gltf.binary(Gltf.SQUARE_JSON, Gltf.SQUARE);
+        binary[4] = 1;
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read("b.glb", binary))
+                .withMessage(folder.resolve("b.glb") + ": " + message);
+        binary[4] = 3;
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read("b.glb", binary))
+                .withMessage(folder.resolve("b.glb") + ": version: must be 2, was 3");
     }
 
     private static String json(String from, String to) {
