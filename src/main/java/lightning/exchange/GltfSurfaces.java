@@ -27,6 +27,7 @@ final class GltfSurfaces {
     private final String meshFile;
     private final Map<Integer, Optional<String>> images = new HashMap<>();
     private final Map<Integer, SurfaceMeans> means = new HashMap<>();
+    private final Map<Integer, Optional<Rgb>> glows = new HashMap<>();
 
     /** @param meshFile the name of the glTF file beside the scene */
     GltfSurfaces(Pieces pieces, GltfScene file, String meshFile) {
@@ -43,7 +44,7 @@ final class GltfSurfaces {
         }
         SurfaceMeans means = m.surface() < 0 ? SurfaceMeans.NONE : means(m.surface());
         Material made = Material.of("material").withModel(SurfaceModel.METALLIC).withBase(base)
-                .withAmbient(pieces.color(m.emission(), Limits.MAX_EMISSION, "emission of materials"))
+                .withAmbient(pieces.color(m.emission().times(glow(m)), Limits.MAX_EMISSION, "emission of materials"))
                 .withMetalness(Pieces.clamp(m.metallic() * means.metalness(), 1))
                 .withRoughness(Pieces.clamp(m.roughness() * means.roughness(), 1)).withTexture(picture(m.image()));
         return cut(relieved(clear(mirroring(highlit(made, m)), m), m), m);
@@ -85,6 +86,20 @@ final class GltfSurfaces {
         return glass.thin() || !(distance <= Limits.MAX_TINT_DISTANCE) ? clear
                 : clear.withClarity(clear.clarity().withTint(pieces.color(glass.tint(), 1, "colours of bodies"))
                         .withTintDistance(Math.max(distance, Limits.MIN_TINT_DISTANCE)));
+    }
+
+    /** The mean of what the emission's picture says: a factor alone would make all of the surface glow. Black where it cannot be read. */
+    private Rgb glow(GltfMaterial m) throws IOException, MeshException {
+        if (m.glow().isEmpty()) {
+            return Rgb.WHITE;
+        }
+        int image = m.glow().getAsInt();
+        if (!glows.containsKey(image)) {
+            glows.put(image, image < 0 ? Optional.empty() : SurfaceMeans.color(file.imageBytes(image)));
+        }
+        Optional<Rgb> mean = glows.get(image);
+        pieces.notes.add(mean.isEmpty() ? "emissiveTexture of materials" : "emissiveTexture of materials, of which the mean is taken");
+        return mean.orElse(Rgb.BLACK);
     }
 
     /** @param image of roughness and metalness */

@@ -184,11 +184,11 @@ final class Pieces {
         }
     }
 
-    /** A key light on the camera's side: from above and from its left. */
+    /** A key light on the camera's side: from above and from its right. */
     private Light overTheShoulder(Camera seen) {
         Vec3 view = seen.to().minus(seen.from()).normalized();
         Vec3 right = view.cross(seen.up()).normalized();
-        Vec3 to = view.times(1.5).plus(right).minus(right.cross(view).times(1.2));
+        Vec3 to = view.times(1.5).minus(right.times(0.5)).minus(right.cross(view).times(0.8));
         return Light.of(names.unique("light", "light"), LightType.DIRECTIONAL)
                 .withDirection(new Vec3(shortened(to.x(), 2), shortened(to.y(), 2), shortened(to.z(), 2)));
     }

@@ -3,6 +3,7 @@ package lightning.exchange;
 import java.util.Optional;
 import lightning.jen.TextureDecoder;
 import lightning.jen.UnusableFileException;
+import lightning.math.Rgb;
 import lightning.scene.Texture;
 
 /**
@@ -23,6 +24,16 @@ record SurfaceMeans(double roughness, double metalness) {
         try {
             Texture picture = TextureDecoder.numbers("surface", file);
             return Optional.of(new SurfaceMeans(mean(picture, GREEN), mean(picture, BLUE)));
+        } catch (UnusableFileException e) {
+            return Optional.empty();
+        }
+    }
+
+    /** The mean of a picture of colors, linear; empty where the bytes are no picture that a scene can show. */
+    static Optional<Rgb> color(byte[] file) {
+        try {
+            Texture picture = TextureDecoder.colors("emission", file);
+            return Optional.of(new Rgb(mean(picture, 0), mean(picture, GREEN), mean(picture, BLUE)));
         } catch (UnusableFileException e) {
             return Optional.empty();
         }

@@ -1,5 +1,6 @@
 package lightning.gltf;
 
+import java.util.OptionalInt;
 import lightning.math.Rgb;
 
 /**
@@ -10,7 +11,8 @@ import lightning.math.Rgb;
  * @param roughness  0 … 1, times its green
  * @param reflection the share of light that it mirrors when seen head on, where it is no metal
  * @param grazing    the same where it is seen from its side
- * @param emission   linear, strength included
+ * @param emission   linear, strength included, times the picture where there is one
+ * @param glow       the number of the image of its emission, −1 where it cannot be read; empty for none
  * @param unlit      whether it shows its base colour, whatever light there is
  * @param image      the number of the base colour's image; −1 for none
  * @param surface    the number of the image of metalness and roughness; −1 for none
@@ -23,7 +25,7 @@ import lightning.math.Rgb;
  * @param fades      whether the file lets such a picture fade, instead
  */
 public record GltfMaterial(String name, Rgb base, double metallic, double roughness, Rgb reflection, double grazing, Rgb emission,
-        boolean unlit, int image, int surface, int normals, double lean, double opacity, Glass glass, double cutoff,
+        OptionalInt glow, boolean unlit, int image, int surface, int normals, double lean, double opacity, Glass glass, double cutoff,
         double alpha, boolean fades) {
     /**
      * What passes through a surface, and through the body behind it.

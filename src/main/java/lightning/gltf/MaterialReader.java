@@ -1,6 +1,7 @@
 package lightning.gltf;
 
 import java.util.List;
+import java.util.OptionalInt;
 import lightning.math.Rgb;
 import lightning.mesh.MeshException;
 import lightning.mesh.Notes;
@@ -23,9 +24,7 @@ final class MaterialReader {
     GltfMaterial material(Json material) throws MeshException {
         Json look = material.get("pbrMetallicRoughness");
         Json extensions = material.get("extensions");
-        for (String picture : List.of("occlusionTexture", "emissiveTexture")) {
-            notes.add(picture + " of materials", material.get(picture).isThere() ? 1 : 0);
-        }
+        notes.add("occlusionTexture of materials", material.get("occlusionTexture").isThere() ? 1 : 0);
         String alpha = material.get("alphaMode").text().orElse("OPAQUE");
         double factor = look.get("baseColorFactor").numbers(1, 1, 1, 1)[3];
         double there = alpha.equals("BLEND") ? factor : 1;
@@ -40,9 +39,13 @@ final class MaterialReader {
         Json glossy = extensions.get("KHR_materials_pbrSpecularGlossiness");
         Surface surface = glossy.isThere() && !look.isThere() ? glossy(glossy) : metallic(look, extensions);
         return new GltfMaterial(material.get("name").text().orElse(""), surface.base, surface.metallic, surface.roughness,
-                surface.reflection, surface.grazing, new Rgb(emission[0], emission[1], emission[2]).times(strength),
+                surface.reflection, surface.grazing, new Rgb(emission[0], emission[1], emission[2]).times(strength), glow(material.get("emissiveTexture")),
                 extensions.get("KHR_materials_unlit").isThere(), surface.image, surface.picture, image(normals),
                 normals.get("scale").number(1), there, glass(extensions), cutoff, factor, fades);
+    }
+
+    private OptionalInt glow(Json texture) throws MeshException {
+        return texture.isThere() ? OptionalInt.of(source(texture)) : OptionalInt.empty();
     }
 
     /** KHR_materials_ior. */

@@ -59,6 +59,16 @@ public final class TextureDecoder {
         return decode(name, file, SampleMeaning.NUMBER, JenLimits.TEXTURE_PIXELS);
     }
 
+    /**
+     * A picture in linear light, by the rules of textures.
+     *
+     * @param name what messages call it
+     * @throws UnusableFileException if it is no PNG or JPEG, too large or damaged
+     */
+    public static Texture colors(String name, byte[] file) throws UnusableFileException {
+        return decode(name, file, SampleMeaning.COLOR, JenLimits.TEXTURE_PIXELS);
+    }
+
     private static Texture decode(String name, byte[] file, SampleMeaning samples, long pixelsLeft) throws UnusableFileException {
         try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
             ImageReader reader = reader(name, in);

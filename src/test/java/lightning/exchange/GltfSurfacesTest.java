@@ -18,6 +18,7 @@ import lightning.image.Film;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
 import lightning.math.Rgb;
+import lightning.math.SrgbCurve;
 import lightning.math.Vec3;
 import lightning.mesh.MeshException;
 import lightning.scene.Clarity;
@@ -49,6 +50,10 @@ class GltfSurfacesTest {
     private Path folder;
 
     private Import read(String material) throws IOException, MeshException {
+        return read(material, "", "");
+    }
+
+    private Import read(String material, String from, String to) throws IOException, MeshException {
         String json = Gltf.SQUARE_JSON.replace("'nodes': [{'mesh': 0, 'name': 'floor'}]", String.format(Locale.ROOT, """
                 'nodes': [{'mesh': 0, 'name': 'floor', 'children': [1, 2]},
                   {'name': 'bulb', 'translation': [%s, %s, %s], 'extensions': {'KHR_lights_punctual': {'light': 0}}},
@@ -57,7 +62,7 @@ class GltfSurfacesTest {
                  'cameras': [{'perspective': {'yfov': %s}}], 'textures': [{'source': 0}],
                  'images': [{'uri': 'data:image/png;base64,%s'}],
                  'materials': [%s]""", BULB.x(), BULB.y(), BULB.z(), EYE.x(), EYE.y(), EYE.z(), Math.sin(TURN / 2), Math.cos(TURN / 2),
-                683 * WATTS_PER_STERADIAN, YFOV, PIXEL, material)).replace("'indices': 3", "'indices': 3, 'material': 0");
+                683 * WATTS_PER_STERADIAN, YFOV, PIXEL, material)).replace("'indices': 3", "'indices': 3, 'material': 0").replace(from, to);
         return Importer.read(Files.write(folder.resolve("a.glb"), Gltf.binary(json, Gltf.SQUARE)), folder.resolve("a.jen"),
                 LightUnits.CANDELA, Progress.NONE);
     }
@@ -142,6 +147,25 @@ class GltfSurfacesTest {
         assertThat(plain.metalness()).isEqualTo(1);
         assertThat(plain.roughness()).isEqualTo(1);
         assertThat(plain.f0()).isEqualTo(0.04);
+    }
+
+    /** Most files say 1 1 1, and where they glow by the picture: a factor alone would make all of the surface shine. */
+    @Test
+    void emissionWithAPicture_isThePicturesMean() throws Exception {
+        Import read = read("{'emissiveTexture': {'index': 0}, 'emissiveFactor': [1, 0.5, 1]}");
+        Rgb glow = read.scene().materials().getFirst().ambient();
+        assertThat(glow.r()).isEqualTo(SrgbCurve.linear(128 / 255.0), within(1e-6));
+        assertThat(glow.g()).isEqualTo(0.5 * SrgbCurve.linear(192 / 255.0), within(1e-6));
+        assertThat(glow.b()).isEqualTo(1, within(1e-6));
+        assertThat(read.notes()).containsEntry("emissiveTexture of materials, of which the mean is taken", 1);
+    }
+
+    @Test
+    void emissionWithAPictureThatCannotBeShown_isLeftOut() throws Exception {
+        String broken = "{'emissiveTexture': {'index': 1}, 'emissiveFactor': [1, 1, 1]}";
+        Import read = read(broken, "'textures': [{'source': 0}]", "'textures': [{'source': 0}, {}]");
+        assertThat(read.scene().materials().getFirst().ambient()).isEqualTo(Rgb.BLACK);
+        assertThat(read.notes()).containsEntry("emissiveTexture of materials", 1);
     }
 
     @Test

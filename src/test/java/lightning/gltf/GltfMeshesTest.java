@@ -89,6 +89,18 @@ class GltfMeshesTest {
         assertThat(notes.counts()).containsEntry("attributes TANGENT of primitives", 1);
     }
 
+    /** As glTF 2.0 has them, of floating and of whole types: 0, 1, 2 and 0 of 65535, no sRGB; as docs/jen-format.md says. */
+    @Test
+    void colorsOfVertices_areLinear() throws IOException, MeshException {
+        String whole = json("'accessors': [",
+                "'accessors': [{'bufferView': 1, 'componentType': 5121, 'normalized': true, 'count': 4, 'type': 'VEC3'},")
+                .replace("'POSITION': 0, 'NORMAL': 1, 'TEXCOORD_0': 2}, 'indices': 3", "'POSITION': 1, 'COLOR_0': 0}");
+        // The bytes are 0 0 1, 0 2 0, 0 0 2, 0 3 0; triangles without indices take the first three vertices.
+        assertThat(only(whole).colors()).containsExactly(0, 0, 1 / 255f, 0, 2 / 255f, 0, 0, 0, 2 / 255f);
+        String floats = json("'TEXCOORD_0': 2}", "'COLOR_0': 0}");
+        assertThat(only(floats).colors()).containsExactly(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
+    }
+
     @Test
     void tangentsOfThreeNumbers_areRefused() {
         assertRefused(json("'TEXCOORD_0': 2}", "'TANGENT': 1}"), "accessors[1].type: must have 4 numbers each, has 3");

@@ -48,6 +48,17 @@ class PolygonTest {
         assertThat(sum).isCloseTo(outline, Offset.offset(1e-5));
     }
 
+    /** Turned in its plane or not flat, as docs/jen-format.md says. */
+    @Test
+    void quadrilateralWithoutADent_isCutFromItsSecondCornerToItsFourth() {
+        float[][] outlines = {{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, {1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 0}, {0, 0, 0, 0, 1, 0, 1, 1, 0, 1, 0, 0},
+            {0, 0, 0, 1, 0, 0, 1, 1, 0.3f, 0, 1, 0}};
+        for (float[] outline : outlines) {
+            int[] cut = triangles(outline).toArray();
+            assertThat(cut).containsExactly(3, 0, 1, 1, 2, 3);
+        }
+    }
+
     @Test
     void dentedQuadrilateral_isCutThroughItsDent() {
         assertThat(contains(triangles(new float[] {0, 0, 0, 2, 0, 0, 0.5f, 0.5f, 0, 0, 2, 0}).toArray(), 0, 2)).isTrue();

@@ -148,6 +148,22 @@ class ShapingTest {
         assertThat(measured(LightType.POINT, new Vec3(1, 0, 0), p, 0, 3, 0)).isZero();
     }
 
+    /** As docs/jen-format.md says: 0 towards −x, 90 towards z. */
+    @Test
+    void profileOfAPointLight_beginsTowardsMinusX() {
+        var c = new Photometry(Photometry.Type.C, new double[] {0, 90}, new double[] {0, 90, 180, 270, 360}, new double[] {8, 8, 8, 1, 8, 2, 8, 3, 8, 8});
+        assertThat(measured(LightType.POINT, Vec3.Y, c, -5, 0, 0)).as("0").isEqualTo(1, within(1e-6));
+        assertThat(measured(LightType.POINT, Vec3.Y, c, 0, 0, 5)).as("90").isEqualTo(1 / 8.0, within(1e-6));
+        assertThat(measured(LightType.POINT, Vec3.Y, c, 5, 0, 0)).as("180").isEqualTo(2 / 8.0, within(1e-6));
+        assertThat(measured(LightType.POINT, Vec3.Y, c, 0, 0, -5)).as("270").isEqualTo(3 / 8.0, within(1e-6));
+        // By planes to the left, ahead, to the right; in each downwards, ahead, upwards.
+        double[] angles = {-90, 0, 90};
+        var a = new Photometry(Photometry.Type.A, angles, angles, new double[] {1, 2, 3, 4, 8, 5, 6, 7, 0});
+        assertThat(measured(LightType.POINT, Vec3.Y, a, 0, -5, 0)).as("ahead").isEqualTo(1, within(1e-6));
+        assertThat(measured(LightType.POINT, Vec3.Y, a, -5, 0, 0)).as("right").isEqualTo(7 / 8.0, within(1e-6));
+        assertThat(measured(LightType.POINT, Vec3.Y, a, 0, 0, 5)).as("upwards").isEqualTo(5 / 8.0, within(1e-6));
+    }
+
     @Test
     void profilesOfTypesAAndB_haveTheirPlanesAboutAnUprightAndALyingAxis() {
         double[] angles = {-90, 0, 90};
