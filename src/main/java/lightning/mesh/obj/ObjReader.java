@@ -3,11 +3,9 @@ package lightning.mesh.obj;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import lightning.math.SrgbCurve;
 import lightning.mesh.ByteSource;
 import lightning.mesh.FloatList;
@@ -29,13 +27,12 @@ import lightning.text.Quote;
  */
 public final class ObjReader {
     private static final int MOST_SMOOTHING = 1 << 30;
-    private static final String COORDINATES = "texture coordinates";
-    private static final String NORMALS = "normals";
 
     private final ByteSource source;
     private final TextSource text;
     private final Notes notes;
     private final ObjPoints points = new ObjPoints();
+    private final ObjCorners corners;
     /** By object and material: strings, since a file may choose names that collide, which tables of strings can bear. */
     private final Map<String, ObjMesh> meshes = new LinkedHashMap<>();
     private final List<String> libraries = new ArrayList<>();
@@ -43,8 +40,6 @@ public final class ObjReader {
     private final IntList positions = new IntList();
     private final IntList vertices = new IntList();
     private final IntList cut = new IntList();
-    /** Texture coordinates or normals that corners named before the file had any. */
-    private final Set<String> missing = new HashSet<>();
     private String object = "";
     private String material = "";
     private int smooth;
@@ -56,6 +51,7 @@ public final class ObjReader {
         this.source = source;
         this.notes = notes;
         text = new TextSource(source);
+        corners = new ObjCorners(text, points, notes);
     }
 
     /**
@@ -100,14 +96,14 @@ public final class ObjReader {
         switch (keyword) {
             case "v" -> position();
             case "vt" -> {
-                checkOrder(COORDINATES);
+                corners.checkOrder(ObjCorners.COORDINATES);
                 int count = numbers(points.coordinates, 1, 2, Mesh.MAX_TEXTURE_COORDINATE);
                 if (count == 1) {
                     points.coordinates.add(0);
                 }
             }
             case "vn" -> {
-                checkOrder(NORMALS);
+                corners.checkOrder(ObjCorners.NORMALS);
                 numbers(points.normals, 3, 3, Double.MAX_VALUE);
             }
             case "f", "fo" -> face();
@@ -183,7 +179,8 @@ public final class ObjReader {
         positions.clear();
         vertices.clear();
         while (word()) {
-            corner(mesh);
+            vertices.add(corners.vertex(mesh, smooth));
+            positions.add(corners.position());
         }
         int count = vertices.size();
         if (count < 3) {
@@ -212,76 +209,6 @@ public final class ObjReader {
             current = meshes.computeIfAbsent(object + '\n' + material, _ -> new ObjMesh(object, material));
         }
         return current;
-    }
-
-    /** Takes a corner: {@code 3}, {@code 3/1}, {@code 3//2} or {@code 3/1/2}. */
-    private void corner(ObjMesh mesh) throws MeshException {
-        int at = 0;
-        int position = ObjMesh.NONE;
-        int coordinate = ObjMesh.NONE;
-        int normal = smooth == 0 ? ObjMesh.NONE : ObjMesh.smoothNormal(smooth);
-        for (int part = 0; at <= text.length(); part++) {
-            int end = at;
-            while (end < text.length() && text.at(end) != '/') {
-                end++;
-            }
-            if (part > 2 || part == 0 && end == at) {
-                throw text.problem("a corner must be as 3, 3/1, 3//2 or 3/1/2, was " + Quote.of(text.text()));
-            }
-            if (end > at) {
-                switch (part) {
-                    case 0 -> position = index(at, end, points.positionCount(), "vertices");
-                    case 1 -> coordinate = optionalIndex(at, end, points.coordinateCount(), COORDINATES, coordinate);
-                    default -> normal = optionalIndex(at, end, points.normalCount(), NORMALS, normal);
-                }
-            }
-            at = end + 1;
-        }
-        positions.add(position);
-        vertices.add(mesh.vertex(position, coordinate, normal));
-    }
-
-    /** The index of something that a corner can do without, as it must where the file has none: then {@code without}. */
-    private int optionalIndex(int from, int to, int count, String what, int without) throws MeshException {
-        if (count > 0 || number(from, to) == 0) {
-            return index(from, to, count, what);
-        }
-        missing.add(what);
-        notes.add("indices of " + what + ", of which the file has none");
-        return without;
-    }
-
-    /** Refuses texture coordinates or normals that faces before them would have named. */
-    private void checkOrder(String what) throws MeshException {
-        if (missing.contains(what)) {
-            throw text.problem(what + " must stand before the faces that name them");
-        }
-    }
-
-    /** An index that the file counts from 1, or from the last backwards with −1; counted from 0 here. */
-    private int index(int from, int to, int count, String what) throws MeshException {
-        long v = number(from, to);
-        if (v == 0 || Math.abs(v) > count) {
-            throw text.problem("a corner must name one of " + count + " " + what + " before it, was " + Quote.of(text.text()));
-        }
-        return (int) (v < 0 ? count + v : v - 1);
-    }
-
-    /** The whole number of up to eleven digits in a part of the word; 0 where there is none. */
-    private long number(int from, int to) {
-        boolean negative = text.at(from) == '-';
-        int first = negative ? from + 1 : from;
-        if (to == first || to - from >= 12) {
-            return 0;
-        }
-        long v = 0;
-        for (int i = first; i < to; i++) {
-            if (text.at(i) < '0' || text.at(i) > '9') {
-                return 0;
-            }
-            v = 10 * v + text.at(i) - '0';
-        }
-        return negative ? -v : v;
     }
 
     private List<ObjFile.ObjPart> parts() throws MeshException {
