@@ -137,7 +137,8 @@ final class GltfImport {
         if (look.fieldOfView().isEmpty()) {
             pieces.notes.add("cameras without perspective, shown with it");
         }
-        double fov = Math.clamp(Math.toDegrees(look.fieldOfView().orElse(Math.toRadians(Camera.DEFAULT.fov()))), Limits.MIN_FOV, Limits.MAX_FOV);
+        double fov =
+                Math.clamp(Math.toDegrees(look.fieldOfView().orElse(Math.toRadians(Camera.DEFAULT.fov()))), Limits.MIN_FOV, Limits.MAX_FOV);
         try {
             pieces.camera = Optional.of(new Camera(from, from.plus(view.normalized()), up.normalized(), fov));
             look.aspectRatio().ifPresent(pieces::shape);

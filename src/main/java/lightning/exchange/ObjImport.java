@@ -111,7 +111,8 @@ final class ObjImport {
         Rgb emission = pieces.color(m.emission(), Limits.MAX_EMISSION, "emission of materials");
         Material opaque = switch (m.illumination()) {
             case CONSTANT -> constant(m, diffuse.plus(emission));
-            case DIFFUSE, HIGHLIGHT, REFLECTION, GLASS, FRESNEL, REFRACTION, FRESNEL_REFRACTION, REFLECTION_MAP, GLASS_MAP, SHADOW_CATCHER ->
+            case DIFFUSE, HIGHLIGHT, REFLECTION, GLASS, FRESNEL, REFRACTION, FRESNEL_REFRACTION, REFLECTION_MAP, GLASS_MAP,
+                    SHADOW_CATCHER ->
                     lit(m).withDiffuse(diffuse).withAmbient(emission).withTexture(picture(m.texture()));
         };
         Optional<TextureMap> cutout = picture(m.cutout());

@@ -130,7 +130,8 @@ public final class GltfScene {
         Json yfov = perspective.get("yfov");
         return new GltfCamera(yfov.isThere() ? Optional.of(yfov.number()) : Optional.empty(),
                 orthographic.isThere() ? Optional.of(aboveZero(orthographic.get("xmag")) / aboveZero(orthographic.get("ymag")))
-                        : perspective.get("aspectRatio").isThere() ? Optional.of(aboveZero(perspective.get("aspectRatio"))) : Optional.empty());
+                        : perspective.get("aspectRatio").isThere() ? Optional.of(aboveZero(perspective.get("aspectRatio")))
+                        : Optional.empty());
     }
 
     private static double aboveZero(Json value) throws MeshException {

@@ -39,7 +39,8 @@ final class MaterialReader {
         Json glossy = extensions.get("KHR_materials_pbrSpecularGlossiness");
         Surface surface = glossy.isThere() && !look.isThere() ? glossy(glossy) : metallic(look, extensions);
         return new GltfMaterial(material.get("name").text().orElse(""), surface.base, surface.metallic, surface.roughness,
-                surface.reflection, surface.grazing, new Rgb(emission[0], emission[1], emission[2]).times(strength), glow(material.get("emissiveTexture")),
+                surface.reflection, surface.grazing, new Rgb(emission[0], emission[1], emission[2]).times(strength),
+                glow(material.get("emissiveTexture")),
                 extensions.get("KHR_materials_unlit").isThere(), surface.image, surface.picture, image(normals),
                 normals.get("scale").number(1), there, glass(extensions), cutoff, factor, fades);
     }

@@ -152,7 +152,8 @@ class ImporterTest {
 
     /** Wherever the camera stands, and however it is held, light comes over its shoulder. */
     @ParameterizedTest
-    @CsvSource({"0, 0, 4, 0, 0, 0, 1", "0, 0, -4, 0, 1, 0, 0", "4, 0, 0, 0, 0.70710678, 0, 0.70710678", "0, 4, 0, -0.70710678, 0, 0, 0.70710678",
+    @CsvSource({"0, 0, 4, 0, 0, 0, 1", "0, 0, -4, 0, 1, 0, 0", "4, 0, 0, 0, 0.70710678, 0, 0.70710678",
+        "0, 4, 0, -0.70710678, 0, 0, 0.70710678",
         "0, 0, 4, 0, 0, 1, 0"})
     void madeUpLight_standsOnTheCamerasSide(double x, double y, double z, double qx, double qy, double qz, double qw) throws Exception {
         String unlit = Gltf.SQUARE_JSON.replace("'nodes': [{'mesh': 0, 'name': 'floor'}]",

@@ -51,8 +51,9 @@ class PolygonTest {
     /** Turned in its plane or not flat, as docs/jen-format.md says. */
     @Test
     void quadrilateralWithoutADent_isCutFromItsSecondCornerToItsFourth() {
-        float[][] outlines = {{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, {1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 0}, {0, 0, 0, 0, 1, 0, 1, 1, 0, 1, 0, 0},
-            {0, 0, 0, 1, 0, 0, 1, 1, 0.3f, 0, 1, 0}};
+        float[][] outlines =
+                {{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, {1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 0}, {0, 0, 0, 0, 1, 0, 1, 1, 0, 1, 0, 0},
+                    {0, 0, 0, 1, 0, 0, 1, 1, 0.3f, 0, 1, 0}};
         for (float[] outline : outlines) {
             int[] cut = triangles(outline).toArray();
             assertThat(cut).containsExactly(3, 0, 1, 1, 2, 3);

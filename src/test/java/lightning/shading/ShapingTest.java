@@ -151,7 +151,8 @@ class ShapingTest {
     /** As docs/jen-format.md says: 0 towards −x, 90 towards z. */
     @Test
     void profileOfAPointLight_beginsTowardsMinusX() {
-        var c = new Photometry(Photometry.Type.C, new double[] {0, 90}, new double[] {0, 90, 180, 270, 360}, new double[] {8, 8, 8, 1, 8, 2, 8, 3, 8, 8});
+        var c = new Photometry(Photometry.Type.C, new double[] {0, 90}, new double[] {0, 90, 180, 270, 360},
+                new double[] {8, 8, 8, 1, 8, 2, 8, 3, 8, 8});
         assertThat(measured(LightType.POINT, Vec3.Y, c, -5, 0, 0)).as("0").isEqualTo(1, within(1e-6));
         assertThat(measured(LightType.POINT, Vec3.Y, c, 0, 0, 5)).as("90").isEqualTo(1 / 8.0, within(1e-6));
         assertThat(measured(LightType.POINT, Vec3.Y, c, 5, 0, 0)).as("180").isEqualTo(2 / 8.0, within(1e-6));

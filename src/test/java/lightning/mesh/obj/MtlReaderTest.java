@@ -47,7 +47,8 @@ class MtlReaderTest {
         assertThat(materials).containsOnlyKeys("old oak", "plain");
         assertThat(materials.get("old oak"))
                 .isEqualTo(new MtlMaterial("old oak", Illumination.REFLECTION, new Rgb(0.5, 0.25, 0.125), Rgb.grey(0.5),
-                        new Rgb(0, 0, 2), OptionalDouble.of(96.5), 0.5, Rgb.WHITE, 1.5, Optional.of("my wood.png"), Optional.of("holes.png")));
+                        new Rgb(0, 0, 2), OptionalDouble.of(96.5), 0.5, Rgb.WHITE, 1.5, Optional.of("my wood.png"),
+                        Optional.of("holes.png")));
         assertThat(materials.get("plain"))
                 .isEqualTo(new MtlMaterial("plain", Illumination.HIGHLIGHT, Rgb.grey(0.8), Rgb.BLACK, Rgb.BLACK, OptionalDouble.empty(), 1,
                         Rgb.WHITE, 1.5, Optional.empty(), Optional.empty()));
@@ -73,7 +74,8 @@ class MtlReaderTest {
 
     /** By the MTL specification, models 2 to 9 have highlights, 3 and 5 to 8 mirrored rays, 6 and 7 refracted ones. */
     @ParameterizedTest
-    @CsvSource({"0, false, false, false", "1, false, false, false", "2, true, false, false", "3, true, true, false", "4, true, false, false",
+    @CsvSource({"0, false, false, false", "1, false, false, false", "2, true, false, false", "3, true, true, false",
+        "4, true, false, false",
         "5, true, true, false", "6, true, true, true", "7, true, true, true", "8, true, true, false", "9, true, false, false",
         "10, false, false, false", "11, true, false, false", "1.5, true, false, false", "-1, true, false, false"})
     void illumination_saysWhetherSurfacesHighlightMirrorAndRefract(String number, boolean highlights, boolean mirrors, boolean refracts)

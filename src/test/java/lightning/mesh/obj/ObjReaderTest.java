@@ -105,7 +105,8 @@ class ObjReaderTest {
         assertThat(only(CORNERS + "s 1\nf 1//-1 2//2 3//9\n")).isEqualTo(only(CORNERS + "s 1\nf 1 2 3\n"));
         assertThat(only(CORNERS + "vn 0 0 1\nf 1/1/1 2/2/1 3/3/1\n")).isEqualTo(only(CORNERS + "vn 0 0 1\nf 1//1 2//1 3//1\n"));
         assertThat(notes.counts()).containsExactlyInAnyOrderEntriesOf(
-                Map.of("indices of texture coordinates, of which the file has none", 6, "indices of normals, of which the file has none", 3));
+                Map.of("indices of texture coordinates, of which the file has none", 6, "indices of normals, of which the file has none",
+                        3));
     }
 
     @Test

@@ -141,9 +141,11 @@ class PlyReaderTest {
     /** As one old version of MeshLab wrote colors of corners, without their property in the header. */
     @Test
     void numbersThatTheHeaderDoesNotName_arePassedOverLineByLine() throws IOException, MeshException {
-        String file = SQUARE.replace("element face 1", "element face 2").replace("vertex_indices\n", "vertex_indices\nproperty uchar red\n");
+        String file =
+                SQUARE.replace("element face 1", "element face 2").replace("vertex_indices\n", "vertex_indices\nproperty uchar red\n");
         try (ByteSource source = ByteSource.open(
-                Files.writeString(folder.resolve("a.ply"), file.replace("4 0 1 2 3", "3 0 1 2 9 0.5 0.5\n3 0 2 3 9 0.5 0.5")), Progress.NONE)) {
+                Files.writeString(folder.resolve("a.ply"), file.replace("4 0 1 2 3", "3 0 1 2 9 0.5 0.5\n3 0 2 3 9 0.5 0.5")),
+                Progress.NONE)) {
             assertThat(PlyReader.read(source, notes).triangles()).containsExactly(0, 1, 2, 0, 2, 3);
         }
         assertThat(notes.counts()).containsEntry("numbers at the ends of lines, which the header does not name", 1);
