@@ -7,6 +7,7 @@ import java.util.concurrent.Callable;
 import lightning.exchange.LightUnits;
 import lightning.exchange.LightsBack;
 import lightning.file.SafeFile;
+import lightning.jen.JenDocument;
 import lightning.scene.Scene;
 import lightning.work.Progress;
 import picocli.CommandLine.Command;
@@ -49,8 +50,9 @@ final class ExportLightsCommand implements Callable<Integer> {
             throw new BadInput(Console.text("%s: is the file to copy, which stays as it is; choose another name", output));
         }
         PictureOutput.checkFile(output);
-        Scene scene = input.read().scene();
-        LightUnits chosen = units != null ? units : LightUnits.chosenIn(Files.readString(input.path())).orElse(LightUnits.CANDELA);
+        JenDocument document = input.read();
+        Scene scene = document.scene();
+        LightUnits chosen = units != null ? units : LightUnits.chosenIn(document.text()).orElse(LightUnits.CANDELA);
         LightsBack lights = into == null ? LightsBack.json(scene) : LightsBack.into(into, scene, chosen, Progress.NONE);
         SafeFile.write(output, out -> out.write(lights.bytes()));
         console.notes(output, "not the same there", lights.notes());

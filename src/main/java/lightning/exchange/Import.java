@@ -1,6 +1,7 @@
 package lightning.exchange;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,6 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import lightning.file.OrdinaryFile;
 import lightning.file.SafeFile;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
@@ -29,6 +31,7 @@ import lightning.text.Quote;
 public record Import(Scene asRead, Optional<LightUnits> units, List<String> remarks, Path to, List<Copy> copies,
         Map<String, Integer> notes) {
     private static final String FIRST_LINE = "jen 1\n";
+    private static final String EXPECTED = "a file to lie beside the scene";
 
     /**
      * A file that goes beside the scene.
@@ -41,8 +44,8 @@ public record Import(Scene asRead, Optional<LightUnits> units, List<String> rema
             if (!Files.exists(to)) {
                 return false;
             }
-            if (from != null ? Files.isSameFile(from, to) || Files.mismatch(from, to) < 0 : Files.size(to) == bytes.length
-                    && Arrays.equals(Files.readAllBytes(to), bytes)) {
+            if (from != null ? Files.isSameFile(from, to) || OrdinaryFile.areSame(from, to, EXPECTED) : Files.size(to) == bytes.length
+                    && Arrays.equals(OrdinaryFile.bytes(to, EXPECTED, bytes.length), bytes)) {
                 return true;
             }
             throw new IOException(Quote.path(to) + ": is there already and holds something else; import into another folder");
@@ -53,7 +56,9 @@ public record Import(Scene asRead, Optional<LightUnits> units, List<String> rema
                 Files.createDirectories(to.toAbsolutePath().getParent());
                 SafeFile.write(to, out -> {
                     if (from != null) {
-                        Files.copy(from, out);
+                        try (InputStream in = OrdinaryFile.open(from, EXPECTED)) {
+                            in.transferTo(out);
+                        }
                     } else {
                         out.write(bytes);
                     }

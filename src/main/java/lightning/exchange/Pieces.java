@@ -3,7 +3,6 @@ package lightning.exchange;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -12,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import lightning.file.OrdinaryFile;
 import lightning.math.Rgb;
 import lightning.math.Transform;
 import lightning.math.Vec3;
@@ -197,7 +197,7 @@ final class Pieces {
     }
 
     static boolean isPicture(Path file) throws IOException {
-        try (var in = Files.newInputStream(file)) {
+        try (var in = OrdinaryFile.open(file, "a PNG or JPEG file")) {
             return isPicture(in.readNBytes(4));
         }
     }

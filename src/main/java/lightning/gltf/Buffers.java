@@ -10,6 +10,8 @@ import java.nio.file.Path;
 import java.util.Base64;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
+import lightning.file.OrdinaryFile;
 import lightning.mesh.ByteSource;
 import lightning.mesh.MeshException;
 import lightning.text.Quote;
@@ -93,6 +95,10 @@ final class Buffers {
             }
             if (!Files.exists(path)) {
                 throw uri.problem("there is no file " + Quote.of(text));
+            }
+            Optional<String> other = OrdinaryFile.other(path);
+            if (other.isPresent()) {
+                throw uri.problem("must be a file in the folder of this one, was " + Quote.of(text) + ", which is " + other.get());
             }
             if (!path.toRealPath().startsWith(folder)) {
                 throw uri.problem("must be in the folder of this file, found a link that leads out of it, " + Quote.of(text));
