@@ -33,6 +33,7 @@ final class GltfImport {
     private final Pieces pieces;
     private final LightUnits units;
     private final GltfScene file;
+    private final List<GltfNode> nodes;
     private final List<GltfLight> lights;
     private final Map<Integer, List<GltfPart>> parts = new HashMap<>();
     private final List<String> materials = new ArrayList<>();
@@ -45,6 +46,7 @@ final class GltfImport {
         pieces = new Pieces(source, to);
         GltfFile gltf = GltfFile.read(source, progress);
         file = new GltfScene(gltf, pieces.notes);
+        nodes = file.nodes(Limits.MAX_SHAPES);
         for (GltfPart part : GltfMeshes.read(gltf, pieces.notes)) {
             parts.computeIfAbsent(part.mesh(), _ -> new ArrayList<>()).add(part);
         }
@@ -64,7 +66,7 @@ final class GltfImport {
         for (GltfMaterial material : file.materials()) {
             materials.add(pieces.material(material.name(), surfaces.material(material)));
         }
-        for (GltfNode node : file.nodes()) {
+        for (GltfNode node : nodes) {
             pieces.nodes.addAll(placed(node, Transform.IDENTITY));
         }
         for (int i = 0; i < lit.size(); i++) {
