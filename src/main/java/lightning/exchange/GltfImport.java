@@ -69,8 +69,9 @@ final class GltfImport {
         for (GltfNode node : nodes) {
             pieces.nodes.addAll(placed(node, Transform.IDENTITY));
         }
+        var settings = new LightSettings(pieces);
         for (int i = 0; i < lit.size(); i++) {
-            light(lit.get(i), litAt.get(i));
+            light(lit.get(i), litAt.get(i), settings);
         }
         pieces.units = pieces.lights.isEmpty() ? Optional.empty() : Optional.of(units);
         return pieces.finish();
@@ -146,7 +147,7 @@ final class GltfImport {
         }
     }
 
-    private void light(GltfNode node, Transform world) {
+    private void light(GltfNode node, Transform world, LightSettings settings) {
         GltfLight light = lights.get(node.light());
         LightType type = switch (light.type()) {
             case DIRECTIONAL -> LightType.DIRECTIONAL;
@@ -170,7 +171,7 @@ final class GltfImport {
                 made = made.withAngle(Math.toDegrees(light.outer())).withDropoff(dropoff(light));
                 pieces.notes.add("edges of spots, which fade otherwise here", light.inner() < light.outer() ? 1 : 0);
             }
-            pieces.lights.add(made);
+            pieces.lights.add(settings.restored(made, light));
         } catch (IllegalArgumentException | ArithmeticException e) {
             pieces.notes.add("lights that cannot be placed");
         }

@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import lightning.file.OrdinaryFile;
 import lightning.file.SafeFile;
 import lightning.jen.JenException;
@@ -22,13 +23,14 @@ import lightning.text.Quote;
  *
  * @param asRead  the scene; where the file does not say what the numbers of its lights are, their intensities are these numbers. Black
  *                pixels stand for the pictures of its textures
+ * @param restored the lights whose intensities are none of these numbers
  * @param units   what these numbers are taken as; empty where they are intensities already
  * @param remarks lines of comment that the scene's file begins with
  * @param to      where it goes
  * @param copies  the files that must lie beside it
  * @param notes   what was left out or is not the same, each with its number
  */
-public record Import(Scene asRead, Optional<LightUnits> units, List<String> remarks, Path to, List<Copy> copies,
+public record Import(Scene asRead, Set<String> restored, Optional<LightUnits> units, List<String> remarks, Path to, List<Copy> copies,
         Map<String, Integer> notes) {
     private static final String FIRST_LINE = "jen 1\n";
     private static final String EXPECTED = "a file to lie beside the scene";
@@ -69,13 +71,13 @@ public record Import(Scene asRead, Optional<LightUnits> units, List<String> rema
 
     /** The same with the lights' numbers taken as others; itself where the file says what they are. */
     public Import in(LightUnits others) {
-        return units.isEmpty() ? this : new Import(asRead, Optional.of(others), remarks, to, copies, notes);
+        return units.isEmpty() ? this : new Import(asRead, restored, Optional.of(others), remarks, to, copies, notes);
     }
 
     /** What the {@code .jen} file says. */
     public Scene scene() {
         return units.isEmpty() ? asRead : asRead.withLights(asRead.lights().stream()
-                .map(light -> light.withIntensity(light.intensity() * units.get().intensityOfOne(light.type()))).toList());
+                .map(light -> restored.contains(light.name()) ? light : light.withIntensity(light.intensity() * units.get().intensityOfOne(light.type()))).toList());
     }
 
     /** The file itself. */

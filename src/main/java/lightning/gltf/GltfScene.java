@@ -127,7 +127,8 @@ public final class GltfScene {
             Json spot = light.get("spot");
             lights.add(new GltfLight(i, light.get("name").text().orElse(""), GltfLight.Type.valueOf(type.toUpperCase(Locale.ROOT)),
                     new Rgb(color[0], color[1], color[2]), light.get("intensity").number(1), spot.get("innerConeAngle").number(0),
-                    spot.get("outerConeAngle").number(Math.PI / 4), light.get("range").isThere()));
+                    spot.get("outerConeAngle").number(Math.PI / 4), light.get("range").isThere(),
+                    light.get("extras").node().path(GltfLight.OWN)));
         }
         return List.copyOf(lights);
     }

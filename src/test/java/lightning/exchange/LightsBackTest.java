@@ -94,7 +94,7 @@ class LightsBackTest {
                 .withLight(scene.light("beam").orElseThrow().withOn(false).withAngle(120));
         assertThat(LightsBack.into(gltf, odd, LightUnits.CANDELA, Progress.NONE).notes()).containsKeys(
                 "lights that do not fall off with the square of the distance; theirs is right at distance 1",
-                "lights that are dark, which have intensity 0", "spots wider than 90 degrees");
+                "lights that are dark, which shine there", "spots wider than 90 degrees");
     }
 
     @Test
