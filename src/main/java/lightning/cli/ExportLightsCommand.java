@@ -17,8 +17,9 @@ import picocli.CommandLine.Option;
 /** Takes a scene's lights to other programs. */
 @Command(name = "export-lights", header = "Write a scene's lights into a glTF file, or as plain JSON.", abbreviateSynopsis = true,
         description = {
-            "With --into, writes a copy of a glTF file with the scene's lights in place of its own, and nothing else touched. Without,",
-            "writes all that the scene says of its lights as JSON. What glTF cannot say is listed and counted."},
+            "With --into, writes a copy of a glTF file with the scene's lights in place of its own, and nothing else touched. What glTF",
+            "cannot say is listed and counted; it is written into the extras of the lights, from where lightning import restores it.",
+            "Without --into, writes all that the scene says of its lights and banks as JSON."},
         footer = {
             "Example:",
             "  lightning export-lights house.jen --into house.glb -o relit.glb"})

@@ -159,7 +159,7 @@ final class GltfImport {
             double quadratic = type.hasPosition() ? pieces.quadratic() : 1;
             Light made =
                     Light.of(pieces.names.unique(wanted, "light"), type).withColor(pieces.color(light.color(), 1000, "colours of lights"))
-                            .withIntensity(light.intensity() * quadratic);
+                            .withIntensity(Math.min(light.intensity() * quadratic, Limits.MAX_INTENSITY));
             if (type.hasPosition()) {
                 made = made.withPosition(world.point(Vec3.ZERO)).withAttenuation(new Attenuation(0, 0, quadratic));
                 pieces.notes.add("ranges of lights", light.ranged() ? 1 : 0);
@@ -172,6 +172,8 @@ final class GltfImport {
                 pieces.notes.add("edges of spots, which fade otherwise here", light.inner() < light.outer() ? 1 : 0);
             }
             pieces.lights.add(settings.restored(made, light));
+            boolean isCut = light.intensity() * quadratic > Limits.MAX_INTENSITY && !pieces.restored.contains(made.name());
+            pieces.notes.add("intensities of lights beyond 1e30", isCut ? 1 : 0);
         } catch (IllegalArgumentException | ArithmeticException e) {
             pieces.notes.add("lights that cannot be placed");
         }

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import lightning.gltf.Gltf;
+import lightning.ies.IesReader;
 import lightning.jen.JenReader;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
@@ -22,6 +23,7 @@ import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
 import lightning.scene.Links;
+import lightning.scene.Profile;
 import lightning.scene.Rig;
 import lightning.scene.Scene;
 import lightning.scene.Texture;
@@ -29,6 +31,7 @@ import lightning.work.Progress;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
+import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -81,7 +84,7 @@ class LightSettingsTest {
                 });
     }
 
-    @Property
+    @Property(edgeCases = EdgeCasesMode.NONE)
     void anyLight_comesBackFromGltfWithEveryAttribute(@ForAll("rigs") Rig rig) throws Exception {
         for (LightUnits units : LightUnits.values()) {
             Scene again = imported(back(rig, units)).scene();
@@ -90,7 +93,7 @@ class LightSettingsTest {
         }
     }
 
-    @Property
+    @Property(edgeCases = EdgeCasesMode.NONE)
     void anyLight_isWholeInTheJson(@ForAll("rigs") Rig rig) {
         JsonNode root = JSON.readTree(LightsBack.json(scene.withRig(rig)).bytes());
         Light blank = Light.of(rig.lights().getFirst().name(), LightType.DISC);
@@ -156,13 +159,16 @@ class LightSettingsTest {
 
     @Example
     void filesThatTheSceneFinds_areRestored() throws Exception {
-        Files.copy(Path.of("textures/wood.jpg"), folder.resolve("window.jpg"));
-        Light light = RICH.withGobo(Optional.of(new Gobo("window.jpg", new Texture(1, 1, new float[3]))));
+        Files.copy(Path.of("textures/gobo_window.png"), folder.resolve("window.png"));
+        Files.copy(Path.of("textures/downlight.ies"), folder.resolve("lamp.ies"));
+        Light light = RICH.withGobo(Optional.of(new Gobo("window.png", new Texture(1, 1, new float[3]))))
+                .withProfile(Optional.of(new Profile("lamp.ies", IesReader.read(Path.of("textures/downlight.ies")))));
         Import read = Importer.read(back(Rig.of(List.of(light)), LightUnits.CANDELA), folder.resolve("b.jen"), LightUnits.CANDELA, Progress.NONE);
         read.write();
         Light again = JenReader.read(folder.resolve("b.jen")).scene().lights().getFirst();
-        assertThat(again.gobo().orElseThrow().file()).isEqualTo("window.jpg");
-        assertThat(again.withGobo(Optional.empty())).isEqualTo(RICH);
+        assertThat(again.gobo().orElseThrow().file()).isEqualTo("window.png");
+        assertThat(again.profile()).isEqualTo(light.profile());
+        assertThat(again.withGobo(Optional.empty()).withProfile(Optional.empty())).isEqualTo(RICH);
     }
 
     @Example
