@@ -208,8 +208,9 @@ final class Architecture {
      * other rows read what the program itself has written, or found to be a file.
      */
     static ArchRule namedFilesAreOpenedInOnePlace() {
-        DescribedPredicate<JavaClass> own = resideInAnyPackage(packageOf("file"), packageOf("cluster"), packageOf("bench"), packageOf("pov"))
-                .or(nameMatching(".*\\.(Recovery|Presence|SceneSaver|Preferences)"));
+        DescribedPredicate<JavaClass> own =
+                resideInAnyPackage(packageOf("file"), packageOf("cluster"), packageOf("bench"), packageOf("pov"))
+                        .or(nameMatching(".*\\.(Recovery|Presence|SceneSaver|Preferences)"));
         return CompositeArchRule
                 .of(noClasses().that(not(own))
                         .should().callMethodWhere(target(owner(assignableTo(Files.class)))

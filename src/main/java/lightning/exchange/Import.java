@@ -77,7 +77,9 @@ public record Import(Scene asRead, Set<String> restored, Optional<LightUnits> un
     /** What the {@code .jen} file says. */
     public Scene scene() {
         return units.isEmpty() ? asRead : asRead.withLights(asRead.lights().stream()
-                .map(light -> restored.contains(light.name()) ? light : light.withIntensity(light.intensity() * units.get().intensityOfOne(light.type()))).toList());
+                .map(light -> restored.contains(light.name()) ? light
+                        : light.withIntensity(light.intensity() * units.get().intensityOfOne(light.type())))
+                .toList());
     }
 
     /** The file itself. */

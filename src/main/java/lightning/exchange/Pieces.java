@@ -178,7 +178,8 @@ final class Pieces {
             Stage stage = new Stage(List.copyOf(materials), List.copyOf(nodes));
             Scene scene = new Scene(picture, camera.orElseGet(this::view), world, stage,
                     Rig.of(lights.stream().map(light -> linked(light, stage)).toList(), banks));
-            return new Import(scene, Set.copyOf(restored), units, List.copyOf(remarks), to, List.copyOf(copies.values()), Map.copyOf(notes.counts()));
+            return new Import(scene, Set.copyOf(restored), units, List.copyOf(remarks), to, List.copyOf(copies.values()),
+                    Map.copyOf(notes.counts()));
         } catch (IllegalArgumentException e) {
             throw new MeshException(source, "", "cannot be a scene here: " + e.getMessage());
         }

@@ -16,8 +16,8 @@ import lightning.math.Vec3;
 import lightning.mesh.MeshException;
 import lightning.sample.AttributeArbitraries;
 import lightning.scene.Attenuation;
-import lightning.scene.BarnDoors;
 import lightning.scene.Bank;
+import lightning.scene.BarnDoors;
 import lightning.scene.Gobo;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
@@ -99,7 +99,8 @@ class LightSettingsTest {
         Light blank = Light.of(rig.lights().getFirst().name(), LightType.DISC);
         assertSame(AttributeJson.read(root.get("lights").get(0), blank, LightAttribute.ALL, (_, _) -> false, AssertionError::new),
                 rig.lights().getFirst());
-        assertThat(AttributeJson.read(root.get("banks").get(0), Bank.of(BANK.name()), Bank.ATTRIBUTES, (_, _) -> false, AssertionError::new))
+        assertThat(
+                AttributeJson.read(root.get("banks").get(0), Bank.of(BANK.name()), Bank.ATTRIBUTES, (_, _) -> false, AssertionError::new))
                 .isEqualTo(rig.banks().getFirst());
     }
 
@@ -127,7 +128,8 @@ class LightSettingsTest {
         Light moved = imported(changed(file, root -> ((ObjectNode) root.get("nodes").get(1)).putArray("translation").add(7).add(8).add(9)))
                 .scene().lights().getFirst();
         assertThat(moved).isEqualTo(before.withPosition(new Vec3(7, 8, 9)));
-        Light turned = imported(changed(file, root -> ((ObjectNode) root.get("nodes").get(1)).remove("rotation"))).scene().lights().getFirst();
+        Light turned =
+                imported(changed(file, root -> ((ObjectNode) root.get("nodes").get(1)).remove("rotation"))).scene().lights().getFirst();
         assertThat(turned).isEqualTo(before.withDirection(turned.direction()));
         assertThat(turned.direction().minus(new Vec3(0, 0, -1)).maxAbs()).isZero();
         Light dimmed = imported(changed(file, root -> ((ObjectNode) light(root)).put("intensity", 683))).scene().lights().getFirst();
@@ -152,7 +154,8 @@ class LightSettingsTest {
                 .containsEntry("lights linked to shapes that are not there", 1);
         assertThat(read.scene().lights().getFirst()).isEqualTo(RICH.withFeather(0).withIlluminates(Links.NONE));
         for (String odd : List.of("7", "[]", "{}", "{\"lightning\": 3}", "{\"lightning\": {\"light_units\": 5}}")) {
-            Light plain = imported(changed(file, root -> ((ObjectNode) light(root)).set("extras", JSON.readTree(odd)))).scene().lights().getFirst();
+            Light plain = imported(changed(file, root -> ((ObjectNode) light(root)).set("extras", JSON.readTree(odd)))).scene().lights()
+                    .getFirst();
             assertThat(plain.illuminates()).as(odd).isEqualTo(Links.ALL);
         }
     }
@@ -163,7 +166,8 @@ class LightSettingsTest {
         Files.copy(Path.of("textures/downlight.ies"), folder.resolve("lamp.ies"));
         Light light = RICH.withGobo(Optional.of(new Gobo("window.png", new Texture(1, 1, new float[3]))))
                 .withProfile(Optional.of(new Profile("lamp.ies", IesReader.read(Path.of("textures/downlight.ies")))));
-        Import read = Importer.read(back(Rig.of(List.of(light)), LightUnits.CANDELA), folder.resolve("b.jen"), LightUnits.CANDELA, Progress.NONE);
+        Import read =
+                Importer.read(back(Rig.of(List.of(light)), LightUnits.CANDELA), folder.resolve("b.jen"), LightUnits.CANDELA, Progress.NONE);
         read.write();
         Light again = JenReader.read(folder.resolve("b.jen")).scene().lights().getFirst();
         assertThat(again.gobo().orElseThrow().file()).isEqualTo("window.png");
@@ -174,7 +178,8 @@ class LightSettingsTest {
     @Example
     void linkedAndDarkLights_areAmongTheRemarks() throws Exception {
         assertThat(LightsBack.into(gltf, scene.withRig(Rig.of(List.of(RICH.withOn(false)))), LightUnits.CANDELA, Progress.NONE).notes())
-                .containsEntry("lights linked to shapes, which shine on all there", 1).containsEntry("lights that are dark, which shine there", 1);
+                .containsEntry("lights linked to shapes, which shine on all there", 1)
+                .containsEntry("lights that are dark, which shine there", 1);
     }
 
     private static JsonNode light(JsonNode root) {
