@@ -18,7 +18,11 @@ import com.tngtech.archunit.lang.CompositeArchRule;
 import com.tngtech.archunit.lang.ConditionEvents;
 import com.tngtech.archunit.lang.SimpleConditionEvent;
 import com.tngtech.archunit.library.GeneralCodingRules;
+import java.io.FileInputStream;
+import java.io.FileReader;
 import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -48,13 +52,13 @@ final class Architecture {
             row("mesh", "text file work"),
             row("mesh.ply", "text math mesh"),
             row("mesh.obj", "text math mesh"),
-            row("gltf", "text math mesh work"),
+            row("gltf", "text math file mesh work"),
             row("nff", "text math mesh"),
             row("mesh.file", "mesh mesh.ply mesh.obj gltf nff work"),
             row("scene", "text math mesh"),
             row("scene.shot", "text math scene"),
-            row("ies", "text mesh scene"),
-            row("hdr", "text mesh scene"),
+            row("ies", "text file mesh scene"),
+            row("hdr", "text file mesh scene"),
             row("effects", "text math scene"),
             row("jen", "text math file mesh mesh.file scene scene.shot ies hdr work"),
             row("exr", "text"),
@@ -197,6 +201,27 @@ final class Architecture {
                 .should(GeneralCodingRules.ACCESS_STANDARD_STREAMS)
                 .as("only lightning.cli, lightning.bench and lightning.Main print")
                 .allowEmptyShould(true);
+    }
+
+    /**
+     * A pipe that is opened waits for ever, and some devices never end: what users and their files name is opened where that is checked. The
+     * other rows read what the program itself has written, or found to be a file.
+     */
+    static ArchRule namedFilesAreOpenedInOnePlace() {
+        DescribedPredicate<JavaClass> own =
+                resideInAnyPackage(packageOf("file"), packageOf("cluster"), packageOf("bench"), packageOf("pov"))
+                        .or(nameMatching(".*\\.(Recovery|Presence|SceneSaver|Preferences)"));
+        return CompositeArchRule
+                .of(noClasses().that(not(own))
+                        .should().callMethodWhere(target(owner(assignableTo(Files.class)))
+                                .and(target(nameMatching("newInputStream|newBufferedReader|readAll.*|readString|lines|copy|mismatch"))))
+                        .as("only OrdinaryFile opens files that users name")
+                        .allowEmptyShould(true))
+                .and(noClasses().that(not(own))
+                        .should().callConstructorWhere(target(owner(assignableTo(FileInputStream.class)
+                                .or(assignableTo(RandomAccessFile.class)).or(assignableTo(FileReader.class)))))
+                        .as("only OrdinaryFile opens files that users name")
+                        .allowEmptyShould(true));
     }
 
     /** What is thrown to be caught by others reaches a user somewhere, and must not be taken there for a fault of the program. */

@@ -71,6 +71,21 @@ class ArchitectureTest {
     }
 
     @Test
+    void program_opensNamedFilesInOnePlace() {
+        Architecture.namedFilesAreOpenedInOnePlace().check(PROGRAM);
+    }
+
+    @Test
+    void fileOpenedWithoutACheck_isCaught() throws IOException {
+        assertCaught(Architecture.namedFilesAreOpenedInOnePlace(), "only OrdinaryFile opens files that users name",
+                "package lightning.mesh; class Bad { Object in(java.nio.file.Path file) throws java.io.IOException {"
+                        + " return java.nio.file.Files.newInputStream(file); } }");
+        assertCaught(Architecture.namedFilesAreOpenedInOnePlace(), "only OrdinaryFile opens files that users name",
+                "package lightning.mesh; class Bad { Object in(String file) throws java.io.IOException {"
+                        + " return new java.io.FileInputStream(file); } }");
+    }
+
+    @Test
     void program_referenceTracerKnowsNoFastCode() {
         Architecture.referenceTracerKnowsNoFastCode().check(PROGRAM);
     }

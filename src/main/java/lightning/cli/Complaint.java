@@ -8,6 +8,7 @@ import java.util.function.Predicate;
 import lightning.file.FileSentence;
 import lightning.jen.JenException;
 import lightning.relight.PictureTooLarge;
+import lightning.text.Quote;
 import lightning.text.Told;
 
 /** Turns whatever went wrong into sentences and an exit code; the only place that does. */
@@ -33,8 +34,9 @@ final class Complaint {
                 e.problems().forEach(p -> console.complain(p.toString()));
                 yield ExitCode.BAD_INPUT;
             }
-            case InvalidPathException e -> sentence(console, "the name '" + e.getInput() + "' cannot be a file's here: " + e.getReason()
-                    + "; where it has letters beyond ASCII, start with a locale of UTF-8, as LC_ALL=C.UTF-8");
+            case InvalidPathException e ->
+                    sentence(console, "the name " + Quote.of(e.getInput()) + " cannot be a file's here: " + e.getReason()
+                            + "; where it has letters beyond ASCII, start with a locale of UTF-8, as LC_ALL=C.UTF-8");
             case Told told -> sentence(console, told.getMessage());
             case IOException e -> sentence(console, FileSentence.of(e));
             case PictureTooLarge e -> sentence(console, e.message(way -> words(way, options)));

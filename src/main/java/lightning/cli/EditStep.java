@@ -6,6 +6,7 @@ import lightning.accuracy.PaperCase;
 import lightning.accuracy.PaperCases;
 import lightning.jen.PropertyEdit;
 import lightning.scene.Scene;
+import lightning.text.Quote;
 import picocli.CommandLine.Option;
 
 /** One word of an edit on the command line; exactly one of the fields is set. */
@@ -53,7 +54,7 @@ final class EditStep {
                     : scene);
         } catch (IllegalArgumentException e) {
             String step = set != null ? "--set " + set : add != null ? "--add " + add : "--delete " + delete;
-            throw new BadInput(step + ": " + e.getMessage());
+            throw new BadInput(Quote.shortened(step) + ": " + e.getMessage());
         }
     }
 
@@ -64,7 +65,7 @@ final class EditStep {
                 return edit.scenes().subList(1, edit.scenes().size());
             }
         }
-        throw new BadInput("--case " + named + ": expected one of "
+        throw new BadInput("--case " + Quote.shortened(named) + ": expected one of "
                 + String.join(", ", cases.stream().map(PaperCase::name).toList()) + ", which this scene allows");
     }
 }

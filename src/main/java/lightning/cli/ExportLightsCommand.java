@@ -7,6 +7,7 @@ import java.util.concurrent.Callable;
 import lightning.exchange.LightUnits;
 import lightning.exchange.LightsBack;
 import lightning.file.SafeFile;
+import lightning.jen.JenDocument;
 import lightning.scene.Scene;
 import lightning.work.Progress;
 import picocli.CommandLine.Command;
@@ -16,8 +17,9 @@ import picocli.CommandLine.Option;
 /** Takes a scene's lights to other programs. */
 @Command(name = "export-lights", header = "Write a scene's lights into a glTF file, or as plain JSON.", abbreviateSynopsis = true,
         description = {
-            "With --into, writes a copy of a glTF file with the scene's lights in place of its own, and nothing else touched. Without,",
-            "writes all that the scene says of its lights as JSON. What glTF cannot say is listed and counted."},
+            "With --into, writes a copy of a glTF file with the scene's lights in place of its own, and nothing else touched. What glTF",
+            "cannot say is listed and counted; it is written into the extras of the lights, from where lightning import restores it.",
+            "Without --into, writes all that the scene says of its lights and banks as JSON."},
         footer = {
             "Example:",
             "  lightning export-lights house.jen --into house.glb -o relit.glb"})
@@ -49,8 +51,9 @@ final class ExportLightsCommand implements Callable<Integer> {
             throw new BadInput(Console.text("%s: is the file to copy, which stays as it is; choose another name", output));
         }
         PictureOutput.checkFile(output);
-        Scene scene = input.read().scene();
-        LightUnits chosen = units != null ? units : LightUnits.chosenIn(Files.readString(input.path())).orElse(LightUnits.CANDELA);
+        JenDocument document = input.read();
+        Scene scene = document.scene();
+        LightUnits chosen = units != null ? units : LightUnits.chosenIn(document.text()).orElse(LightUnits.CANDELA);
         LightsBack lights = into == null ? LightsBack.json(scene) : LightsBack.into(into, scene, chosen, Progress.NONE);
         SafeFile.write(output, out -> out.write(lights.bytes()));
         console.notes(output, "not the same there", lights.notes());

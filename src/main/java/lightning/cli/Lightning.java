@@ -5,9 +5,11 @@ import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import lightning.text.Quote;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
@@ -91,14 +93,14 @@ public final class Lightning {
                 .setCaseInsensitiveEnumValuesAllowed(true)
                 .setExecutionExceptionHandler(
                         (e, command, _) -> Complaint.report(console, e, option -> command.getCommandSpec().findOption(option) != null))
-                .setParameterExceptionHandler((e, _) -> badUsage(console, e));
+                .setParameterExceptionHandler((e, args) -> badUsage(console, e, args));
     }
 
     private static Path path(String text) {
         try {
             return Path.of(text);
         } catch (InvalidPathException e) {
-            throw new TypeConversionException("'" + text + "' cannot be a file's name here: " + e.getReason()
+            throw new TypeConversionException(Quote.of(text) + " cannot be a file's name here: " + e.getReason()
                     + "; where it has letters beyond ASCII, start with a locale of UTF-8, as LC_ALL=C.UTF-8");
         }
     }
@@ -116,9 +118,11 @@ public final class Lightning {
         return ExitCode.BAD_INPUT;
     }
 
-    private static int badUsage(Console console, ParameterException e) {
+    private static int badUsage(Console console, ParameterException e, String... args) {
         String name = e.getCommandLine().getCommandSpec().qualifiedName();
-        console.complain(name + ": " + e.getMessage());
+        // Picocli quotes words whole, those behind an equals sign by themselves too.
+        List<String> words = Stream.of(args).flatMap(arg -> Stream.of(arg, arg.substring(arg.indexOf('=') + 1))).toList();
+        console.complain(name + ": " + Quote.shortenedIn(e.getMessage(), words));
         UnmatchedArgumentException.printSuggestions(e, writer(console.err()));
         console.complain("Try '" + name + " --help'.");
         return ExitCode.BAD_INPUT;

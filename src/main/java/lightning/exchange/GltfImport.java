@@ -34,6 +34,7 @@ final class GltfImport {
     private final Pieces pieces;
     private final LightUnits units;
     private final GltfScene file;
+    private final List<GltfNode> nodes;
     private final List<GltfLight> lights;
     private final Map<Integer, List<GltfPart>> parts = new HashMap<>();
     private final List<String> materials = new ArrayList<>();
@@ -46,6 +47,7 @@ final class GltfImport {
         pieces = new Pieces(source, to);
         GltfFile gltf = GltfFile.read(source, progress);
         file = new GltfScene(gltf, pieces.notes);
+        nodes = file.nodes(Limits.MAX_SHAPES);
         for (GltfPart part : GltfMeshes.read(gltf, pieces.notes)) {
             parts.computeIfAbsent(part.mesh(), _ -> new ArrayList<>()).add(part);
         }
@@ -65,11 +67,12 @@ final class GltfImport {
         for (GltfMaterial material : file.materials()) {
             materials.add(pieces.material(material.name(), surfaces.material(material)));
         }
-        for (GltfNode node : file.nodes()) {
+        for (GltfNode node : nodes) {
             pieces.nodes.addAll(placed(node, Transform.IDENTITY));
         }
+        var settings = new LightSettings(pieces);
         for (int i = 0; i < lit.size(); i++) {
-            light(lit.get(i), litAt.get(i));
+            light(lit.get(i), litAt.get(i), settings);
         }
         pieces.units = pieces.lights.isEmpty() ? Optional.empty() : Optional.of(units);
         return pieces.finish();
@@ -147,7 +150,7 @@ final class GltfImport {
         }
     }
 
-    private void light(GltfNode node, Transform world) {
+    private void light(GltfNode node, Transform world, LightSettings settings) {
         GltfLight light = lights.get(node.light());
         LightType type = switch (light.type()) {
             case DIRECTIONAL -> LightType.DIRECTIONAL;
@@ -159,7 +162,7 @@ final class GltfImport {
             double quadratic = type.hasPosition() ? pieces.quadratic() : 1;
             Light made =
                     Light.of(pieces.names.unique(wanted, "light"), type).withColor(pieces.color(light.color(), 1000, "colours of lights"))
-                            .withIntensity(light.intensity() * quadratic);
+                            .withIntensity(Math.min(light.intensity() * quadratic, Limits.MAX_INTENSITY));
             if (type.hasPosition()) {
                 made = made.withPosition(world.point(Vec3.ZERO)).withAttenuation(new Attenuation(0, 0, quadratic));
                 pieces.notes.add("ranges of lights", light.ranged() ? 1 : 0);
@@ -171,7 +174,9 @@ final class GltfImport {
                 made = made.withAngle(Math.toDegrees(light.outer())).withDropoff(dropoff(light));
                 pieces.notes.add("edges of spots, which fade otherwise here", light.inner() < light.outer() ? 1 : 0);
             }
-            pieces.lights.add(made);
+            pieces.lights.add(settings.restored(made, light));
+            boolean isCut = light.intensity() * quadratic > Limits.MAX_INTENSITY && !pieces.restored.contains(made.name());
+            pieces.notes.add("intensities of lights beyond 1e30", isCut ? 1 : 0);
         } catch (IllegalArgumentException | ArithmeticException e) {
             pieces.notes.add("lights that cannot be placed");
         }

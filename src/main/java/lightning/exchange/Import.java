@@ -1,6 +1,7 @@
 package lightning.exchange;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,6 +9,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import lightning.file.OrdinaryFile;
 import lightning.file.SafeFile;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
@@ -20,15 +23,17 @@ import lightning.text.Quote;
  *
  * @param asRead  the scene; where the file does not say what the numbers of its lights are, their intensities are these numbers. Black
  *                pixels stand for the pictures of its textures
+ * @param restored the lights whose intensities are none of these numbers
  * @param units   what these numbers are taken as; empty where they are intensities already
  * @param remarks lines of comment that the scene's file begins with
  * @param to      where it goes
  * @param copies  the files that must lie beside it
  * @param notes   what was left out or is not the same, each with its number
  */
-public record Import(Scene asRead, Optional<LightUnits> units, List<String> remarks, Path to, List<Copy> copies,
+public record Import(Scene asRead, Set<String> restored, Optional<LightUnits> units, List<String> remarks, Path to, List<Copy> copies,
         Map<String, Integer> notes) {
     private static final String FIRST_LINE = "jen 1\n";
+    private static final String EXPECTED = "a file to lie beside the scene";
 
     /**
      * A file that goes beside the scene.
@@ -41,8 +46,8 @@ public record Import(Scene asRead, Optional<LightUnits> units, List<String> rema
             if (!Files.exists(to)) {
                 return false;
             }
-            if (from != null ? Files.isSameFile(from, to) || Files.mismatch(from, to) < 0 : Files.size(to) == bytes.length
-                    && Arrays.equals(Files.readAllBytes(to), bytes)) {
+            if (from != null ? Files.isSameFile(from, to) || OrdinaryFile.areSame(from, to, EXPECTED) : Files.size(to) == bytes.length
+                    && Arrays.equals(OrdinaryFile.bytes(to, EXPECTED, bytes.length), bytes)) {
                 return true;
             }
             throw new IOException(Quote.path(to) + ": is there already and holds something else; import into another folder");
@@ -53,7 +58,9 @@ public record Import(Scene asRead, Optional<LightUnits> units, List<String> rema
                 Files.createDirectories(to.toAbsolutePath().getParent());
                 SafeFile.write(to, out -> {
                     if (from != null) {
-                        Files.copy(from, out);
+                        try (InputStream in = OrdinaryFile.open(from, EXPECTED)) {
+                            in.transferTo(out);
+                        }
                     } else {
                         out.write(bytes);
                     }
@@ -64,13 +71,15 @@ public record Import(Scene asRead, Optional<LightUnits> units, List<String> rema
 
     /** The same with the lights' numbers taken as others; itself where the file says what they are. */
     public Import in(LightUnits others) {
-        return units.isEmpty() ? this : new Import(asRead, Optional.of(others), remarks, to, copies, notes);
+        return units.isEmpty() ? this : new Import(asRead, restored, Optional.of(others), remarks, to, copies, notes);
     }
 
     /** What the {@code .jen} file says. */
     public Scene scene() {
         return units.isEmpty() ? asRead : asRead.withLights(asRead.lights().stream()
-                .map(light -> light.withIntensity(light.intensity() * units.get().intensityOfOne(light.type()))).toList());
+                .map(light -> restored.contains(light.name()) ? light
+                        : light.withIntensity(light.intensity() * units.get().intensityOfOne(light.type())))
+                .toList());
     }
 
     /** The file itself. */

@@ -3,15 +3,18 @@ package lightning.exchange;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Pattern;
+import lightning.file.OrdinaryFile;
+import lightning.jen.FileKind;
 import lightning.math.Rgb;
 import lightning.math.Transform;
 import lightning.math.Vec3;
@@ -19,6 +22,7 @@ import lightning.mesh.Mesh;
 import lightning.mesh.MeshException;
 import lightning.mesh.Notes;
 import lightning.mesh.PartNames;
+import lightning.scene.Bank;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -26,9 +30,11 @@ import lightning.scene.Material;
 import lightning.scene.Node;
 import lightning.scene.Picture;
 import lightning.scene.Placement;
+import lightning.scene.Rig;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
+import lightning.scene.Stage;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 import lightning.scene.World;
@@ -47,6 +53,9 @@ final class Pieces {
     final List<Node> nodes = new ArrayList<>();
     final List<Material> materials = new ArrayList<>();
     final List<Light> lights = new ArrayList<>();
+    final List<Bank> banks = new ArrayList<>();
+    /** Lights whose intensities are not numbers of the file. */
+    final Set<String> restored = new HashSet<>();
     final Bounds bounds = new Bounds();
     Optional<Camera> camera = Optional.empty();
     Picture picture = new Picture(800, 600, Picture.DEPTH.initial());
@@ -177,8 +186,11 @@ final class Pieces {
                 notes.add("lights made up, as the file has none");
                 lights.add(overTheShoulder(seen));
             }
-            Scene scene = new Scene(picture, seen, world, List.copyOf(materials), List.copyOf(nodes), List.copyOf(lights));
-            return new Import(scene, units, List.copyOf(remarks), to, List.copyOf(copies.values()), Map.copyOf(notes.counts()));
+            Stage stage = new Stage(List.copyOf(materials), List.copyOf(nodes));
+            Scene scene = new Scene(picture, seen, world, stage,
+                    Rig.of(lights.stream().map(light -> linked(light, stage)).toList(), banks));
+            return new Import(scene, Set.copyOf(restored), units, List.copyOf(remarks), to, List.copyOf(copies.values()),
+                    Map.copyOf(notes.counts()));
         } catch (IllegalArgumentException e) {
             throw new MeshException(source, "", "cannot be a scene here: " + e.getMessage());
         }
@@ -191,6 +203,23 @@ final class Pieces {
         Vec3 to = view.times(1.5).minus(right.times(0.5)).minus(right.cross(view).times(0.8));
         return Light.of(names.unique("light", "light"), LightType.DIRECTIONAL)
                 .withDirection(new Vec3(shortened(to.x(), 2), shortened(to.y(), 2), shortened(to.z(), 2)));
+    }
+
+    /** Without links to what the scene does not have. */
+    private Light linked(Light light, Stage stage) {
+        Light known = light.withIlluminates(light.illuminates().within(stage::hasNode))
+                .withShadowedBy(light.shadowedBy().within(stage::hasNode));
+        notes.add("lights linked to shapes that are not there", known.equals(light) ? 0 : 1);
+        return known;
+    }
+
+    /** Whether the scene finds a file of a name where it will lie. */
+    boolean finds(FileKind kind, String name) {
+        try {
+            return kind.find(folder(), name).isPresent();
+        } catch (IOException | IllegalArgumentException e) {
+            return false;
+        }
     }
 
     private Camera view() {
@@ -216,7 +245,7 @@ final class Pieces {
     }
 
     static boolean isPicture(Path file) throws IOException {
-        try (var in = Files.newInputStream(file)) {
+        try (var in = OrdinaryFile.open(file, "a PNG or JPEG file")) {
             return isPicture(in.readNBytes(4));
         }
     }

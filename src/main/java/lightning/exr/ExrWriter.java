@@ -3,7 +3,7 @@ package lightning.exr;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.channels.FileChannel;
+import java.nio.channels.SeekableByteChannel;
 import java.util.Map;
 import java.util.TreeMap;
 
@@ -12,7 +12,7 @@ import java.util.TreeMap;
  * threads and in any order; the file has them from the top.
  */
 public final class ExrWriter {
-    private final FileChannel file;
+    private final SeekableByteChannel file;
     private final ExrHeader header;
     private final long table;
     private final long[] places;
@@ -24,7 +24,7 @@ public final class ExrWriter {
      *
      * @param file empty
      */
-    public ExrWriter(FileChannel file, ExrHeader header) throws IOException {
+    public ExrWriter(SeekableByteChannel file, ExrHeader header) throws IOException {
         this.file = file;
         this.header = header;
         places = new long[header.chunks()];

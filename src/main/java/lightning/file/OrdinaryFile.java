@@ -1,11 +1,13 @@
 package lightning.file;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import lightning.text.Quote;
 
-/** A file that reading comes to the end of. */
+/** A file that reading comes to the end of. All that a user or a file names is opened here. */
 public final class OrdinaryFile {
     private OrdinaryFile() {}
 
@@ -17,11 +19,53 @@ public final class OrdinaryFile {
      * @throws IOException if it is a folder, a pipe, a socket or a device; the message is a sentence for the user
      */
     public static void check(Path file, String expected) throws IOException {
-        if (Files.isDirectory(file)) {
-            throw new IOException(Quote.path(file) + ": is a folder, expected " + expected);
+        Optional<String> other = other(file);
+        if (other.isPresent()) {
+            throw new IOException(Quote.path(file) + ": is " + other.get() + ", expected " + expected);
         }
-        if (Files.exists(file) && !Files.isRegularFile(file)) {
-            throw new IOException(Quote.path(file) + ": is no file but a pipe or a device, expected " + expected);
+    }
+
+    /** What stands there instead of a file, as in {@code a folder}; empty for a file, and where there is nothing. */
+    public static Optional<String> other(Path file) {
+        return Files.isDirectory(file) ? Optional.of("a folder")
+                : Files.exists(file) && !Files.isRegularFile(file) ? Optional.of("no file but a pipe or a device") : Optional.empty();
+    }
+
+    /**
+     * Opens a file for reading.
+     *
+     * @throws IOException as {@link #check}, or if it cannot be read
+     */
+    public static InputStream open(Path file, String expected) throws IOException {
+        check(file, expected);
+        return Files.newInputStream(file);
+    }
+
+    /**
+     * All bytes of a file.
+     *
+     * @param most how many there may be
+     * @throws IOException as {@link #open}, or if there are more; no more than these are read of a file that grows meanwhile
+     */
+    public static byte[] bytes(Path file, String expected, int most) throws IOException {
+        try (InputStream in = open(file, expected)) {
+            long size = Files.size(file);
+            byte[] bytes = size > most ? null : in.readNBytes(most);
+            if (bytes == null || in.read() >= 0) {
+                throw new IOException(Quote.path(file) + ": expected at most " + most + " bytes, found " + Math.max(size, most + 1L));
+            }
+            return bytes;
         }
+    }
+
+    /**
+     * Whether two files hold the same bytes.
+     *
+     * @throws IOException as {@link #check} of either, or if one cannot be read
+     */
+    public static boolean areSame(Path one, Path other, String expected) throws IOException {
+        check(one, expected);
+        check(other, expected);
+        return Files.mismatch(one, other) < 0;
     }
 }

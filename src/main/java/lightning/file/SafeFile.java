@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
+import java.nio.channels.SeekableByteChannel;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -47,7 +48,7 @@ public final class SafeFile {
     @FunctionalInterface
     public interface Anywhere {
         /** Writes everything; the channel can be positioned, and closing it is not needed. */
-        void writeTo(FileChannel file) throws IOException;
+        void writeTo(SeekableByteChannel file) throws IOException;
     }
 
     /** Who writes what goes into the file by its name, as another program does. */
@@ -122,8 +123,8 @@ public final class SafeFile {
         put((ByName) temporary -> {
             Permissions.OWNER_ONLY.create(temporary);
             content.writeTo(temporary);
-            try (FileChannel channel = FileChannel.open(temporary, StandardOpenOption.WRITE)) {
-                channel.force(true);
+            try (NamedChannel channel = named(temporary)) {
+                channel.force();
             }
         });
     }
@@ -170,13 +171,17 @@ public final class SafeFile {
         return file;
     }
 
-    private static void fill(Path temporary, Anywhere content) throws IOException {
+    private void fill(Path temporary, Anywhere content) throws IOException {
         Permissions.OWNER_ONLY.create(temporary);
-        try (FileChannel channel = FileChannel.open(temporary, StandardOpenOption.WRITE)) {
+        try (NamedChannel channel = named(temporary)) {
             content.writeTo(channel);
             // A move may reach the disk before the data does; after a power cut the name must not hold an empty file.
-            channel.force(true);
+            channel.force();
         }
+    }
+
+    private NamedChannel named(Path temporary) throws IOException {
+        return new NamedChannel(FileChannel.open(temporary, StandardOpenOption.WRITE), target);
     }
 
     /** Brings the new name itself to the disk. Not every system lets a folder be opened; the file is whole all the same. */

@@ -82,7 +82,7 @@ public final class ScratchFolder implements AutoCloseable {
     public void write(Path file, SafeFile.Anywhere content) throws IOException {
         Permissions.OWNER_ONLY.create(file);
         boolean whole = false;
-        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
+        try (var channel = new NamedChannel(FileChannel.open(file, StandardOpenOption.WRITE), file)) {
             content.writeTo(channel);
             whole = true;
         } finally {

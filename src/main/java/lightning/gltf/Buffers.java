@@ -9,7 +9,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import lightning.file.OrdinaryFile;
 import lightning.mesh.ByteSource;
 import lightning.mesh.MeshException;
 import lightning.text.Quote;
@@ -18,6 +22,7 @@ import lightning.text.Quote;
 final class Buffers {
     private final GltfFile file;
     private final Map<Integer, byte[]> read = new HashMap<>();
+    private final Map<String, byte[]> byUri = new HashMap<>();
 
     Buffers(GltfFile file) {
         this.file = file;
@@ -45,7 +50,7 @@ final class Buffers {
         Json uri = buffer.get("uri");
         byte[] bytes;
         if (uri.isThere()) {
-            bytes = bytes(uri);
+            bytes = named(uri);
         } else if (index == 0 && file.binary() != null) {
             bytes = file.binary();
         } else {
@@ -57,6 +62,30 @@ final class Buffers {
         }
         read.put(index, bytes);
         return bytes;
+    }
+
+    /** The files of this folder that hold buffers, each once. */
+    Set<Path> files() throws IOException, MeshException {
+        Set<Path> files = new LinkedHashSet<>();
+        Json buffers = file.array("buffers");
+        for (int i = 0; i < buffers.size(); i++) {
+            Json uri = buffers.at(i).get("uri");
+            if (uri.isThere() && !uri.text().orElse("").startsWith("data:")) {
+                files.add(beside(uri));
+            }
+        }
+        return files;
+    }
+
+    /** The same, read once however many buffers name it. */
+    private byte[] named(Json uri) throws IOException, MeshException {
+        String text = uri.text().orElse("");
+        byte[] known = byUri.get(text);
+        if (known == null) {
+            known = bytes(uri);
+            byUri.put(text, known);
+        }
+        return known;
     }
 
     /** What a URI names: data in it, or a file of this folder. */
@@ -93,6 +122,10 @@ final class Buffers {
             }
             if (!Files.exists(path)) {
                 throw uri.problem("there is no file " + Quote.of(text));
+            }
+            Optional<String> other = OrdinaryFile.other(path);
+            if (other.isPresent()) {
+                throw uri.problem("must be a file in the folder of this one, was " + Quote.of(text) + ", which is " + other.get());
             }
             if (!path.toRealPath().startsWith(folder)) {
                 throw uri.problem("must be in the folder of this file, found a link that leads out of it, " + Quote.of(text));

@@ -11,8 +11,10 @@ import lightning.mesh.ByteSource;
 import lightning.mesh.MeshException;
 import lightning.mesh.MeshLimits;
 import lightning.mesh.Notes;
+import lightning.text.Quote;
 import lightning.work.Progress;
 import tools.jackson.core.JacksonException;
+import tools.jackson.core.JsonParser;
 import tools.jackson.core.StreamReadConstraints;
 import tools.jackson.core.json.JsonFactory;
 import tools.jackson.databind.JsonNode;
@@ -121,8 +123,8 @@ public final class GltfFile {
     }
 
     private static JsonNode parse(ByteSource source, byte[] json, JsonMapper mapper) throws MeshException {
-        try {
-            JsonNode root = mapper.readTree(json);
+        try (JsonParser parser = mapper.createParser(json)) {
+            JsonNode root = tree(parser, source);
             if (!root.isObject()) {
                 throw source.problem("", "must be an object of JSON");
             }
@@ -131,6 +133,21 @@ public final class GltfFile {
             var place = e.getLocation();
             throw source.problem(place == null ? "" : "line " + place.getLineNr() + ", column " + place.getColumnNr(),
                     "is no JSON that can be read: " + e.getOriginalMessage());
+        }
+    }
+
+    /** The whole text; one that keeps all digits cannot keep every number. */
+    private static JsonNode tree(JsonParser parser, ByteSource source) throws MeshException {
+        try {
+            JsonNode root = parser.readValueAsTree();
+            if (root == null || parser.nextToken() != null) {
+                throw source.problem("", "must be one object of JSON");
+            }
+            return root;
+        } catch (NumberFormatException e) {
+            var place = parser.currentTokenLocation();
+            throw source.problem("line " + place.getLineNr() + ", column " + place.getColumnNr(),
+                    "must be a number with an exponent below 2147483648, was " + Quote.of(parser.getString()));
         }
     }
 

@@ -147,6 +147,9 @@ public final class GltfLights {
         if (light.type() == GltfLight.Type.SPOT) {
             out.set("spot", EXACT.createObjectNode().put("innerConeAngle", light.inner()).put("outerConeAngle", light.outer()));
         }
+        if (light.own().isObject()) {
+            out.putObject("extras").set(GltfLight.OWN, light.own());
+        }
         return out;
     }
 

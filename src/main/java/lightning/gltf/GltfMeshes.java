@@ -28,6 +28,7 @@ public final class GltfMeshes {
     private final GltfFile file;
     private final Notes notes;
     private final Accessors accessors;
+    private final Unfolding unfolding;
     private final PartNames names = new PartNames();
     private final List<GltfPart> parts = new ArrayList<>();
     /** The numbers of accessors that were read, by accessor and what they are read as. */
@@ -36,8 +37,9 @@ public final class GltfMeshes {
     private int[] now = {};
     private long bytes;
 
-    private GltfMeshes(GltfFile file, Notes notes) {
+    private GltfMeshes(GltfFile file, Notes notes) throws IOException, MeshException {
         this.file = file;
+        unfolding = new Unfolding(file);
         this.notes = notes;
         accessors = new Accessors(file);
     }
@@ -74,8 +76,17 @@ public final class GltfMeshes {
         return List.copyOf(parts);
     }
 
+    private static int mode(Json primitive) throws MeshException {
+        return primitive.get("mode").whole(0, 6, TRIANGLES);
+    }
+
+    /** Whether a primitive is one of triangles with positions, as far as its own words say. */
+    static boolean mayShow(Json primitive) throws MeshException {
+        return mode(primitive) >= TRIANGLES && primitive.get("attributes").get("POSITION").isThere();
+    }
+
     private void primitive(int mesh, String name, Json primitive, boolean several) throws IOException, MeshException {
-        int mode = primitive.get("mode").whole(0, 6, TRIANGLES);
+        int mode = mode(primitive);
         if (mode < TRIANGLES) {
             notes.add(mode == 0 ? "primitives of points" : "primitives of lines");
             return;
@@ -155,6 +166,7 @@ public final class GltfMeshes {
     /** Reckons with so many numbers more. */
     private void take(long numbers, Json primitive) throws MeshException {
         bytes += 4 * numbers;
+        unfolding.checkBytes(bytes, primitive);
         if (bytes > Memory.available() / 2) {
             throw primitive.problem("the meshes up to here take " + (bytes >> 20) + " MiB, more than half of the memory that there is");
         }

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import lightning.math.Rgb;
 import lightning.math.Transform;
 import lightning.math.Vec3;
@@ -36,8 +37,21 @@ public final class GltfScene {
         file.tellExtensions(notes);
     }
 
+    /**
+     * The nodes of the scene that the file shows first, if they show no more shapes than its bytes justify.
+     *
+     * @param limit how many shapes there may be whatever the file's size
+     * @throws MeshException if there are more, or the nodes are wrong
+     * @throws IOException   if the size of a buffer cannot be read
+     */
+    public List<GltfNode> nodes(long limit) throws IOException, MeshException {
+        List<GltfNode> nodes = nodes();
+        Unfolding.checkShapes(file, nodes, limit);
+        return nodes;
+    }
+
     /** The nodes of the scene that the file shows first. */
-    public List<GltfNode> nodes() throws MeshException {
+    List<GltfNode> nodes() throws MeshException {
         Json scenes = file.array("scenes");
         if (scenes.size() == 0) {
             throw file.root().get("scenes").problem("must have a scene");
@@ -114,7 +128,8 @@ public final class GltfScene {
             Json spot = light.get("spot");
             lights.add(new GltfLight(i, light.get("name").text().orElse(""), GltfLight.Type.valueOf(type.toUpperCase(Locale.ROOT)),
                     new Rgb(color[0], color[1], color[2]), light.get("intensity").number(1), spot.get("innerConeAngle").number(0),
-                    spot.get("outerConeAngle").number(Math.PI / 4), light.get("range").isThere()));
+                    spot.get("outerConeAngle").number(Math.PI / 4), light.get("range").isThere(),
+                    light.get("extras").node().path(GltfLight.OWN)));
         }
         return List.copyOf(lights);
     }
@@ -177,15 +192,7 @@ public final class GltfScene {
     }
 
     /** The files beside this one that hold its buffers. */
-    public List<Path> bufferFiles() throws IOException, MeshException {
-        List<Path> files = new ArrayList<>();
-        Json buffers = file.array("buffers");
-        for (int i = 0; i < buffers.size(); i++) {
-            Json uri = buffers.at(i).get("uri");
-            if (uri.isThere() && !uri.text().orElse("").startsWith("data:")) {
-                files.add(file.buffers().beside(uri));
-            }
-        }
-        return files;
+    public Set<Path> bufferFiles() throws IOException, MeshException {
+        return file.buffers().files();
     }
 }

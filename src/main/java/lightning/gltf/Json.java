@@ -60,10 +60,11 @@ record Json(Path file, String path, JsonNode node) {
     }
 
     int whole(int min, int max) throws MeshException {
-        if (!node.isNumber() || !(node.asDouble() >= min && node.asDouble() <= max) || node.asDouble() != Math.rint(node.asDouble())) {
+        double value = value();
+        if (!(value >= min && value <= max) || value != Math.rint(value)) {
             throw problem("must be a whole number from " + min + " to " + max + ", was " + shown());
         }
-        return (int) node.asDouble();
+        return (int) value;
     }
 
     int whole(int min, int max, int otherwise) throws MeshException {
@@ -71,10 +72,19 @@ record Json(Path file, String path, JsonNode node) {
     }
 
     double number() throws MeshException {
-        if (!node.isNumber() || !Double.isFinite(node.asDouble())) {
+        double value = value();
+        if (Double.isNaN(value)) {
             throw problem("must be a number, was " + shown());
         }
-        return node.asDouble();
+        if (Double.isInfinite(value)) {
+            throw problem("must be a number of at most 1.8e308, was " + shown());
+        }
+        return value;
+    }
+
+    /** The nearest double, which is infinite beyond the range of doubles; NaN where this is no number. */
+    private double value() {
+        return node.isNumber() ? node.numberValue().doubleValue() : Double.NaN;
     }
 
     double number(double otherwise) throws MeshException {

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import lightning.file.OrdinaryFile;
 import lightning.mesh.MeshException;
 import lightning.scene.Limits;
 import lightning.scene.Sky;
@@ -47,7 +48,7 @@ public final class HdrReader {
         if (size > BYTES) {
             throw new MeshException(file, "", "an environment must have at most " + BYTES + " bytes, has " + size);
         }
-        return new HdrReader(file, Files.readAllBytes(file)).sky();
+        return new HdrReader(file, OrdinaryFile.bytes(file, "a Radiance HDR file", BYTES)).sky();
     }
 
     private Sky sky() throws MeshException {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import lightning.file.OrdinaryFile;
 import lightning.mesh.MeshException;
 import lightning.scene.Photometry;
 
@@ -34,7 +35,7 @@ public final class IesReader {
         if (size > BYTES) {
             throw new MeshException(file, "", "a file of intensities must have at most " + BYTES + " bytes, has " + size);
         }
-        return new IesReader(new IesWords(file, Files.readAllBytes(file))).photometry();
+        return new IesReader(new IesWords(file, OrdinaryFile.bytes(file, "an IES file", BYTES))).photometry();
     }
 
     private Photometry photometry() throws MeshException {

@@ -2,7 +2,6 @@ package lightning.image;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -45,12 +44,7 @@ public final class CubeReader {
      *                     names the file and the line, what was expected and what was found
      */
     public static CubeTable read(Path file) throws IOException {
-        OrdinaryFile.check(file, "a .cube table");
-        long bytes = Files.size(file);
-        if (bytes > MOST_BYTES) {
-            throw new IOException(Quote.path(file) + ": expected at most " + MOST_BYTES + " bytes, found " + bytes);
-        }
-        return new CubeReader(file).table(new String(Files.readAllBytes(file), StandardCharsets.UTF_8));
+        return new CubeReader(file).table(new String(OrdinaryFile.bytes(file, "a .cube table", MOST_BYTES), StandardCharsets.UTF_8));
     }
 
     private CubeTable table(String text) throws IOException {

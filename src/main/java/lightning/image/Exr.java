@@ -1,7 +1,7 @@
 package lightning.image;
 
 import java.io.IOException;
-import java.nio.channels.FileChannel;
+import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -18,7 +18,7 @@ final class Exr {
 
     private Exr() {}
 
-    static void write(FileChannel file, Film film, ExrType type) throws IOException {
+    static void write(SeekableByteChannel file, Film film, ExrType type) throws IOException {
         List<ExrChannel> channels = COLORS.stream().map(name -> new ExrChannel(name, type)).toList();
         ExrHeader header = new ExrHeader(film.width(), film.height(), channels, Map.of("software", "Lightning"));
         int[] places = COLORS.stream().mapToInt(name -> header.channels().indexOf(new ExrChannel(name, type))).toArray();

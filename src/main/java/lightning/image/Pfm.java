@@ -10,6 +10,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import lightning.file.OrdinaryFile;
 import lightning.text.Quote;
 
 /**
@@ -43,7 +44,7 @@ final class Pfm {
 
     /** @throws IOException if the file is no colour PFM, is cut short or is too large; without its name */
     static Film read(Path file) throws IOException {
-        try (var in = new DataInputStream(new BufferedInputStream(Files.newInputStream(file), 1 << 16))) {
+        try (var in = new DataInputStream(new BufferedInputStream(OrdinaryFile.open(file, "a PFM picture"), 1 << 16))) {
             String magic = token(in);
             if (!magic.equals("PF")) {
                 throw new IOException("is no colour PFM picture: expected PF at the start, found " + Quote.of(magic));

@@ -4,12 +4,12 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.MemoryCacheImageInputStream;
+import lightning.file.OrdinaryFile;
 import lightning.work.Progress;
 import lightning.work.Workers;
 
@@ -94,7 +94,7 @@ final class Png {
      */
     static Film read(Path file) throws IOException {
         ImageReader reader = ImageIO.getImageReadersByFormatName("png").next();
-        try (var stream = new MemoryCacheImageInputStream(Files.newInputStream(file))) {
+        try (var stream = new MemoryCacheImageInputStream(OrdinaryFile.open(file, "a PNG picture"))) {
             reader.setInput(stream, true, true);
             PictureLimits.check(reader.getWidth(0), reader.getHeight(0));
             return Pixels.toFilm(reader.read(0));

@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import lightning.file.OrdinaryFile;
 import org.apache.commons.imaging.bytesource.ByteSource;
 import org.apache.commons.imaging.formats.xpm.XpmImageParser;
 
@@ -71,7 +72,7 @@ final class Xpm {
 
     private static void checkHeader(Path file) throws IOException {
         String start;
-        try (var in = Files.newInputStream(file)) {
+        try (var in = OrdinaryFile.open(file, "a XPM picture")) {
             start = new String(in.readNBytes(LONGEST_HEADER), StandardCharsets.ISO_8859_1);
         }
         Matcher header = HEADER.matcher(start);

@@ -1,14 +1,18 @@
 package lightning.jen;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import lightning.file.OrdinaryFile;
 import lightning.file.SafeFile;
 import lightning.text.Quote;
 
 /** Brings a file from elsewhere into the textures beside a scene, where scenes find it by its name. */
 public final class FileCopy {
+    private static final String EXPECTED = "a file for the textures of a scene";
+
     private FileCopy() {}
 
     /** What came of it. */
@@ -57,21 +61,25 @@ public final class FileCopy {
     private static Outcome copy(Path file, Path scene, Path to, boolean overwrite) throws IOException {
         String name = to.getFileName().toString();
         Path hiding = scene.resolve(name);
-        if (Files.exists(hiding) && Files.mismatch(file, hiding) >= 0) {
+        if (Files.exists(hiding) && !OrdinaryFile.areSame(file, hiding, EXPECTED)) {
             throw new IllegalArgumentException("another file " + Quote.of(name) + " lies beside the scene and would be found first");
         }
         if (Files.isSymbolicLink(to)) {
             throw new IllegalArgumentException(Quote.of(name) + " in the folder of textures is a link; it is not written over");
         }
         if (Files.exists(to)) {
-            if (Files.mismatch(file, to) < 0) {
+            if (OrdinaryFile.areSame(file, to, EXPECTED)) {
                 return new Brought(name);
             }
             if (!overwrite) {
                 return new Taken(name);
             }
         }
-        SafeFile.write(to, out -> Files.copy(file, out));
+        SafeFile.write(to, out -> {
+            try (InputStream in = OrdinaryFile.open(file, EXPECTED)) {
+                in.transferTo(out);
+            }
+        });
         return new Brought(name);
     }
 }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import lightning.file.OrdinaryFile;
 import lightning.hdr.HdrReader;
 import lightning.ies.IesReader;
 import lightning.mesh.MeshException;
@@ -18,7 +19,7 @@ public enum FileKind {
     TEXTURE("texture", "a PNG or JPEG file", Texts.key("PNG, JPEG"), JenLimits.TEXTURE_BYTES, "png", "jpg", "jpeg") {
         @Override
         void read(String name, Path file) throws IOException, UnusableFileException {
-            TextureDecoder.numbers(name, Files.readAllBytes(file));
+            TextureDecoder.numbers(name, OrdinaryFile.bytes(file, "a PNG or JPEG file", JenLimits.TEXTURE_BYTES));
         }
     },
     /** How strongly a light shines in each direction. */

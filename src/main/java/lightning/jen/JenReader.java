@@ -48,7 +48,7 @@ public final class JenReader {
         }
         byte[] bytes;
         // It may grow meanwhile.
-        try (InputStream in = Files.newInputStream(file)) {
+        try (InputStream in = OrdinaryFile.open(file, "a .jen file")) {
             bytes = in.readNBytes(JenLimits.FILE_BYTES + 1);
         }
         if (bytes.length > JenLimits.FILE_BYTES) {

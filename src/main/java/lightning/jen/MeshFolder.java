@@ -20,8 +20,7 @@ final class MeshFolder {
     static final String NAME = "meshes";
 
     private final FileFolders folders;
-    private final Map<Path, List<NamedMesh>> read = new HashMap<>();
-    private final Map<Path, Mesh> joined = new HashMap<>();
+    private final Map<Path, MeshParts> read = new HashMap<>();
     private long triangles;
 
     /** @param scene the folder that holds the scene file */
@@ -41,12 +40,12 @@ final class MeshFolder {
     }
 
     private Mesh load(String file, String part, Path path) throws UnusableFileException, IOException, MeshException {
-        List<NamedMesh> parts = read.get(path);
+        MeshParts parts = read.get(path);
         if (parts == null) {
-            parts = read(file, path);
+            parts = new MeshParts(read(file, path));
             read.put(path, parts);
         }
-        return part.isEmpty() ? whole(path, parts) : named(file, part, parts);
+        return part.isEmpty() ? parts.whole() : parts.named(part, file);
     }
 
     private List<NamedMesh> read(String file, Path path) throws UnusableFileException, IOException, MeshException {
@@ -61,27 +60,5 @@ final class MeshFolder {
                     + JenLimits.TRIANGLES + " triangles");
         }
         return parts;
-    }
-
-    private Mesh whole(Path path, List<NamedMesh> parts) throws UnusableFileException {
-        if (parts.size() == 1) {
-            return parts.getFirst().mesh();
-        }
-        Mesh known = joined.get(path);
-        if (known == null) {
-            known = MeshUnion.of(parts.stream().map(NamedMesh::mesh).toList());
-            joined.put(path, known);
-        }
-        return known;
-    }
-
-    private static Mesh named(String file, String part, List<NamedMesh> parts) throws UnusableFileException {
-        for (NamedMesh p : parts) {
-            if (p.name().equals(part)) {
-                return p.mesh();
-            }
-        }
-        throw new UnusableFileException("mesh file " + Quote.of(file) + " has no part " + Quote.of(part)
-                + Nearest.hint(part, parts.stream().map(NamedMesh::name).toList()));
     }
 }

@@ -15,6 +15,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
+import lightning.file.OrdinaryFile;
 import lightning.math.SrgbCurve;
 import lightning.scene.SampleMeaning;
 import lightning.scene.Texture;
@@ -46,7 +47,7 @@ public final class TextureDecoder {
         if (bytes > JenLimits.TEXTURE_BYTES) {
             throw unusable(name, "must have at most " + JenLimits.TEXTURE_BYTES + " bytes, has " + bytes);
         }
-        return decode(name, Files.readAllBytes(path), samples, pixelsLeft);
+        return decode(name, OrdinaryFile.bytes(path, "a PNG or JPEG file", JenLimits.TEXTURE_BYTES), samples, pixelsLeft);
     }
 
     /**

@@ -44,12 +44,13 @@ public final class ByteSource implements AutoCloseable {
      * @throws MeshException if it is larger
      */
     public static ByteSource open(Path file, Progress progress) throws IOException, MeshException {
-        OrdinaryFile.check(file, "a file of meshes");
+        InputStream in = OrdinaryFile.open(file, "a file of meshes");
         long size = Files.size(file);
         if (size > MeshLimits.FILE_BYTES) {
+            in.close();
             throw new MeshException(file, "", "must have at most " + MeshLimits.FILE_BYTES + " bytes, has " + size);
         }
-        return new ByteSource(file, Files.newInputStream(file), size, progress);
+        return new ByteSource(file, in, size, progress);
     }
 
     public Path file() {

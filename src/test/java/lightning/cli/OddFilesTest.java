@@ -19,6 +19,8 @@ import org.junit.jupiter.api.io.TempDir;
 /** Outputs that cannot be written, and inputs that are no ordinary files. */
 @DisabledOnOs(OS.WINDOWS)
 class OddFilesTest {
+    private static final String JAVA = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+
     @TempDir
     private Path folder;
 
@@ -120,5 +122,37 @@ class OddFilesTest {
     @Test
     void nameThatCannotBeAFiles_isRefusedInASentence() {
         Cli.run("check", "a\0b.jen").isRefusedSaying("cannot be a file's name here", "LC_ALL=C.UTF-8");
+    }
+
+    @Test
+    void wordOfAnyLength_isRefusedInAShortSentence() throws IOException {
+        String word = "x".repeat(3000);
+        Path scene = Cli.scene(folder);
+        for (List<Object> line : List.<List<Object>>of(List.of("check", word + ".jen"), List.of("shot", word),
+                List.of("render", scene, "-o", "a.png", "--" + word),
+                List.of("render", scene, "-o", "a.png", "--size=" + word), List.of("render", scene, "-o", word + ".png"),
+                List.of("relight", scene, "-o", "a.png", "--set", word + ".intensity=2", "--then"),
+                List.of("relight", scene, "-o", "a.png", "--case", word, "--then"), List.of("check", "a\0" + word))) {
+            Cli refused = Cli.run(line.toArray());
+            refused.isRefusedSaying("xxx");
+            assertThat(refused.err().length()).as(refused.err()).isLessThan(1000);
+        }
+    }
+
+    /** No file may grow beyond a block of the shell, 512 or 1024 bytes. */
+    @Test
+    void fileThatGrowsTooLarge_isNamed() throws Exception {
+        Path scene = Cli.scene(folder);
+        for (String name : List.of("out.png", "out.exr", "out.pfm")) {
+            Path out = folder.resolve(name);
+            Process process = new ProcessBuilder("sh", "-c", "ulimit -f 1; exec \"$@\"", "sh", JAVA, "-XX:-UsePerfData", "--add-modules",
+                    "jdk.incubator.vector", "-cp", System.getProperty("java.class.path"), "lightning.Main", "render", scene.toString(),
+                    "-o",
+                    out.toString(), "--size", "100x100").redirectErrorStream(true).start();
+            String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            assertThat(process.waitFor()).as(said).isEqualTo(2);
+            assertThat(said).contains("lightning: " + out + ": File too large");
+            assertThat(out).doesNotExist();
+        }
     }
 }

@@ -21,9 +21,13 @@ import lightning.scene.PlacedShape;
 import lightning.scene.Relief;
 import lightning.scene.Scene;
 import lightning.work.Progress;
+import lightning.work.Wait;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -275,6 +279,41 @@ class ImporterTest {
                 Gltf.binary(SCENE.replace("'children': [1, 2, 3, 4]", "'children': [1, 0]"), Gltf.SQUARE));
         assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file))
                 .withMessageEndingWith("nodes[0].children[1]: must be a node that stands nowhere else, was 0");
+    }
+
+    /** A picture whose file is named so. */
+    private Path pictured(String uri) throws IOException {
+        return Files.write(from.resolve("a.glb"), Gltf.binary(SCENE.replace("'metallicFactor': 0}",
+                "'metallicFactor': 0, 'baseColorTexture': {'index': 0}}").replace("'cameras':",
+                        "'textures': [{'source': 0}], 'images': [{'uri': '" + uri + "'}], 'cameras':"),
+                Gltf.SQUARE));
+    }
+
+    @Test
+    @Timeout(Wait.MOST_SECONDS)
+    @DisabledOnOs(OS.WINDOWS)
+    void pictureThatIsAPipe_isRefusedAtOnce() throws Exception {
+        assertThat(new ProcessBuilder("mkfifo", from.resolve("pipe.png").toString()).start().waitFor()).isZero();
+        Path file = pictured("pipe.png");
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file)).withMessageEndingWith("images[0].uri: must be a file in"
+                + " the folder of this one, was 'pipe.png', which is no file but a pipe or a device");
+    }
+
+    @Test
+    void pictureThatIsAFolder_isRefusedWithItsPlace() throws IOException {
+        Path file = pictured(".");
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file))
+                .withMessageEndingWith("images[0].uri: must be a file in the folder of this one, was '.', which is a folder");
+    }
+
+    @Test
+    @Timeout(Wait.MOST_SECONDS)
+    @DisabledOnOs(OS.WINDOWS)
+    void pipeWhereAFileIsToLie_isRefusedAtOnce() throws Exception {
+        Path file = Files.write(from.resolve("a.glb"), Gltf.binary(SCENE, Gltf.SQUARE));
+        assertThat(new ProcessBuilder("mkfifo", to.resolveSibling("a.glb").toString()).start().waitFor()).isZero();
+        assertThatExceptionOfType(IOException.class).isThrownBy(() -> read(file).write())
+                .withMessageEndingWith("a.glb: is no file but a pipe or a device, expected a file to lie beside the scene");
     }
 
     @Test

@@ -1,6 +1,7 @@
 package lightning.exchange;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -11,6 +12,7 @@ import lightning.gltf.Gltf;
 import lightning.jen.JenReader;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.mesh.MeshException;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -92,7 +94,19 @@ class LightsBackTest {
                 .withLight(scene.light("beam").orElseThrow().withOn(false).withAngle(120));
         assertThat(LightsBack.into(gltf, odd, LightUnits.CANDELA, Progress.NONE).notes()).containsKeys(
                 "lights that do not fall off with the square of the distance; theirs is right at distance 1",
-                "lights that are dark, which have intensity 0", "spots wider than 90 degrees");
+                "lights that are dark, which shine there", "spots wider than 90 degrees");
+    }
+
+    @Test
+    void numberThatNobodyCanHold_isRefusedWithItsPlace() throws Exception {
+        assertRefused("1e999", "extensions.KHR_lights_punctual.lights[0].intensity: must be a number of at most 1.8e308, was '1E+999'");
+        assertRefused("1e9999999999", "line 5, column 83: must be a number with an exponent below 2147483648, was '1e9999999999'");
+        assertRefused("9".repeat(400), "lights[0].intensity: must be a number of at most 1.8e308, was '" + "9".repeat(99) + "…'");
+    }
+
+    private void assertRefused(String intensity, String message) throws Exception {
+        Files.write(gltf, Gltf.text(SCENE.replace("'intensity': 5", "'intensity': " + intensity), Gltf.SQUARE));
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> back(scene)).withMessageEndingWith(message);
     }
 
     @Test

@@ -43,4 +43,12 @@ class QuoteTest {
         assertThat(quoted.codePointCount(0, quoted.length())).isLessThanOrEqualTo(2 + 12 * 100);
         assertThat(Visible.is(Quote.path(text))).isTrue();
     }
+
+    @Test
+    void pathOfManyCharacters_losesItsMiddle() {
+        String longest = "a".repeat(499) + "z";
+        assertThat(Quote.path(longest)).isEqualTo(longest);
+        assertThat(Quote.path("start/" + "\uD83D\uDE00".repeat(3000) + "/end.jen")).startsWith("start/").endsWith("/end.jen").contains("…")
+                .satisfies(shown -> assertThat(shown.codePointCount(0, shown.length())).isEqualTo(500));
+    }
 }

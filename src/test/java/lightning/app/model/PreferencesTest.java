@@ -2,7 +2,9 @@ package lightning.app.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.sun.management.ThreadMXBean;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -54,6 +56,22 @@ class PreferencesTest {
     void numberOutOfReason_countsAsAbsent(String damaged) throws IOException {
         Files.writeString(folder.resolve("preferences.properties"), "width=" + damaged);
         assertThat(new Preferences(folder, Runnable::run).number("width", 200, 32_768, 7)).isEqualTo(7);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"\n", "a\n", "\\\n"})
+    void fileOfManyLines_takesAsMuchMemoryAsItsBytesJustify(String line) throws IOException {
+        Files.writeString(folder.resolve("preferences.properties"), "width=300\n" + line.repeat(400_000));
+        var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long before = threads.getCurrentThreadAllocatedBytes();
+        assertThat(new Preferences(folder, Runnable::run).number("width", 200, 32_768, 7)).isEqualTo(300);
+        assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(256L << 20);
+    }
+
+    @Test
+    void valueThatEndsInABackslash_doesNotTakeTheNextLine() throws IOException {
+        Files.writeString(folder.resolve("preferences.properties"), "theme=a\\\nwidth=300\n");
+        assertThat(new Preferences(folder, Runnable::run).number("width", 200, 32_768, 7)).isEqualTo(300);
     }
 
     @Test
