@@ -91,6 +91,23 @@ class RelightCommandTest {
     }
 
     @Test
+    void setPropertyThatTheLightDoesNotUse_isRemarkedOn() {
+        Cli run = Cli.run("relight", path, "-o", picture, "--set", "sun.at=1 2 3", "--set", "lamp.intensity=2", "--then", "--set",
+                "lamp.angle=20", "--no-savings").isDone();
+        assertThat(run.err().lines()).containsExactly("sun.at has no effect: a directional light has no position",
+                "lamp.angle has no effect: a point light has no angle");
+        assertThat(run.out().lines().skip(1)).hasSize(2);
+    }
+
+    /** The type is that after the whole edit; a material and the world have no light's properties. */
+    @Test
+    void setPropertyThatTheLightUses_isNotRemarkedOn() {
+        Cli run = Cli.run("relight", path, "-o", picture, "--set", "sun.at=1 2 3", "--set", "sun.type=point", "--set", "stage.angle=20",
+                "--set", "world.intensity=2", "--set", "material:red.model=phong", "--set", "sun.name=key", "--no-savings").isDone();
+        assertThat(run.err()).isEmpty();
+    }
+
+    @Test
     void updateReflections_bringsTheLastEditToTheMirrors() throws Exception {
         String out = Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--update-reflections", "--verify")
                 .isDone().out();

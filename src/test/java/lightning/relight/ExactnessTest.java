@@ -126,7 +126,8 @@ class ExactnessTest {
         assertThat(promise.text()).isEqualTo(promise.isStale() ? "exact, reflections of an older light" : "exact");
         Statistics.label("statement").collect(promise.isStale() ? "stale" : "exact");
         if (!promise.isStale()) {
-            SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(), "called-exact", session, step, promise.text());
+            SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(), "called-exact", session, step,
+                    promise.text());
         }
     }
 
