@@ -38,7 +38,7 @@ final class MaterialCases {
     static List<PaperCase> of(Scene scene, int value) {
         var builder = new MaterialCases(scene, value);
         double share = new double[] {0.5, 0.8, 0.25}[value];
-        Predicate<Material> mirrors = m -> scene.picture().depth() > 0 && !m.reflective().isBlack();
+        Predicate<Material> mirrors = m -> scene.picture().depth() > 0 && m.isMirror();
         builder.edit("material-color", ANY, m -> m.withBody(m.body().times(share)));
         builder.edit("shininess", m -> !m.specular().isBlack(),
                 m -> m.withShininess(Math.min(m.shininess() / share + 1, Limits.MAX_SHININESS)));

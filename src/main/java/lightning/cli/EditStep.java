@@ -58,6 +58,22 @@ final class EditStep {
         }
     }
 
+    /**
+     * Remarks on each property that was set and does nothing to the edited picture.
+     *
+     * @param steps of all edits
+     * @param end   the number of the step that ends the edit, or of steps
+     * @param after the scene after the edit
+     */
+    static void remarkUnused(List<EditStep> steps, int end, Scene after, Console console) {
+        int start = end;
+        while (start > 0 && !steps.get(start - 1).endsGroup()) {
+            start--;
+        }
+        steps.subList(start, end).stream().filter(step -> step.set != null).flatMap(step -> PropertyEdit.unused(after, step.set).stream())
+                .distinct().forEach(why -> console.remark("%s", why));
+    }
+
     private List<Scene> paperCase(Scene scene) throws BadInput {
         List<PaperCase> cases = PaperCases.of(scene);
         for (PaperCase edit : cases) {

@@ -146,14 +146,17 @@ final class RelightCommand implements Callable<Integer> {
     private List<Scene> edited(Scene scene) throws BadInput {
         List<Scene> scenes = new ArrayList<>();
         Scene current = scene;
-        for (EditStep step : steps) {
+        for (int i = 0; i < steps.size(); i++) {
+            EditStep step = steps.get(i);
             if (step.endsGroup()) {
+                EditStep.remarkUnused(steps, i, current, console);
                 scenes.add(current);
             }
             List<Scene> next = step.apply(current, input.path().toAbsolutePath().getParent());
             scenes.addAll(next.subList(0, next.size() - 1));
             current = next.getLast();
         }
+        EditStep.remarkUnused(steps, steps.size(), current, console);
         scenes.add(current);
         return scenes;
     }

@@ -236,8 +236,10 @@ final class ShotRelightCommand implements Callable<Integer> {
         List<Take> takes = new ArrayList<>();
         Scene current = scene;
         Shot shot = keys;
-        for (EditStep step : steps) {
+        for (int s = 0; s < steps.size(); s++) {
+            EditStep step = steps.get(s);
             if (step.endsGroup()) {
+                EditStep.remarkUnused(steps, s, current, console);
                 takes.add(new Take(picture.apply(current), shot));
             }
             List<Scene> next = step.apply(current, input.path().toAbsolutePath().getParent());
@@ -250,6 +252,7 @@ final class ShotRelightCommand implements Callable<Integer> {
                 }
             }
         }
+        EditStep.remarkUnused(steps, steps.size(), current, console);
         takes.add(new Take(picture.apply(current), shot));
         return takes;
     }

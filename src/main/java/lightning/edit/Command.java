@@ -205,7 +205,8 @@ public enum Command {
 
     GO(Texts.key("Go"), Texts.key("Render the edits into the traced picture"), "mdi2p-play", "F5", Obstacles::nothingToRender),
     LIVE(Texts.key("Live"), Texts.key("Render edits while they are made, without Go"), "mdi2f-flash", "F8", Obstacles.NONE),
-    UPDATE_REFLECTIONS(Texts.key("Update Reflections"), Texts.key("Make the mirrors show the lights that the picture shows"),
+    UPDATE_REFLECTIONS(Texts.key("Update Reflections"),
+            Texts.key("Make mirrors and clear materials show the lights that the picture shows"),
             "mdi2m-mirror", "F6",
             Obstacles::mirrorsAreCurrent),
     VERIFY(Texts.key("Verify"), Texts.key("Trace the picture in full in the background and compare"), "mdi2c-check-decagram-outline", "F7",

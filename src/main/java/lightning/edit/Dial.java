@@ -42,7 +42,6 @@ public final class Dial {
     private final String title;
     private final String label;
     private final Quantity<?> quantity;
-    private final Measure measure;
     private final boolean ofScene;
     private final BiFunction<Scene, Optional<Light>, Optional<String>> obstacle;
     private final Get get;
@@ -64,12 +63,11 @@ public final class Dial {
         Scene on(Scene scene, T part);
     }
 
-    private Dial(String title, String label, Quantity<?> quantity, String unit, boolean ofScene,
+    private Dial(String title, String label, Quantity<?> quantity, boolean ofScene,
             BiFunction<Scene, Optional<Light>, Optional<String>> obstacle, Get get, Set set) {
         this.title = title;
         this.label = label;
         this.quantity = quantity;
-        measure = unit.startsWith("degrees") ? Measure.DEGREES : Measure.FACTOR;
         this.ofScene = ofScene;
         this.obstacle = obstacle;
         this.get = get;
@@ -87,7 +85,7 @@ public final class Dial {
         // What a channel or an axis is of, people see by the colour or the place that it stands beside.
         String title = label.isEmpty() ? attribute.title()
                 : quantity.form() == Quantity.Form.COLOR ? label : attribute.title() + " " + label;
-        return new Dial(title, label.isEmpty() ? title : label, quantity, attribute.unit(), false,
+        return new Dial(title, label.isEmpty() ? title : label, quantity, false,
                 (_, selected) -> selected.isEmpty() ? Optional.of(Texts.of("no light is selected"))
                         : attribute.obstacle(selected.get().type()),
                 (scene, light) -> quantity.number(attribute.of(LightEdits.light(scene, light)), index),
@@ -107,7 +105,7 @@ public final class Dial {
             throw new IllegalArgumentException(attribute.title() + " is no number");
         }
         String title = attribute.title();
-        return new Dial(title, title.substring(title.lastIndexOf(' ') + 1), quantity, attribute.unit(), true,
+        return new Dial(title, title.substring(title.lastIndexOf(' ') + 1), quantity, true,
                 (scene, _) -> obstacle.apply(scene),
                 (scene, _) -> quantity.number(attribute.of(part.of(scene)), 0),
                 (scene, _, value) -> with.on(scene,
@@ -131,7 +129,7 @@ public final class Dial {
 
     /** What the number is measured in. */
     public Measure measure() {
-        return measure;
+        return quantity.measure();
     }
 
     /** Whether it belongs to the scene and needs no light. */

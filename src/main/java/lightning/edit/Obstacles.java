@@ -170,7 +170,7 @@ final class Obstacles {
         if (VisiblePart.same(s.rendered().get(), s.mirrored().get())) {
             return Optional.of(Texts.of("the mirrors show the picture's lights already"));
         }
-        return unless(s.mirrorsRemark().isPresent(), Texts.of("nothing in the picture mirrors"));
+        return unless(s.mirrorsRemark().isPresent(), Texts.of("nothing in the picture mirrors or is clear"));
     }
 
     private static Optional<String> ofLight(Situation s, boolean possible, String obstacle) {

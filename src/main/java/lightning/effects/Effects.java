@@ -13,7 +13,7 @@ import lightning.scene.Scene;
  *
  * @param callers for each effect that is called for the names of the lights, materials or shapes that do, in the order
  *                of the scene, each once; other effects have no entry
- * @param depth   how many mirror bounces a ray can make at most: 0 where nothing mirrors
+ * @param depth   how many times a ray can bounce at most, mirrored or refracted: 0 where nothing mirrors or is clear
  */
 public record Effects(Map<Effect, List<String>> callers, int depth) {
     private static final int NAMES_SHOWN = 6;
@@ -34,12 +34,17 @@ public record Effects(Map<Effect, List<String>> callers, int depth) {
                 callers.put(effect, names);
             }
         }
-        return new Effects(callers, callers.containsKey(Effect.REFLECTION) ? scene.picture().depth() : 0);
+        return new Effects(callers, uses.depth());
     }
 
     /** Whether the scene calls for an effect. */
     public boolean has(Effect effect) {
         return callers.containsKey(effect);
+    }
+
+    /** Whether a ray can bounce: then parts of the picture are seen in mirrors or through clear surfaces. */
+    public boolean bouncesRays() {
+        return depth > 0;
     }
 
     /** Who calls for it; empty where nobody does. */

@@ -50,9 +50,14 @@ record Uses(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
         return shapes.stream().map(PlacedShape::material).filter(which).map(Material::name);
     }
 
-    /** The names of materials that mirror, where mirrors are followed. */
+    /** The names of materials that mirror by their own color, where rays are followed. */
     Stream<String> mirrors() {
-        return scene.picture().depth() == 0 ? Stream.empty() : materials(m -> !m.reflective().isBlack());
+        return scene.picture().depth() == 0 ? Stream.empty() : materials(Material::isMirror);
+    }
+
+    /** How many times a ray can bounce at most, mirrored or refracted: 0 where no shape's material bounces rays. */
+    int depth() {
+        return shapes.stream().map(PlacedShape::material).anyMatch(Material::bouncesRays) ? scene.picture().depth() : 0;
     }
 
     /** The picture, where its pixels have several samples. */

@@ -41,7 +41,11 @@ public final class PropertyEdit {
     private static final String NAME = "name";
     private static final String MATERIAL = "material:";
     private static final String NONE = "none";
+    private static final String PICTURE = "picture";
+    private static final String CAMERA = "camera";
     private static final String WORLD = "world";
+    /** What stands for parts of the scene that have no names. */
+    private static final List<String> OF_SCENE = List.of(PICTURE, CAMERA, WORLD);
 
     private PropertyEdit() {}
 
@@ -66,18 +70,46 @@ public final class PropertyEdit {
     }
 
     private static Scene apply(Scene scene, String assignment, SceneFiles files) {
-        int name = target(assignment);
-        int equals = assignment.indexOf('=', name);
-        int point = name > 0 ? name : assignment.lastIndexOf('.', Math.max(equals, 0));
-        if (point < 1 || equals < point || assignment.charAt(point) != '.') {
-            throw new IllegalArgumentException("an edit must be written as NAME.PROPERTY=VALUE, was " + Quote.of(assignment));
+        Assignment parts = Assignment.of(assignment);
+        return set(scene, parts.target, parts.property, parts.value, files);
+    }
+
+    /**
+     * Why an assignment has no effect on the picture, {@code sun.at has no effect: a directional light has no position}; empty where it
+     * has one. The value is kept all the same, and acts once the light is of another type.
+     *
+     * @param scene      the scene after the edit
+     * @param assignment as {@link #apply(Scene, String)} took it
+     */
+    public static Optional<String> unused(Scene scene, String assignment) {
+        Assignment parts = Assignment.of(assignment);
+        return LightAttribute.ALL.stream().filter(a -> a.name().equals(parts.property)).findFirst()
+                .flatMap(a -> scene.light(parts.light()).flatMap(light -> a.obstacle(light.type())))
+                .map(why -> parts.target + "." + parts.property + " has no effect: " + why);
+    }
+
+    /** The parts of {@code target.property=value}. */
+    private record Assignment(String target, String property, String value) {
+        /** @throws IllegalArgumentException if the text has another form */
+        static Assignment of(String text) {
+            int name = nameEnd(text);
+            int equals = text.indexOf('=', name);
+            int point = name > 0 ? name : text.lastIndexOf('.', Math.max(equals, 0));
+            if (point < 1 || equals < point || text.charAt(point) != '.') {
+                throw new IllegalArgumentException("an edit must be written as NAME.PROPERTY=VALUE, was " + Quote.of(text));
+            }
+            return new Assignment(text.substring(0, point).strip(), text.substring(point + 1, equals).strip(),
+                    text.substring(equals + 1).strip());
         }
-        return set(scene, assignment.substring(0, point).strip(), assignment.substring(point + 1, equals).strip(),
-                assignment.substring(equals + 1).strip(), files);
+
+        /** The name of the light that it would be of; empty where it is of something else by its form. */
+        String light() {
+            return OF_SCENE.contains(target) || target.startsWith(MATERIAL) ? "" : NameText.read(target);
+        }
     }
 
     /** The place behind a name in quotes that an assignment begins with; 0 where its name has none. */
-    private static int target(String assignment) {
+    private static int nameEnd(String assignment) {
         int start = assignment.startsWith(MATERIAL) ? MATERIAL.length() : 0;
         return assignment.startsWith("\"", start) ? NameText.closing(assignment, start) + 1 : 0;
     }
@@ -161,8 +193,8 @@ public final class PropertyEdit {
 
     private static Scene set(Scene scene, String target, String property, String value, SceneFiles files) {
         return switch (target) {
-            case "picture" -> scene.withPicture(edited(files, Blocks.PICTURE, "", scene.picture(), property, value));
-            case "camera" -> scene.withCamera(edited(files, Blocks.CAMERA, "", scene.camera(), property, value));
+            case PICTURE -> scene.withPicture(edited(files, Blocks.PICTURE, "", scene.picture(), property, value));
+            case CAMERA -> scene.withCamera(edited(files, Blocks.CAMERA, "", scene.camera(), property, value));
             case WORLD -> scene.withWorld(edited(files, Blocks.WORLD, "", scene.world(), property, value));
             default -> target.startsWith(MATERIAL)
                     ? setMaterial(scene, NameText.read(target.substring(MATERIAL.length())), property, value, files)
@@ -250,7 +282,7 @@ public final class PropertyEdit {
         if (scene.material(target).isPresent()) {
             return setMaterial(scene, target, property, value, files);
         }
-        List<String> known = Stream.of(Stream.of("picture", "camera", WORLD), scene.lights().stream().map(Light::name),
+        List<String> known = Stream.of(OF_SCENE.stream(), scene.lights().stream().map(Light::name),
                 scene.rig().banks().stream().map(Bank::name), names(scene.nodes()), scene.materials().stream().map(Material::name))
                 .flatMap(s -> s).filter(k -> !k.equals(target))
                 .toList();

@@ -96,12 +96,12 @@ public final class Renderer implements AutoCloseable {
     }
 
     /**
-     * Makes the film show the wanted scene.
+     * Makes the film show the wanted scene. Whatever is thrown, an {@link OutOfMemoryError} included, everything is then as before the
+     * call.
      *
      * @throws PictureTooLarge if it needs a first pass that does not fit into memory beside what is known of the picture, which a
-     *                         cancelled pass goes back to; everything is then as before the call
-     * @throws CancellationException if {@code progress} asked to stop; everything
-     *         is then as before the call
+     *                         cancelled pass goes back to
+     * @throws CancellationException if {@code progress} asked to stop
      */
     public Update render(Scene wanted, Progress progress) {
         return render(plan(wanted), progress);
@@ -176,17 +176,21 @@ public final class Renderer implements AutoCloseable {
         return planned.startsFrom(cache) ? planned : plan(planned.wanted, planned.mirrors);
     }
 
+    /** Goes back to what is known now if the work does not end, for whatever reason. */
     private Update orAsBefore(Supplier<Update> work) {
         PixelCache before = cache;
         Unfinished unfinishedBefore = unfinished;
         Accuracy knownBefore = known;
+        Update update = null;
         try {
-            return work.get();
-        } catch (CancellationException e) {
-            cache = before;
-            unfinished = unfinishedBefore;
-            known = knownBefore;
-            throw e;
+            update = work.get();
+            return update;
+        } finally {
+            if (update == null) {
+                cache = before;
+                unfinished = unfinishedBefore;
+                known = knownBefore;
+            }
         }
     }
 
@@ -274,7 +278,7 @@ public final class Renderer implements AutoCloseable {
         repeats.end();
     }
 
-    /** Leaves things half done where it is cancelled. */
+    /** Leaves things half done where it does not end. */
     private Update update(PlannedUpdate planned, boolean centersAlone, Progress progress) {
         long start = System.nanoTime() - planned.nanoseconds;
         UpdatePlan plan = planned.difference;

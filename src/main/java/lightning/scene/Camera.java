@@ -24,7 +24,7 @@ public record Camera(Vec3 from, Vec3 to, Vec3 up, double fov, Vec3 origin) {
     public static final Attribute<Camera, Vec3> UP = new Attribute<>("up", "up", Quantity.direction(), DEFAULT.up, "any length but 0",
             Camera::up, (c, v) -> new Camera(c.from, c.to, v, c.fov));
     public static final Attribute<Camera, Double> FOV = new Attribute<>("fov", "fov",
-            Quantity.number(Limits.MIN_FOV, Limits.MAX_FOV, 1), DEFAULT.fov, "degrees, vertical", Camera::fov,
+            Quantity.degrees(Limits.MIN_FOV, Limits.MAX_FOV, 1), DEFAULT.fov, "degrees, vertical", Camera::fov,
             (c, v) -> new Camera(c.from, c.to, c.up, v));
 
     /** All of them, in the order in which a file writes them. What goes together must be set together. */

@@ -50,13 +50,13 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
     public static final LightAttribute<Attenuation> ATTENUATION = of("attenuation", Quantity.attenuation(), Attenuation.NONE,
             "per scene unit to the power 0, 1, 2", Light::attenuation, Light::withAttenuation, Section.ATTENUATION,
             Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
-    public static final LightAttribute<Double> ANGLE = of("angle", Quantity.number(0, Limits.MAX_ANGLE, 1), 30.0,
+    public static final LightAttribute<Double> ANGLE = of("angle", Quantity.degrees(0, Limits.MAX_ANGLE, 1), 30.0,
             "degrees from the axis", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.OPENING));
     public static final LightAttribute<Double> DROPOFF = of("dropoff", Quantity.number(0, Limits.MAX_DROPOFF, 0.1), 0.0,
             "exponent", Light::dropoff, Light::withDropoff, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<BarnDoors> DOORS = of("doors", Quantity.doors(), BarnDoors.OPEN, "degrees from the axis, 90 is open",
             Light::doors, Light::withDoors, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
-    public static final LightAttribute<Double> FEATHER = of("feather", Quantity.number(0, Limits.MAX_FEATHER, 1), 0.0,
+    public static final LightAttribute<Double> FEATHER = of("feather", Quantity.degrees(0, Limits.MAX_FEATHER, 1), 0.0,
             "degrees inside the edge of a door", Light::feather, Light::withFeather, Section.CONE,
             Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
     public static final LightAttribute<Optional<Gobo>> GOBO = of("gobo", new ValueKind.Projecting(), Optional.empty(), "a PNG or JPEG file",
@@ -66,7 +66,7 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
     public static final LightAttribute<Double> RADIUS = of("radius", Quantity.number(0, Limits.MAX_EXTENT, 0.1), Area.DEFAULT.radius(),
             "scene units", l -> l.area().radius(), (l, v) -> l.withArea(l.area().withRadius(v)), Section.AREA,
             Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
-    public static final LightAttribute<Double> SPREAD = of("spread", Quantity.number(0, Limits.MAX_SPREAD, 0.5), Area.DEFAULT.spread(),
+    public static final LightAttribute<Double> SPREAD = of("spread", Quantity.degrees(0, Limits.MAX_SPREAD, 0.5), Area.DEFAULT.spread(),
             "degrees from the direction", l -> l.area().spread(), (l, v) -> l.withArea(l.area().withSpread(v)), Section.AREA,
             Map.of(DIRECTIONAL, LightTerm.SOURCE));
     public static final LightAttribute<Double> WIDTH = of("width", Quantity.number(0, Limits.MAX_EXTENT, 0.1), Area.DEFAULT.width(),

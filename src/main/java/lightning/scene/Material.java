@@ -184,8 +184,13 @@ public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse
                 && (!clarity.tintsLight() || clarity.equals(o.clarity) && reflective.equals(o.reflective));
     }
 
+    /** Whether it mirrors by its own color; a clear material mirrors by its angle too. */
+    public boolean isMirror() {
+        return (float) reflective.max() > 0;
+    }
+
     /** Whether rays that meet it are followed further: it mirrors, or something is seen through it. */
     public boolean bouncesRays() {
-        return (float) reflective.max() > 0 || clarity.isClear();
+        return isMirror() || clarity.isClear();
     }
 }

@@ -8,6 +8,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import lightning.math.Rgb;
 import lightning.math.Vec3;
+import lightning.text.Measure;
 
 /**
  * A value made of one or several numbers, each with the same range.
@@ -18,11 +19,13 @@ import lightning.math.Vec3;
  * @param max    the largest value of each
  * @param step   what one click of a widget adds
  * @param whole  whether they are whole
+ * @param measure what they are measured in
  * @param split  the numbers of a value, as many as labels
  * @param join   the value of as many numbers
  * @param range  refuses a value with a number out of range, or whose numbers do not go together
  */
 public record Quantity<V>(Form form, List<String> labels, double min, double max, double step, boolean whole,
+        Measure measure,
         Function<V, List<Double>> split, Function<List<Double>, V> join, Range<V> range) implements ValueKind<V> {
 
     private static final List<String> CHANNELS = List.of("red", "green", "blue");
@@ -49,19 +52,29 @@ public record Quantity<V>(Form form, List<String> labels, double min, double max
 
     /** One number. */
     static Quantity<Double> number(double min, double max, double step) {
-        return new Quantity<>(Form.EACH, List.of(""), min, max, step, false, List::of, List::getFirst,
+        return number(min, max, step, Measure.FACTOR);
+    }
+
+    /** One number of degrees. */
+    static Quantity<Double> degrees(double min, double max, double step) {
+        return number(min, max, step, Measure.DEGREES);
+    }
+
+    private static Quantity<Double> number(double min, double max, double step, Measure measure) {
+        return new Quantity<>(Form.EACH, List.of(""), min, max, step, false, measure, List::of, List::getFirst,
                 (what, v) -> Limits.range(what, v, min, max));
     }
 
     /** One whole number. */
     static Quantity<Integer> whole(int min, int max) {
-        return new Quantity<>(Form.EACH, List.of(""), min, max, 1, true, v -> List.of((double) v), n -> n.getFirst().intValue(),
+        return new Quantity<>(Form.EACH, List.of(""), min, max, 1, true, Measure.FACTOR, v -> List.of((double) v),
+                n -> n.getFirst().intValue(),
                 (what, v) -> Limits.range(what, v, min, max));
     }
 
     /** Red, green and blue, from 0. */
     static Quantity<Rgb> color(double max) {
-        return new Quantity<>(Form.COLOR, CHANNELS, 0, max, 0.1, false, c -> List.of(c.r(), c.g(), c.b()),
+        return new Quantity<>(Form.COLOR, CHANNELS, 0, max, 0.1, false, Measure.FACTOR, c -> List.of(c.r(), c.g(), c.b()),
                 n -> new Rgb(n.get(0), n.get(1), n.get(2)), (what, c) -> Limits.range(what, c, max));
     }
 
@@ -74,27 +87,28 @@ public record Quantity<V>(Form form, List<String> labels, double min, double max
     }
 
     private static Quantity<Vec3> vector(Form form, Range<Vec3> range) {
-        return vector(form, Limits.MAX_COORDINATE, 0.1, range);
+        return vector(form, Limits.MAX_COORDINATE, 0.1, Measure.FACTOR, range);
     }
 
     /** A number for each axis, either sign. */
-    static Quantity<Vec3> axes(double max, double step, Range<Vec3> range) {
-        return vector(Form.EACH, max, step, range);
+    static Quantity<Vec3> axes(double max, double step, Measure measure, Range<Vec3> range) {
+        return vector(Form.EACH, max, step, measure, range);
     }
 
-    private static Quantity<Vec3> vector(Form form, double max, double step, Range<Vec3> range) {
-        return new Quantity<>(form, AXES, -max, max, step, false, v -> List.of(v.x(), v.y(), v.z()),
+    private static Quantity<Vec3> vector(Form form, double max, double step, Measure measure, Range<Vec3> range) {
+        return new Quantity<>(form, AXES, -max, max, step, false, measure, v -> List.of(v.x(), v.y(), v.z()),
                 n -> new Vec3(n.get(0), n.get(1), n.get(2)), range);
     }
 
     static Quantity<Attenuation> attenuation() {
-        return new Quantity<>(Form.EACH, List.of("constant", "linear", "quadratic"), 0, Limits.MAX_ATTENUATION, 0.1, false,
+        return new Quantity<>(Form.EACH, List.of("constant", "linear", "quadratic"), 0, Limits.MAX_ATTENUATION, 0.1, false, Measure.FACTOR,
                 a -> List.of(a.constant(), a.linear(), a.quadratic()), n -> new Attenuation(n.get(0), n.get(1), n.get(2)),
                 (what, a) -> {});
     }
 
     static Quantity<BarnDoors> doors() {
         return new Quantity<>(Form.EACH, List.of("left", "right", "bottom", "top"), -BarnDoors.AWAY, BarnDoors.AWAY, 1, false,
+                Measure.DEGREES,
                 d -> List.of(d.left(), d.right(), d.bottom(), d.top()), n -> new BarnDoors(n.get(0), n.get(1), n.get(2), n.get(3)),
                 (what, d) -> {});
     }

@@ -29,7 +29,7 @@ public record World(double ambience, Rgb background, Optional<Panorama> environm
     public static final Attribute<World, Optional<Panorama>> ENVIRONMENT = new Attribute<>("environment", "environment",
             new ValueKind.Surrounding(), Optional.empty(), "a Radiance HDR file", World::environment, World::withEnvironment);
     public static final Attribute<World, Double> ROTATION = new Attribute<>("rotation", "environment rotation",
-            Quantity.number(-Limits.MAX_ROTATION, Limits.MAX_ROTATION, 5), 0.0, "degrees about y", World::rotation, World::withRotation);
+            Quantity.degrees(-Limits.MAX_ROTATION, Limits.MAX_ROTATION, 5), 0.0, "degrees about y", World::rotation, World::withRotation);
     public static final Attribute<World, Double> INTENSITY = new Attribute<>("intensity", "environment intensity",
             Quantity.number(0, Limits.MAX_BANK_INTENSITY, 0.1), 1.0, "factor of the environment", World::intensity, World::withIntensity);
     public static final Attribute<World, Integer> LAMPS = new Attribute<>("lamps", "environment lamps",

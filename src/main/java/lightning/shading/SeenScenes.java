@@ -1,15 +1,14 @@
 package lightning.shading;
 
-import lightning.effects.Effect;
 import lightning.effects.Effects;
 import lightning.scene.Scene;
 import lightning.scene.VisiblePart;
 
 /**
- * What a picture shows whose mirrors are updated on demand (paper §4.8).
+ * What a picture shows whose mirrors and clear surfaces are updated on demand (paper §4.8).
  *
  * @param scene    what the eye sees
- * @param mirrored what is seen in mirrors: a scene that may differ in lights, world and materials
+ * @param mirrored what is seen in mirrors and through clear surfaces: a scene that may differ in lights, world and materials
  */
 public record SeenScenes(Scene scene, Scene mirrored) {
     /** Both the same. */
@@ -17,8 +16,8 @@ public record SeenScenes(Scene scene, Scene mirrored) {
         return new SeenScenes(scene, scene);
     }
 
-    /** Whether mirrors show what the eye sees, as far as a picture can tell: equal visible parts, or nothing mirrors. */
+    /** Whether bounced rays show what the eye sees, as far as a picture can tell: equal visible parts, or no ray bounces. */
     public boolean isCurrent() {
-        return VisiblePart.same(scene, mirrored) || !Effects.of(scene).has(Effect.REFLECTION);
+        return VisiblePart.same(scene, mirrored) || !Effects.of(scene).bouncesRays();
     }
 }

@@ -2,6 +2,7 @@ package lightning.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Files;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import javafx.application.Platform;
@@ -19,6 +20,10 @@ import lightning.edit.Command;
 import lightning.edit.Desk;
 import lightning.edit.Dial;
 import lightning.edit.LightEdits;
+import lightning.edit.OpenDocument;
+import lightning.effects.Effect;
+import lightning.effects.ViewEffects;
+import lightning.sample.ClearScenes;
 import lightning.scene.Antialias;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
@@ -297,6 +302,28 @@ class GoTest extends EditorDesk {
         click("mirrors");
         waitFor("they are updated", () -> !isShown("mirrors"));
         assertFilmIs(new ReferenceTracer(model().scene()).trace());
+    }
+
+    /** Hidden reflections leave what is seen through the glass, and that is as old. */
+    @Test
+    void oldLightSeenThroughGlass_isToldUntilABadgesClickUpdatesIt() throws Exception {
+        OpenDocument glass = OpenDocument.open(Files.writeString(folder.resolve("glass.jen"), ClearScenes.BALL));
+        asIn1998();
+        robot.interact(() -> model().open(glass));
+        waitForPicture();
+        assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isFalse();
+        dim();
+        click("go");
+        waitForPicture();
+        assertThat(text("status")).contains("reflections of an older light");
+        assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isTrue();
+        robot.interact(() -> model().look().effectsProperty().set(ViewEffects.ALL.with(Effect.REFLECTION, false)));
+        waitFor("the look is shown", () -> !model().frame().look().isPlain());
+        waitFor("it is told", () -> isShown("mirrors"));
+        click("mirrors");
+        waitFor("it is updated", () -> !isShown("mirrors"));
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isFalse();
     }
 
     @Test

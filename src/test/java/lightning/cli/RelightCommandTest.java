@@ -13,6 +13,7 @@ import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.jen.JenReader;
 import lightning.jen.PropertyEdit;
+import lightning.sample.ClearScenes;
 import lightning.scene.Scene;
 import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.BeforeEach;
@@ -90,12 +91,49 @@ class RelightCommandTest {
     }
 
     @Test
+    void setPropertyThatTheLightDoesNotUse_isRemarkedOn() {
+        Cli run = Cli.run("relight", path, "-o", picture, "--set", "sun.at=1 2 3", "--set", "lamp.intensity=2", "--then", "--set",
+                "lamp.angle=20", "--no-savings").isDone();
+        assertThat(run.err().lines()).containsExactly("sun.at has no effect: a directional light has no position",
+                "lamp.angle has no effect: a point light has no angle");
+        assertThat(run.out().lines().skip(1)).hasSize(2);
+    }
+
+    /** The type is that after the whole edit; a material and the world have no light's properties. */
+    @Test
+    void setPropertyThatTheLightUses_isNotRemarkedOn() {
+        Cli run = Cli.run("relight", path, "-o", picture, "--set", "sun.at=1 2 3", "--set", "sun.type=point", "--set", "stage.angle=20",
+                "--set", "world.intensity=2", "--set", "material:red.model=phong", "--set", "sun.name=key", "--no-savings").isDone();
+        assertThat(run.err()).isEmpty();
+    }
+
+    @Test
     void updateReflections_bringsTheLastEditToTheMirrors() throws Exception {
         String out = Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--update-reflections", "--verify")
                 .isDone().out();
         Film reference = new ReferenceTracer(PropertyEdit.apply(scene, "lamp.intensity=3")).trace();
         assertThat(PictureFile.read(picture).sameBits(reference)).isTrue();
         assertThat(out.lines().filter(line -> line.startsWith("mirrors: reflections: "))).hasSize(1);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {ClearScenes.BALL, ClearScenes.PANE})
+    void oldLightSeenThroughClearShapes_isToldAndUpdated(String text) throws Exception {
+        Files.writeString(path, text);
+        scene = JenReader.read(path).scene();
+        Scene edited = PropertyEdit.apply(scene, "lamp.intensity=3");
+        String stale = Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--reflections", "stale", "--verify",
+                "--no-savings").isDone().out();
+        assertThat(stale).contains("exact, reflections of an older light",
+                "Verified: equal to a full trace whose mirrors show an older light in every bit",
+                Difference.of(new ReferenceTracer(edited, scene).trace(), new ReferenceTracer(edited).trace()).pixels()
+                        + " pixels would change with current mirrors");
+        String updated = Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--update-reflections", "--verify",
+                "--no-savings").isDone().out();
+        assertThat(updated.lines().filter(line -> line.startsWith("mirrors: reflections: "))).singleElement().asString()
+                .endsWith(", exact");
+        assertThat(updated).contains("Verified: equal to a full trace in every bit").doesNotContain("NOT KEPT");
+        assertThat(PictureFile.read(picture).sameBits(new ReferenceTracer(edited).trace())).isTrue();
     }
 
     @Test

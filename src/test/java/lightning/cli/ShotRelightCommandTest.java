@@ -63,6 +63,14 @@ class ShotRelightCommandTest {
     }
 
     @Test
+    void setPropertyThatTheLightDoesNotUse_isRemarkedOn() throws Exception {
+        Files.createDirectory(folder.resolve("out"));
+        Cli done = Cli.run("shot", "relight", scene, "--frames", "4", "--no-savings", "--size", "8x8", "--set", "sun.at=1 2 3", "-o",
+                folder.resolve("out/b.pfm")).isDone();
+        assertThat(done.err()).contains("sun.at has no effect: a directional light has no position");
+    }
+
+    @Test
     void framesOnDisk_areRelitWithoutARayAndLeaveNothing() throws Exception {
         Path disk = Files.createDirectory(folder.resolve("disk"));
         Files.createDirectory(folder.resolve("out"));

@@ -15,6 +15,7 @@ import lightning.math.Vec3;
 import lightning.relight.Renderer;
 import lightning.relight.plan.Reflections;
 import lightning.relight.tile.Options;
+import lightning.sample.ClearScenes;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Limits;
@@ -24,6 +25,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Every command is enabled exactly when it has something to do, in a session with real pictures. */
 class CommandTest {
@@ -149,7 +152,21 @@ class CommandTest {
         go();
         dial(2);
         go();
-        assertDisabled(Command.UPDATE_REFLECTIONS, "nothing in the picture mirrors");
+        assertDisabled(Command.UPDATE_REFLECTIONS, "nothing in the picture mirrors or is clear");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {ClearScenes.BALL, ClearScenes.PANE})
+    void updateReflections_isEnabledWhileClearShapesShowOlderLights(String text) throws Exception {
+        document = OpenDocument.open(Files.writeString(folder.resolve("clear.jen"), text));
+        go();
+        document.apply(Desk.dial("intensity").set(document.scene(), "lamp", 2));
+        go();
+        assertEnabled(Command.UPDATE_REFLECTIONS);
+        assertThat(now().mirrorsRemark()).isPresent();
+        updateReflections();
+        assertDisabled(Command.UPDATE_REFLECTIONS, "the mirrors show the picture's lights already");
+        assertThat(now().mirrorsRemark()).isEmpty();
     }
 
     @Test

@@ -4,10 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import lightning.scene.Attenuation;
+import lightning.scene.Attribute;
+import lightning.scene.Camera;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
+import lightning.scene.MaterialAttribute;
+import lightning.scene.Node;
+import lightning.scene.Quantity;
 import lightning.scene.Scene;
+import lightning.scene.World;
+import lightning.text.Measure;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
@@ -18,6 +26,19 @@ import org.junit.jupiter.params.provider.FieldSource;
 
 class DialTest {
     private final Scene scene = Desk.scene();
+
+    /** What the documents call degrees is typed and shown in degrees, and nothing else is. */
+    @Test
+    void numbersInDegrees_areThoseThatTheDocumentsCallSo() {
+        Stream<Attribute<?, ?>> all = Stream.<List<? extends Attribute<?, ?>>>of(LightAttribute.ALL, MaterialAttribute.ALL,
+                World.ATTRIBUTES, Camera.ATTRIBUTES, Node.ATTRIBUTES).flatMap(List::stream);
+        assertThat(all.filter(a -> a.kind() instanceof Quantity<?>))
+                .allSatisfy(a -> assertThat(((Quantity<?>) a.kind()).measure())
+                        .isEqualTo(a.unit().contains("degrees") ? Measure.DEGREES : Measure.FACTOR));
+        assertThat(Dial.of(LightAttribute.DOORS)).hasSize(4).allMatch(d -> d.measure() == Measure.DEGREES);
+        assertThat(Dial.ENVIRONMENT_ROTATION.measure()).isEqualTo(Measure.DEGREES);
+        assertThat(Dial.AMBIENCE.measure()).isEqualTo(Measure.FACTOR);
+    }
 
     @Test
     void click_addsATenthInDecimal() {

@@ -97,6 +97,17 @@ class EffectsTest {
     }
 
     @Test
+    void clearMaterials_letRaysBounceThoughNothingMirrors() throws Exception {
+        String glass = "material glass { clear 1 1 1 }\n";
+        Effects effects = of(glass, "plane p { material glass }", "picture { depth 4 }");
+        assertThat(effects.has(Effect.REFLECTION)).isFalse();
+        assertThat(effects.depth()).isEqualTo(4);
+        assertThat(of(glass, "plane p { material glass }", "picture { depth 0 }").depth()).isZero();
+        assertThat(of(glass, "plane p {}", "picture { depth 4 }").depth()).as("no shape is of it").isZero();
+        assertThat(of("material air { shadows none }", "plane p { material air }", "picture { depth 4 }").depth()).isZero();
+    }
+
+    @Test
     void highlightsWithoutLight_areNotCalledFor() throws Exception {
         assertThat(of("material m { specular 1 1 1 }", "cylinder c { material m }").callers().keySet())
                 .containsExactly(Effect.of("cylinders"));

@@ -26,7 +26,7 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.statistics.StatisticsReport;
 
-/** A cancelled update leaves everything as if it had never begun. */
+/** An update that is cancelled or fails leaves everything as if it had never begun. */
 class CancellationTest {
     /** So many stops that even an underflow would show: at accuracy ratio every scaling is followed by a refresh. */
     private static final double REFRESHING = 160;
@@ -36,10 +36,28 @@ class CancellationTest {
         return Session.sessions();
     }
 
-    /** Two renderers go through a session; the updates of one are cancelled once before they are done. */
+    /** How an update ends before it is done. */
+    enum End {
+        CANCELLED {
+            @Override
+            Progress after(int questions) {
+                return new CancelAfter(questions);
+            }
+        },
+        OUT_OF_MEMORY {
+            @Override
+            Progress after(int questions) {
+                return new FailAfter(questions, OutOfMemoryError::new);
+            }
+        };
+
+        abstract Progress after(int questions);
+    }
+
+    /** Two renderers go through a session; the updates of one are ended once before they are done. */
     @Property(edgeCases = EdgeCasesMode.NONE)
     @StatisticsReport(onFailureOnly = true)
-    void cancelledUpdates_leaveFilmPlanAndAllLaterWorkUnchanged(@ForAll("sessions") Session session,
+    void endedUpdates_leaveFilmPlanAndAllLaterWorkUnchanged(@ForAll("sessions") Session session, @ForAll End end,
             @ForAll @IntRange(min = 0, max = 12) int questions, @ForAll MirrorStorage storage, @ForAll Reflections reflections,
             @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll Accuracy accuracy, @ForAll boolean refreshing) {
         Options options = new Options(accuracy, reflections, storage, threads);
@@ -52,7 +70,7 @@ class CancellationTest {
             int cancelled = 0;
             for (int step = 1; step < session.scenes().size(); step++) {
                 Scene scene = session.scenes().get(step);
-                Update actual = interrupted(disturbed, scene, questions + step % 3, session, step);
+                Update actual = interrupted(disturbed, scene, end.after(questions + step % 3), session, step);
                 cancelled += actual == null ? 1 : 0;
                 actual = actual == null ? disturbed.render(scene, Progress.NONE) : actual;
                 assertThat(work(actual)).isEqualTo(work(undisturbed.render(scene, Progress.NONE)));
@@ -63,14 +81,14 @@ class CancellationTest {
         }
     }
 
-    /** An update that may be cancelled on its way; null if it was, and then nothing may be different. */
-    private static Update interrupted(Renderer renderer, Scene wanted, int questions, Session session, int step) {
+    /** An update that may be ended on its way; null if it was, and then nothing may be different. */
+    private static Update interrupted(Renderer renderer, Scene wanted, Progress ending, Session session, int step) {
         Film film = renderer.film().copy();
         Scene scene = renderer.scene();
         UpdatePlan plan = renderer.plan(wanted).update();
         try {
-            return renderer.render(wanted, new CancelAfter(questions));
-        } catch (CancellationException e) {
+            return renderer.render(wanted, ending);
+        } catch (CancellationException | OutOfMemoryError e) {
             assertThat(renderer.scene()).isSameAs(scene);
             assertThat(parts(renderer.plan(wanted).update())).isEqualTo(parts(plan));
             SessionAssert.assertSameBits(renderer.film(), film, "cancelled-update", session, step, plan.text());

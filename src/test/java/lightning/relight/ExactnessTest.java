@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Set;
+import lightning.accuracy.Promise;
 import lightning.effects.Effect;
 import lightning.effects.ViewEffects;
 import lightning.image.Film;
@@ -12,8 +13,10 @@ import lightning.relight.plan.Reflections;
 import lightning.relight.plan.UpdatePlan;
 import lightning.relight.tile.MirrorStorage;
 import lightning.relight.tile.Options;
+import lightning.sample.ClearScenes;
 import lightning.sample.EngineMix;
 import lightning.sample.Session;
+import lightning.scene.PlacedShape;
 import lightning.scene.Rig;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
@@ -28,7 +31,10 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
+import net.jqwik.api.statistics.Statistics;
 import net.jqwik.api.statistics.StatisticsReport;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * At accuracy exact every picture has the bits of a reference trace, whatever edits led to it, and whether the work that the
@@ -68,6 +74,7 @@ class ExactnessTest {
                 Update update = renderer.render(scene, Progress.NONE);
                 SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(), name, session, step,
                         update.plan().text());
+                assertThat(Promise.of(renderer, update).text()).isEqualTo("exact");
             }
         }
     }
@@ -96,15 +103,47 @@ class ExactnessTest {
                 mirrored = refreshesReflections(options.view().of(before), options.view().of(scene)) ? scene : mirrored;
                 SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene, mirrored).trace(),
                         "stale-reflections", session, step, update.plan().text());
+                assertStatementHolds(Promise.of(renderer, update), renderer, session, step);
                 if (step % refreshEach == refreshEach - 1) {
-                    renderer.updateReflections(Progress.NONE);
+                    Update updated = renderer.updateReflections(Progress.NONE);
                     mirrored = scene;
                     SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(),
                             "updated-reflections", session, step, "reflections");
+                    assertThat(Promise.of(renderer, updated).text()).isEqualTo("exact");
                 }
                 assertThat(renderer.reflectionsAreCurrent()).isEqualTo(options.view().of(mirrored).equals(options.view().of(scene)));
                 before = scene;
             }
+        }
+    }
+
+    /** A picture that is called exact has the bits of a full trace; where nothing bounces rays, none is called stale. */
+    private static void assertStatementHolds(Promise promise, Renderer renderer, Session session, int step) {
+        Scene scene = session.scenes().get(step);
+        boolean bounces = scene.picture().depth() > 0 && scene.placedShapes().stream().map(PlacedShape::material)
+                .anyMatch(m -> m.reflective().max() > 0 || m.clarity().clear().max() > 0);
+        assertThat(bounces || !promise.isStale()).as(session.toString()).isTrue();
+        assertThat(promise.text()).isEqualTo(promise.isStale() ? "exact, reflections of an older light" : "exact");
+        Statistics.label("statement").collect(promise.isStale() ? "stale" : "exact");
+        if (!promise.isStale()) {
+            SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(), "called-exact", session, step,
+                    promise.text());
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {ClearScenes.BALL, ClearScenes.PANE})
+    void lightSeenThroughClearShapesAlone_isCalledStaleUntilItIsUpdated(String text) {
+        Scene scene = ClearScenes.scene(text);
+        Scene dim = scene.withLight(scene.lights().getFirst().withIntensity(0.3));
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1))) {
+            renderer.render(scene, Progress.NONE);
+            Promise edited = Promise.of(renderer, renderer.render(dim, Progress.NONE));
+            assertThat(renderer.film().sameBits(new ReferenceTracer(dim).trace())).as("glass shows the older light").isFalse();
+            assertThat(edited.text()).isEqualTo("exact, reflections of an older light");
+            Promise updated = Promise.of(renderer, renderer.updateReflections(Progress.NONE));
+            assertThat(renderer.film().sameBits(new ReferenceTracer(dim).trace())).isTrue();
+            assertThat(updated.text()).isEqualTo("exact");
         }
     }
 

@@ -10,15 +10,20 @@ import lightning.app.model.EditorModel;
 import lightning.work.OwnThread;
 import lightning.work.Progress;
 
-/** Answers questions about the picture on a thread of its own; a newer one of the same kind stops an older. */
+/**
+ * Answers questions about the picture on a thread of its own, which exists from the first question until the pane closes; a newer question
+ * stops an older. Belongs to the window's thread.
+ */
 final class ContributionFeed implements AutoCloseable {
     private final EditorModel model;
-    private final ExecutorService thread;
+    private final String name;
+    /** Null while the pane is closed. */
+    private ExecutorService thread;
     private final AtomicReference<Object> newest = new AtomicReference<>();
 
     ContributionFeed(EditorModel model, String name) {
         this.model = model;
-        thread = OwnThread.inTurn(name);
+        this.name = name;
     }
 
     /**
@@ -32,6 +37,9 @@ final class ContributionFeed implements AutoCloseable {
         var own = new Object();
         newest.set(own);
         Progress progress = Progress.until(() -> newest.get() != own);
+        if (thread == null) {
+            thread = OwnThread.inTurn(name);
+        }
         thread.execute(() -> {
             if (progress.isCancelled()) {
                 return;
@@ -59,9 +67,13 @@ final class ContributionFeed implements AutoCloseable {
         newest.set(new Object());
     }
 
+    /** Stops what is being asked and ends the thread; a later question starts another. */
     @Override
     public void close() {
         stop();
-        thread.shutdown();
+        if (thread != null) {
+            thread.shutdown();
+            thread = null;
+        }
     }
 }

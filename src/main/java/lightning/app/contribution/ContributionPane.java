@@ -166,14 +166,14 @@ public final class ContributionPane extends VBox {
     /** Follows the picture. */
     private Subscription follow() {
         return Subscription.combine(model.renderingProperty().subscribe(state -> follow(state.frame())),
-                model.viewProperty().subscribe(_ -> again()), model.part().pointedProperty().subscribe(this::point), this::stop);
+                model.viewProperty().subscribe(_ -> again()), model.part().pointedProperty().subscribe(this::point), this::close);
     }
 
-    /** Gives up what is asked. */
-    private void stop() {
+    /** Gives up what is asked, and ends its threads until the window opens again. */
+    private void close() {
         rest.stop();
-        feed.stop();
-        pixels.stop();
+        feed.close();
+        pixels.close();
         asked = null;
         PicturePart.Ask ask = model.part().askProperty().get();
         if (ask != null) {

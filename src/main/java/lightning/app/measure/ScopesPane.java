@@ -1,19 +1,18 @@
 package lightning.app.measure;
 
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.Optional;
 import javafx.scene.control.Label;
 import javafx.scene.image.ImageView;
 import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
 import lightning.app.model.EditorModel;
+import lightning.app.model.PaneFeed;
 import lightning.app.widget.PixelImage;
 import lightning.app.widget.WhileSeen;
 import lightning.edit.loop.Frame;
 import lightning.image.Scopes;
 import lightning.image.ViewTransform;
 import lightning.text.Texts;
-import lightning.work.OwnThread;
 
 /** Histogram and waveform of the traced picture as it is shown, counted on a thread of its own; of many pictures the newest. */
 public final class ScopesPane extends VBox {
@@ -21,16 +20,20 @@ public final class ScopesPane extends VBox {
     private static final int WIDTH = 512;
 
     private final EditorModel model;
-    private final ExecutorService thread = OwnThread.inTurn("lightning-scopes");
-    private final AtomicBoolean asked = new AtomicBoolean();
+    private final PaneFeed<Counted> feed;
     private final ImageView histogram = view("histogram", Texts.of("How many pixels have each code, red, green and blue"));
     private final ImageView waveform = view("waveform", Texts.of("Which codes the pixels of each column have"));
     private final Label cut = new Label();
     private volatile Frame frame;
     private volatile ViewTransform shown = ViewTransform.DEFAULT;
 
+    private record Counted(Scopes scopes, int[] bars, int[] wave) {
+        // Arrays in a record: written once by their maker, never after.
+    }
+
     public ScopesPane(EditorModel model) {
         this.model = model;
+        feed = new PaneFeed<>("lightning-scopes", model.window(), this::count, this::show);
         setId("scopes");
         getStyleClass().addAll("panel", "scopes");
         cut.setId("scopes-cut");
@@ -51,7 +54,7 @@ public final class ScopesPane extends VBox {
     /** Follows the picture. */
     private Subscription follow() {
         return Subscription.combine(model.renderingProperty().subscribe(_ -> look()), model.viewProperty().subscribe(_ -> look()),
-                () -> frame = null);
+                () -> frame = null, feed::close);
     }
 
     private void look() {
@@ -62,25 +65,18 @@ public final class ScopesPane extends VBox {
         }
         frame = now;
         shown = view;
-        if (asked.compareAndSet(false, true)) {
-            thread.execute(this::count);
-        }
+        feed.request();
     }
 
-    private void count() {
-        asked.set(false);
-        Frame about = frame;
-        if (about != null) {
-            Scopes scopes = Scopes.of(about.seen(), shown);
-            int[] bars = scopes.histogramPixels(HEIGHT);
-            int[] wave = scopes.waveformPixels();
-            model.window().execute(() -> show(scopes, bars, wave));
-        }
+    private Optional<Counted> count() {
+        return Optional.ofNullable(frame).map(about -> Scopes.of(about.seen(), shown))
+                .map(scopes -> new Counted(scopes, scopes.histogramPixels(HEIGHT), scopes.waveformPixels()));
     }
 
-    private void show(Scopes scopes, int[] bars, int[] wave) {
-        histogram.setImage(PixelImage.of(Scopes.CODES, HEIGHT, bars));
-        waveform.setImage(PixelImage.of(scopes.columns(), Scopes.CODES, wave));
+    private void show(Counted counted) {
+        Scopes scopes = counted.scopes();
+        histogram.setImage(PixelImage.of(Scopes.CODES, HEIGHT, counted.bars()));
+        waveform.setImage(PixelImage.of(scopes.columns(), Scopes.CODES, counted.wave()));
         cut.setText(String.format(Texts.locale(), Texts.of("%.1f %% of a channel at black, %.1f %% at white"), 100 * scopes.shareOf(0),
                 100 * scopes.shareOf(Scopes.CODES - 1)));
     }

@@ -82,7 +82,7 @@ public final class MixerPane extends VBox {
                     if (light != null) {
                         board.follow(light);
                     }
-                }), AtOnce.whileFocused(this, model), making::end);
+                }), AtOnce.whileFocused(this, model), making::end, feed::close);
     }
 
     private Node tools() {

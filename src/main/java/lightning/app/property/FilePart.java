@@ -19,6 +19,7 @@ import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.Panorama;
 import lightning.scene.Scene;
+import lightning.scene.ValueKind;
 import lightning.scene.World;
 import lightning.text.Texts;
 
@@ -92,34 +93,33 @@ final class FilePart<F extends FromFile> extends StackPane {
         }
     }
 
-    private FilePart(EditorModel model, Owner<F> owner, Command command, FileKind kind, String help, ObservableValue<Situation> seen) {
+    private FilePart(EditorModel model, Owner<F> owner, FileUse use, ObservableValue<Situation> seen) {
         this.model = model;
         this.owner = owner;
-        choice = new FileMenu(model, Texts.of("none"), command, kind, this::set,
-                () -> browse(command, kind));
+        choice = new FileMenu(model, Texts.of("none"), use.command(), use.kind(), this::set,
+                () -> browse(use.command(), use.kind()));
         choice.setId(owner.attribute().name());
         choice.setAccessibleText(Texts.of(owner.attribute().title()));
         choice.setMaxWidth(Double.MAX_VALUE);
         getChildren().add(choice);
-        obstacle = new Obstacle(this, choice, help);
+        obstacle = new Obstacle(this, choice, use.help());
         seen.subscribe(this::show);
     }
 
     /**
      * Of the selected light.
      *
-     * @param command what choosing one does
-     * @param help    what it is
-     * @param seen    as in {@link PropertyPane}
+     * @param kind that of the attribute
+     * @param seen as in {@link PropertyPane}
      */
-    static <F extends FromFile> FilePart<F> of(EditorModel model, LightAttribute<Optional<F>> attribute, Command command,
-            FileKind kind, String help, ObservableValue<Situation> seen) {
-        return new FilePart<>(model, new OfLight<>(attribute), command, kind, help, seen);
+    static <F extends FromFile> FilePart<F> of(EditorModel model, LightAttribute<Optional<F>> attribute, ValueKind.Filed<?> kind,
+            ObservableValue<Situation> seen) {
+        return new FilePart<>(model, new OfLight<>(attribute), FileUse.of(kind), seen);
     }
 
     /** The same of the environment. */
-    static FilePart<Panorama> ofWorld(EditorModel model, Command command, FileKind kind, String help, ObservableValue<Situation> seen) {
-        return new FilePart<>(model, new OfWorld(World.ENVIRONMENT), command, kind, help, seen);
+    static FilePart<Panorama> ofWorld(EditorModel model, ObservableValue<Situation> seen) {
+        return new FilePart<>(model, new OfWorld(World.ENVIRONMENT), FileUse.of(new ValueKind.Surrounding()), seen);
     }
 
     private void show(Situation now) {

@@ -170,51 +170,30 @@ final class MaterialPane extends VBox {
         String label = q.labels().get(index);
         String title = label.isEmpty() ? attribute.title() : attribute.title() + " " + label;
         ArrowWidget widget = new ArrowWidget(Sections.title(label.isEmpty() ? title : label), title,
-                Gauge.of(title, new Steps(q.step(), q.min(), q.max()), (v, gesture) -> model.edit(scene -> MaterialEdits.with(scene, shown,
-                        m -> attribute.with(m, q.with(attribute.of(m), index, v))), gesture)));
+                Gauge.of(title, new Steps(q.step(), q.min(), q.max()), q.measure(),
+                        (v, gesture) -> model.edit(scene -> MaterialEdits.with(scene, shown,
+                                m -> attribute.with(m, q.with(attribute.of(m), index, v))), gesture)));
         widget.setId(title);
         return new Row(attribute, widget, widget::setObstacle, m -> widget.show(q.number(attribute.of(m), index)), widget::showNothing,
                 widget::revert);
     }
 
-    /** Of the words of a choice the one that is shown so. */
-    private static String word(Choice<?> choice, String shown) {
-        return choice.words().stream().filter(w -> Sections.title(w).equals(shown)).findFirst().orElseThrow();
-    }
-
     private <V> Row choice(MaterialAttribute<V> attribute, Choice<V> choice) {
-        var box = new ComboBox<String>();
-        box.setId(attribute.title());
-        box.setAccessibleText(Texts.of(attribute.title()));
-        box.setMaxWidth(Double.MAX_VALUE);
-        choice.words().forEach(word -> box.getItems().add(Sections.title(word)));
-        var around = new StackPane(box);
-        var obstacle = new Obstacle(around, box, Texts.of(attribute.help()));
-        box.valueProperty().addListener((_, _, now) -> {
-            if (!showing && now != null) {
-                model.edit(scene -> MaterialEdits.set(scene, shown, attribute, choice.value(word(choice, now))), null);
-            }
-        });
-        Node node = attribute.section() == Section.MODEL ? around : named(Sections.title(attribute.title()), box, around);
-        return new Row(attribute, node, obstacle::set, m -> choose(box, Sections.title(attribute.text(m))), () -> choose(box, null),
-                () -> {});
+        var words = new WordBox<>(attribute, choice, Texts.of(attribute.help()),
+                v -> model.edit(scene -> MaterialEdits.set(scene, shown, attribute, v), null));
+        Node node = attribute.section() == Section.MODEL ? words : named(Sections.title(attribute.title()), words);
+        return new Row(attribute, node, words::setObstacle, m -> words.show(attribute.of(m)), words::showNothing, () -> {});
     }
 
     /** A box with its name at the left: a section of one box has the name in its head. */
-    private static Node named(String title, ComboBox<String> box, Node around) {
+    private static Node named(String title, WordBox<?> words) {
         var label = new Label(title);
-        label.setLabelFor(box);
+        label.setLabelFor(words.box());
         var space = new Region();
         HBox.setHgrow(space, Priority.ALWAYS);
-        var row = new HBox(label, space, around);
+        var row = new HBox(label, space, words);
         row.setAlignment(Pos.CENTER_LEFT);
         return row;
-    }
-
-    private void choose(ComboBox<String> box, String word) {
-        showing = true;
-        box.setValue(word);
-        showing = false;
     }
 
     /** Its kind has told that it is a picture: the compiler cannot follow that. */

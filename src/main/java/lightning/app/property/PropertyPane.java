@@ -3,7 +3,7 @@ package lightning.app.property;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.Node;
@@ -20,9 +20,8 @@ import lightning.edit.Dial;
 import lightning.edit.LightEdits;
 import lightning.edit.OpenDocument;
 import lightning.edit.Situation;
-import lightning.jen.FileKind;
-import lightning.math.Vec3;
 import lightning.scene.Choice;
+import lightning.scene.FromFile;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightAttribute.Section;
@@ -37,7 +36,7 @@ public final class PropertyPane extends VBox {
 
     private final EditorModel model;
     private final List<ArrowWidget> dials = new ArrayList<>();
-    private final List<VectorRow> vectors = new ArrayList<>();
+    private final List<Row> rows = new ArrayList<>();
     private final LightHeader header;
     private final ColorSliders color;
     private final BankSection bank;
@@ -45,8 +44,14 @@ public final class PropertyPane extends VBox {
     private final ObservableValue<Situation> seen;
     private Shown shown;
 
-    /** @param of what the field shows of a light */
-    private record VectorRow(LightAttribute<?> attribute, VectorField field, Function<Light, Vec3> of) {}
+    /**
+     * The widget of an attribute that is no dial.
+     *
+     * @param obstacle disables it and says why; or enables it
+     * @param revert   discards what was typed
+     */
+    private record Row(LightAttribute<?> attribute, Consumer<Optional<String>> obstacle, Consumer<Light> show, Runnable showNothing,
+            Runnable revert) {}
 
     /** @param light its number in the document's history; −1 for none */
     private record Shown(OpenDocument document, long light) {}
@@ -69,9 +74,7 @@ public final class PropertyPane extends VBox {
                         links(LightAttribute.SHADOWED_BY, Texts.of("The shapes and groups that throw shadows in its light"))),
                         Sections.section(Texts.of("Bank"), bank),
                         Sections.section(Texts.of("Scene"), dial(Dial.AMBIENCE), Sections.caption(Texts.of("Environment")),
-                                FilePart.ofWorld(model,
-                                        Command.CHOOSE_ENVIRONMENT, FileKind.ENVIRONMENT,
-                                        Texts.of("A picture of all that is far around, which lights the scene"), seen),
+                                FilePart.ofWorld(model, seen),
                                 dial(Dial.ENVIRONMENT_INTENSITY), dial(Dial.ENVIRONMENT_ROTATION),
                                 dial(Dial.ENVIRONMENT_LAMPS), dial(Dial.ENVIRONMENT_SOFTNESS))))
                 .flatMap(s -> s)
@@ -91,7 +94,8 @@ public final class PropertyPane extends VBox {
         return Sections.section(Sections.title(section.name()), widgets.toArray(Node[]::new));
     }
 
-    private <V> List<? extends Node> widgets(LightAttribute<V> attribute) {
+    /** What shows and edits an attribute, from the top. */
+    <V> List<? extends Node> widgets(LightAttribute<V> attribute) {
         return switch (attribute.kind()) {
             case Quantity<V> q -> switch (q.form()) {
                 case COLOR -> List.of(withMenu(color, attribute));
@@ -99,15 +103,25 @@ public final class PropertyPane extends VBox {
                         List.of(Sections.caption(Sections.title(attribute.title())), withMenu(vector(attribute, q), attribute));
                 case EACH -> Dial.of(attribute).stream().map(d -> withMenu(dial(d), attribute)).toList();
             };
-            case ValueKind.Projecting _ -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(FilePart.of(model,
-                    LightAttribute.GOBO, Command.CHOOSE_GOBO, FileKind.TEXTURE,
-                    Texts.of("A picture that the light projects: black holds it back"), seen), attribute));
-            case ValueKind.Shining _ -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(FilePart.of(model,
-                    LightAttribute.PROFILE, Command.CHOOSE_PROFILE, FileKind.PROFILE,
-                    Texts.of("How strongly the light shines in each direction, as an IES file tells"), seen), attribute));
-            case Choice<V> _,ValueKind.Linking _,ValueKind.Naming _,ValueKind.Surrounding _,ValueKind.Texturing _ ->
+            case ValueKind.Filed<?> kind -> List.of(Sections.caption(Sections.title(attribute.title())),
+                    withMenu(FilePart.of(model, filed(attribute), kind, seen), attribute));
+            case Choice<V> c -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(choice(attribute, c), attribute));
+            case ValueKind.Linking _,ValueKind.Naming _,ValueKind.Texturing _ ->
                     throw new IllegalStateException("there is no widget for " + attribute.title());
         };
+    }
+
+    /** Its kind has told that it is from a file: the compiler cannot follow that. */
+    @SuppressWarnings("unchecked")
+    private static LightAttribute<Optional<FromFile>> filed(LightAttribute<?> attribute) {
+        return (LightAttribute<Optional<FromFile>>) attribute;
+    }
+
+    private <V> Node choice(LightAttribute<V> attribute, Choice<V> choice) {
+        var words = new WordBox<>(attribute, choice, "", v -> model.edit(scene -> LightEdits.with(scene, model.selectedLight().name(),
+                light -> attribute.with(light, v))).ifPresent(model::say));
+        rows.add(new Row(attribute, words::setObstacle, light -> words.show(attribute.of(light)), words::showNothing, () -> {}));
+        return words;
     }
 
     private Node links(LightAttribute<Links> attribute, String what) {
@@ -130,7 +144,8 @@ public final class PropertyPane extends VBox {
                 model.selectedLight().name(), light -> attribute.with(light, quantity.join().apply(List.of(v.x(), v.y(), v.z())))),
                 gesture));
         field.setId(attribute.title());
-        vectors.add(new VectorRow(attribute, field, light -> quantity.vector(attribute.of(light))));
+        rows.add(new Row(attribute, field::setObstacle, light -> field.show(quantity.vector(attribute.of(light))), field::showNothing,
+                field::revert));
         return field;
     }
 
@@ -148,7 +163,7 @@ public final class PropertyPane extends VBox {
             header.revert();
             color.revert();
             bank.revert();
-            vectors.forEach(row -> row.field().revert());
+            rows.forEach(row -> row.revert().run());
             dials.forEach(ArrowWidget::revert);
         }
     }
@@ -156,9 +171,9 @@ public final class PropertyPane extends VBox {
     private void show(Situation now) {
         color.setObstacle(now.selected().isEmpty() ? Optional.of(Texts.of(NO_LIGHT)) : Optional.empty());
         now.selected().ifPresentOrElse(light -> color.show(light.color()), color::showNothing);
-        vectors.forEach(row -> {
-            row.field().setObstacle(obstacle(now, row.attribute()));
-            now.selected().ifPresentOrElse(light -> row.field().show(row.of().apply(light)), row.field()::showNothing);
+        rows.forEach(row -> {
+            row.obstacle().accept(obstacle(now, row.attribute()));
+            now.selected().ifPresentOrElse(row.show(), row.showNothing());
         });
     }
 

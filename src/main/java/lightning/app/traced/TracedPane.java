@@ -28,7 +28,6 @@ import lightning.app.widget.PictureView;
 import lightning.edit.Command;
 import lightning.edit.Situation;
 import lightning.edit.loop.RenderState;
-import lightning.effects.Effect;
 import lightning.image.DifferencePicture;
 import lightning.image.Film;
 import lightning.image.ViewTransform;
@@ -281,8 +280,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         var frame = model.renderingProperty().get().frame();
         String shown = frame == null ? "" : frame.look().label();
         look.tell(shown.isEmpty() ? "" : Texts.of("View: {0}", shown));
-        boolean mirroring = frame != null && frame.look().effects().shows(Effect.REFLECTION);
-        mirrors.tell(mirroring ? model.situationProperty().get().mirrorsRemark().map(r -> Texts.of("{0}: Update Reflections", r)).orElse("")
+        boolean stale = frame != null && frame.looksStale();
+        mirrors.tell(stale ? model.situationProperty().get().mirrorsRemark().map(r -> Texts.of("{0}: Update Reflections", r)).orElse("")
                 : "");
         boolean verified = verified() != null;
         difference.setVisible(verified);

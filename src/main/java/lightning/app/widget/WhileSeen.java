@@ -23,7 +23,12 @@ public final class WhileSeen {
         this.begin = begin;
     }
 
-    /** @param begin called whenever the pane's window opens; ended when that closes, or when the pane leaves it */
+    /**
+     * Begins and ends with the pane's window.
+     *
+     * @param begin called whenever the window opens; ended when that closes, or when the pane leaves it, and must then end all threads
+     *              that it started
+     */
     public static void follow(Node pane, Supplier<Subscription> begin) {
         pane.sceneProperty().flatMap(Scene::windowProperty).subscribe(new WhileSeen(begin)::enter);
     }

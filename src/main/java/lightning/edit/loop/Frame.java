@@ -16,7 +16,7 @@ import lightning.trace.Geometry;
  * @param seen     what is shown of it: the film itself unless the look has it otherwise
  * @param look     what {@code seen} is
  * @param scene    what the film shows
- * @param mirrored what its mirrors show: an older scene where reflections are stale (paper §4.8)
+ * @param mirrored what its mirrors and clear surfaces show: an older scene where reflections are stale (paper §4.8)
  * @param update   how it came about
  * @param geometry what its rays met, with the tree that it was traced with
  * @param finished whether it has all samples that its scene asks for; else it shows the pixels' centres, without anti-aliasing
@@ -29,9 +29,14 @@ public record Frame(Film film, Film seen, Look look, Scene scene, Scene mirrored
         return new Promise(shown, ViewEffects.ALL, update.errorBound());
     }
 
-    /** Whether the mirrors, if there are any, show the scene itself, as far as a picture can tell. */
+    /** Whether mirrors and clear surfaces, if there are any, show the scene itself, as far as a picture can tell. */
     public boolean mirrorsAreCurrent() {
         return !promise().isStale();
+    }
+
+    /** Whether what its look shows has mirrors or clear surfaces that show an older scene. */
+    public boolean looksStale() {
+        return !new SeenScenes(look.effects().of(scene), look.effects().of(mirrored)).isCurrent();
     }
 
     private static Scene centers(Scene scene) {

@@ -18,6 +18,7 @@ import javafx.scene.control.ScrollPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
+import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
 import javafx.stage.Window;
 import lightning.app.JavaFxNeeds;
@@ -54,11 +55,13 @@ class PropertyPaneTest {
     private Path folder;
     private final BooleanProperty inFront = new SimpleBooleanProperty(true);
     private EditorModel model;
+    private PropertyPane pane;
 
     @Start
     private void start(Stage stage) throws Exception {
         model = OpenEditor.model(folder);
-        OpenEditor.show(stage, new PropertyPane(model, inFront));
+        pane = new PropertyPane(model, inFront);
+        OpenEditor.show(stage, pane);
     }
 
     @Stop
@@ -75,6 +78,32 @@ class PropertyPaneTest {
     @Test
     void properties_areNotKeptAsOnePicture(FxRobot robot) {
         assertThat(robot.lookup(".properties .viewport").query().isCache()).isFalse();
+    }
+
+    /** No section of the pane has a choice now; one that gets one needs no other line than that of the attribute. */
+    @Test
+    void choiceOfALight_isABoxOfItsWordsThatEditsIt(FxRobot robot) {
+        robot.interact(() -> ((VBox) ((ScrollPane) pane.getChildren().getFirst()).getContent()).getChildren()
+                .addAll(pane.widgets(LightAttribute.SOLO)));
+        ComboBox<String> box = robot.lookup("#solo").query();
+        robot.interact(() -> model.selectLight(OpenEditor.POINT));
+        assertThat(box.getItems()).containsExactly("Yes", "No");
+        assertThat(box.getValue()).isEqualTo("No");
+        robot.interact(() -> box.setValue("Yes"));
+        assertThat(model.selectedLight().solo()).isTrue();
+        robot.interact(() -> model.selectLight(OpenEditor.SUN));
+        assertThat(box.getValue()).isEqualTo("No");
+        assertThat(model.selectedLight().solo()).isFalse();
+        robot.interact(() -> model.selectLight(null));
+        assertThat(box.getValue()).isNull();
+        assertThat(box.isDisabled()).isTrue();
+    }
+
+    @Test
+    void fileOfALight_isItsOwn(FxRobot robot) {
+        for (LightAttribute<?> attribute : List.of(LightAttribute.GOBO, LightAttribute.PROFILE)) {
+            robot.interact(() -> assertThat(pane.widgets(attribute).getLast().lookup("#" + attribute.name())).isNotNull());
+        }
     }
 
     @Test
