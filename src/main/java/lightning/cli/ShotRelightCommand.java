@@ -50,8 +50,8 @@ import picocli.CommandLine.Option;
             "A picture appears whole or not at all; those that are finished stay when the command is cancelled."},
         footer = {
             "Examples:",
-            "  lightning shot relight scenes/dusk.jen --frames 1-24 --set sky.intensity=0.5 -o dim",
-            "  lightning shot relight scenes/dusk.jen --frames 1-24 --delete sky --then --set \"world.ambience=0.1\" -o tries"})
+            "  lightning shot relight scenes/dusk.jen --frames 1-24 --set world.ambience=0.5 -o dim",
+            "  lightning shot relight scenes/dusk.jen --frames 1-24 --delete sky --then --set \"left light.attenuation=1 0 0\" -o tries"})
 final class ShotRelightCommand implements Callable<Integer> {
     private static final double GB = 1e9;
     /** Frames that tell the saving, as many of them as are measured in so long. */
