@@ -87,8 +87,8 @@ final class TourCommand implements Callable<Integer> {
             throw new BadInput("--povray: there is no program povray on the PATH; install POV-Ray 3.7 (Debian package povray)");
         }
         Files.createDirectories(folder);
-        console.line("%s at %d x %d pixels, depth %d, %d threads; pictures go to %s", file, size.width(), size.height(),
-                read.picture().depth(), threads.count(), folder);
+        console.line("%s at %d x %d pixels, depth %d, %s; pictures go to %s", file, size.width(), size.height(),
+                read.picture().depth(), Console.count(threads.count(), "thread"), folder);
         List<PaperCase> cases = PaperCases.of(sized);
         try (SavingMeter meter = new SavingMeter(options(), repetitions.count());
                 ProgressBar bar = new ProgressBar(console, "tour")) {

@@ -123,7 +123,8 @@ public final class ScratchFolder implements AutoCloseable {
     }
 
     private static boolean isOurs(Path folder) {
-        return OURS.matcher(folder.getFileName().toString()).matches() && !OWN.contains(folder.getFileName()) && Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS);
+        return OURS.matcher(folder.getFileName().toString()).matches() && !OWN.contains(folder.getFileName())
+                && Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS);
     }
 
     private static boolean isLeft(Path folder) {
