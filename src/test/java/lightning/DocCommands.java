@@ -25,8 +25,8 @@ final class DocCommands {
             return words.getFirst();
         }
 
-        String[] arguments() {
-            return words.subList(1, words.size()).toArray(String[]::new);
+        List<String> arguments() {
+            return words.subList(1, words.size());
         }
     }
 

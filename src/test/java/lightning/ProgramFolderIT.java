@@ -100,6 +100,18 @@ class ProgramFolderIT {
 
     @Test
     @EnabledOnOs(OS.LINUX)
+    void shippedScenes_areFoundFromAnyFolder() throws Exception {
+        String list = said(Path.of(System.getProperty("java.home")), "shot", "render", "scenes/dusk.jen", "-o", "frames", "--frames", "20",
+                "--size", "30x20");
+        assertThat(list).contains("dusk-0020.png");
+        assertThat(folder.resolve("frames/dusk-0020.png")).isNotEmptyFile();
+        assertThat(said(Path.of(System.getProperty("java.home")), "export", "scenes/balls.jen", "-o", "balls.pov"))
+                .doesNotContain("Exception");
+        assertThat(folder.resolve("wood.png")).as("a texture beside the export").exists();
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
     void archiveOfClasses_isMadeAndTakenByJava_andABrokenOneIsNoObstacle() throws Exception {
         String plain = checked();
         Path archive = archive();

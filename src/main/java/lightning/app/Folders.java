@@ -1,7 +1,7 @@
 package lightning.app;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
+import lightning.file.ShippedFile;
 
 /** Where the editor finds its scenes and keeps what is its own. */
 final class Folders {
@@ -13,15 +13,8 @@ final class Folders {
         return given != null ? Path.of(given) : Path.of(System.getProperty("user.home"), ".lightning");
     }
 
-    /** The scenes that come with the program: of the working directory, or of the folder where it is installed. */
-    static Path scenes() {
-        Path here = Path.of("scenes");
-        String home = System.getProperty("lightning.home");
-        return Files.isDirectory(here) || home == null ? here : Path.of(home, "scenes");
-    }
-
     /** What opens when no scene is named. */
     static Path firstScene() {
-        return scenes().resolve("bird.jen");
+        return ShippedFile.find(ShippedFile.SCENES.resolve("bird.jen"));
     }
 }

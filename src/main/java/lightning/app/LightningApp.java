@@ -22,6 +22,7 @@ import lightning.app.widget.Looks;
 import lightning.app.widget.PictureView;
 import lightning.edit.FileThread;
 import lightning.edit.Recovery;
+import lightning.file.ShippedFile;
 
 /**
  * The editor's program: a window at once with a coarse picture in it, then the frame of all panes, then the pane of the traced picture, then
@@ -80,7 +81,7 @@ public class LightningApp extends Application {
     }
 
     private static Path file(List<String> arguments) {
-        return arguments.isEmpty() ? Folders.firstScene() : Path.of(arguments.getFirst());
+        return arguments.isEmpty() ? Folders.firstScene() : ShippedFile.find(Path.of(arguments.getFirst()));
     }
 
     private static Recovery recovery() {

@@ -195,7 +195,7 @@ final class BenchCommand implements Callable<Integer> {
                 throw new BadInput(baseline + ": holds none of the edits that were measured now");
             }
             compared.worse().forEach(line -> console.line("%s", line));
-            console.line("baseline: %d measurements compared, %d worse", compared.compared(), compared.worse().size());
+            console.line("baseline: %s compared, %d worse", Console.count(compared.compared(), "measurement"), compared.worse().size());
             broken += compared.worse().size();
         }
         return broken > 0 ? ExitCode.CHECK_FAILED : unread ? ExitCode.BAD_INPUT : ExitCode.DONE;

@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import lightning.bench.Failure;
 import lightning.bench.NamedScene;
 import lightning.file.FileSentence;
+import lightning.file.ShippedFile;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
 
@@ -21,7 +22,6 @@ import lightning.jen.JenReader;
  * @param problems one for each file that could not be read
  */
 record BenchScenes(List<NamedScene> scenes, List<Failure> problems) {
-    private static final Path FOLDER = Path.of("scenes");
     private static final String ENDING = ".jen";
 
     /**
@@ -34,7 +34,7 @@ record BenchScenes(List<NamedScene> scenes, List<Failure> problems) {
         List<NamedScene> scenes = new ArrayList<>();
         List<Failure> problems = new ArrayList<>();
         Set<String> names = new HashSet<>();
-        for (Path file : files.isEmpty() ? own(one) : files) {
+        for (Path file : files.isEmpty() ? own(one) : files.stream().map(ShippedFile::find).toList()) {
             try {
                 scenes.add(new NamedScene(name(file, names), JenReader.read(file).scene(), file));
             } catch (JenException e) {
@@ -51,8 +51,7 @@ record BenchScenes(List<NamedScene> scenes, List<Failure> problems) {
     }
 
     private static List<Path> own(boolean one) throws IOException {
-        String home = System.getProperty("lightning.home");
-        Path folder = Files.isDirectory(FOLDER) || home == null ? FOLDER : Path.of(home).resolve(FOLDER);
+        Path folder = ShippedFile.find(ShippedFile.SCENES);
         if (one) {
             return List.of(folder.resolve("bird" + ENDING));
         }

@@ -42,7 +42,8 @@ final class BenchTable {
 
     private void head(String name, SceneResult scene) {
         console.line("");
-        console.line("%s, depth %d, %d shapes, %d lights%s", name, scene.depth(), scene.shapes(), scene.lights(),
+        console.line("%s, depth %d, %s, %s%s", name, scene.depth(), Console.count(scene.shapes(), "shape"),
+                Console.count(scene.lights(), "light"),
                 firstPass(scene.firstPass()));
         console.line(COLUMNS, "edit", "full ms", "saves %", "paper", "cap", "half", "fast", "ratio", "exact", "updated", "current",
                 "half", "fast");
@@ -109,21 +110,25 @@ final class BenchTable {
     }
 
     private static String editing(Editing e) {
-        return Console.text("%d shapes, %d lights: load %.0f ms, tree %.0f ms, new scene %.3f ms, plan %.3f ms, first hover %.2f ms%s",
-                e.shapes(), e.lights(), e.load().median(), e.tree().median(), e.newScene().median(), e.plan().median(),
+        return Console.text("%s, %s: load %.0f ms, tree %.0f ms, new scene %.3f ms, plan %.3f ms, first hover %.2f ms%s",
+                Console.count(e.shapes(), "shape"), Console.count(e.lights(), "light"), e.load().median(), e.tree().median(),
+                e.newScene().median(), e.plan().median(),
                 e.hover().median(), Double.isNaN(e.documentBytes()) ? ""
                         : Console.text("; %.0f + %.0f bytes a shape", e.documentBytes(), e.treeBytes()));
     }
 
     private static String mesh(MeshPoint m, RayPace pace) {
-        return Console.text("%d triangles, %s rays: %.2f million a second%s; tree %.0f ms%s, %.1f bytes a triangle", m.triangles(),
+        return Console.text("%s, %s rays: %.2f million a second%s; tree %.0f ms%s, %.1f bytes a triangle",
+                Console.count(m.triangles(), "triangle"),
                 pace.rays(),
                 pace.millions(), pace.rival() == null ? "" : Console.text(", %.0f %% of Embree", pace.share()), m.tree().median(),
                 m.rival() == null ? "" : Console.text(", Embree %.0f ms", m.rival().tree().median()), m.treeBytes());
     }
 
     private static String drift(DriftPoint point) {
-        return Console.text("after %d edits, grade %s: %d values differ, by at most %.2g of %.2g allowed", point.edits(),
-                point.accuracy().name().toLowerCase(Locale.ROOT), point.error().values(), point.error().maxAbsolute(), point.bound());
+        return Console.text("after %s, grade %s: %s, by at most %.2g of %.2g allowed", Console.count(point.edits(), "edit"),
+                point.accuracy().name().toLowerCase(Locale.ROOT),
+                (point.error().values() == 1 ? "1 value differs" : point.error().values() + " values differ"), point.error().maxAbsolute(),
+                point.bound());
     }
 }

@@ -57,7 +57,7 @@ final class CompareCommand implements Callable<Integer> {
         if (output != null) {
             PictureFile.write(output, DifferencePicture.of(a, b), ViewTransform.DEFAULT);
         }
-        print(difference, 3L * a.width() * a.height(), Flip.mean(a, b));
+        print(difference, 3L * a.width() * a.height(), Flip.mean(a, b), holdsFloats(first, a) && holdsFloats(second, b));
         return difference.isNone() ? ExitCode.DONE : ExitCode.CHECK_FAILED;
     }
 
@@ -73,13 +73,36 @@ final class CompareCommand implements Callable<Integer> {
         return Film.ofScanlines(picture.width(), picture.height(), rgb);
     }
 
-    private void print(Difference d, long values, double flip) {
+    /** Whether a file holds every bit of a float; an .exr of halves has values that halves can say. */
+    private static boolean holdsFloats(Path file, Film film) {
+        String name = file.toString().toLowerCase(Locale.ROOT);
+        return name.endsWith(".pfm") || name.endsWith(".exr") && !isOfHalves(film);
+    }
+
+    private static boolean isOfHalves(Film film) {
+        for (int y = 0; y < film.height(); y++) {
+            for (int x = 0; x < film.width(); x++) {
+                if (!isHalf(film.red(x, y)) || !isHalf(film.green(x, y)) || !isHalf(film.blue(x, y))) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    private static boolean isHalf(float value) {
+        return Float.isNaN(value) || Float.float16ToFloat(Float.floatToFloat16(value)) == value;
+    }
+
+    /** @param floats whether units in the last place mean something: the numbers between two 8-bit levels are none that a file could hold */
+    private void print(Difference d, long values, double flip, boolean floats) {
         if (d.isNone()) {
-            console.line("equal: all %d values agree in every bit", values);
+            console.line("equal: all %s agree in every bit", Console.count(values, "value"));
             return;
         }
         console.line("different: %d of %d pixels, %d of %d values", d.pixels(), values / 3, d.values(), values);
-        console.line("largest difference  %.6g linear at pixel %d,%d; %d ulp at most anywhere", d.maxAbsolute(), d.x(), d.y(), d.maxUlp());
+        console.line("largest difference  %.6g linear at pixel %d,%d; %s at most anywhere", d.maxAbsolute(), d.x(), d.y(),
+                floats ? d.maxUlp() + " ulp" : d.maxLevels() + " of 255 levels");
         console.line("mean difference     %.6g linear", d.meanAbsolute());
         console.line("rmse                %.6g linear, PSNR %.2f dB", d.rmse(), d.linearPsnr());
         console.line(Double.isInfinite(d.displayPsnr()) ? "as displayed        equal"

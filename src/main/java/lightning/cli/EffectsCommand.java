@@ -81,7 +81,7 @@ final class EffectsCommand implements Callable<Integer> {
     }
 
     private void print(Effects effects, EffectCosts costs, PixelCache cache) {
-        console.line("first pass %.1f ms, %d bytes; update %.2f ms: %s", costs.first().median(), costs.bytes(),
+        console.line("first pass %.1f ms, %s; update %.2f ms: %s", costs.first().median(), Console.count(costs.bytes(), "byte"),
                 costs.update().median(), costs.plan());
         console.line("");
         console.line("%-20s %10s %10s %12s %12s  %s", "in use", "first ms", "update ms", "bytes", "rays", "called for by");
@@ -105,7 +105,7 @@ final class EffectsCommand implements Callable<Integer> {
 
     private void columns(ColumnBytes bytes, PixelCache cache) {
         int depth = cache.all().stream().mapToInt(tile -> tile.levels.length - 1).max().orElse(0);
-        console.line("%d rows; the deepest mirrored ray that any pixel needs is in mirror %d of %d", bytes.rows(), depth,
+        console.line("%s; the deepest mirrored ray that any pixel needs is in mirror %d of %d", Console.count(bytes.rows(), "row"), depth,
                 cache.scene().picture().depth());
         bytes.hits().forEach((part, n) -> column(title(part), n, bytes));
         column("mirror images", bytes.mirrored(), bytes);

@@ -78,8 +78,8 @@ final class ExplainCommand implements Callable<Integer> {
         if (scene.picture().sampling().isFine()) {
             c = mean(scene, geometry);
             if (!Arrays.equals(c, center)) {
-                console.line("center: linear %s %s %s; the pixel is the mean of %d rays", center[0], center[1], center[2],
-                        scene.picture().sampling().perPixel());
+                console.line("center: linear %s %s %s; the pixel is the mean of %s", center[0], center[1], center[2],
+                        Console.count(scene.picture().sampling().perPixel(), "ray"));
             }
         }
         ViewTransform view = ViewTransform.DEFAULT;
@@ -203,7 +203,8 @@ final class ExplainCommand implements Callable<Integer> {
 
     private static String samples(PixelExplainer explainer, LightReport light) {
         String between = light.blocker() < 0 ? "" : " behind " + explainer.geometry().shape(light.blocker()).name();
-        return Console.text("sees %d of %d samples%s, cosine · falloff %.6g, specular · falloff %.6g", light.seen(), light.samples(),
+        return Console.text("sees %d of %s%s, cosine · falloff %.6g, specular · falloff %.6g", light.seen(),
+                Console.count(light.samples(), "sample"),
                 between,
                 light.cosine(), light.specular());
     }

@@ -23,15 +23,10 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 
-/** The options that say where a picture goes and how bright it is shown. */
-final class PictureOutput {
+/** The options that say how pictures are written and how bright they are shown; where they go is said by each kind. */
+abstract sealed class PictureOutput permits SinglePicture, FramesOutput {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
-
-    @Option(names = {"-o", "--output"}, paramLabel = "FILE", required = true,
-            description = {"The picture: .png and .xpm as it is displayed, .pfm every linear value in full (32-bit floats),",
-                ".exr (OpenEXR) likewise or as halves, .hdr (Radiance) with 8 bits and an exponent."})
-    private Path file;
 
     @Option(names = "--bits", paramLabel = "N",
             description = "Of a number in the file: .png 8 or 16, .exr 16 (half) or 32 (float); the first without it.")
@@ -49,9 +44,8 @@ final class PictureOutput {
         }
     }
 
-    Path file() {
-        return file;
-    }
+    /** What stands behind {@code -o}. */
+    abstract Path file();
 
     @Option(names = "--view", paramLabel = "VIEW", converter = View.class,
             description = {"How .png and .xpm show light: srgb (the default), 1998 for the linear values as they are, filmic or aces for",
@@ -93,8 +87,8 @@ final class PictureOutput {
 
     /** Finds out before a long computation whether its result could not be written. */
     void check() throws IOException {
-        checkKind(file);
-        checkFile(file);
+        checkKind(file());
+        checkFile(file());
     }
 
     /** The same of what the ending of a file's name says alone. */
@@ -105,7 +99,7 @@ final class PictureOutput {
 
     /** Of a number in the file. */
     int bits() throws IOException {
-        return bits(file);
+        return bits(file());
     }
 
     private int bits(Path picture) throws IOException {
@@ -118,7 +112,7 @@ final class PictureOutput {
 
     /** The bytes that a picture may take when its output needs some too. */
     long memory(Scene scene) throws IOException {
-        return memory(scene, file);
+        return memory(scene, file());
     }
 
     /** The same where the picture goes to another file than was named. */
@@ -138,11 +132,11 @@ final class PictureOutput {
      */
     void write(Film film, int threads, Console console) throws IOException {
         try (Workers workers = new Workers(threads)) {
-            PictureFile.write(file, film, view, bits(), workers);
+            PictureFile.write(file(), film, view, bits(), workers);
         }
         Clipping clipping = Clipping.of(film, view);
-        if (clipping.pixels() > 0 && PictureFile.isDisplayed(file)) {
-            console.line("%s: %d of %d pixels (%.1f %%) are cut off at white, the brightest is %.3g times as bright", file,
+        if (clipping.pixels() > 0 && PictureFile.isDisplayed(file())) {
+            console.line("%s: %d of %d pixels (%.1f %%) are cut off at white, the brightest is %.3g times as bright", file(),
                     clipping.pixels(), clipping.all(), 100.0 * clipping.pixels() / clipping.all(), clipping.brightest());
         }
     }

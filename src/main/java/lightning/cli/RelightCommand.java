@@ -51,7 +51,7 @@ final class RelightCommand implements Callable<Integer> {
     @Mixin
     private SceneFile input;
     @Mixin
-    private PictureOutput output;
+    private SinglePicture output;
     @Mixin
     private PictureOptions picture;
     @Mixin
@@ -107,7 +107,7 @@ final class RelightCommand implements Callable<Integer> {
         try (Renderer renderer = new Renderer(options); Workers workers = new Workers(threads.count());
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
             Update first = renderer.render(before, bar);
-            console.line("first pass: %.1f ms, %d rays", first.milliseconds(), first.rays().all());
+            console.line("first pass: %.1f ms, %s", first.milliseconds(), Console.count(first.rays().all(), "ray"));
             for (int group = 0; group < edited.size(); group++) {
                 Scene wanted = picture.apply(edited.get(group));
                 kept &= make(group + 1 + ".", (r, progress) -> r.render(wanted, progress), renderer, workers, bar);
@@ -164,7 +164,8 @@ final class RelightCommand implements Callable<Integer> {
     private static String line(Update update, Promise promise, Optional<WarmSaving> saving) {
         String time = saving.map(s -> Console.text("%.1f ms of a full trace's %.1f (saves %.1f %%)", s.update().median(), s.full().median(),
                 s.percent())).orElseGet(() -> Console.text("%.1f ms", update.milliseconds()));
-        return Console.text("%s: %d rows, %d shadow rays, %s, %s",
-                update.plan().text(), update.rowsTouched(), update.rays().shadow(), time, promise.text(update));
+        return Console.text("%s: %s, %s, %s, %s",
+                update.plan().text(), Console.count(update.rowsTouched(), "row"), Console.count(update.rays().shadow(), "shadow ray"), time,
+                promise.text(update));
     }
 }

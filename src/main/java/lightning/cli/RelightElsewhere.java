@@ -78,14 +78,14 @@ record RelightElsewhere(Console console, PictureOutput output, Place place, Path
         try (DistributedShot shot = DistributedShot.join(place, folder, range.first(), range.last(), tally,
                 sentence -> console.remark("%s", sentence))) {
             double tracing = bring(shot, first, tally, "tracing");
-            console.line("%d frames traced by %s in %.1f ms", range.count(), nodes(shot), tracing);
+            console.line("%s traced by %s in %.1f ms", Console.count(range.count(), "frame"), nodes(shot), tracing);
             for (int group = 0; group < edited.size(); group++) {
                 long start = System.nanoTime();
                 double relighting = bring(shot, edited.get(group), tally, "relighting");
                 int traced = tally.traced.get();
                 write(shot, groups.get(group), range, tally);
-                console.line("%d. %d frames relit by %s in %.1f ms, %d of them traced again; %.1f ms with their pictures", group + 1,
-                        range.count(), nodes(shot), relighting, traced, (System.nanoTime() - start) / 1e6);
+                console.line("%d. %s relit by %s in %.1f ms, %d of them traced again; %.1f ms with their pictures", group + 1,
+                        Console.count(range.count(), "frame"), nodes(shot), relighting, traced, (System.nanoTime() - start) / 1e6);
             }
         } catch (InterruptedException e) {
             throw new CancellationException();
@@ -162,7 +162,6 @@ record RelightElsewhere(Console console, PictureOutput output, Place place, Path
     }
 
     private static String nodes(DistributedShot shot) {
-        int count = shot.machines();
-        return count == 1 ? "1 node" : count + " nodes";
+        return Console.count(shot.machines(), "node");
     }
 }

@@ -38,7 +38,7 @@ final class RenderCommand implements Callable<Integer> {
     @Mixin
     private SceneFile input;
     @Mixin
-    private PictureOutput output;
+    private SinglePicture output;
     @Mixin
     private PictureOptions picture;
     @Mixin
@@ -99,7 +99,7 @@ final class RenderCommand implements Callable<Integer> {
                 try (Workers workers = new Workers(threads.count()); ProgressBar writing = new ProgressBar(console, "writing")) {
                     file.write(output.file(), renderer.options().memory() - renderer.bytes(), workers, writing);
                 }
-                console.line("%s: %d layers of %d x %d pixels, written in %.1f ms", output.file(), file.layerCount(),
+                console.line("%s: %s of %d x %d pixels, written in %.1f ms", output.file(), Console.count(file.layerCount(), "layer"),
                         scene.picture().width(),
                         scene.picture().height(), (System.nanoTime() - start) / 1e6);
                 tell(scene, renderer.film(), "first pass", update.milliseconds(), update.rays());
@@ -115,8 +115,9 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void tell(Scene scene, Film film, String what, double milliseconds, TraceCounts rays) {
-        console.line("%s: %s of %d x %d pixels, depth %d, in %.1f ms%s: %d eye rays, %d mirrored, %d shadow rays", output.file(), what,
-                film.width(), film.height(), scene.picture().depth(), milliseconds, Engines.areFastest() ? "" : " from cold", rays.eye(),
-                rays.mirrored(), rays.shadow());
+        console.line("%s: %s of %d x %d pixels, depth %d, in %.1f ms%s: %s, %d mirrored, %s", output.file(), what,
+                film.width(), film.height(), scene.picture().depth(), milliseconds, Engines.areFastest() ? "" : " from cold",
+                Console.count(rays.eye(), "eye ray"),
+                rays.mirrored(), Console.count(rays.shadow(), "shadow ray"));
     }
 }

@@ -2,6 +2,7 @@ package lightning.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import lightning.file.ShippedFile;
 import lightning.jen.JenDocument;
 import lightning.jen.JenException;
 import lightning.jen.JenReader;
@@ -13,10 +14,10 @@ final class SceneFile {
     private Path path;
 
     Path path() {
-        return path;
+        return ShippedFile.find(path);
     }
 
     JenDocument read() throws IOException, JenException {
-        return JenReader.read(path);
+        return JenReader.read(path());
     }
 }

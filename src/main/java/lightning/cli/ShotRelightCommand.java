@@ -50,8 +50,8 @@ import picocli.CommandLine.Option;
             "A picture appears whole or not at all; those that are finished stay when the command is cancelled."},
         footer = {
             "Examples:",
-            "  lightning shot relight scenes/dusk.jen --frames 1-24 --set sky.intensity=0.5 -o dim",
-            "  lightning shot relight scenes/dusk.jen --frames 1-24 --delete sky --then --set \"world.ambience=0.1\" -o tries"})
+            "  lightning shot relight scenes/dusk.jen --frames 1-24 --set world.ambience=0.5 -o dim",
+            "  lightning shot relight scenes/dusk.jen --frames 1-24 --delete sky --then --set \"left light.attenuation=1 0 0\" -o tries"})
 final class ShotRelightCommand implements Callable<Integer> {
     private static final double GB = 1e9;
     /** Frames that tell the saving, as many of them as are measured in so long. */
@@ -63,7 +63,7 @@ final class ShotRelightCommand implements Callable<Integer> {
     @Mixin
     private SceneFile input;
     @Mixin
-    private PictureOutput output;
+    private FramesOutput output;
     @Mixin
     private PictureOptions picture;
     @Mixin
@@ -163,7 +163,8 @@ final class ShotRelightCommand implements Callable<Integer> {
     private void relight(Take first, List<Take> edited, List<FrameFiles> groups, FrameRange range, Room room) throws Exception {
         ShotNeed need = room.need;
         boolean fits = need.all() <= room.memory;
-        console.line("%s of about %s: %s in all, %s in memory, %s on disk", frames(need.frames()), ShotNeed.text(need.each()),
+        console.line("%s of about %s: %s in all, %s in memory, %s on disk", Console.count(need.frames(), "frame"),
+                ShotNeed.text(need.each()),
                 ShotNeed.text(need.all()), ShotNeed.text(Math.min(room.memory, need.all())),
                 ShotNeed.text(Math.max(0, need.all() - room.memory)));
         LocalKeeper keeper =
@@ -173,13 +174,14 @@ final class ShotRelightCommand implements Callable<Integer> {
         try (var _ = new LateWarmUp(first.at(range.first()));
                 RelitShot shot = RelitShot.of(range.first(), range.last(), keeper, watch)) {
             watch.run(shot, first, console, "tracing", null);
-            console.line("%s traced in %.1f ms", frames(range.count()), watch.work());
+            console.line("%s traced in %.1f ms", Console.count(range.count(), "frame"), watch.work());
             kept = shot.bytes();
-            console.line("kept: %s, %s, in memory, and %d, %s, on disk", frames(kept.inMemory()), ShotNeed.text(kept.memory()),
+            console.line("kept: %s, %s, in memory, and %d, %s, on disk", Console.count(kept.inMemory(), "frame"),
+                    ShotNeed.text(kept.memory()),
                     kept.onDisk(),
                     ShotNeed.text(kept.disk()));
             keeper.problem().ifPresent(problem -> console.line("%s traced again for each edit: %s",
-                    frames(range.count() - kept.inMemory() - kept.onDisk()), problem));
+                    Console.count(range.count() - kept.inMemory() - kept.onDisk(), "frame"), problem));
             for (int group = 0; group < edited.size(); group++) {
                 FrameFiles files = groups.get(group);
                 double whole;
@@ -192,8 +194,9 @@ final class ShotRelightCommand implements Callable<Integer> {
                     });
                     writing.finish();
                 }
-                console.line("%d. %s: %s relit in %.1f ms, %d of them traced again, %d rays; %.1f ms with their pictures", group + 1,
-                        files.folder(), frames(range.count()), watch.work(), watch.traced(), watch.rays(), whole);
+                console.line("%d. %s: %s relit in %.1f ms, %d of them traced again, %s; %.1f ms with their pictures", group + 1,
+                        files.folder(), Console.count(range.count(), "frame"), watch.work(), watch.traced(),
+                        Console.count(watch.rays(), "ray"), whole);
             }
         }
         if (!noSavings) {
@@ -270,10 +273,6 @@ final class ShotRelightCommand implements Callable<Integer> {
                         track.attribute().equals("intensity") ? ", as the intensity of a bank" : ""));
             }
         }
-    }
-
-    private static String frames(int count) {
-        return count == 1 ? "1 frame" : count + " frames";
     }
 
     private static String several(List<Integer> frames) {

@@ -45,7 +45,7 @@ final class ShotRenderCommand implements Callable<Integer> {
     @Mixin
     private SceneFile input;
     @Mixin
-    private PictureOutput output;
+    private FramesOutput output;
     @Mixin
     private PictureOptions picture;
     @Mixin
@@ -92,7 +92,10 @@ final class ShotRenderCommand implements Callable<Integer> {
             render(shot, scene, wanted, files);
         }
         if (wanted.size() < range.count()) {
-            console.line("%d of %d frames were there", range.count() - wanted.size(), range.count());
+            int there = range.count() - wanted.size();
+            console.line("%s %s there",
+                    wanted.isEmpty() ? Console.count(there, "frame") : there + " of " + Console.count(range.count(), "frame"),
+                    there == 1 ? "was" : "were");
         }
         return ExitCode.DONE;
     }
@@ -119,7 +122,7 @@ final class ShotRenderCommand implements Callable<Integer> {
                 movie.finish();
             }
         });
-        console.line("%s: %d frames, %s a second", output.file(), all.size(), Decimal.text(shot.shot().rate()));
+        console.line("%s: %s, %s a second", output.file(), Console.count(all.size(), "frame"), Decimal.text(shot.shot().rate()));
     }
 
     /** What is done with a frame. */
@@ -143,6 +146,7 @@ final class ShotRenderCommand implements Callable<Integer> {
                 bar.tiles(counts[0] + counts[1], wanted.size());
             });
         }
-        console.line("%d frames traced in %.1f ms, %d relit in %.1f ms", counts[0], milliseconds[0], counts[1], milliseconds[1]);
+        console.line("%s traced in %.1f ms, %d relit in %.1f ms", Console.count(counts[0], "frame"), milliseconds[0], counts[1],
+                milliseconds[1]);
     }
 }

@@ -13,6 +13,7 @@ import lightning.accuracy.PaperCases;
 import lightning.accuracy.PreviewCost;
 import lightning.accuracy.Saving;
 import lightning.accuracy.SavingMeter;
+import lightning.file.ShippedFile;
 import lightning.image.Film;
 import lightning.image.PictureFile;
 import lightning.image.ViewTransform;
@@ -51,7 +52,7 @@ import picocli.CommandLine.Parameters;
             "  lightning tour scenes/bird.jen --reflections stale",
             "  lightning tour scenes/house.jen --povray"})
 final class TourCommand implements Callable<Integer> {
-    private static final Path BIRD = Path.of("scenes", "bird.jen");
+    private static final Path BIRD = ShippedFile.SCENES.resolve("bird.jen");
     private final Console console;
 
     @Parameters(index = "0", arity = "0..1", paramLabel = "scene.jen", description = "The scene; scenes/bird.jen without it.")
@@ -77,7 +78,7 @@ final class TourCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        Path file = scene == null ? bird() : scene;
+        Path file = ShippedFile.find(scene == null ? BIRD : scene);
         Scene read = JenReader.read(file).scene();
         Scene sized = read.withPicture(read.picture().withSize(size.width(), size.height()));
         MemoryNeed.check(sized, Options.DEFAULT.withThreads(threads.count()));
@@ -86,8 +87,8 @@ final class TourCommand implements Callable<Integer> {
             throw new BadInput("--povray: there is no program povray on the PATH; install POV-Ray 3.7 (Debian package povray)");
         }
         Files.createDirectories(folder);
-        console.line("%s at %d x %d pixels, depth %d, %d threads; pictures go to %s", file, size.width(), size.height(),
-                read.picture().depth(), threads.count(), folder);
+        console.line("%s at %d x %d pixels, depth %d, %s; pictures go to %s", file, size.width(), size.height(),
+                read.picture().depth(), Console.count(threads.count(), "thread"), folder);
         List<PaperCase> cases = PaperCases.of(sized);
         try (SavingMeter meter = new SavingMeter(options(), repetitions.count());
                 ProgressBar bar = new ProgressBar(console, "tour")) {
@@ -97,12 +98,6 @@ final class TourCommand implements Callable<Integer> {
 
     private Options options() {
         return Options.DEFAULT.withReflections(reflections.value()).withThreads(threads.count());
-    }
-
-    /** The scene beside which the program was started, or the one installed with it. */
-    private static Path bird() {
-        String home = System.getProperty("lightning.home");
-        return Files.exists(BIRD) || home == null ? BIRD : Path.of(home).resolve(BIRD);
     }
 
     private boolean tour(Scene sized, List<PaperCase> cases, Optional<PovRay> pov, SavingMeter meter, ProgressBar bar)

@@ -19,7 +19,7 @@ final class TourTable {
         console.line("first pass %.1f ms, full trace %.1f ms: keeping all costs %.1f %% (the paper: 19; writing it to memory at %.0f GB/s"
                 + " alone: %.1f)", cost.first().median(), cost.full().median(), cost.percentSlower(), bytesPerMs / 1e6,
                 cost.percentFloor());
-        console.line("kept: %d rows, %.1f bytes a row", cost.rows(), cost.bytesPerRow());
+        console.line("kept: %s, %.1f bytes a row", Console.count(cost.rows(), "row"), cost.bytesPerRow());
         console.line("");
     }
 

@@ -1,6 +1,7 @@
 package lightning.edit;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemNotFoundException;
@@ -11,28 +12,31 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.file.PrivateFolder;
+import lightning.file.ProcessStart;
 import lightning.file.SafeFile;
+import lightning.jen.JenLimits;
+import lightning.text.Quote;
+import lightning.text.Texts;
 
 /**
  * A folder that keeps unsaved scenes for the case of a crash: for each open document one file, the text of the scene
  * behind a line that names the process and the scene's own file. Nobody but their owner may read them.
  *
- * <p>A file whose process has ended was left behind by a crash. A process is told by its number and the moment that it
- * started, for numbers come again.
+ * <p>A file whose process has ended was left behind by a crash.
  */
 public final class Recovery {
     private static final String HEAD = "# Lightning kept this of process ";
     private static final String OF = " for ";
     private static final String ENDING = ".kept.jen";
-    /** More than the text of any scene and its head: what is larger was not kept here. */
-    private static final long MOST_BYTES = 128L << 20;
+    /** More than the line of any path takes. */
+    private static final int HEAD_BYTES = 1 << 16;
 
     private final Path folder;
     private final String process;
 
     /** @param folder made when the first scene is kept */
     public Recovery(Path folder) {
-        this(folder, name(ProcessHandle.current()));
+        this(folder, ProcessStart.ofThisProcess().toString());
     }
 
     Recovery(Path folder, String process) {
@@ -57,12 +61,21 @@ public final class Recovery {
     /**
      * Keeps the text of a scene, in place of what was kept for the same file.
      *
-     * @throws IOException if it cannot be written; what was kept before is then still there
+     * @throws IOException if it cannot be written, or has more than {@link JenLimits#FILE_BYTES} bytes; what was kept before is then
+     *                     still there
      */
     public void keep(Path file, String text) throws IOException {
         PrivateFolder.close(folder);
-        String head = HEAD + process + OF + file.toAbsolutePath().toUri() + "\n";
-        SafeFile.at(kept(file)).forOwnerOnly().write((head + text).getBytes(StandardCharsets.UTF_8));
+        byte[] head = (HEAD + process + OF + file.toAbsolutePath().toUri() + "\n").getBytes(StandardCharsets.UTF_8);
+        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+        if (bytes.length > JenLimits.FILE_BYTES) {
+            throw new IOException(Quote.path(file) + ": "
+                    + Texts.of("the text of a scene may have at most {0} bytes, found {1}", JenLimits.FILE_BYTES, bytes.length));
+        }
+        SafeFile.at(kept(file)).forOwnerOnly().write((SafeFile.Content) out -> {
+            out.write(head);
+            out.write(bytes);
+        });
     }
 
     /** Forgets what this process kept for a file: it was saved, or closed on purpose. */
@@ -90,26 +103,39 @@ public final class Recovery {
         return all;
     }
 
+    /** Reads the text only where nothing else tells that it is not wanted: it may be large. */
     private Optional<Found> read(Path kept) {
         try {
-            String content = Files.readString(kept);
-            int line = content.indexOf('\n');
-            int of = content.indexOf(OF, HEAD.length());
-            if (!content.startsWith(HEAD) || of < 0 || of > line) {
+            String head = head(kept);
+            int of = head.indexOf(OF, HEAD.length());
+            if (!head.startsWith(HEAD) || of < 0) {
                 return Optional.empty();
             }
-            String owner = content.substring(HEAD.length(), of);
-            Path file = path(content.substring(of + OF.length(), line));
+            Path file = path(head.substring(of + OF.length()));
             boolean nameless = !file.isAbsolute() || file.getFileName() == null;
-            return nameless || isAlive(owner) ? Optional.empty() : Optional.of(new Found(kept, file, content.substring(line + 1)));
+            if (nameless || isAlive(head.substring(HEAD.length(), of))) {
+                return Optional.empty();
+            }
+            int length = head.getBytes(StandardCharsets.UTF_8).length + 1;
+            if (Files.size(kept) - length > JenLimits.FILE_BYTES) {
+                return Optional.empty();
+            }
+            return Optional.of(new Found(kept, file, Files.readString(kept).substring(head.length() + 1)));
         } catch (IOException | IllegalArgumentException | FileSystemNotFoundException e) {
             return Optional.empty();
         }
     }
 
+    /** The first line without its end; empty where it has none within {@link #HEAD_BYTES}. */
+    private static String head(Path kept) throws IOException {
+        try (InputStream in = Files.newInputStream(kept)) {
+            String start = new String(in.readNBytes(HEAD_BYTES), StandardCharsets.UTF_8);
+            return start.substring(0, Math.max(0, start.indexOf('\n')));
+        }
+    }
+
     private static boolean mayBeKept(Path file) {
-        return file.getFileName().toString().endsWith(ENDING) && Files.isRegularFile(file)
-                && file.toFile().length() <= MOST_BYTES;
+        return file.getFileName().toString().endsWith(ENDING) && Files.isRegularFile(file);
     }
 
     /** As a URI, which has no line ends; older versions wrote the bare path. */
@@ -123,16 +149,6 @@ public final class Recovery {
     }
 
     private static boolean isAlive(String owner) {
-        int dash = owner.indexOf('-');
-        try {
-            return ProcessHandle.of(Long.parseLong(dash < 0 ? owner : owner.substring(0, dash))).filter(ProcessHandle::isAlive)
-                    .map(Recovery::name).filter(owner::equals).isPresent();
-        } catch (NumberFormatException e) {
-            return false;
-        }
-    }
-
-    private static String name(ProcessHandle handle) {
-        return handle.pid() + handle.info().startInstant().map(t -> "-" + t.toEpochMilli()).orElse("");
+        return ProcessStart.parse(owner).filter(ProcessStart::isRunning).isPresent();
     }
 }

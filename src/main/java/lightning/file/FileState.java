@@ -22,7 +22,7 @@ public record FileState(FileTime modified, long size, String content) {
     /** No file. */
     public static final FileState NONE = new FileState(FileTime.fromMillis(0), -1, "");
 
-    /** Of larger files time and size alone speak: they are no scenes. */
+    /** Larger files are compared by time and size alone: reading them at each look would take too long. */
     private static final long MOST_BYTES = 64L << 20;
 
     /**

@@ -3,7 +3,6 @@ package lightning.file;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
-import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystemException;
@@ -14,7 +13,9 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.Set;
 import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Pattern;
 import lightning.text.Quote;
 
@@ -28,6 +29,9 @@ public final class ScratchFolder implements AutoCloseable {
     private static final String LOCK = "in-use";
     /** A folder without a lock is one that is just being made, or was not made to its end. */
     private static final Duration HALF_MADE = Duration.ofHours(1);
+
+    /** Those of this process: where their locks are only looked at, POSIX gives them up with the stream that looked. */
+    private static final Set<Path> OWN = ConcurrentHashMap.newKeySet();
 
     private final Path folder;
     private final FileChannel lock;
@@ -48,6 +52,7 @@ public final class ScratchFolder implements AutoCloseable {
         }
         removeLeftIn(parent);
         Path folder = parent.resolve("lightning-scratch-" + UUID.randomUUID());
+        OWN.add(folder.getFileName());
         try {
             PrivateFolder.make(folder);
             Path lock = folder.resolve(LOCK + ".new");
@@ -59,6 +64,7 @@ public final class ScratchFolder implements AutoCloseable {
             return new ScratchFolder(folder, channel);
         } catch (FileSystemException e) {
             remove(folder);
+            OWN.remove(folder.getFileName());
             throw new IOException(Quote.path(parent) + ": no folder can be made in it ("
                     + (e.getReason() == null ? e.getClass().getSimpleName() : e.getReason()) + ")", e);
         }
@@ -101,6 +107,7 @@ public final class ScratchFolder implements AutoCloseable {
         } catch (IOException e) {
             // It is given up with the process.
         }
+        OWN.remove(folder.getFileName());
     }
 
     private static void removeLeftIn(Path parent) {
@@ -116,7 +123,8 @@ public final class ScratchFolder implements AutoCloseable {
     }
 
     private static boolean isOurs(Path folder) {
-        return OURS.matcher(folder.getFileName().toString()).matches() && Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS);
+        return OURS.matcher(folder.getFileName().toString()).matches() && !OWN.contains(folder.getFileName())
+                && Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS);
     }
 
     private static boolean isLeft(Path folder) {
@@ -129,8 +137,8 @@ public final class ScratchFolder implements AutoCloseable {
                     FileLock free = channel.tryLock()) {
                 return free != null;
             }
-        } catch (IOException | OverlappingFileLockException e) {
-            // Somebody else's, or this process's own.
+        } catch (IOException e) {
+            // Somebody else's.
             return false;
         }
     }

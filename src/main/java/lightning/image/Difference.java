@@ -11,6 +11,7 @@ package lightning.image;
  * @param values       number of values of different bits
  * @param maxUlp       largest distance of two values in units in the last place, that is the number of floats from one
  *                     to the other; 0 and −0 are 0 apart, NaNs lie beyond infinity
+ * @param maxLevels    largest distance of two 8-bit codes, 0 to 255
  * @param maxAbsolute  largest absolute difference, linear, ≥ 0
  * @param meanAbsolute mean absolute difference over all values, linear, ≥ 0
  * @param rmse         square root of the mean squared difference over all values, linear, ≥ 0
@@ -25,6 +26,7 @@ public record Difference(
         long pixels,
         long values,
         long maxUlp,
+        int maxLevels,
         double maxAbsolute,
         double meanAbsolute,
         double rmse,
@@ -49,7 +51,7 @@ public record Difference(
         }
         double count = 3.0 * a.width() * a.height();
         double rmse = Math.sqrt(sums.squares / count);
-        return new Difference(sums.pixels, sums.values, sums.maxUlp, Math.max(sums.maxAbsolute, 0),
+        return new Difference(sums.pixels, sums.values, sums.maxUlp, sums.maxLevels, Math.max(sums.maxAbsolute, 0),
                 sums.absolute / count, rmse, psnr(1, rmse), psnr(255, Math.sqrt(sums.displaySquares / count)),
                 Ssim.ofDisplayedLuma(a, b), sums.x, sums.y);
     }
@@ -94,6 +96,7 @@ public record Difference(
         long pixels;
         long values;
         long maxUlp;
+        int maxLevels;
         double maxAbsolute = -1;
         double absolute;
         double squares;
@@ -124,8 +127,9 @@ public record Difference(
             double difference = Difference.absolute(a, b);
             absolute += difference;
             squares += difference * difference;
-            double codes = Srgb.encode(a) - Srgb.encode(b);
-            displaySquares += codes * codes;
+            int levels = Math.abs(Srgb.encode(a) - Srgb.encode(b));
+            maxLevels = Math.max(maxLevels, levels);
+            displaySquares += (double) levels * levels;
             return difference;
         }
     }

@@ -18,7 +18,7 @@ import org.testfx.api.FxToolkit;
  * the packages; with the environment variable {@value #DEMAND} set, the tests fail instead.
  */
 public final class JavaFxNeeds implements BeforeAllCallback {
-    static final String DEMAND = "LIGHTNING_NEEDS_JAVAFX";
+    private static final String DEMAND = "LIGHTNING_NEEDS_JAVAFX";
     private static final Map<String, String> DEBIAN =
             Map.of("libfreetype.so.6", "libfreetype6", "libpangoft2-1.0.so.0", "libpangoft2-1.0-0");
 

@@ -1,7 +1,6 @@
 package lightning.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatCode;
 
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
@@ -9,7 +8,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Set;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -33,22 +31,6 @@ class LightningTest {
         Cli help = Cli.run("--help").isDone();
         assertThat(help.out()).contains(names());
         assertThat(names()).contains("render", "relight", "export", "effects", "explain", "check", "compare", "tour");
-    }
-
-    @ParameterizedTest
-    @MethodSource("names")
-    void helpOfEachCommand_showsExamplesThatParse(String name) {
-        Cli help = Cli.run(name, "--help").isDone();
-        String[] examples = help.out().lines().filter(line -> line.startsWith("  lightning ")).toArray(String[]::new);
-        assertThat(examples).isNotEmpty().allSatisfy(line -> assertThat(line).startsWith("  lightning " + name));
-        for (String example : examples) {
-            assertThatCode(() -> commands().parseArgs(words(example))).as(example).doesNotThrowAnyException();
-        }
-    }
-
-    private static String[] words(String line) {
-        return Stream.of(line.strip().split(" +(?=(?:[^\"]*\"[^\"]*\")*[^\"]*$)")).skip(1)
-                .map(word -> word.replace("\"", "")).toArray(String[]::new);
     }
 
     @ParameterizedTest

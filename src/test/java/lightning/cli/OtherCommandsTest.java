@@ -71,6 +71,20 @@ class OtherCommandsTest {
     }
 
     @Test
+    void compareOfDisplays_countsTheirLevels() throws Exception {
+        String dark = Cli.run("compare", picture("a.png", 0), picture("b.png", 1)).out();
+        assertThat(dark).contains("255 of 255 levels at most anywhere").doesNotContain("ulp");
+        assertThat(Cli.run("compare", picture("a.pfm", 0), picture("b.png", 1)).out()).contains("255 of 255 levels").doesNotContain("ulp");
+        assertThat(Cli.run("compare", picture("a.exr", 0), picture("b.exr", 1)).out()).contains("255 of 255 levels").doesNotContain("ulp");
+    }
+
+    @Test
+    void compareOfFloats_countsThoseBetween() throws Exception {
+        assertThat(Cli.run("compare", picture("a.pfm", 0.5f), picture("b.pfm", Math.nextUp(0.5f))).out())
+                .contains("; 1 ulp at most anywhere").doesNotContain("levels");
+    }
+
+    @Test
     void compareTrouble_endsWith2() throws Exception {
         Path a = picture("a.pfm", 0);
         Cli.run("compare", a, folder.resolve("no.png")).isRefusedSaying("no.png: no such file");

@@ -67,6 +67,16 @@ class ShotRenderCommandTest {
     }
 
     @Test
+    void oneFrame_isCountedAsOne() {
+        Cli done = Cli.run("shot", "render", scene, "-o", folder.resolve("out"), "--frames", "4").isDone();
+        assertThat(done.out()).contains("\n1 frame traced in ");
+        Cli again = Cli.run("shot", "render", scene, "-o", folder.resolve("out"), "--frames", "4", "--resume").isDone();
+        assertThat(again.out()).isEqualTo("1 frame was there\n");
+        assertThat(Cli.run("shot", "render", scene, "-o", folder.resolve("out"), "--frames", "4-5", "--resume").isDone().out())
+                .endsWith("\n1 of 2 frames was there\n");
+    }
+
+    @Test
     void outputWithoutAnEnding_isAFolderThatIsMade() throws Exception {
         Cli.run("shot", "render", scene, "--frames", "4-5", "-o", folder.resolve("frames"), "--size", "8x8").isDone();
         assertThat(files("frames")).containsExactly("a-0004.png", "a-0005.png");
@@ -79,7 +89,7 @@ class ShotRenderCommandTest {
         Cli done = Cli.run("shot", "render", scene, "--resume", "--frames", "3-5", "-o", out, "--size", "8x8").isDone();
         assertThat(Files.readString(out.resolve("a-0004.png"))).isEqualTo("mine");
         assertThat(files("frames")).containsExactly("a-0003.png", "a-0004.png", "a-0005.png");
-        assertThat(done.out()).contains("1 of 3 frames were there");
+        assertThat(done.out()).contains("1 of 3 frames was there");
         Cli.run("shot", "render", scene, "--frames", "4", "-o", out, "--size", "8x8").isDone();
         assertThat(PictureFile.read(out.resolve("a-0004.png")).width()).isEqualTo(8);
     }

@@ -1,8 +1,10 @@
 package lightning.edit;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIOException;
 
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -13,6 +15,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import lightning.jen.JenLimits;
 import lightning.scene.Scene;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
@@ -102,6 +105,27 @@ class RecoveryTest {
     void sameNumberOfAnOlderProcess_isACrash() throws IOException {
         new Recovery(kept(), ProcessHandle.current().pid() + "-1").keep(folder.resolve("a.jen"), Desk.TEXT);
         assertThat(new Recovery(kept()).found()).hasSize(1);
+    }
+
+    @Test
+    void textOfTheLargestScene_isFound() throws IOException {
+        new Recovery(kept(), CRASHED).keep(folder.resolve("a.jen"), "");
+        Path file = new Recovery(kept()).found().getFirst().kept();
+        try (var sparse = new RandomAccessFile(file.toFile(), "rw")) {
+            sparse.setLength(sparse.length() + JenLimits.FILE_BYTES);
+        }
+        assertThat(new Recovery(kept()).found()).singleElement()
+                .satisfies(found -> assertThat(found.text().length()).isEqualTo(JenLimits.FILE_BYTES));
+    }
+
+    @Test
+    void textThatNoSceneMayHave_isRefusedBeforeItIsKept() throws IOException {
+        var recovery = new Recovery(kept(), CRASHED);
+        recovery.keep(folder.resolve("a.jen"), "older");
+        String text = "x".repeat(JenLimits.FILE_BYTES + 1);
+        assertThatIOException().isThrownBy(() -> recovery.keep(folder.resolve("a.jen"), text))
+                .withMessage(folder.resolve("a.jen") + ": the text of a scene may have at most 268435456 bytes, found 268435457");
+        assertThat(new Recovery(kept()).found()).extracting(Recovery.Found::text).containsExactly("older");
     }
 
     @Test

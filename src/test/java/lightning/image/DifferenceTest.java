@@ -16,7 +16,7 @@ class DifferenceTest {
     void aFilmAndItsCopy_differInNothing(@ForAll("films") Film film) {
         Difference none = Difference.of(film, film.copy());
 
-        assertThat(none).isEqualTo(new Difference(0, 0, 0, 0, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
+        assertThat(none).isEqualTo(new Difference(0, 0, 0, 0, 0, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
                 1, -1, -1));
         assertThat(none.isNone()).isTrue();
     }

@@ -15,15 +15,13 @@ import lightning.edit.OpenDocument;
 import lightning.edit.TextDifference;
 import lightning.file.ChangedFileException;
 import lightning.file.ReadOnlyFileException;
+import lightning.jen.JenLimits;
 import lightning.scene.shot.AnimatedScene;
 import lightning.text.Quote;
 import lightning.text.Texts;
 
 /** Saves the scene, and asks where something would be lost that the artist does not know of. */
 final class SceneSaver {
-    /** As much of another's text as any scene has. */
-    private static final int MOST_BYTES = 64 << 20;
-
     private final EditorModel model;
     private final FilePrompt prompt;
     private final Notices notices;
@@ -120,7 +118,7 @@ final class SceneSaver {
             return "";
         }
         try (InputStream in = Files.newInputStream(file)) {
-            return new String(in.readNBytes(MOST_BYTES), StandardCharsets.UTF_8);
+            return new String(in.readNBytes(JenLimits.FILE_BYTES), StandardCharsets.UTF_8);
         }
     }
 }

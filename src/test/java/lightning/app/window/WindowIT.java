@@ -13,7 +13,6 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Starts a virtual display, and an artist on it: see {@link Artist}. */
 class WindowIT {
-    private static final String DEMAND = "LIGHTNING_NEEDS_JAVAFX";
     private static final int PATIENCE_MINUTES = 4;
 
     @TempDir
@@ -33,15 +32,21 @@ class WindowIT {
     }
 
     private Process display() {
+        WindowSkip.onSystem(System.getProperty("os.name")).ifPresent(WindowIT::skip);
         try {
             return new ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1280x900x24", "-nolisten", "tcp")
                     .redirectError(ProcessBuilder.Redirect.DISCARD).start();
         } catch (IOException e) {
             String sentence = "a window needs a display; install the packages xvfb libgtk-3-0 libxtst6";
-            assertThat(System.getenv(DEMAND)).as(sentence).isNull();
-            Assumptions.abort(sentence);
+            assertThat(System.getenv(WindowSkip.DEMAND)).as(sentence).isNull();
+            skip(sentence);
             throw new AssertionError(e);
         }
+    }
+
+    private static void skip(String why) {
+        System.out.println(WindowSkip.line(why));
+        Assumptions.abort(why);
     }
 
     /** A program of its own, for a display is chosen when Java starts. */

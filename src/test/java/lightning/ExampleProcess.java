@@ -1,0 +1,85 @@
+package lightning;
+
+import java.io.BufferedReader;
+import java.io.BufferedWriter;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintStream;
+import java.net.URLDecoder;
+import java.net.URLEncoder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lightning.cli.Lightning;
+
+/**
+ * A process that runs commands of the program in a folder, one after the other: as a user does who has the program installed and
+ * works elsewhere, but with one start of Java for all of them.
+ */
+final class ExampleProcess implements AutoCloseable {
+    /** Where the program counts as installed: this folder has its scenes and textures. */
+    private static final Path HOME = Path.of("").toAbsolutePath();
+
+    private final Process process;
+    private final BufferedWriter to;
+    private final BufferedReader from;
+
+    /**
+     * How a command ended.
+     *
+     * @param text what it printed, complaints behind results
+     */
+    record Result(int exit, String text) {}
+
+    /** @param folder the working directory of the commands */
+    ExampleProcess(Path folder) throws IOException {
+        process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "--add-modules",
+                "jdk.incubator.vector", "--enable-native-access=ALL-UNNAMED", "-Xmx1g", "-XX:+UseSerialGC", "-Dlightning.home=" + HOME,
+                "-Dlightning.data=" + folder.resolve("data"), "-cp", classPath(), ExampleProcess.class.getName())
+                .directory(folder.toFile()).redirectError(folder.resolve("errors").toFile()).start();
+        to = process.outputWriter(StandardCharsets.UTF_8);
+        from = process.inputReader(StandardCharsets.UTF_8);
+    }
+
+    private static String classPath() {
+        return Stream.of(System.getProperty("java.class.path").split(System.getProperty("path.separator")))
+                .map(entry -> Path.of(entry).toAbsolutePath().toString()).collect(Collectors.joining(System.getProperty("path.separator")));
+    }
+
+    /** Runs the program with arguments. */
+    Result run(List<String> arguments) throws IOException {
+        to.write(arguments.stream().map(word -> URLEncoder.encode(word, StandardCharsets.UTF_8)).collect(Collectors.joining(" ")) + "\n");
+        to.flush();
+        String exit = from.readLine();
+        if (exit == null) {
+            throw new IOException("the process ended while it ran " + arguments);
+        }
+        return new Result(Integer.parseInt(exit), URLDecoder.decode(from.readLine(), StandardCharsets.UTF_8));
+    }
+
+    @Override
+    public void close() throws IOException {
+        to.close();
+        process.destroyForcibly();
+    }
+
+    /** Runs what the lines of the standard input say. */
+    public static void main(String... args) throws IOException {
+        PrintStream answers = System.out;
+        System.setOut(System.err);
+        var lines = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
+        for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+            String[] words = Stream.of(line.split(" ")).map(word -> URLDecoder.decode(word, StandardCharsets.UTF_8)).toArray(String[]::new);
+            var out = new ByteArrayOutputStream();
+            var err = new ByteArrayOutputStream();
+            int exit = Lightning.run(new PrintStream(out, true, StandardCharsets.UTF_8), new PrintStream(err, true, StandardCharsets.UTF_8),
+                    words);
+            answers.println(exit);
+            answers.println(URLEncoder.encode(out.toString(StandardCharsets.UTF_8) + err.toString(StandardCharsets.UTF_8),
+                    StandardCharsets.UTF_8));
+        }
+    }
+}

@@ -1,0 +1,38 @@
+package lightning.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Words of the help and of results. */
+class HelpTextTest {
+    /** A number before a plural; of parts and sizes, as in "1 of 2 pixels", the number may be any. */
+    private static final Pattern UNCOUNTED = Pattern.compile("(?<!of |x |to )%d (?!is\\b)(?:shadow |eye )?[a-z]+s\\b");
+
+    @ParameterizedTest
+    @ValueSource(strings = {"render", "relight"})
+    void outputOfAShot_isToldAsAFolderOfPictures(String command) {
+        String help = Cli.run("shot", command, "--help").isDone().out();
+        assertThat(help).contains("--output=FOLDER", "The folder of the pictures").doesNotContain("The picture:");
+        assertThat(Cli.run(command, "--help").isDone().out()).contains("--output=FILE", "The picture:");
+    }
+
+    @Test
+    void everyCount_isMadeByTheOneFunctionThatKnowsOneFromMany() throws IOException {
+        try (Stream<Path> sources = Files.list(Path.of("src/main/java/lightning/cli"))) {
+            for (Path source : sources.toList()) {
+                List<String> found = UNCOUNTED.matcher(Files.readString(source)).results().map(MatchResult::group).toList();
+                assertThat(found).as(source.toString()).isEmpty();
+            }
+        }
+    }
+}
