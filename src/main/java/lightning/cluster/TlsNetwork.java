@@ -1,6 +1,5 @@
 package lightning.cluster;
 
-import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Set;
@@ -67,7 +66,7 @@ public final class TlsNetwork implements Network {
             channel.connect(CLUSTER);
         } catch (Exception e) {
             close();
-            throw new JoinException(Texts.of("cannot take part in a cluster at {0}: {1}", text(place.bind(), place.port()), reason(e)), e);
+            throw new JoinException(Texts.of("cannot take part in a cluster at {0}: {1}", new HostPort(place.bind().getHostAddress(), place.port()).text(), reason(e)), e);
         }
     }
 
@@ -210,10 +209,6 @@ public final class TlsNetwork implements Network {
     @Override
     public String name(Member member) {
         return String.valueOf(channel.<Object>down(new Event(Event.GET_PHYSICAL_ADDRESS, address(member))));
-    }
-
-    private static String text(InetAddress address, int port) {
-        return address.getHostAddress() + ":" + port;
     }
 
     @Override
