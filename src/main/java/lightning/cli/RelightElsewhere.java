@@ -116,7 +116,8 @@ record RelightElsewhere(Console console, PictureOutput output, Place place, Path
                 tally.met = true;
             } else if (System.nanoTime() - seen > (tally.met ? PATIENCE_NANOSECONDS : FIRST_PATIENCE_NANOSECONDS)) {
                 InetSocketAddress asked = place.join().getFirst();
-                throw new BadInput("no node answers at " + new HostPort(asked.getHostString(), asked.getPort()).text() + ": none is there, or it has another certificate");
+                throw new BadInput("no node answers at " + new HostPort(asked.getHostString(), asked.getPort()).text()
+                        + ": none is there, or it has another certificate");
             }
             bar.tiles(Math.min(tally.made.get(), count), count);
             Thread.sleep(LOOK_MILLISECONDS);

@@ -62,9 +62,11 @@ final class ContentFolder {
         try {
             lock = FolderLock.tryLock(folder);
         } catch (IOException e) {
-            throw new IOException(Quote.path(folder) + ": cannot be locked for this node (" + reason(e) + "); name a folder on another disk with --folder", e);
+            throw new IOException(Quote.path(folder) + ": cannot be locked for this node (" + reason(e)
+                    + "); name a folder on another disk with --folder", e);
         }
-        return lock.orElseThrow(() -> new IOException(Quote.path(folder) + ": another node uses this folder; name another one with --folder"));
+        return lock
+                .orElseThrow(() -> new IOException(Quote.path(folder) + ": another node uses this folder; name another one with --folder"));
     }
 
     private static String reason(IOException e) {

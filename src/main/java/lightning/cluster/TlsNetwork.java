@@ -66,7 +66,8 @@ public final class TlsNetwork implements Network {
             channel.connect(CLUSTER);
         } catch (Exception e) {
             close();
-            throw new JoinException(Texts.of("cannot take part in a cluster at {0}: {1}", new HostPort(place.bind().getHostAddress(), place.port()).text(), reason(e)), e);
+            throw new JoinException(Texts.of("cannot take part in a cluster at {0}: {1}",
+                    new HostPort(place.bind().getHostAddress(), place.port()).text(), reason(e)), e);
         }
     }
 

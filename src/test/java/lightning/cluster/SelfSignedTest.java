@@ -76,7 +76,8 @@ final class SelfSignedTest {
         assertThat(until.tag()).isEqualTo(lastTag);
         assertThat(until.text()).isEqualTo(last);
         assertThat(times.hasRemaining()).isFalse();
-        assertThat(certificate.getNotAfter().toInstant()).isEqualTo(ZonedDateTime.of(year + 10, 3, 2, 1, 2, 3, 0, ZoneOffset.UTC).toInstant());
+        assertThat(certificate.getNotAfter().toInstant())
+                .isEqualTo(ZonedDateTime.of(year + 10, 3, 2, 1, 2, 3, 0, ZoneOffset.UTC).toInstant());
         certificate.verify(certificate.getPublicKey());
     }
 
