@@ -52,9 +52,20 @@ public final class Main {
         Thread command = Thread.currentThread();
         CountDownLatch finished = new CountDownLatch(1);
         Runtime.getRuntime().addShutdownHook(new Thread(() -> cancel(command, finished), "lightning-interrupt"));
-        int exit = Lightning.run(System.out, System.err, args);
+        int exit = run(args);
         finished.countDown();
         System.exit(exit);
+    }
+
+    private static int run(String... args) {
+        try {
+            return Lightning.run(System.out, System.err, args);
+        } catch (LinkageError e) {
+            // Not even the class that explains problems could be loaded.
+            System.err.println("lightning: a part of the program cannot be read (" + e.getMessage()
+                    + "); if file handles are short, raise their limit, as with 'ulimit -n 4096', and start again");
+            return BAD_INPUT;
+        }
     }
 
     /** An interrupted command removes its temporary file before the process ends. */

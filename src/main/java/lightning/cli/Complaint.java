@@ -5,6 +5,7 @@ import java.nio.file.InvalidPathException;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.Predicate;
+import lightning.file.FileHandles;
 import lightning.file.FileSentence;
 import lightning.jen.JenException;
 import lightning.relight.PictureTooLarge;
@@ -34,6 +35,8 @@ final class Complaint {
                 e.problems().forEach(p -> console.complain(p.toString()));
                 yield ExitCode.BAD_INPUT;
             }
+            case Throwable e when FileHandles.areMissing(e) -> sentence(console, "there are not enough file handles; raise their limit, as "
+                    + "with 'ulimit -n 4096', and start again");
             case InvalidPathException e ->
                     sentence(console, "the name " + Quote.of(e.getInput()) + " cannot be a file's here: " + e.getReason()
                             + "; where it has letters beyond ASCII, start with a locale of UTF-8, as LC_ALL=C.UTF-8");

@@ -2,6 +2,8 @@ package lightning.cli;
 
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.NetworkInterface;
+import java.net.SocketException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -36,6 +38,9 @@ final class MemberOptions {
         if (own.isAnyLocalAddress()) {
             throw new BadInput("--bind must be one address of this machine, was " + bind);
         }
+        if (!isOfThisMachine(own)) {
+            throw new BadInput("--bind must be an address of this machine, was " + bind + ", which no network interface has");
+        }
         List<InetSocketAddress> join = new ArrayList<>();
         for (HostPort other : others) {
             InetSocketAddress address = other.address();
@@ -46,5 +51,14 @@ final class MemberOptions {
             join.add(address);
         }
         return Place.of(own, port, ports, join, certificate);
+    }
+
+    private static boolean isOfThisMachine(InetAddress address) {
+        try {
+            return address.isLoopbackAddress() || NetworkInterface.getByInetAddress(address) != null;
+        } catch (SocketException e) {
+            // Binding to it tells.
+            return true;
+        }
     }
 }

@@ -1,5 +1,6 @@
 package lightning.cli;
 
+import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -83,23 +84,24 @@ final class NodeCommand implements Callable<Integer> {
     private void hold(Place place) throws Exception {
         Options options = Options.DEFAULT.withThreads(threads.count());
         long resting = memory == null ? options.memory() / 2 : (long) (memory * GB);
-        Path own = own();
+        Path own = own(place.bind());
         var settings = new FrameNode.Settings(Release.ofMachine(), threads.count(), resting, own,
                 () -> LocalKeeper.firm(options, resting / FrameNode.MOST_SESSIONS, own,
                         Files.getFileStore(own).getUsableSpace() / FrameNode.MOST_SESSIONS),
                 sentence -> console.line("%s", sentence));
         try (var node = new FrameNode(new TlsNetwork(place), settings)) {
             node.start();
-            console.line("a node at %s:%d; Ctrl-C ends it", place.bind().getHostAddress(), place.port());
+            console.line("a node at %s; Ctrl-C ends it", new HostPort(place.bind().getHostAddress(), place.port()).text());
             Thread.sleep(Long.MAX_VALUE);
         } catch (InterruptedException e) {
             throw new CancellationException();
         }
     }
 
-    private Path own() {
+    /** Named by the address too: machines may share a home folder. */
+    private Path own(InetAddress bind) {
         String data = System.getProperty("lightning.data");
-        Path place = folder != null ? folder : data != null ? Path.of(data) : Path.of(System.getProperty("user.home"), ".lightning");
-        return place.resolve("lightning-node-" + port);
+        Path parent = folder != null ? folder : data != null ? Path.of(data) : Path.of(System.getProperty("user.home"), ".lightning");
+        return parent.resolve("lightning-node-" + bind.getHostAddress().replaceAll("[^0-9A-Za-z.]", "_") + "-" + port);
     }
 }

@@ -1,5 +1,6 @@
 package lightning.cli;
 
+import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,6 +12,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import lightning.cluster.DistributedShot;
+import lightning.cluster.HostPort;
 import lightning.cluster.Place;
 import lightning.image.Film;
 import lightning.movie.FrameFiles;
@@ -113,7 +115,9 @@ record RelightElsewhere(Console console, PictureOutput output, Place place, Path
                 seen = System.nanoTime();
                 tally.met = true;
             } else if (System.nanoTime() - seen > (tally.met ? PATIENCE_NANOSECONDS : FIRST_PATIENCE_NANOSECONDS)) {
-                throw new BadInput("no node answers at " + place.join().getFirst() + ": none is there, or it has another certificate");
+                InetSocketAddress asked = place.join().getFirst();
+                throw new BadInput("no node answers at " + new HostPort(asked.getHostString(), asked.getPort()).text()
+                        + ": none is there, or it has another certificate");
             }
             bar.tiles(Math.min(tally.made.get(), count), count);
             Thread.sleep(LOOK_MILLISECONDS);

@@ -3,14 +3,18 @@ package lightning.cluster;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Map;
+import java.util.Optional;
 import lightning.cluster.wire.Bill;
 import lightning.cluster.wire.Hash;
+import lightning.file.FileSentence;
+import lightning.file.FolderLock;
 import lightning.file.PrivateFolder;
 import lightning.file.SafeFile;
 import lightning.jen.NamedFiles;
@@ -27,6 +31,7 @@ final class ContentFolder {
 
     private final Path contents;
     private final Path scenes;
+    private final FolderLock lock;
     private long bytes;
     private boolean cleared;
 
@@ -37,16 +42,35 @@ final class ContentFolder {
     }
 
     /**
-     * @param folder this one's own; what an earlier process left in it is removed
+     * Takes a folder, and removes what an earlier process left in it.
+     *
+     * @throws IOException if another node uses the folder, or it cannot be used; a sentence
      */
     ContentFolder(Path folder) throws IOException {
         PrivateFolder.close(folder);
+        lock = lock(folder);
         contents = folder.resolve("contents");
         scenes = folder.resolve("scenes");
         for (Path own : new Path[] {contents, scenes}) {
             remove(own);
             PrivateFolder.close(own);
         }
+    }
+
+    private static FolderLock lock(Path folder) throws IOException {
+        Optional<FolderLock> lock;
+        try {
+            lock = FolderLock.tryLock(folder);
+        } catch (IOException e) {
+            throw new IOException(Quote.path(folder) + ": cannot be locked for this node (" + reason(e)
+                    + "); name a folder on another disk with --folder", e);
+        }
+        return lock
+                .orElseThrow(() -> new IOException(Quote.path(folder) + ": another node uses this folder; name another one with --folder"));
+    }
+
+    private static String reason(IOException e) {
+        return e instanceof FileSystemException file && file.getReason() != null ? file.getReason() : FileSentence.of(e);
     }
 
     /**
@@ -128,6 +152,7 @@ final class ContentFolder {
         try {
             remove(contents);
             remove(scenes);
+            lock.close();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -52,6 +52,11 @@ public record HostPort(String host, int port) {
         return new InetSocketAddress(address(host), port);
     }
 
+    /** Returns what a person would type: {@code render7:7800}, {@code 10.0.0.7:7800}, {@code [::1]:7800}. */
+    public String text() {
+        return (host.contains(":") ? "[" + host + "]" : host) + ":" + port;
+    }
+
     /** The address of a machine by its name likewise. */
     public static InetAddress address(String host) throws JoinException {
         try {

@@ -1,29 +1,25 @@
 package lightning.cluster;
 
 import java.io.IOException;
+import java.net.ServerSocket;
 import java.net.Socket;
 import java.net.SocketException;
-import java.util.concurrent.ThreadLocalRandom;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.SSLParameters;
-import javax.net.ssl.SSLServerSocket;
 import javax.net.ssl.SSLSocket;
 import org.jgroups.util.DefaultSocketFactory;
 import org.jgroups.util.SocketFactory;
 import org.jgroups.util.TLS;
 
-/**
- * TLS whose handshakes end after some time. JGroups connects while it holds the lock that it needs to accept: two members that connect to
- * each other at the same moment would wait for each other for ever. Each gives up after a time of its own, and one is first.
- */
+/** TLS whose handshakes end after some silence of the peer: JGroups waits without a limit, with a lock held that others need. */
 final class LimitedHandshakes extends TLS {
-    private static final int SHORTEST_MILLISECONDS = 1500;
-    private static final int LONGEST_MILLISECONDS = 4000;
-
     private final SSLContext context;
+    private final int patience;
 
-    LimitedHandshakes(SSLContext context) {
+    /** @param patience milliseconds that a peer may be silent during a handshake */
+    LimitedHandshakes(SSLContext context, int patience) {
         this.context = context;
+        this.patience = patience;
         enabled(true);
         setSSLContext(context);
     }
@@ -33,20 +29,23 @@ final class LimitedHandshakes extends TLS {
         var parameters = new SSLParameters();
         parameters.setProtocols(new String[] {"TLSv1.3"});
         parameters.setNeedClientAuth(true);
-        var factory = new DefaultSocketFactory(context) {
+        return new DefaultSocketFactory(context) {
             @Override
             public Socket createSocket(String name) throws IOException {
                 SSLSocket socket = (SSLSocket) super.createSocket(name);
                 limit(socket);
                 return socket;
             }
+
+            @Override
+            public ServerSocket createServerSocket(String name) throws IOException {
+                return new HandshakeServerSocket(context, parameters, patience);
+            }
         };
-        factory.setServerSocketConfigurator(socket -> ((SSLServerSocket) socket).setSSLParameters(parameters));
-        return factory;
     }
 
-    private static void limit(SSLSocket socket) throws SocketException {
-        socket.setSoTimeout(ThreadLocalRandom.current().nextInt(SHORTEST_MILLISECONDS, LONGEST_MILLISECONDS));
+    private void limit(SSLSocket socket) throws SocketException {
+        socket.setSoTimeout(patience);
         socket.addHandshakeCompletedListener(_ -> {
             try {
                 // From here on silence is no fault.

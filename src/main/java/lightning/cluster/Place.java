@@ -75,6 +75,6 @@ public record Place(InetAddress bind, int port, int ports, List<InetSocketAddres
      * @param merge   milliseconds after which parts of a cluster look for each other, at most
      */
     public record Timing(long silence, long verify, long merge) {
-        public static final Timing DEFAULT = new Timing(15_000, 4000, 3000);
+        public static final Timing DEFAULT = new Timing(15_000, 4000, 1500);
     }
 }

@@ -35,7 +35,8 @@ public final class SelfSigned {
     private static final int BITS = 0x03;
     private static final int OBJECT = 0x06;
     private static final int UTF8 = 0x0c;
-    private static final int TIME = 0x18;
+    private static final int UTC_TIME = 0x17;
+    private static final int GENERALIZED_TIME = 0x18;
     private static final int SEQUENCE = 0x30;
     private static final int SET = 0x31;
     private static final int VERSION = 0xa0;
@@ -43,7 +44,10 @@ public final class SelfSigned {
     private static final byte[] ECDSA = {0x2a, (byte) 0x86, 0x48, (byte) 0xce, 0x3d, 0x04, 0x03, 0x02};
     /** commonName, 2.5.4.3. */
     private static final byte[] COMMON_NAME = {0x55, 0x04, 0x03};
-    private static final DateTimeFormatter UTC = DateTimeFormatter.ofPattern("yyyyMMddHHmmss'Z'", Locale.ROOT);
+    /** The first year that a time of two digits for the year cannot express: RFC 5280, section 4.1.2.5. */
+    private static final int FIRST_GENERALIZED_YEAR = 2050;
+    private static final DateTimeFormatter UTC = DateTimeFormatter.ofPattern("yyMMddHHmmss'Z'", Locale.ROOT);
+    private static final DateTimeFormatter GENERALIZED = DateTimeFormatter.ofPattern("yyyyMMddHHmmss'Z'", Locale.ROOT);
 
     private SelfSigned() {}
 
@@ -53,12 +57,17 @@ public final class SelfSigned {
      * @throws IOException if the file cannot be written, or is there already
      */
     public static void write(Path file) throws IOException {
+        write(file, ZonedDateTime.now(ZoneOffset.UTC));
+    }
+
+    /** @param now UTC, before which by a day and after which by ten years the certificate is valid */
+    static void write(Path file, ZonedDateTime now) throws IOException {
         try {
             KeyPairGenerator generator = KeyPairGenerator.getInstance("EC");
             generator.initialize(new ECGenParameterSpec("secp256r1"));
             KeyPair keys = generator.generateKeyPair();
             Certificate certificate =
-                    CertificateFactory.getInstance("X.509").generateCertificate(new ByteArrayInputStream(certificate(keys)));
+                    CertificateFactory.getInstance("X.509").generateCertificate(new ByteArrayInputStream(certificate(keys, now)));
             KeyStore store = KeyStore.getInstance("PKCS12");
             store.load(null, null);
             store.setKeyEntry("lightning", keys.getPrivate(), SharedKey.PASSWORD, new Certificate[] {certificate});
@@ -73,11 +82,10 @@ public final class SelfSigned {
         }
     }
 
-    private static byte[] certificate(KeyPair keys) throws GeneralSecurityException {
+    private static byte[] certificate(KeyPair keys, ZonedDateTime now) throws GeneralSecurityException {
         byte[] algorithm = der(SEQUENCE, der(OBJECT, ECDSA));
         byte[] name = der(SEQUENCE, der(SET, der(SEQUENCE, der(OBJECT, COMMON_NAME),
                 der(UTF8, "lightning".getBytes(StandardCharsets.UTF_8)))));
-        ZonedDateTime now = ZonedDateTime.now(ZoneOffset.UTC);
         // A machine whose clock is a little behind may use it at once.
         byte[] validity = der(SEQUENCE, time(now.minusDays(1)), time(now.plusYears(YEARS)));
         byte[] serial = der(INTEGER, new BigInteger(SERIAL_BITS, new SecureRandom()).add(BigInteger.ONE).toByteArray());
@@ -90,7 +98,9 @@ public final class SelfSigned {
     }
 
     private static byte[] time(ZonedDateTime at) {
-        return der(TIME, UTC.format(at).getBytes(StandardCharsets.US_ASCII));
+        boolean generalized = at.getYear() >= FIRST_GENERALIZED_YEAR;
+        return der(generalized ? GENERALIZED_TIME : UTC_TIME,
+                (generalized ? GENERALIZED : UTC).format(at).getBytes(StandardCharsets.US_ASCII));
     }
 
     /** A value of DER: its tag, its length, its parts one behind the other. */

@@ -1,6 +1,5 @@
 package lightning.cluster;
 
-import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Set;
@@ -42,6 +41,8 @@ public final class TlsNetwork implements Network {
     private static final int SHORT_BYTES = 4096;
     private static final int HANDSHAKE_MILLISECONDS = 5000;
     private static final int JOIN_MILLISECONDS = 2000;
+    /** Questions to the hosts within that time. */
+    private static final int DISCOVERIES = 4;
 
     private final Place place;
     private final ExecutorService inbox =
@@ -65,7 +66,8 @@ public final class TlsNetwork implements Network {
             channel.connect(CLUSTER);
         } catch (Exception e) {
             close();
-            throw new JoinException(Texts.of("cannot take part in a cluster at {0}: {1}", text(place.bind(), place.port()), reason(e)), e);
+            throw new JoinException(Texts.of("cannot take part in a cluster at {0}: {1}",
+                    new HostPort(place.bind().getHostAddress(), place.port()).text(), reason(e)), e);
         }
     }
 
@@ -91,7 +93,7 @@ public final class TlsNetwork implements Network {
         tcp.setSockConnTimeout(HANDSHAKE_MILLISECONDS);
         // A process that is killed is known to be gone when its connection ends.
         tcp.enableSuspectEvents(true);
-        tcp.tls(new LimitedHandshakes(context));
+        tcp.tls(new LimitedHandshakes(context, HANDSHAKE_MILLISECONDS));
         return tcp;
     }
 
@@ -101,11 +103,19 @@ public final class TlsNetwork implements Network {
         TCPPING ping = new TCPPING();
         ping.setInitialHosts(hosts);
         ping.setPortRange(0);
+        // Members that each know only the first one learn each other's addresses from it. Without them a merged view does not hold: its
+        // members cannot reach each other, suspect each other, and split again.
+        ping.returnEntireCache(true);
+        // A host that starts at the same moment may not listen yet: ask several times, and let none wait for another.
+        ping.numDiscoveryRuns(DISCOVERIES);
+        ping.asyncDiscovery(true);
+        ping.asyncDiscoveryUseSeparateThread(true);
         return ping;
     }
 
     private MERGE3 merging() {
-        return new MERGE3().setMinInterval(Math.max(1, place.timing().merge() / 4)).setMaxInterval(place.timing().merge());
+        long most = place.timing().merge();
+        return new MERGE3().setMinInterval(Math.max(1, most / 4)).setMaxInterval(most).setCheckInterval(2 * most);
     }
 
     private VERIFY_SUSPECT2 verifying() {
@@ -200,10 +210,6 @@ public final class TlsNetwork implements Network {
     @Override
     public String name(Member member) {
         return String.valueOf(channel.<Object>down(new Event(Event.GET_PHYSICAL_ADDRESS, address(member))));
-    }
-
-    private static String text(InetAddress address, int port) {
-        return address.getHostAddress() + ":" + port;
     }
 
     @Override

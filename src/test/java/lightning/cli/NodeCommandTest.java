@@ -27,6 +27,14 @@ final class NodeCommandTest {
     }
 
     @Test
+    void bindToAnAddressOfAnotherMachine_isRefused_withoutASlash() {
+        Path file = folder.resolve("c.p12");
+        Cli.run("node", "--make-certificate", file).isDone();
+        Cli.run("node", "--certificate", file, "--bind", "192.0.2.1", "--folder", folder)
+                .isRefusedSaying("--bind must be an address of this machine, was 192.0.2.1, which no network interface has");
+    }
+
+    @Test
     void wordsThatAreNoMachine_areRefused() {
         for (String word : new String[] {"", "a b", "host:", "host:0", "host:70000", "a:b:c", "[::1"}) {
             Cli.run("node", "--certificate", "c.p12", "--join", word).isRefusedSaying("expected a machine and a port from 1 to 65535");

@@ -238,7 +238,20 @@ final class FrameNodeTest {
         var contents = new ContentFolder(own);
         contents.clear();
         assertThatThrownBy(() -> contents.scene(new Bill(text(), new TreeMap<>()), (_, _) -> TEXT)).isInstanceOf(IOException.class);
-        assertThat(own).isEmptyDirectory();
+        // Its lock, which the next node takes.
+        assertThat(own.toFile().list()).containsExactly("in-use");
+    }
+
+    @Test
+    void folderOfANodeThatRuns_isRefused_andItsContentStays() throws Exception {
+        peer.bring(1, Map.of(), text());
+        peer.await(Message.Brought.class);
+        Path own = folder.resolve("own");
+        assertThatThrownBy(() -> new ContentFolder(own)).isInstanceOf(IOException.class)
+                .hasMessage(own + ": another node uses this folder; name another one with --folder");
+        assertThat(own.resolve("contents")).isNotEmptyDirectory();
+        node.close();
+        new ContentFolder(own).clear();
     }
 
     @Test

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import lightning.work.Wait;
 
 /** A node in a process of its own, as the command line starts it. */
 final class NodeProcess implements AutoCloseable {
@@ -31,6 +32,14 @@ final class NodeProcess implements AutoCloseable {
 
     long pid() {
         return process.pid();
+    }
+
+    /** Waits until it ends by itself; returns its exit code. */
+    int exit() throws InterruptedException {
+        if (!process.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS)) {
+            throw new IllegalStateException("a process that does not end");
+        }
+        return process.exitValue();
     }
 
     /** Ends it in the midst of whatever it does. */

@@ -1,0 +1,63 @@
+package lightning.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import lightning.work.Wait;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Processes that the system grants too few file handles. */
+@EnabledOnOs({OS.LINUX, OS.MAC})
+final class HandleLimitTest {
+    private static final int HANDLES = 40;
+
+    @TempDir
+    private Path folder;
+    private Path certificate;
+
+    @BeforeEach
+    void makeCertificate() {
+        certificate = folder.resolve("shared.p12");
+        Cli.run("node", "--make-certificate", certificate).isDone();
+    }
+
+    private void check(String... words) throws Exception {
+        List<String> line = new ArrayList<>(List.of("/bin/sh", "-c", "ulimit -n " + HANDLES + "; exec \"$@\"", "sh",
+                System.getProperty("java.home") + "/bin/java", "--add-modules", "jdk.incubator.vector", "-XX:+UseSerialGC", "-Xmx600m",
+                "-cp", System.getProperty("java.class.path"), "lightning.Main"));
+        line.addAll(List.of(words));
+        Path said = folder.resolve("said");
+        Process process = new ProcessBuilder(line).redirectErrorStream(true).redirectOutput(said.toFile()).start();
+        try {
+            assertThat(process.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS)).as("the process ends").isTrue();
+        } finally {
+            process.destroyForcibly();
+        }
+        assertThat(Files.readString(said)).contains("file handles", "ulimit -n").doesNotContain("\tat ", "error of the program itself");
+        assertThat(process.exitValue()).isEqualTo(ExitCode.BAD_INPUT);
+    }
+
+    @Test
+    void render_saysThatHandlesAreShort() throws Exception {
+        check("render", "scenes/dusk.jen", "--size", "30x20", "-o", folder.resolve("a.png").toString());
+    }
+
+    @Test
+    void relight_saysThatHandlesAreShort() throws Exception {
+        check("shot", "relight", "scenes/dusk.jen", "--frames", "1-2", "--size", "30x20", "--set", "sky.on=no", "--cluster",
+                "127.0.0.1:7800", "--certificate", certificate.toString(), "-o", folder.resolve("a").toString());
+    }
+
+    @Test
+    void node_saysThatHandlesAreShort() throws Exception {
+        check("node", "--certificate", certificate.toString(), "--port", "17802", "--folder", folder.toString());
+    }
+}
