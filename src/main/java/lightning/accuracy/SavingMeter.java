@@ -81,7 +81,7 @@ public final class SavingMeter implements AutoCloseable {
         }, () -> Turns.time(() -> tracer.trace(workers, progress))), progress.silent());
         renderer.render(scene, progress);
         long bytes = renderer.cache().bytes();
-        return new FirstPassCost(times.get(0), times.get(1), renderer.cache().rowCount(), bytes, bytes / bytesPerMs);
+        return new FirstPassCost(times.get(0), times.get(1), tracer.trace(workers, progress.silent()).rays().all(), renderer.cache().rowCount(), bytes, bytes / bytesPerMs);
     }
 
     /**

@@ -52,9 +52,9 @@ class ReportTest {
     @Test
     void cancelledRun_saysSo() throws Exception {
         Results part =
-                new Results(Sample.RUN.after(5, false), List.of(Sample.scene(10)), List.of(), List.of(), List.of(), List.of(), List.of());
+                new Results(Sample.RUN.after(5, false, Sample.RUN.load()), List.of(Sample.scene(10)), List.of(), List.of(), List.of(), List.of(), List.of());
 
-        assertThat(write(part, folder).getDocumentElement().getTextContent()).contains("cancelled after 5.00 s", "bird, 300 × 200");
+        assertThat(write(part, folder).getDocumentElement().getTextContent()).contains("had not ended after 5.00 s: it was cancelled", "bird, 300 × 200");
     }
 
     @Test
