@@ -263,7 +263,7 @@ class HarnessTest {
 
     @Test
     void payOff_isCountedInEdits() {
-        var cost = new FirstPassCost(ms(30), ms(20), 7, 100, 5000, 1);
+        var cost = new FirstPassCost(ms(30), ms(20), 7, 100, 5000, 1, true);
         assertThat(FirstPass.of(cost, 50, 4).editsToPayOff()).isEqualTo(3);
         assertThat(FirstPass.of(cost, 50, -1).editsToPayOff()).isNaN();
         assertThat(FirstPass.of(cost, 50, 4).bytesPerPixel()).isEqualTo(100);

@@ -32,7 +32,7 @@ public final class Tables {
 
     /** The names of all tables. */
     public static List<String> names() {
-        return List.of("run", "scenes", "savings", "savings in short", "ladder", "previews", "composing", "drift", "growth", "editing", "meshes", "rays", "effects in use",
+        return List.of("scenes", "savings", "savings in short", "ladder", "previews", "composing", "drift", "growth", "editing", "meshes", "rays", "effects in use",
                 "effects absent",
                 "peer",
                 "cold");
@@ -45,7 +45,6 @@ public final class Tables {
      */
     public String of(String name) {
         return switch (name) {
-            case "run" -> run();
             case "scenes" -> scenes();
             case "savings" -> savings();
             case "savings in short" -> savingsInShort();
@@ -63,13 +62,6 @@ public final class Tables {
             case "cold" -> cold();
             default -> throw new IllegalArgumentException("there is no table '" + name + "'");
         };
-    }
-
-    private String run() {
-        var run = results.run();
-        return table(List.of("processors", "vector bits", "threads", "samples of each work", "memory bandwidth GB/s"),
-                Stream.of(List.of(Integer.toString(run.machine().processors()), Integer.toString(run.machine().vectorBits()),
-                        Integer.toString(run.threads()), Integer.toString(run.repetitions()), number(run.triadGBs()))));
     }
 
     private String scenes() {
