@@ -57,6 +57,77 @@ class ReportTest {
         assertThat(write(part, folder).getDocumentElement().getTextContent()).contains("had not ended after 5.00 s: it was cancelled", "bird, 300 × 200");
     }
 
+    /** A scene of edits at the default grade and with mirrors as they were, which saved this much of a full trace of 100 ms. */
+    private static SceneResult scene(double... savings) {
+        var same = new PictureError(0, 300, 0, 0, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 1, 0);
+        var stale = new PictureError(7, 300, 0, 0.1, 0.1, 0.1, 20, 20, 0.9, 0.1);
+        List<EditResult> edits = new ArrayList<>();
+        for (double saving : savings) {
+            double ms = 100 - saving;
+            var rungs = List.of(new RungResult(Grade.EXACT, Sample.samples(1, 1, 1), 99, stale, null, null, null),
+                    new RungResult(Grade.DEFAULT, Sample.samples(ms, ms, ms), saving, same, null, null, null),
+                    new RungResult(Grade.FULL_TRACE, Sample.samples(100, 100, 100), 0, same, null, null, null));
+            edits.add(new EditResult("edit" + edits.size(), "Fig. 6", 98, saving, 90, List.of(new ValueResult("value", rungs))));
+        }
+        return new SceneResult("bird", 300, 200, 3, 10, 3, null, null, edits, List.of(), null, null);
+    }
+
+    private static Results of(Run run, SceneResult... scenes) {
+        return new Results(run, List.of(scenes), List.of(), List.of(), List.of(), List.of(), List.of());
+    }
+
+    private static Run run(Load load, int repetitions) {
+        Run run = Sample.RUN;
+        return new Run(run.date(), run.commit(), run.arguments(), run.machine(), load, 1, 2, repetitions, false, 1, 1, true, 40, List.of(40.0));
+    }
+
+    @Test
+    void headlines_areAllOfTheDefaultGradeAndNameIt() throws Exception {
+        Element key = byClass(write(of(Sample.RUN, scene(60, 80, 90)), folder), "key").getFirst();
+
+        assertThat(texts(key, "dt").subList(0, 3)).containsExactly("80.0\u00a0%", "60.0\u00a0%", "3 of 3");
+        assertThat(texts(key, "dd").subList(0, 3)).allSatisfy(text -> assertThat(text).contains("at grade " + Grade.DEFAULT.label()));
+        assertThat(texts(key, "dd").get(1)).contains("edit0 on bird");
+    }
+
+    @Test
+    void savingThatIsNotCertain_isNoHeadline() throws Exception {
+        Element key = byClass(write(of(Sample.RUN, scene(Double.NaN, 80, Double.NaN)), folder), "key").getFirst();
+        assertThat(texts(key, "dt").subList(0, 2)).containsExactly("80.0\u00a0%", "80.0\u00a0%");
+        assertThat(texts(key, "dd").getFirst()).contains("2 of 3 edits are left out");
+
+        key = byClass(write(of(Sample.RUN, scene(Double.NaN)), folder), "key").getFirst();
+        assertThat(texts(key, "dt").subList(0, 2)).containsExactly("–", "–");
+    }
+
+    @Test
+    void busyMachine_isTold() throws Exception {
+        String busy = write(of(run(new Load(3, 9, 0.53), 5), scene(80)), folder).getDocumentElement().getTextContent();
+        assertThat(busy).contains("This machine was busy", "53.0\u00a0%");
+        String quiet = write(of(run(new Load(3, 2, 0.01), 5), scene(80)), folder).getDocumentElement().getTextContent();
+        assertThat(quiet).doesNotContain("busy").contains("1.0\u00a0%");
+    }
+
+    @Test
+    void oneRepetition_isNotSaidToBeWarm() throws Exception {
+        Load load = Sample.RUN.load();
+        assertThat(write(of(run(load, 1), scene(80)), folder).getDocumentElement().getTextContent()).contains("nothing warmed up")
+                .doesNotContain("after warming up");
+        assertThat(write(of(run(load, 5), scene(80)), folder).getDocumentElement().getTextContent()).contains("5 samples each, after warming up");
+    }
+
+    @Test
+    void barsOfLosses_endInTheChart() throws Exception {
+        // An edit that takes ten times as long as the full trace.
+        Document page = write(of(Sample.RUN, scene(80, -900)), folder);
+        Element chart = elements(page.getElementsByTagName("svg")).getFirst();
+        double width = Double.parseDouble(chart.getAttribute("viewBox").split(" ")[2]);
+        List<Element> bars = elements(chart.getElementsByTagName("rect"));
+        assertThat(bars).isNotEmpty().allSatisfy(bar -> assertThat(Double.parseDouble(bar.getAttribute("x"))
+                + Double.parseDouble(bar.getAttribute("width"))).isLessThanOrEqualTo(width));
+        assertThat(texts(chart, "text")).contains("1000.0\u00a0%");
+    }
+
     @Test
     void whatFailed_isALineOfItsOwn() throws Exception {
         Results results = new Results(Sample.RUN, List.of(Sample.scene(10)), List.of(), List.of(), List.of(), List.of(),

@@ -162,6 +162,18 @@ class ResultsDocumentTest {
                 .hasMessageStartingWith("bird, color, ");
     }
 
+    /** They are of many builds: a record of what was tried. */
+    @Test
+    void everyTableOfTheRecord_namesItsDateAndCommit() throws IOException {
+        List<String> lines = Files.readAllLines(Path.of("docs", "performance.md"));
+        for (int i = 3; i < lines.size(); i++) {
+            if (lines.get(i).matches("\\|[-|]+\\|")) {
+                assertThat(lines.get(i - 3)).as("above the table at line %d", i + 1)
+                        .matches("\\*Recorded \\d{4}-\\d\\d-\\d\\d.*, last at commit `[0-9a-f]{8}`\\.\\*");
+            }
+        }
+    }
+
     @Test
     void unknownMarks_areRefused() {
         assertThatThrownBy(() -> new Tables(ResultsArbitraries.of(1)).of("no such")).isInstanceOf(IllegalArgumentException.class);
