@@ -17,7 +17,8 @@ record Compilers(DoubleSupplier workedMs, DoubleSupplier nowMs) {
 
     /** Those of this Java; they rest where it does not report their time. */
     static Compilers ofJava() {
-        return new Compilers(() -> OF_JAVA != null && OF_JAVA.isCompilationTimeMonitoringSupported() ? OF_JAVA.getTotalCompilationTime() : 0,
+        return new Compilers(
+                () -> OF_JAVA != null && OF_JAVA.isCompilationTimeMonitoringSupported() ? OF_JAVA.getTotalCompilationTime() : 0,
                 () -> System.nanoTime() / 1e6);
     }
 

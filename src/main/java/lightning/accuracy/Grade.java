@@ -14,8 +14,9 @@ public enum Grade {
     FAST_SHADING("fast shading", "re-rendered without shadows and reflections, as previews of other editors are (paper §1.1, §2.3)"),
     FEW_SAMPLES("few samples", "re-rendered exactly, mirrors included, with 4 samples of each light that is larger than a point; only "
             + "where the scene has one"),
-    NO_ANTIALIASING("no anti-aliasing", "re-rendered exactly, mirrors included, with one sample in each pixel; only where the scene asks for "
-            + "finer samples"),
+    NO_ANTIALIASING("no anti-aliasing",
+            "re-rendered exactly, mirrors included, with one sample in each pixel; only where the scene asks for "
+                    + "finer samples"),
     RATIO("ratio", "the paper's update of stored contributions; mirrors stay as they were"),
     EXACT("exact", "bit-equal to a full trace whose mirrors stay as they were"),
     EXACT_UPDATED("exact, mirrors updated", "exact, and then the mirrors: both times together (paper §4.8)"),

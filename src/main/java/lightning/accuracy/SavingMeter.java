@@ -84,7 +84,8 @@ public final class SavingMeter implements AutoCloseable {
         }, () -> Turns.time(() -> tracer.trace(workers, progress))), progress);
         renderer.render(scene, progress);
         long bytes = renderer.cache().bytes();
-        return new FirstPassCost(times.of(0), times.of(1), tracer.trace(workers, progress.silent()).rays().all(), renderer.cache().rowCount(), bytes, bytes / bytesPerMs, times.warm());
+        return new FirstPassCost(times.of(0), times.of(1), tracer.trace(workers, progress.silent()).rays().all(),
+                renderer.cache().rowCount(), bytes, bytes / bytesPerMs, times.warm());
     }
 
     /**

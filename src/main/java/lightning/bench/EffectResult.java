@@ -16,7 +16,8 @@ import lightning.accuracy.EffectCost;
  * @param bytes    by how much it makes the kept picture larger
  * @param rays     how many more rays the first pass casts
  */
-public record EffectResult(String effect, boolean inUse, List<String> callers, double firstMs, double updateMs, double noiseMs, double updateNoiseMs,
+public record EffectResult(String effect, boolean inUse, List<String> callers, double firstMs, double updateMs, double noiseMs,
+        double updateNoiseMs,
         long bytes, long rays) {
     public EffectResult {
         callers = List.copyOf(callers);
@@ -33,7 +34,8 @@ public record EffectResult(String effect, boolean inUse, List<String> callers, d
     }
 
     static EffectResult of(EffectCost cost) {
-        return new EffectResult(cost.effect().title(), cost.inUse(), cost.callers(), cost.firstMs(), cost.updateMs(), cost.firstNoise(), cost.updateNoise(),
+        return new EffectResult(cost.effect().title(), cost.inUse(), cost.callers(), cost.firstMs(), cost.updateMs(), cost.firstNoise(),
+                cost.updateNoise(),
                 cost.bytes(), cost.rays().all());
     }
 }

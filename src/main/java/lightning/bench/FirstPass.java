@@ -19,7 +19,8 @@ public record FirstPass(Samples time, Samples fullTrace, double percentSlower, l
     /** @param savedMs milliseconds that an edit saves, the average of all */
     static FirstPass of(FirstPassCost cost, long pixels, double savedMs) {
         double more = Math.max(0, cost.first().median() - cost.full().median());
-        return new FirstPass(Samples.of(cost.first()), Samples.of(cost.full()), cost.percentSlower(), cost.fullRays(), cost.rows(), cost.bytes(),
+        return new FirstPass(Samples.of(cost.first()), Samples.of(cost.full()), cost.percentSlower(), cost.fullRays(), cost.rows(),
+                cost.bytes(),
                 cost.bytesPerRow(), (double) cost.bytes() / pixels, savedMs > 0 ? Math.ceil(more / savedMs) : Double.NaN);
     }
 }

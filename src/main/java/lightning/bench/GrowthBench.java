@@ -37,9 +37,11 @@ final class GrowthBench {
     /** What is to be measured: a part for each point of each curve. */
     List<Part> parts(Pace pace) {
         List<Part> parts = new ArrayList<>();
-        List<PictureSize> sizes = settings.quick() ? List.of(new PictureSize(100, 100), new PictureSize(200, 200), new PictureSize(400, 400))
-                : List.of(new PictureSize(100, 100), new PictureSize(200, 200), new PictureSize(400, 400), new PictureSize(800, 800),
-                        new PictureSize(1600, 1600), new PictureSize(3840, 2160));
+        List<PictureSize> sizes =
+                settings.quick() ? List.of(new PictureSize(100, 100), new PictureSize(200, 200), new PictureSize(400, 400))
+                        : List.of(new PictureSize(100, 100), new PictureSize(200, 200), new PictureSize(400, 400),
+                                new PictureSize(800, 800),
+                                new PictureSize(1600, 1600), new PictureSize(3840, 2160));
         for (PictureSize pixels : sizes) {
             parts.add(part("pixels", pixels.pixels(), pixels, "generated, 100 shapes, 4 lights, depth 2", pace,
                     () -> GeneratedScenes.of(settings.seed(), pixels, SHAPES, LIGHTS, DEPTH)));

@@ -69,7 +69,8 @@ final class BenchCommand implements Callable<Integer> {
     private Path kept;
     @Option(names = "--edits", description = "Edits and curves alone: no effects, no processes that begin cold, no large scenes.")
     private boolean edits;
-    @Option(names = "--quick", description = "A small selection: three of the scenes where none is named, at 640x480, each edit with one value.")
+    @Option(names = "--quick",
+            description = "A small selection: three of the scenes where none is named, at 640x480, each edit with one value.")
     private boolean quick;
     @Option(names = "--effects", description = "What each effect of the scenes takes, and nothing else but the first pass.")
     private boolean effects;

@@ -82,7 +82,8 @@ final class BenchTable {
     /** Says what all of it means, and what is not in the table. */
     void foot(Results results) {
         console.line("");
-        console.line("saves: grade " + Grade.DEFAULT.label() + " (the default), of a full trace's time; paper: on its own scene and machine of 1998;");
+        console.line("saves: grade " + Grade.DEFAULT.label()
+                + " (the default), of a full trace's time; paper: on its own scene and machine of 1998;");
         console.line("cap: what ray counts and memory allow; then milliseconds of each grade, and the mean FLIP error (0 to 1) of the"
                 + " two roughest");
         for (SceneResult scene : results.scenes()) {

@@ -20,7 +20,8 @@ final class TourTable {
 
     void first(FirstPassCost cost, double bytesPerMs) {
         console.line("first pass %.1f ms, full trace %.1f ms: keeping all costs %.1f %%%s (the paper: 19; writing it to memory at %.0f GB/s"
-                + " alone: %.1f)", cost.first().median(), cost.full().median(), cost.percentSlower(), cost.warm() ? "" : " (" + NOT_WARM + ")", bytesPerMs / 1e6,
+                + " alone: %.1f)", cost.first().median(), cost.full().median(), cost.percentSlower(),
+                cost.warm() ? "" : " (" + NOT_WARM + ")", bytesPerMs / 1e6,
                 cost.percentFloor());
         console.line("kept: %d rows, %.1f bytes a row", cost.rows(), cost.bytesPerRow());
         console.line("");

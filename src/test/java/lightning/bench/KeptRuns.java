@@ -69,8 +69,9 @@ record KeptRuns(Map<String, Results> parts) {
     }
 
     private void differing(List<String> faults, String what, java.util.function.Function<Run, String> of) {
-        Map<String, String> named = runs().entrySet().stream().collect(Collectors.groupingBy(e -> of.apply(e.getValue()), LinkedHashMap::new,
-                Collectors.mapping(Map.Entry::getKey, Collectors.joining(", "))));
+        Map<String, String> named =
+                runs().entrySet().stream().collect(Collectors.groupingBy(e -> of.apply(e.getValue()), LinkedHashMap::new,
+                        Collectors.mapping(Map.Entry::getKey, Collectors.joining(", "))));
         if (named.size() > 1) {
             faults.add("several " + what + ": " + named);
         }

@@ -18,8 +18,10 @@ class KeptRunsTest {
 
     private static Results at(String commit, boolean complete, int repetitions, List<SceneResult> scenes) {
         Run run = Sample.RUN;
-        return new Results(new Run(run.date(), commit, run.arguments(), run.machine(), run.load(), 1, 2, repetitions, false, 1, 1, complete, 40,
-                List.of(40.0)), scenes, List.of(), List.of(), List.of(), List.of(), List.of());
+        return new Results(
+                new Run(run.date(), commit, run.arguments(), run.machine(), run.load(), 1, 2, repetitions, false, 1, 1, complete, 40,
+                        List.of(40.0)),
+                scenes, List.of(), List.of(), List.of(), List.of(), List.of());
     }
 
     private static List<String> faults(Results first, Results second) {

@@ -54,9 +54,11 @@ class ReportTest {
     @Test
     void cancelledRun_saysSo() throws Exception {
         Results part =
-                new Results(Sample.RUN.after(5, false, Sample.RUN.load()), List.of(Sample.scene(10)), List.of(), List.of(), List.of(), List.of(), List.of());
+                new Results(Sample.RUN.after(5, false, Sample.RUN.load()), List.of(Sample.scene(10)), List.of(), List.of(), List.of(),
+                        List.of(), List.of());
 
-        assertThat(write(part, folder).getDocumentElement().getTextContent()).contains("had not ended after 5.00 s: it was cancelled", "bird, 300 × 200");
+        assertThat(write(part, folder).getDocumentElement().getTextContent()).contains("had not ended after 5.00 s: it was cancelled",
+                "bird, 300 × 200");
     }
 
     /** A scene of edits at the default grade and with mirrors as they were, which saved this much of a full trace of 100 ms. */
@@ -80,7 +82,8 @@ class ReportTest {
 
     private static Run run(Load load, int repetitions) {
         Run run = Sample.RUN;
-        return new Run(run.date(), run.commit(), run.arguments(), run.machine(), load, 1, 2, repetitions, false, 1, 1, true, 40, List.of(40.0));
+        return new Run(run.date(), run.commit(), run.arguments(), run.machine(), load, 1, 2, repetitions, false, 1, 1, true, 40,
+                List.of(40.0));
     }
 
     @Test
@@ -115,7 +118,8 @@ class ReportTest {
         Load load = Sample.RUN.load();
         assertThat(write(of(run(load, 1), scene(80)), folder).getDocumentElement().getTextContent()).contains("nothing warmed up")
                 .doesNotContain("after warming up");
-        assertThat(write(of(run(load, 5), scene(80)), folder).getDocumentElement().getTextContent()).contains("5 samples each, after warming up");
+        assertThat(write(of(run(load, 5), scene(80)), folder).getDocumentElement().getTextContent())
+                .contains("5 samples each, after warming up");
     }
 
     @Test

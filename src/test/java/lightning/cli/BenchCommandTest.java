@@ -12,8 +12,8 @@ import lightning.bench.EditResult;
 import lightning.bench.Reporter;
 import lightning.bench.Results;
 import lightning.bench.ResultsFile;
-import lightning.bench.report.Report;
 import lightning.bench.SceneResult;
+import lightning.bench.report.Report;
 import lightning.sample.DefaultLocale;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -124,7 +124,8 @@ class BenchCommandTest {
     @Test
     void badArguments_areRefused() throws Exception {
         Cli.run("bench", scene).isRefusedSaying("--output");
-        bench(scene, "--figure", 12).isRefusedSaying("--figure must be one that shows measured edits (6 to 11, 13 to 26, B1 to B4 or B for Appendix B), was '12'");
+        bench(scene, "--figure", 12).isRefusedSaying(
+                "--figure must be one that shows measured edits (6 to 11, 13 to 26, B1 to B4 or B for Appendix B), was '12'");
         bench(scene, "--repetitions", 0).isRefusedSaying("repetitions");
         bench(scene, "--size", "0x5").isRefusedSaying("width and height must be from 1");
         bench(scene, "--baseline", folder.resolve("no.json")).isRefusedSaying("no.json: there is no such file");

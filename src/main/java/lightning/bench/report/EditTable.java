@@ -12,7 +12,8 @@ final class EditTable {
     private EditTable() {}
 
     static void write(Markup page, SceneResult scene) {
-        try (Table table = new Table(page, "plans", "Each edit at grade " + Grade.DEFAULT.label() + ": work of its first value, savings averaged over all values.",
+        try (Table table = new Table(page, "plans",
+                "Each edit at grade " + Grade.DEFAULT.label() + ": work of its first value, savings averaged over all values.",
                 "edit", "plan", "rows touched", "shadow rays", "avoided", "time", "full trace", "saves", "paper", "cap",
                 "saves with mirrors as they were", "updated afterwards", "above floor")) {
             scene.edits().forEach(edit -> row(table, edit));

@@ -28,9 +28,10 @@ final class KeyNumbers {
                 .mapToDouble(f -> f.percentSlower()));
         int uncertain = edits.size() - savings.length;
         page.open("dl", "class", "key");
-        number(page, Numbers.percent(median(savings)), "of a full trace is saved by the median edit " + GRADE + ", the full trace being the "
-                + "fastest that the program can make" + (uncertain == 0 ? "" : "; " + uncertain + " of " + edits.size()
-                        + " edits are left out, whose times scatter too much to say"));
+        number(page, Numbers.percent(median(savings)),
+                "of a full trace is saved by the median edit " + GRADE + ", the full trace being the "
+                        + "fastest that the program can make" + (uncertain == 0 ? "" : "; " + uncertain + " of " + edits.size()
+                                + " edits are left out, whose times scatter too much to say"));
         least(page, results);
         number(page, Numbers.grouped(equal) + " of " + Numbers.grouped(pictures.size()),
                 "pictures " + GRADE + " equal the full trace in every bit");

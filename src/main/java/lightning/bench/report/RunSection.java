@@ -26,9 +26,12 @@ final class RunSection {
 
     private static void facts(Markup page, Run run) {
         Machine machine = run.machine();
-        page.leaf("p", run.date() + " · commit " + run.commit() + " · " + machine.system() + ", " + machine.processor() + ", " + machine.processors()
-                + " processors, " + machine.vectorBits() + "-bit vectors, " + Numbers.bytes(machine.memoryBytes()) + " · "
-                + machine.java() + " · " + run.threads() + " threads · memory " + Numbers.plain(run.triadGBs()) + " GB/s", "class",
+        page.leaf("p",
+                run.date() + " · commit " + run.commit() + " · " + machine.system() + ", " + machine.processor() + ", "
+                        + machine.processors()
+                        + " processors, " + machine.vectorBits() + "-bit vectors, " + Numbers.bytes(machine.memoryBytes()) + " · "
+                        + machine.java() + " · " + run.threads() + " threads · memory " + Numbers.plain(run.triadGBs()) + " GB/s",
+                "class",
                 "facts");
         page.leaf("p", load(run), "class", run.load().isBusy(machine.processors()) ? "note" : "facts");
         if (run.quick()) {
@@ -43,8 +46,9 @@ final class RunSection {
     /** What other work did to the run. */
     private static String load(Run run) {
         Load load = run.load();
-        String facts = "load average " + Numbers.plain(load.atStart()) + " before, " + Numbers.plain(load.atEnd()) + " at the end; other work had "
-                + Numbers.percent(100 * load.others()) + " of the processors' time";
+        String facts =
+                "load average " + Numbers.plain(load.atStart()) + " before, " + Numbers.plain(load.atEnd()) + " at the end; other work had "
+                        + Numbers.percent(100 * load.others()) + " of the processors' time";
         return load.isBusy(run.machine().processors()) ? "This machine was busy: " + facts + ". Its times say little." : facts;
     }
 
@@ -117,7 +121,8 @@ final class RunSection {
         page.open("section", "id", "method");
         page.leaf("h2", "How it was measured");
         page.leaf("p", "Each edit's grades of accuracy and the full trace run in turns, again and again, so that whatever slows the "
-                + "machine for a while slows all of them; " + samples(run) + " Times are medians, whiskers quartiles. No grade is timed before its picture was compared with a "
+                + "machine for a while slows all of them; " + samples(run)
+                + " Times are medians, whiskers quartiles. No grade is timed before its picture was compared with a "
                 + "trace from nothing. Where the quartiles of an edit and of the full trace overlap, or there are fewer than three samples, no "
                 + "saving is given. A saving is what an edit spares of the time of the traditional full trace, the fastest that "
                 + "the program can make, which keeps nothing; the paper's are of its own scene on a computer of 1998.");

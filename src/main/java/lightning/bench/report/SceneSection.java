@@ -56,7 +56,8 @@ final class SceneSection {
     }
 
     private static void shares(Markup page, SceneResult scene) {
-        figure(page, "The paper's figures, redrawn", "Time of each edit in percent of the full trace's: shorter is better. Where times scatter too much to "
+        figure(page, "The paper's figures, redrawn",
+                "Time of each edit in percent of the full trace's: shorter is better. Where times scatter too much to "
                         + "say, there is no bar.",
                 shares(scene),
                 Ink.PAPER, "the paper, 1998, on its own scene", Ink.OURS, "grade " + Grade.DEFAULT.label() + ", the default", Ink.SKY,

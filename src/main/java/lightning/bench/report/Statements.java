@@ -51,14 +51,16 @@ public final class Statements {
         made.put("color cap", () -> range("%.0f", scenes.stream().flatMap(s -> edits(s, RECOLORED)).map(EditResult::cap)) + " %");
         made.put("color over floor", () -> range("%.1f", scenes.stream().flatMap(s -> edits(s, RECOLORED))
                 .flatMap(e -> e.first(Grade.DEFAULT).stream()).map(r -> r.work().timesFloor())));
-        made.put("stale values", () -> range("%.1f", scenes.stream().flatMap(s -> grade(s, Grade.EXACT)).map(GradeSummary::percentDiffering))
-                + " %");
+        made.put("stale values",
+                () -> range("%.1f", scenes.stream().flatMap(s -> grade(s, Grade.EXACT)).map(GradeSummary::percentDiffering))
+                        + " %");
         made.put("median savings", () -> each(s -> percent(summary(s, Grade.DEFAULT))));
         made.put("median savings, mirrors as they were", () -> each(s -> percent(summary(s, Grade.EXACT))));
         made.put("recolored light", () -> previews(RECOLORED));
         made.put("moved light", () -> previews(MOVED));
-        made.put("cold share", () -> colds(cold, s -> s.width() == PAPER_SIZE) + " at 300×300 and " + colds(cold, s -> s.width() > PAPER_SIZE)
-                + " at 1920×1080");
+        made.put("cold share",
+                () -> colds(cold, s -> s.width() == PAPER_SIZE) + " at 300×300 and " + colds(cold, s -> s.width() > PAPER_SIZE)
+                        + " at 1920×1080");
         made.put("eye rays beside Embree", () -> embree(meshes, "eye"));
         made.put("shadow rays beside Embree", () -> embree(meshes, "shadow"));
         made.put("mirrored rays beside Embree", () -> embree(meshes, "mirrored"));
@@ -98,8 +100,9 @@ public final class Statements {
             for (EditResult edit : scene.edits()) {
                 for (ValueResult value : edit.values()) {
                     if (value.find(Grade.DEFAULT).map(rung -> rung.error().values() != 0).orElse(true)) {
-                        throw new IllegalStateException(scene.scene() + ", " + edit.edit() + ", " + value.value() + ": the picture of grade "
-                                + Grade.DEFAULT.label() + " is not equal to the full trace");
+                        throw new IllegalStateException(
+                                scene.scene() + ", " + edit.edit() + ", " + value.value() + ": the picture of grade "
+                                        + Grade.DEFAULT.label() + " is not equal to the full trace");
                     }
                     all++;
                 }

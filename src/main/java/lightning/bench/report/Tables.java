@@ -32,7 +32,8 @@ public final class Tables {
 
     /** The names of all tables. */
     public static List<String> names() {
-        return List.of("scenes", "savings", "savings in short", "ladder", "previews", "composing", "drift", "growth", "editing", "meshes", "rays", "effects in use",
+        return List.of("scenes", "savings", "savings in short", "ladder", "previews", "composing", "drift", "growth", "editing", "meshes",
+                "rays", "effects in use",
                 "effects absent",
                 "peer",
                 "cold");
@@ -93,7 +94,8 @@ public final class Tables {
     private static final Map<String, String> IN_SHORT = new LinkedHashMap<>();
 
     static {
-        List.of("color", "intensity", "attenuation", "ambience", "angle-smaller", "angle-larger", "dropoff", "delete", "position", "direction",
+        List.of("color", "intensity", "attenuation", "ambience", "angle-smaller", "angle-larger", "dropoff", "delete", "position",
+                "direction",
                 "type", "add").forEach(edit -> IN_SHORT.put(edit, edit.replace('-', ' ')));
         IN_SHORT.put("material-color", "a material's color");
         IN_SHORT.put("shininess", "shininess");
@@ -170,7 +172,8 @@ public final class Tables {
 
     private String floors() {
         return table(List.of("scene", "edit", "ms", "floor ms", "times the floor"), large().flatMap(s -> s.edits().stream()
-                .filter(e -> List.of("color", "attenuation", "position").contains(e.edit()) && e.first(Grade.DEFAULT).isPresent()).map(e -> {
+                .filter(e -> List.of("color", "attenuation", "position").contains(e.edit()) && e.first(Grade.DEFAULT).isPresent())
+                .map(e -> {
                     RungResult exact = e.first(Grade.DEFAULT).orElseThrow();
                     return List.of(s.scene(), e.edit(), number(exact.time().median()), number(exact.work().floorMs()),
                             number(exact.work().timesFloor()));
@@ -222,7 +225,8 @@ public final class Tables {
     }
 
     private static List<String> row(SceneResult scene, EffectResult e) {
-        return List.of(scene.scene(), e.effect(), number(e.certainFirstMs()), number(e.noiseMs()), number(e.certainUpdateMs()), number(e.bytes() / 1e6),
+        return List.of(scene.scene(), e.effect(), number(e.certainFirstMs()), number(e.noiseMs()), number(e.certainUpdateMs()),
+                number(e.bytes() / 1e6),
                 number(e.rays() / 1e6));
     }
 
