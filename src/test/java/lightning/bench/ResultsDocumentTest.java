@@ -100,8 +100,10 @@ class ResultsDocumentTest {
         assertThat(charts.keySet()).allSatisfy(name -> assertThat(PICTURES.resolve(name)).content().contains(run.commit(), run.date()));
         String text = Files.readString(RESULTS);
         try (Stream<Path> files = Files.list(PICTURES)) {
-            assertThat(files.map(file -> file.getFileName().toString()).filter(name -> name.startsWith("results-")).sorted().toList()).isEqualTo(
-                    charts.keySet().stream().sorted().toList()).allSatisfy(name -> assertThat(text).contains("(pictures/" + name + ")"));
+            assertThat(files.map(file -> file.getFileName().toString()).filter(name -> name.startsWith("results-")).sorted().toList())
+                    .isEqualTo(
+                            charts.keySet().stream().sorted().toList())
+                    .allSatisfy(name -> assertThat(text).contains("(pictures/" + name + ")"));
         }
     }
 

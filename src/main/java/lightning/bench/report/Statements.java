@@ -90,7 +90,9 @@ public final class Statements {
         Machine machine = run.machine();
         return String.format(Locale.ROOT, "build `%s`, measured on %s with %d processors (%s, %d-bit vectors), %.0f GB of memory, %s, %s",
                 run.commit(), run.date().replaceFirst("T.*", ""), machine.processors(), machine.processor(), machine.vectorBits(),
-                machine.memoryBytes() / 1e9, machine.system(), machine.java());
+                machine.memoryBytes() / 1e9, machine.system(), machine.java())
+                + (run.load().isBusy(machine.processors()) ? ", **while other work held the processors, so that its times say little**"
+                        : "");
     }
 
     /** Of the default grade: one picture that differs makes it untrue. */
