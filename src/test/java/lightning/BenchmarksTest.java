@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.File;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import javax.tools.Diagnostic;
 import javax.tools.DiagnosticCollector;
@@ -15,6 +17,8 @@ import javax.tools.JavaFileObject;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The programs of {@code benchmarks}, which are compiled against a build when they are used, long after it was made. */
@@ -33,6 +37,34 @@ class BenchmarksTest {
             compiler.getTask(null, files, problems, options, null, files.getJavaFileObjectsFromPaths(programs())).call();
         }
         assertThat(problems.getDiagnostics()).filteredOn(problem -> problem.getKind() == Diagnostic.Kind.ERROR).isEmpty();
+    }
+
+    /** As where neither JAVA_HOME nor JAVA25_HOME is set: Java is in a usual place. */
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void scripts_findAJavaInAUsualPlaceAsTheProgramDoes() throws Exception {
+        Path home = Files.createDirectories(classes.resolve("home"));
+        Path java = Files.createDirectories(home.resolve(".sdkman/candidates/java/25/bin")).resolve("java");
+        for (Path program : List.of(java, java.resolveSibling("javac"))) {
+            assertThat(Files.createFile(program).toFile().setExecutable(true)).isTrue();
+        }
+        Files.writeString(home.resolve(".sdkman/candidates/java/25/release"), "JAVA_VERSION=\"25.0.1\"\n");
+        var script = new ProcessBuilder("bash", "-c", "set -euo pipefail; here=$PWD/benchmarks; . benchmarks/two-builds; echo $java")
+                .redirectErrorStream(true);
+        script.environment().clear();
+        script.environment().putAll(Map.of("HOME", home.toString(), "PATH", "/usr/bin:/bin"));
+        Process process = script.start();
+        String out = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(process.waitFor()).as(out).isZero();
+        assertThat(out.strip()).endsWith("/bin/java");
+    }
+
+    @Test
+    void everyScript_takesTheJavaThatAllTake() throws IOException {
+        try (Stream<Path> files = Files.list(Path.of("benchmarks"))) {
+            assertThat(files.filter(Files::isExecutable).filter(Files::isRegularFile).filter(file -> !file.endsWith("run")))
+                    .isNotEmpty().allSatisfy(file -> assertThat(file).content().contains(". \"$here/two-builds\"").doesNotContain("_HOME"));
+        }
     }
 
     private static List<Path> programs() throws IOException {

@@ -15,7 +15,7 @@ import lightning.shading.TraceCounts;
  * @param firstMs    by how much it makes the first pass longer, milliseconds; below 0 only by noise, or where a scene without
  *                   it has more to do
  * @param updateMs   likewise the update after an edit
- * @param firstNoise half the distance between the quartiles of the first passes with it, milliseconds
+ * @param firstNoise half the distance between the quartiles of the first passes with it or without it, the larger, milliseconds
  * @param updateNoise likewise of the updates
  * @param bytes      by how much it makes the picture's cache larger; below 0 where other columns are needed without it
  * @param rays       how many more rays the first pass casts

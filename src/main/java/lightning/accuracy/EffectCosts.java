@@ -68,7 +68,8 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
             EffectVariant without = inUse ? other : plain;
             return new EffectCost(effect, effects.callers(effect), true, with.first().median() - without.first().median(),
                     with.update().median() - without.update().median(),
-                    noise(with.first()), noise(with.update()), with.bytes() - without.bytes(),
+                    Math.max(noise(with.first()), noise(without.first())), Math.max(noise(with.update()), noise(without.update())),
+                    with.bytes() - without.bytes(),
                     with.rays().minus(without.rays()));
         } catch (PictureTooLarge | OutOfMemoryError e) {
             // Finer samples may take twenty times what the picture takes; the other effects are measured all the same.

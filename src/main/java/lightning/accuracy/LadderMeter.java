@@ -102,7 +102,7 @@ public final class LadderMeter implements AutoCloseable {
                     memory -= MemoryNeed.of(kept);
                 }
                 case EXACT_UPDATED, EXACT_CURRENT -> grade.begin(kept);
-                case HALF_RESOLUTION, FAST_SHADING, FEW_SAMPLES, RATIO, FULL_TRACE ->
+                case HALF_RESOLUTION, FAST_SHADING, FEW_SAMPLES, NO_ANTIALIASING, RATIO, FULL_TRACE ->
                         memory -= MemoryNeed.of(grade.begin(before, memory, progress));
             }
         }

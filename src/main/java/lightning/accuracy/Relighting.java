@@ -34,10 +34,11 @@ final class Relighting implements AutoCloseable {
         renderer = new Renderer(options(grade).withThreads(workers.count()));
     }
 
-    private static Options options(Grade grade) {
+    /** How a grade renders. */
+    static Options options(Grade grade) {
         Options exact = Options.DEFAULT.withAccuracy(Accuracy.EXACT).withEngines(Engines.FASTEST);
         return switch (grade) {
-            case HALF_RESOLUTION, FEW_SAMPLES, EXACT_CURRENT -> exact.withReflections(Reflections.CURRENT);
+            case HALF_RESOLUTION, FEW_SAMPLES, NO_ANTIALIASING, EXACT_CURRENT -> exact.withReflections(Reflections.CURRENT);
             case FAST_SHADING -> exact.withReflections(Reflections.STALE).withView(FAST_SHADING);
             case RATIO -> exact.withReflections(Reflections.STALE).withAccuracy(Accuracy.RATIO);
             case EXACT, EXACT_UPDATED -> exact.withReflections(Reflections.STALE);

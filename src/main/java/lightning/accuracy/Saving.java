@@ -12,8 +12,9 @@ import lightning.shading.TraceCounts;
  * @param fullRays   the rays of that trace
  * @param bytesPerMs bytes in a millisecond that memory can read and write
  * @param kept       whether the picture is what the accuracy grade promises: equal in every bit, or within the bound
+ * @param warm       whether Java's compilers rested while it was timed: else its times say little
  */
-public record Saving(Update update, Timing time, Timing full, TraceCounts fullRays, double bytesPerMs, boolean kept) {
+public record Saving(Update update, Timing time, Timing full, TraceCounts fullRays, double bytesPerMs, boolean kept, boolean warm) {
     /** Percent of the full trace's time; negative where the update took longer. */
     public double percent() {
         return time.savingOf(full.median());

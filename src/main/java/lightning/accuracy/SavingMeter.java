@@ -23,6 +23,9 @@ import lightning.work.Workers;
  */
 public final class SavingMeter implements AutoCloseable {
     private static final long WARM_UP_NANOSECONDS = 4_000_000_000L;
+    /** A process on a busy machine may still compile then: it gets so long at most. */
+    private static final long LONGEST_WARM_UP_NANOSECONDS = 30_000_000_000L;
+    private static final Compilers COMPILERS = Compilers.ofJava();
 
     private final Renderer renderer;
     private final Workers workers;
@@ -74,14 +77,15 @@ public final class SavingMeter implements AutoCloseable {
      */
     public FirstPassCost firstPass(Scene scene, Progress progress) {
         TraditionalTracer tracer = new TraditionalTracer(scene).by(Engines.FASTEST);
-        List<Timing> times = turns.take(List.of(() -> {
+        Taken times = take(List.of(() -> {
             try (Renderer fresh = new Renderer(renderer.options())) {
                 return fresh.render(scene, progress).milliseconds();
             }
-        }, () -> Turns.time(() -> tracer.trace(workers, progress))), progress.silent());
+        }, () -> Turns.time(() -> tracer.trace(workers, progress))), progress);
         renderer.render(scene, progress);
         long bytes = renderer.cache().bytes();
-        return new FirstPassCost(times.get(0), times.get(1), renderer.cache().rowCount(), bytes, bytes / bytesPerMs);
+        return new FirstPassCost(times.of(0), times.of(1), tracer.trace(workers, progress.silent()).rays().all(),
+                renderer.cache().rowCount(), bytes, bytes / bytesPerMs, times.warm());
     }
 
     /**
@@ -118,6 +122,20 @@ public final class SavingMeter implements AutoCloseable {
         return measure(List.of(() -> renderer.updateReflections(progress)), after, progress).getFirst();
     }
 
+    /** Times of works, and whether Java's compilers rested while they were taken. */
+    private record Taken(List<Timing> times, boolean warm) {
+        Timing of(int work) {
+            return times.get(work);
+        }
+    }
+
+    private Taken take(List<Turns.Turn<RuntimeException>> works, Progress progress) {
+        turns.warmUp(works, progress.silent());
+        Compilers.Watch watch = COMPILERS.watch();
+        List<Timing> times = turns.measure(works, progress.silent());
+        return new Taken(times, watch.isResting());
+    }
+
     /** Measures works that start, each time, from what the renderer keeps now; the scene is traced in full beside them. */
     private List<Saving> measure(List<Supplier<Update>> works, Scene traced, Progress progress) {
         PixelCache start = renderer.cache();
@@ -136,10 +154,10 @@ public final class SavingMeter implements AutoCloseable {
         TraditionalTracer tracer = tracer(traced);
         TraceCounts fullRays = tracer.trace(workers, progress).rays();
         turn.add(() -> Turns.time(() -> tracer.trace(workers, progress)));
-        List<Timing> times = turns.take(turn, progress.silent());
+        Taken times = take(turn, progress);
         List<Saving> savings = new ArrayList<>();
         for (int i = 0; i < works.size(); i++) {
-            savings.add(new Saving(updates.get(i), times.get(i), times.getLast(), fullRays, bytesPerMs, kept.get(i)));
+            savings.add(new Saving(updates.get(i), times.of(i), times.of(works.size()), fullRays, bytesPerMs, kept.get(i), times.warm()));
         }
         return savings;
     }
@@ -170,20 +188,22 @@ public final class SavingMeter implements AutoCloseable {
     }
 
     /**
-     * Runs updates and full traces until the compiler has seen them: at least once each, and for a few seconds.
+     * Runs updates and full traces until Java's compilers rest: at least once each and for a few seconds, for half a minute at most.
      *
      * @param edits pairs of scenes, the one before and the one after
      * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
      */
     public void warmUp(List<Scene[]> edits, Progress progress) {
         long start = System.nanoTime();
+        Compilers.Watch watch;
         do {
+            watch = COMPILERS.watch();
             for (Scene[] edit : edits) {
                 settle(edit[0], progress);
                 renderer.render(edit[1], progress);
                 tracer(edit[1]).trace(workers, progress);
             }
-        } while (!edits.isEmpty() && System.nanoTime() - start < WARM_UP_NANOSECONDS);
+        } while (!edits.isEmpty() && System.nanoTime() - start < (watch.isResting() ? WARM_UP_NANOSECONDS : LONGEST_WARM_UP_NANOSECONDS));
     }
 
     @Override

@@ -8,17 +8,19 @@ import lightning.accuracy.FirstPassCost;
  * @param time          of the first pass
  * @param fullTrace     of the traditional trace, measured in turns with it
  * @param percentSlower by how much the first pass is slower
+ * @param fullRays      rays of the full trace
  * @param rows          hit rows kept, mirror images included
  * @param bytes         kept, the film left out
  * @param editsToPayOff after how many edits of average saving the first pass has paid for itself; NaN where edits save nothing
  */
-public record FirstPass(Samples time, Samples fullTrace, double percentSlower, long rows, long bytes, double bytesPerRow,
+public record FirstPass(Samples time, Samples fullTrace, double percentSlower, long fullRays, long rows, long bytes, double bytesPerRow,
         double bytesPerPixel, double editsToPayOff) {
 
     /** @param savedMs milliseconds that an edit saves, the average of all */
     static FirstPass of(FirstPassCost cost, long pixels, double savedMs) {
         double more = Math.max(0, cost.first().median() - cost.full().median());
-        return new FirstPass(Samples.of(cost.first()), Samples.of(cost.full()), cost.percentSlower(), cost.rows(), cost.bytes(),
+        return new FirstPass(Samples.of(cost.first()), Samples.of(cost.full()), cost.percentSlower(), cost.fullRays(), cost.rows(),
+                cost.bytes(),
                 cost.bytesPerRow(), (double) cost.bytes() / pixels, savedMs > 0 ? Math.ceil(more / savedMs) : Double.NaN);
     }
 }

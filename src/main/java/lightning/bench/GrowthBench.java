@@ -31,15 +31,17 @@ final class GrowthBench {
         this.settings = settings;
         this.ledger = ledger;
         this.bytesPerMs = bytesPerMs;
-        size = settings.quick() ? new PictureSize(80, 80) : new PictureSize(300, 300);
+        size = new PictureSize(300, 300);
     }
 
     /** What is to be measured: a part for each point of each curve. */
     List<Part> parts(Pace pace) {
         List<Part> parts = new ArrayList<>();
-        List<PictureSize> sizes = settings.quick() ? List.of(new PictureSize(50, 50), new PictureSize(100, 100), new PictureSize(200, 200))
-                : List.of(new PictureSize(100, 100), new PictureSize(200, 200), new PictureSize(400, 400), new PictureSize(800, 800),
-                        new PictureSize(1600, 1600), new PictureSize(3840, 2160));
+        List<PictureSize> sizes =
+                settings.quick() ? List.of(new PictureSize(100, 100), new PictureSize(200, 200), new PictureSize(400, 400))
+                        : List.of(new PictureSize(100, 100), new PictureSize(200, 200), new PictureSize(400, 400),
+                                new PictureSize(800, 800),
+                                new PictureSize(1600, 1600), new PictureSize(3840, 2160));
         for (PictureSize pixels : sizes) {
             parts.add(part("pixels", pixels.pixels(), pixels, "generated, 100 shapes, 4 lights, depth 2", pace,
                     () -> GeneratedScenes.of(settings.seed(), pixels, SHAPES, LIGHTS, DEPTH)));
@@ -75,19 +77,28 @@ final class GrowthBench {
         MemoryNeed.check(scene, Options.DEFAULT.withThreads(settings.threads()));
         List<PaperCase> cases = PaperCases.of(scene).stream().filter(PaperCase::isPrinted).toList();
         try (SavingMeter meter =
-                new SavingMeter(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(settings.threads()), settings.repetitions(),
-                        settings.patienceMs(), bytesPerMs)) {
+                meter(Options.DEFAULT)) {
             List<Saving> savings = meter.updates(scene, cases.stream().map(PaperCase::after).toList(), progress);
             List<GrowthPoint.EditTime> edits = new ArrayList<>();
             for (int i = 0; i < savings.size(); i++) {
                 add(edits, where, cases.get(i).name(), savings.get(i));
             }
             if (along.equals("depth")) {
-                cases.stream().filter(edit -> edit.name().equals("position")).findFirst().ifPresent(edit -> add(edits, where,
-                        "mirrors updated after position", meter.reflections(scene, edit.after(), progress)));
+                cases.stream().filter(edit -> edit.name().equals("position")).findFirst()
+                        .ifPresent(edit -> add(edits, where, "mirrors updated after position", reflections(scene, edit, progress)));
             }
             return new GrowthPoint(at, Samples.of(savings.getFirst().full()), edits);
         }
+    }
+
+    private Saving reflections(Scene scene, PaperCase edit, Progress progress) {
+        try (SavingMeter meter = meter(Options.DEFAULT.withReflections(Reflections.STALE))) {
+            return meter.reflections(scene, edit.after(), progress);
+        }
+    }
+
+    private SavingMeter meter(Options options) {
+        return new SavingMeter(options.withThreads(settings.threads()), settings.repetitions(), settings.patienceMs(), bytesPerMs);
     }
 
     private void add(List<GrowthPoint.EditTime> edits, String where, String name, Saving saving) {

@@ -49,6 +49,7 @@ public final class Harness {
     private final List<Double> triad;
     private final double predictedMs;
     private final long begin = System.nanoTime();
+    private final LoadMeter load = new LoadMeter();
     private final Run run;
 
     /** Parts that share something, which is closed after the last. */
@@ -94,8 +95,8 @@ public final class Harness {
             groups.add(new Group(new MeshBench(settings, ledger).parts(), () -> {}));
         }
         predictedMs = groups.stream().flatMap(g -> g.parts().stream()).mapToDouble(Part::predictedMs).sum();
-        run = new Run(Instant.now().truncatedTo(ChronoUnit.SECONDS).toString(), Here.commit(), arguments, Here.machine(), settings.seed(),
-                settings.threads(), settings.repetitions(), settings.quick(), predictedMs / 1e3, 0, false, best / 1e6,
+        run = new Run(Instant.now().truncatedTo(ChronoUnit.SECONDS).toString(), Here.commit(), arguments, Here.machine(), load.load(),
+                settings.seed(), settings.threads(), settings.repetitions(), settings.quick(), predictedMs / 1e3, 0, false, best / 1e6,
                 triad.stream().map(d -> d / 1e6).toList());
     }
 
@@ -156,7 +157,7 @@ public final class Harness {
 
     /** What was measured until now. */
     public Results results(boolean complete) {
-        return ledger.results(run.after((System.nanoTime() - begin) / 1e9, complete));
+        return ledger.results(run.after((System.nanoTime() - begin) / 1e9, complete, load.load()));
     }
 
     /**

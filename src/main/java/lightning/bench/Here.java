@@ -10,25 +10,45 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import jdk.incubator.vector.FloatVector;
 
 /** The machine and the program that run now. */
 final class Here {
     private static final String UNKNOWN = "unknown";
+    private static final String DIRTY = "-dirty";
     private static final long PATIENCE_MS = 5000;
-    private static final List<String> GIT = List.of("git", "describe", "--always", "--dirty");
+    /** What the program is built from, and the scenes that it measures. */
+    private static final List<String> SOURCES = List.of("src/main", "pom.xml", "scenes", "textures");
+    /** The last commit that changed the program: later commits of documents or results do not make it another build. */
+    private static final List<String> COMMIT = git("log", "-1", "--format=%H");
+    private static final List<String> CHANGES = git("status", "--porcelain");
+    private static final Path PROCESSORS = Path.of("/proc/cpuinfo");
+    private static final Pattern MODEL = Pattern.compile("(?m)^model name\\s*:\\s*(.+)$");
 
     private Here() {}
 
     static Machine machine() {
         long memory = ManagementFactory.getOperatingSystemMXBean() instanceof OperatingSystemMXBean system
                 ? system.getTotalMemorySize() : 0;
-        return new Machine(System.getProperty("os.name") + ", " + System.getProperty("os.arch"),
+        return new Machine(System.getProperty("os.name") + ", " + System.getProperty("os.arch"), processor(),
                 Runtime.getRuntime().availableProcessors(), FloatVector.SPECIES_PREFERRED.vectorBitSize(), memory,
                 Runtime.getRuntime().maxMemory(), System.getProperty("java.vm.name") + " " + Runtime.version());
     }
 
-    /** The commit that the program was built from, if it still lies in its own repository; else {@code unknown}. */
+    private static String processor() {
+        try {
+            return MODEL.matcher(Files.readString(PROCESSORS)).results().map(m -> m.group(1).strip()).findFirst().orElse(UNKNOWN);
+        } catch (IOException e) {
+            return UNKNOWN;
+        }
+    }
+
+    /**
+     * The commit that the program was built from, 40 digits, if the program is still in its own repository, with {@code -dirty} where its
+     * sources have changes that are not committed; else {@code unknown}.
+     */
     static String commit() {
         try {
             URL program = Here.class.getProtectionDomain().getCodeSource().getLocation();
@@ -42,7 +62,16 @@ final class Here {
     /** @param program the program's jar or classes */
     static String commit(Path program) {
         Optional<Path> repository = repository(program);
-        return repository.isEmpty() ? UNKNOWN : describe(repository.get(), GIT, PATIENCE_MS);
+        if (repository.isEmpty()) {
+            return UNKNOWN;
+        }
+        Optional<String> commit = output(repository.get(), COMMIT, PATIENCE_MS).filter(hash -> !hash.isEmpty());
+        Optional<String> changes = output(repository.get(), CHANGES, PATIENCE_MS);
+        return commit.isEmpty() || changes.isEmpty() ? UNKNOWN : commit.get() + (changes.get().isEmpty() ? "" : DIRTY);
+    }
+
+    private static List<String> git(String... words) {
+        return Stream.of(Stream.of("git"), Stream.of(words), Stream.of("--"), SOURCES.stream()).flatMap(s -> s).toList();
     }
 
     /** The nearest folder around it with Maven's project of this program and Git's folder: another's says nothing of this program. */
@@ -56,35 +85,34 @@ final class Here {
     }
 
     /**
-     * What a program says of a repository; {@code unknown} if it fails or does not end in time, and it is ended then.
+     * What a program prints about a repository; empty if it fails or does not end in time, and it is ended then.
      *
      * @param patienceMs how long it may take, milliseconds
      */
-    static String describe(Path repository, List<String> program, long patienceMs) {
+    static Optional<String> output(Path repository, List<String> program, long patienceMs) {
         try {
             // Into a file, not a pipe: a pipe would be read until the process ends, however long that takes.
             Path said = Files.createTempFile("lightning", ".commit");
             try {
-                return describe(repository, program, patienceMs, said);
+                return output(repository, program, patienceMs, said);
             } finally {
                 Files.deleteIfExists(said);
             }
         } catch (IOException e) {
-            return UNKNOWN;
+            return Optional.empty();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            return UNKNOWN;
+            return Optional.empty();
         }
     }
 
-    private static String describe(Path repository, List<String> program, long patienceMs, Path said)
+    private static Optional<String> output(Path repository, List<String> program, long patienceMs, Path said)
             throws IOException, InterruptedException {
         Process git = new ProcessBuilder(program).directory(repository.toFile())
                 .redirectOutput(said.toFile()).redirectError(ProcessBuilder.Redirect.DISCARD).start();
         try {
             boolean ended = git.waitFor(patienceMs, TimeUnit.MILLISECONDS);
-            String commit = ended && git.exitValue() == 0 ? Files.readString(said).strip() : "";
-            return commit.isEmpty() ? UNKNOWN : commit;
+            return ended && git.exitValue() == 0 ? Optional.of(Files.readString(said).strip()) : Optional.empty();
         } finally {
             git.destroyForcibly();
         }

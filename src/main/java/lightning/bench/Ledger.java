@@ -57,10 +57,10 @@ final class Ledger {
                     peer, cold);
         }
 
-        /** What an edit of grade exact saves, the average of all. */
+        /** What an edit at the default grade saves, the average of all. */
         private double averageSavedMs() {
             return edits.stream().flatMap(edit -> edit.values().stream()).mapToDouble(value -> value.rungs().getLast().time().median()
-                    - value.rung(Grade.EXACT).time().median()).average().orElse(0);
+                    - value.rung(Grade.DEFAULT).time().median()).average().orElse(0);
         }
     }
 

@@ -1,8 +1,6 @@
 package lightning.bench;
 
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
@@ -10,13 +8,6 @@ import lightning.accuracy.Timing;
 
 /** How long processes take that are started one after the other, from the start of each to its end. */
 final class ProcessTimes {
-    /** What Linux tells of this process; among it, processor time of all processes that it started and that have ended. */
-    private static final Path STATUS = Path.of("/proc/self/stat");
-    /** The numbers of children's time in user mode and in the kernel, counted behind the name of the program, in ticks. */
-    private static final int USER = 13;
-    private static final int KERNEL = 14;
-    private static final double TICK_MS = 10;
-
     private final List<Double> wallMs = new ArrayList<>();
     private final List<Double> processorMs = new ArrayList<>();
 
@@ -47,12 +38,6 @@ final class ProcessTimes {
     }
 
     private static OptionalDouble childrenMs() {
-        try {
-            String text = Files.readString(STATUS);
-            String[] numbers = text.substring(text.lastIndexOf(')') + 2).split(" ");
-            return OptionalDouble.of((Double.parseDouble(numbers[USER]) + Double.parseDouble(numbers[KERNEL])) * TICK_MS);
-        } catch (IOException | RuntimeException e) {
-            return OptionalDouble.empty();
-        }
+        return ProcessorTime.now().map(time -> OptionalDouble.of(time.children() * ProcessorTime.TICK_MS)).orElse(OptionalDouble.empty());
     }
 }

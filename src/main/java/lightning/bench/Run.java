@@ -6,7 +6,9 @@ import java.util.List;
  * How a run was made.
  *
  * @param date             when it began, as in {@code 2026-01-31T12:00:00Z}
- * @param commit           the version of the program; {@code unknown} where it is told nowhere
+ * @param commit           the build that was measured: the last commit that changed the program, 40 digits, with {@code -dirty} where
+ *                         its sources have changes that are not committed; {@code unknown} outside of its repository
+ * @param load             other work on the machine during the run
  * @param arguments        the command's arguments
  * @param seed             what everything random starts from
  * @param threads          how many threads each work had
@@ -18,16 +20,16 @@ import java.util.List;
  * @param triadGBs         memory bandwidth, 10⁹ bytes read and written in a second: the best triad
  * @param triadSamples     the same of every triad
  */
-public record Run(String date, String commit, List<String> arguments, Machine machine, long seed, int threads, int repetitions,
+public record Run(String date, String commit, List<String> arguments, Machine machine, Load load, long seed, int threads, int repetitions,
         boolean quick, double predictedSeconds, double actualSeconds, boolean complete, double triadGBs, List<Double> triadSamples) {
     public Run {
         arguments = List.copyOf(arguments);
         triadSamples = List.copyOf(triadSamples);
     }
 
-    /** The same run after so many seconds. */
-    Run after(double seconds, boolean isComplete) {
-        return new Run(date, commit, arguments, machine, seed, threads, repetitions, quick, predictedSeconds, seconds, isComplete,
+    /** The same run after so many seconds, with the load until then. */
+    Run after(double seconds, boolean isComplete, Load now) {
+        return new Run(date, commit, arguments, machine, now, seed, threads, repetitions, quick, predictedSeconds, seconds, isComplete,
                 triadGBs, triadSamples);
     }
 }

@@ -9,7 +9,8 @@ import lightning.accuracy.PictureError;
  * One grade of accuracy for one edit.
  *
  * @param grade      in files of results it is called a level
- * @param saving     percent of the full trace's time; negative where it takes longer
+ * @param saving     percent of the full trace's time; negative where it takes longer; NaN where the quartiles of both overlap, so that
+ *                   nothing can be said
  * @param error      how far its picture is from the full trace
  * @param work       what it did; null for the full trace
  * @param picture    the file of its picture, relative to the results; null where none was written

@@ -6,7 +6,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.function.ToDoubleFunction;
 import lightning.accuracy.EffectCost;
 import lightning.accuracy.EffectCosts;
 import lightning.accuracy.Grade;
@@ -17,7 +16,6 @@ import lightning.accuracy.PaperCases;
 import lightning.accuracy.Rung;
 import lightning.accuracy.SavingMeter;
 import lightning.image.Film;
-import lightning.relight.plan.Reflections;
 import lightning.relight.tile.Options;
 import lightning.scene.Scene;
 import lightning.work.Progress;
@@ -69,7 +67,7 @@ final class SceneBench implements AutoCloseable {
         Scene after = PaperCases.moved(scene).map(PaperCase::after).orElse(scene);
         // The ladder's pictures need not lie in memory beside all the samples.
         close();
-        EffectCosts costs = EffectCosts.of(scene, after, Options.DEFAULT.withReflections(Reflections.STALE).withThreads(settings.threads()),
+        EffectCosts costs = EffectCosts.of(scene, after, Options.DEFAULT.withThreads(settings.threads()),
                 settings.isWarm() ? EFFECTS * settings.repetitions() : 1, progress);
         page.effects(costs.effects().stream().filter(EffectCost::measured).map(EffectResult::of).toList());
         costs.tooLarge().forEach(effect -> ledger.problem(new Failure(Failure.Kind.UNMEASURED,
@@ -98,7 +96,7 @@ final class SceneBench implements AutoCloseable {
     private void firstPass(Progress progress) throws IOException {
         // The collector makes some of them slow; the median of a few would tell of it by chance.
         int times = FIRST_PASSES * settings.repetitions();
-        try (SavingMeter first = new SavingMeter(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(settings.threads()), times,
+        try (SavingMeter first = new SavingMeter(Options.DEFAULT.withThreads(settings.threads()), times,
                 settings.patienceMs(),
                 bytesPerMs)) {
             page.firstPass(first.firstPass(scene, progress.silent()));
@@ -119,14 +117,7 @@ final class SceneBench implements AutoCloseable {
             results.add(new ValueResult(edit.value(), rungs(ladder, results.isEmpty() ? name + "-" + edit.name() : null)));
             progress.tiles(results.size(), values.size());
         }
-        PaperCase first = values.getFirst();
-        page.edit(new EditResult(first.name(), first.figure(), first.paperSaving(), average(results, RungResult::saving),
-                average(results, rung -> rung.work().cap()), results));
-    }
-
-    private static double average(List<ValueResult> values, ToDoubleFunction<RungResult> what) {
-        return values.stream().mapToDouble(value -> what.applyAsDouble(value.rung(Grade.EXACT))).average()
-                .orElse(Double.NaN);
+        page.edit(EditResult.of(values.getFirst(), results));
     }
 
     /** @param picture how the names of its pictures begin, or null where none are written */
@@ -139,11 +130,16 @@ final class SceneBench implements AutoCloseable {
             Work work = rung.update() == null ? null
                     : Work.of(rung.update(), rung.time().median(), fullMs, ladder.fullRays(), bytesPerMs);
             String grade = picture + "-" + rung.grade().name().toLowerCase(Locale.ROOT).replace('_', '-');
-            results.add(new RungResult(rung.grade(), Samples.of(rung.time()), ladder.saving(rung.grade()), rung.error(), work,
+            results.add(new RungResult(rung.grade(), Samples.of(rung.time()), saving(rung, full), rung.error(), work,
                     reference == null ? null : shown(grade, rung.film(), full.film(), reference),
                     reference == null ? null : pictures.difference(grade + "-difference", rung.film(), full.film())));
         }
         return results;
+    }
+
+    private static double saving(Rung rung, Rung full) {
+        return rung == full ? 0 : Samples.of(rung.time()).isApart(Samples.of(full.time())) ? rung.time().savingOf(full.time().median())
+                : Double.NaN;
     }
 
     /** A picture equal to the reference needs no file of its own. */

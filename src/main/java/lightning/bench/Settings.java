@@ -28,7 +28,7 @@ public record Settings(List<PictureSize> sizes, int figure, int values, boolean 
     /** The paper's pictures (§4.1), and today's. */
     private static final List<PictureSize> FULL_SIZES = List.of(new PictureSize(300, 300), new PictureSize(1920, 1080));
     private static final int PROCESSES = 10;
-    private static final List<PictureSize> QUICK_SIZES = List.of(new PictureSize(160, 120));
+    private static final List<PictureSize> QUICK_SIZES = List.of(new PictureSize(640, 480));
 
     public Settings {
         sizes = List.copyOf(sizes);
@@ -40,7 +40,7 @@ public record Settings(List<PictureSize> sizes, int figure, int values, boolean 
         return new Settings(FULL_SIZES, 0, PaperCases.VALUES, true, 5, 300, threads, seed, true, true, true, true, true, PROCESSES, false);
     }
 
-    /** A selection for a minute: one size and one value, the printed edits, short curves, no other programs. */
+    /** A selection for a minute or two: one size and one value, the printed edits, short curves, no other programs. */
     public static Settings quick(int threads, long seed) {
         return new Settings(QUICK_SIZES, 0, 1, false, 3, 0, threads, seed, true, true, true, false, false, 0, true);
     }
@@ -48,6 +48,18 @@ public record Settings(List<PictureSize> sizes, int figure, int values, boolean 
     public Settings withSizes(List<PictureSize> v) {
         return new Settings(v, figure, values, further, repetitions, patienceMs, threads, seed, curves, editing, meshes, effects, peers,
                 processes,
+                quick);
+    }
+
+    /** Another number of values of each edit. */
+    public Settings withValues(int v) {
+        return new Settings(sizes, figure, v, further, repetitions, patienceMs, threads, seed, curves, editing, meshes, effects, peers,
+                processes, quick);
+    }
+
+    /** Nothing of what edits alone need: no effects, no whole processes. */
+    public Settings editsAndCurves() {
+        return new Settings(sizes, figure, values, further, repetitions, patienceMs, threads, seed, curves, false, false, false, peers, 0,
                 quick);
     }
 

@@ -1,6 +1,7 @@
 package lightning.bench;
 
 import java.util.List;
+import java.util.Optional;
 import lightning.accuracy.Grade;
 
 /**
@@ -16,6 +17,11 @@ public record ValueResult(String value, List<RungResult> rungs) {
 
     /** That of a grade that the scene has. */
     public RungResult rung(Grade grade) {
-        return rungs.stream().filter(rung -> rung.grade() == grade).findFirst().orElseThrow();
+        return find(grade).orElseThrow();
+    }
+
+    /** That of a grade; empty where the scene does not have it. */
+    public Optional<RungResult> find(Grade grade) {
+        return rungs.stream().filter(rung -> rung.grade() == grade).findFirst();
     }
 }

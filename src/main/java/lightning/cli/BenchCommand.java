@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
+import lightning.accuracy.PaperCases;
 import lightning.bench.Baseline;
 import lightning.bench.Failure;
 import lightning.bench.Figures;
@@ -17,6 +18,7 @@ import lightning.bench.Results;
 import lightning.bench.ResultsFile;
 import lightning.bench.Settings;
 import lightning.bench.report.Report;
+import lightning.text.Quote;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -42,9 +44,13 @@ import picocli.CommandLine.Spec;
             "Examples:",
             "  lightning bench -o results --quick",
             "  lightning bench scenes/bird.jen -o fig24 --figure 24",
+            "  lightning bench -o house --figure B4",
+            "  lightning bench --report results/results.json",
             "  lightning bench -o new --baseline old/results.json"})
 final class BenchCommand implements Callable<Integer> {
     private static final double MINUTE = 60;
+    /** Of the paper, with few shapes and with many, and with mirrors in mirrors. */
+    private static final List<String> QUICK_SCENES = List.of("bird", "balls", "house");
     private static final int MOST_PROCESSES = 1000;
 
     private final Console console;
@@ -55,10 +61,16 @@ final class BenchCommand implements Callable<Integer> {
     private CommandSpec command;
     @Parameters(arity = "0..*", paramLabel = "scene.jen", description = "The scenes; all in scenes/ where none is named.")
     private List<Path> scenes = List.of();
-    @Option(names = {"-o", "--output"}, paramLabel = "DIR", required = true,
-            description = "The folder for the results, made if it is not there.")
+    @Option(names = {"-o", "--output"}, paramLabel = "DIR",
+            description = "The folder for the results, made if it is not there; with --report the one of the results without it.")
     private Path folder;
-    @Option(names = "--quick", description = "A small selection, in under a minute on two processors.")
+    @Option(names = "--report", paramLabel = "RESULTS.json",
+            description = "Makes the page of results that were kept, and measures nothing.")
+    private Path kept;
+    @Option(names = "--edits", description = "Edits and curves alone: no effects, no processes that begin cold, no large scenes.")
+    private boolean edits;
+    @Option(names = "--quick",
+            description = "A small selection: three of the scenes where none is named, at 640x480, each edit with one value.")
     private boolean quick;
     @Option(names = "--effects", description = "What each effect of the scenes takes, and nothing else but the first pass.")
     private boolean effects;
@@ -84,7 +96,8 @@ final class BenchCommand implements Callable<Integer> {
     private long seed;
     @Mixin
     private ThreadsOption threads;
-    private int figure;
+    private Figures.Subject figure;
+    private Integer values;
     private Integer repetitions;
     private Integer processes;
 
@@ -98,13 +111,20 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     @Option(names = "--figure", paramLabel = "N",
-            description = "The edits of one of the paper's figures alone, on bird where no scene is named.")
-    private void setFigure(int value) {
-        if (!Figures.isMeasured(value)) {
+            description = {"The edits of one of the paper's figures alone, on its scene where none is named; B1 to B4 are the examples",
+                "of its Appendix B (balls, spaceship, desk, house), B is all four."})
+    private void setFigure(String value) {
+        figure = Figures.read(value).orElseThrow(() -> new ParameterException(command.commandLine(),
+                "--figure must be one that shows measured edits (" + Figures.measured() + "), was " + Quote.of(value)));
+    }
+
+    @Option(names = "--values", paramLabel = "N", description = "How many values each edit has; 3 without it, 1 with --quick.")
+    private void setValues(int value) {
+        if (value < 1 || value > PaperCases.VALUES) {
             throw new ParameterException(command.commandLine(),
-                    "--figure must be one that shows measured edits (" + Figures.measured() + "), was " + value);
+                    "--values must be from 1 to " + PaperCases.VALUES + ", was " + value);
         }
-        figure = value;
+        values = value;
     }
 
     @Option(names = "--repetitions", paramLabel = "N",
@@ -119,8 +139,14 @@ final class BenchCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
+        if (kept != null) {
+            return report();
+        }
+        if (folder == null) {
+            throw new ParameterException(command.commandLine(), "Missing required option: '--output=DIR'");
+        }
         Results old = baseline == null ? null : ResultsFile.readJson(baseline);
-        BenchScenes read = BenchScenes.read(scenes, figure > 0);
+        BenchScenes read = BenchScenes.read(scenes, figure != null ? figure.scenes() : quick ? QUICK_SCENES : List.of());
         read.problems().forEach(problem -> console.remark("%s", problem.what()));
         if (read.scenes().isEmpty()) {
             throw new BadInput("there is no scene to measure");
@@ -131,13 +157,30 @@ final class BenchCommand implements Callable<Integer> {
         return exit(results, old, !read.problems().isEmpty());
     }
 
+    /** Makes the page of kept results again. */
+    private int report() throws IOException {
+        if (!scenes.isEmpty()) {
+            throw new ParameterException(command.commandLine(), "--report makes the page of " + kept + ", and measures no scene");
+        }
+        Results results = ResultsFile.readJson(kept);
+        Path beside = kept.toAbsolutePath().getParent();
+        Path to = folder == null ? beside : folder;
+        Files.createDirectories(to);
+        Report.write(results, beside, to);
+        console.line("%s", to.resolve(Report.FILE));
+        return ExitCode.DONE;
+    }
+
     private Settings settings() {
         Settings settings = quick ? Settings.quick(threads.count(), seed) : Settings.full(threads.count(), seed);
         if (!sizes.isEmpty()) {
             settings = settings.withSizes(sizes.stream().map(size -> new PictureSize(size.width(), size.height())).distinct().toList());
         }
-        if (figure > 0) {
-            settings = settings.withFigure(figure);
+        if (figure != null) {
+            settings = settings.withFigure(figure.figure());
+        }
+        if (edits) {
+            settings = settings.editsAndCurves();
         }
         if (effects) {
             settings = settings.effectsAlone();
@@ -150,6 +193,9 @@ final class BenchCommand implements Callable<Integer> {
         }
         if (meshes) {
             settings = settings.meshesAlone();
+        }
+        if (values != null && settings.values() > 0) {
+            settings = settings.withValues(values);
         }
         if (processes != null) {
             settings = settings.withProcesses(processes);

@@ -21,17 +21,20 @@ final class BenchFolder {
         this.reporter = reporter;
     }
 
-    /** Writes results in between, unless that was done just now. */
+    /** Writes all files in between, unless that was done just now: a process that is ended leaves the page of what it has. */
     void writeNowAndThen(Results results) throws IOException {
         if (System.nanoTime() - writtenAt >= ONE_PART_IN * writingNs) {
-            writeTables(results);
+            write(results);
         }
     }
 
     /** Writes all files. */
     void write(Results results) throws IOException {
+        long start = System.nanoTime();
         writeTables(results);
         reporter.write(results, folder);
+        writtenAt = System.nanoTime();
+        writingNs = writtenAt - start;
     }
 
     /**
@@ -53,10 +56,7 @@ final class BenchFolder {
     }
 
     private void writeTables(Results results) throws IOException {
-        long start = System.nanoTime();
         ResultsFile.writeJson(folder.resolve("results.json"), results);
         ResultsFile.writeCsv(folder.resolve("results.csv"), results);
-        writtenAt = System.nanoTime();
-        writingNs = writtenAt - start;
     }
 }

@@ -28,13 +28,13 @@ record BenchScenes(List<NamedScene> scenes, List<Failure> problems) {
      * Reads scenes.
      *
      * @param files where none is named, all of the project's own scenes are read
-     * @param one   whether then bird alone is meant
+     * @param own   the project's own scenes that are meant then; empty for all of them
      */
-    static BenchScenes read(List<Path> files, boolean one) throws IOException {
+    static BenchScenes read(List<Path> files, List<String> own) throws IOException {
         List<NamedScene> scenes = new ArrayList<>();
         List<Failure> problems = new ArrayList<>();
         Set<String> names = new HashSet<>();
-        for (Path file : files.isEmpty() ? own(one) : files.stream().map(ShippedFile::find).toList()) {
+        for (Path file : files.isEmpty() ? own(own) : files.stream().map(ShippedFile::find).toList()) {
             try {
                 scenes.add(new NamedScene(name(file, names), JenReader.read(file).scene(), file));
             } catch (JenException e) {
@@ -50,10 +50,10 @@ record BenchScenes(List<NamedScene> scenes, List<Failure> problems) {
         return new Failure(Failure.Kind.UNREAD, file.toString(), what);
     }
 
-    private static List<Path> own(boolean one) throws IOException {
+    private static List<Path> own(List<String> names) throws IOException {
         Path folder = ShippedFile.find(ShippedFile.SCENES);
-        if (one) {
-            return List.of(folder.resolve("bird" + ENDING));
+        if (!names.isEmpty()) {
+            return names.stream().map(name -> folder.resolve(name + ENDING)).toList();
         }
         try (Stream<Path> files = Files.list(folder)) {
             return files.filter(file -> file.toString().endsWith(ENDING)).sorted().toList();

@@ -9,6 +9,7 @@ import lightning.bench.DriftPoint;
 import lightning.bench.EditResult;
 import lightning.bench.Editing;
 import lightning.bench.FirstPass;
+import lightning.bench.Load;
 import lightning.bench.MeshPoint;
 import lightning.bench.RayPace;
 import lightning.bench.Results;
@@ -82,7 +83,8 @@ final class BenchTable {
     /** Says what all of it means, and what is not in the table. */
     void foot(Results results) {
         console.line("");
-        console.line("saves: grade exact, of a full trace's time; paper: on its own scene and machine of 1998;");
+        console.line("saves: grade " + Grade.DEFAULT.label()
+                + " (the default), of a full trace's time; paper: on its own scene and machine of 1998;");
         console.line("cap: what ray counts and memory allow; then milliseconds of each grade, and the mean FLIP error (0 to 1) of the"
                 + " two roughest");
         for (SceneResult scene : results.scenes()) {
@@ -105,6 +107,11 @@ final class BenchTable {
         results.drift().forEach(drift -> drift.points().stream().reduce((_, last) -> last).ifPresent(last -> drift.points().stream()
                 .filter(point -> point.edits() == last.edits()).forEach(point -> console.line("%s", drift(point)))));
         results.problems().forEach(problem -> console.line("PROBLEM %s: %s", problem.where(), problem.what()));
+        Load load = results.run().load();
+        if (load.isBusy(results.run().machine().processors())) {
+            console.line("THIS MACHINE WAS BUSY: load average %.2f before, %.2f now; other work had %.0f %% of the processors' time",
+                    load.atStart(), load.atEnd(), 100 * load.others());
+        }
         console.line("memory: %.0f GB/s; took %.0f s, predicted were %.0f", results.run().triadGBs(), results.run().actualSeconds(),
                 results.run().predictedSeconds());
     }

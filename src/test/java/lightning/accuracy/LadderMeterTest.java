@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.image.Film;
 import lightning.math.Vec3;
+import lightning.relight.tile.Options;
 import lightning.scene.Antialias;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -38,7 +39,7 @@ class LadderMeterTest {
     void ladder_hasEveryLevelWithItsSamples() {
         Ladder ladder = meter.measure(before, moved, Progress.NONE);
         assertThat(ladder.rungs()).extracting(Rung::grade)
-                .containsExactlyElementsOf(EnumSet.complementOf(EnumSet.of(Grade.FEW_SAMPLES)));
+                .containsExactlyElementsOf(EnumSet.complementOf(EnumSet.of(Grade.FEW_SAMPLES, Grade.NO_ANTIALIASING)));
         assertThat(ladder.rungs()).allSatisfy(rung -> {
             assertThat(rung.time().milliseconds()).hasSize(2);
             assertThat(rung.film().width()).isEqualTo(41);
@@ -54,7 +55,8 @@ class LadderMeterTest {
         Light large = moved.lights().getFirst();
         Scene soft = moved.withLight(large.withType(LightType.DISC).withArea(large.area().withRadius(1)));
         Ladder ladder = meter.measure(soft, soft.withLight(soft.lights().getFirst().withIntensity(0.7)), Progress.NONE);
-        assertThat(ladder.rungs()).extracting(Rung::grade).containsExactly(Grade.values());
+        assertThat(ladder.rungs()).extracting(Rung::grade)
+                .containsExactlyElementsOf(EnumSet.complementOf(EnumSet.of(Grade.NO_ANTIALIASING)));
         assertThat(ladder.rung(Grade.FEW_SAMPLES).error().values()).isPositive();
     }
 
@@ -97,6 +99,21 @@ class LadderMeterTest {
         assertThat(ladder.rung(Grade.FULL_TRACE).film().sameBits(reference)).isTrue();
         assertThat(ladder.rung(Grade.EXACT_CURRENT).film().sameBits(reference)).isTrue();
         assertThat(ladder.rung(Grade.EXACT_UPDATED).film().sameBits(reference)).isTrue();
+        if (antialias == Antialias.OFF) {
+            assertThat(ladder.rungs()).extracting(Rung::grade).doesNotContain(Grade.NO_ANTIALIASING);
+        } else {
+            Film plain = new ReferenceTracer(moved.withPicture(smooth.withSampling(new Sampling(Antialias.OFF, 2)))).trace();
+            assertThat(ladder.rung(Grade.NO_ANTIALIASING).film().sameBits(plain)).isTrue();
+            assertThat(ladder.rung(Grade.NO_ANTIALIASING).error().values()).isPositive();
+        }
+    }
+
+    @Test
+    void defaultGrade_isWhatTheProgramDoesUnlessItIsToldOtherwise() {
+        assertThat(Relighting.options(Grade.DEFAULT).accuracy()).isEqualTo(Options.DEFAULT.accuracy());
+        assertThat(Relighting.options(Grade.DEFAULT).reflections()).isEqualTo(Options.DEFAULT.reflections());
+        assertThat(Relighting.options(Grade.DEFAULT).storage()).isEqualTo(Options.DEFAULT.storage());
+        assertThat(Relighting.options(Grade.DEFAULT).view()).isEqualTo(Options.DEFAULT.view());
     }
 
     @Test

@@ -46,10 +46,10 @@ class SavingMeterTest {
 
     @Test
     void percent_isOfTheFullTrace() {
-        assertThat(new Saving(null, ms(5), ms(20), TraceCounts.NONE, 1, true).percent()).isEqualTo(75);
-        assertThat(new FirstPassCost(ms(22), ms(20), 10, 1250, 1).bytesPerRow()).isEqualTo(125);
-        assertThat(new FirstPassCost(ms(25), ms(20), 10, 1250, 1).percentSlower()).isEqualTo(25);
-        assertThat(new FirstPassCost(ms(25), ms(20), 10, 1250, 1).percentFloor()).isEqualTo(5);
+        assertThat(new Saving(null, ms(5), ms(20), TraceCounts.NONE, 1, true, true).percent()).isEqualTo(75);
+        assertThat(new FirstPassCost(ms(22), ms(20), 7, 10, 1250, 1, true).bytesPerRow()).isEqualTo(125);
+        assertThat(new FirstPassCost(ms(25), ms(20), 7, 10, 1250, 1, true).percentSlower()).isEqualTo(25);
+        assertThat(new FirstPassCost(ms(25), ms(20), 7, 10, 1250, 1, true).percentFloor()).isEqualTo(5);
     }
 
     /** A quarter of the rays takes 5 of 20 ms at least, 1600 bytes at 200 a millisecond take 8. */

@@ -33,6 +33,24 @@ class FiguresTest {
         assertThat(Figures.isMeasured(26)).isTrue();
     }
 
+    /** The paper's Appendix B has four examples: reflective balls, space ship, desk and house. */
+    @ParameterizedTest
+    @CsvSource({"B1, balls", "B2, spaceship", "b3, desk", "B4, house", "B, balls spaceship desk house", "24, bird"})
+    void subject_hasTheScenesOfItsPlaceInThePaper(String name, String scenes) {
+        assertThat(Figures.read(name)).get().satisfies(subject -> assertThat(subject.scenes()).containsExactly(scenes.split(" ")));
+    }
+
+    @Test
+    void appendixB_isAboutEveryPrintedEdit() throws Exception {
+        assertThat(cases(Figures.read("B2").orElseThrow().figure())).isEqualTo(cases(26));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"B0", "B5", "C", "BB", "12", "-6", "1e1", "99999999999", "''"})
+    void otherNames_showNothing(String name) {
+        assertThat(Figures.read(name)).isEmpty();
+    }
+
     @ParameterizedTest
     @CsvSource({"0", "1", "5", "12", "27", "-6"})
     void otherFigures_showNoTimes(int figure) throws Exception {

@@ -131,7 +131,7 @@ class HarnessTest {
         List<RungResult> rungs = edit.values().getFirst().rungs();
         assertThat(edit.edit()).isEqualTo("position");
         assertThat(rungs).extracting(RungResult::grade)
-                .containsExactlyElementsOf(EnumSet.complementOf(EnumSet.of(Grade.FEW_SAMPLES)));
+                .containsExactlyElementsOf(EnumSet.complementOf(EnumSet.of(Grade.FEW_SAMPLES, Grade.NO_ANTIALIASING)));
         RungResult exact = rung(rungs, Grade.EXACT);
         assertThat(exact.work().plan()).isEqualTo("light0: full recompute");
         assertThat(exact.work().shadowRays()).isPositive();
@@ -263,7 +263,7 @@ class HarnessTest {
 
     @Test
     void payOff_isCountedInEdits() {
-        var cost = new FirstPassCost(ms(30), ms(20), 100, 5000, 1);
+        var cost = new FirstPassCost(ms(30), ms(20), 7, 100, 5000, 1, true);
         assertThat(FirstPass.of(cost, 50, 4).editsToPayOff()).isEqualTo(3);
         assertThat(FirstPass.of(cost, 50, -1).editsToPayOff()).isNaN();
         assertThat(FirstPass.of(cost, 50, 4).bytesPerPixel()).isEqualTo(100);

@@ -24,11 +24,47 @@ class HereTest {
     }
 
     @Test
+    void build_isTheLastCommitOfTheProgramAndDirtyByItsSourcesAlone() throws Exception {
+        Path sources = Files.createDirectories(folder.resolve("src/main/java/lightning"));
+        Path main = Files.writeString(sources.resolve("Main.java"), "one");
+        Path classes = Files.createDirectories(folder.resolve("target/classes"));
+        Path docs = Files.createDirectories(folder.resolve("docs"));
+        git("init", "-q");
+        commitAll("program");
+        String built = head();
+        assertThat(built).hasSize(40);
+        assertThat(Here.commit(classes)).isEqualTo(built);
+
+        Files.writeString(docs.resolve("results.md"), "what was measured");
+        assertThat(Here.commit(classes)).as("a document that is not committed").isEqualTo(built);
+        commitAll("documents");
+        assertThat(head()).isNotEqualTo(built);
+        assertThat(Here.commit(classes)).as("a later commit of documents").isEqualTo(built);
+
+        Files.writeString(main, "two");
+        assertThat(Here.commit(classes)).as("a changed source").isEqualTo(built + "-dirty");
+        commitAll("changed");
+        assertThat(Here.commit(classes)).isEqualTo(head());
+        Files.writeString(sources.resolve("New.java"), "new");
+        assertThat(Here.commit(classes)).as("a new source").isEqualTo(head() + "-dirty");
+    }
+
+    private void commitAll(String message) throws Exception {
+        git("add", "src", "docs");
+        assertThat(git("-c", "user.name=a", "-c", "user.email=a@b", "commit", "-q", "-m", message)).isZero();
+    }
+
+    private String head() throws Exception {
+        Process process = new ProcessBuilder("git", "-C", folder.toString(), "rev-parse", "HEAD").start();
+        return new String(process.getInputStream().readAllBytes(), java.nio.charset.StandardCharsets.UTF_8).strip();
+    }
+
+    @Test
     @DisabledOnOs(OS.WINDOWS)
     void describeThatDoesNotEnd_isEndedAndTellsNoCommit() throws Exception {
         // It holds its output open, and never ends by itself.
         Path open = Files.writeString(folder.resolve("open"), "");
-        assertThat(Here.describe(folder, List.of("sh", "-c", "echo abc; exec tail -f " + open), 1000)).isEqualTo("unknown");
+        assertThat(Here.output(folder, List.of("sh", "-c", "echo abc; exec tail -f " + open), 1000)).isEmpty();
         Wait.until("it is ended", () -> ProcessHandle.current().descendants()
                 .noneMatch(process -> process.info().commandLine().orElse("").contains(open.toString())));
     }
@@ -36,7 +72,7 @@ class HereTest {
     @Test
     @DisabledOnOs(OS.WINDOWS)
     void describeThatEnds_tellsWhatItSaid() {
-        assertThat(Here.describe(folder, List.of("echo", "v1-2-gabc"), 20_000)).isEqualTo("v1-2-gabc");
+        assertThat(Here.output(folder, List.of("echo", "v1-2-gabc"), 20_000)).contains("v1-2-gabc");
     }
 
     private int git(String... arguments) throws Exception {

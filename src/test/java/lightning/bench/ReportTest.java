@@ -1,12 +1,14 @@
 package lightning.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.io.StringReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import javax.xml.parsers.DocumentBuilderFactory;
 import lightning.accuracy.Grade;
@@ -52,9 +54,85 @@ class ReportTest {
     @Test
     void cancelledRun_saysSo() throws Exception {
         Results part =
-                new Results(Sample.RUN.after(5, false), List.of(Sample.scene(10)), List.of(), List.of(), List.of(), List.of(), List.of());
+                new Results(Sample.RUN.after(5, false, Sample.RUN.load()), List.of(Sample.scene(10)), List.of(), List.of(), List.of(),
+                        List.of(), List.of());
 
-        assertThat(write(part, folder).getDocumentElement().getTextContent()).contains("cancelled after 5.00 s", "bird, 300 × 200");
+        assertThat(write(part, folder).getDocumentElement().getTextContent()).contains("had not ended after 5.00 s: it was cancelled",
+                "bird, 300 × 200");
+    }
+
+    /** A scene of edits at the default grade and with mirrors as they were, which saved this much of a full trace of 100 ms. */
+    private static SceneResult scene(double... savings) {
+        var same = new PictureError(0, 300, 0, 0, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 1, 0);
+        var stale = new PictureError(7, 300, 0, 0.1, 0.1, 0.1, 20, 20, 0.9, 0.1);
+        List<EditResult> edits = new ArrayList<>();
+        for (double saving : savings) {
+            double ms = Double.isNaN(saving) ? 100 : 100 - saving;
+            var rungs = List.of(new RungResult(Grade.EXACT, Sample.samples(1, 1, 1), 99, stale, null, null, null),
+                    new RungResult(Grade.DEFAULT, Sample.samples(ms, ms, ms), saving, same, null, null, null),
+                    new RungResult(Grade.FULL_TRACE, Sample.samples(100, 100, 100), 0, same, null, null, null));
+            edits.add(new EditResult("edit" + edits.size(), "Fig. 6", 98, saving, 90, List.of(new ValueResult("value", rungs))));
+        }
+        return new SceneResult("bird", 300, 200, 3, 10, 3, null, null, edits, List.of(), null, null);
+    }
+
+    private static Results of(Run run, SceneResult... scenes) {
+        return new Results(run, List.of(scenes), List.of(), List.of(), List.of(), List.of(), List.of());
+    }
+
+    private static Run run(Load load, int repetitions) {
+        Run run = Sample.RUN;
+        return new Run(run.date(), run.commit(), run.arguments(), run.machine(), load, 1, 2, repetitions, false, 1, 1, true, 40,
+                List.of(40.0));
+    }
+
+    @Test
+    void headlines_areAllOfTheDefaultGradeAndNameIt() throws Exception {
+        Element key = byClass(write(of(Sample.RUN, scene(60, 80, 90)), folder), "key").getFirst();
+
+        assertThat(texts(key, "dt").subList(0, 3)).containsExactly("80.0\u00a0%", "60.0\u00a0%", "3 of 3");
+        assertThat(texts(key, "dd").subList(0, 3)).allSatisfy(text -> assertThat(text).contains("at grade " + Grade.DEFAULT.label()));
+        assertThat(texts(key, "dd").get(1)).contains("edit0 on bird");
+    }
+
+    @Test
+    void savingThatIsNotCertain_isNoHeadline() throws Exception {
+        Element key = byClass(write(of(Sample.RUN, scene(Double.NaN, 80, Double.NaN)), folder), "key").getFirst();
+        assertThat(texts(key, "dt").subList(0, 2)).containsExactly("80.0\u00a0%", "80.0\u00a0%");
+        assertThat(texts(key, "dd").getFirst()).contains("2 of 3 edits are left out");
+
+        key = byClass(write(of(Sample.RUN, scene(Double.NaN)), folder), "key").getFirst();
+        assertThat(texts(key, "dt").subList(0, 2)).containsExactly("–", "–");
+    }
+
+    @Test
+    void busyMachine_isTold() throws Exception {
+        String busy = write(of(run(new Load(3, 9, 0.53), 5), scene(80)), folder).getDocumentElement().getTextContent();
+        assertThat(busy).contains("This machine was busy", "53.0\u00a0%");
+        String quiet = write(of(run(new Load(3, 2, 0.01), 5), scene(80)), folder).getDocumentElement().getTextContent();
+        assertThat(quiet).doesNotContain("busy").contains("1.0\u00a0%");
+    }
+
+    @Test
+    void oneRepetition_isNotSaidToBeWarm() throws Exception {
+        Load load = Sample.RUN.load();
+        assertThat(write(of(run(load, 1), scene(80)), folder).getDocumentElement().getTextContent()).contains("nothing warmed up")
+                .doesNotContain("after warming up");
+        assertThat(write(of(run(load, 5), scene(80)), folder).getDocumentElement().getTextContent())
+                .contains("5 samples each, after warming up");
+    }
+
+    @Test
+    void barsOfLosses_endInTheChart() throws Exception {
+        // An edit that takes ten times as long as the full trace.
+        Document page = write(of(Sample.RUN, scene(80, -900)), folder);
+        Element chart = elements(page.getElementsByTagName("svg")).getFirst();
+        List<Double> widths = elements(chart.getElementsByTagName("rect")).stream()
+                .map(bar -> Double.parseDouble(bar.getAttribute("width"))).toList();
+        double longest = Collections.max(widths);
+        // Bars of 1000 and of 20 percent.
+        assertThat(widths).anySatisfy(width -> assertThat(longest / width).isCloseTo(1000 / 20.0, withinPercentage(2)));
+        assertThat(texts(chart, "text")).contains("1000.0\u00a0%");
     }
 
     @Test

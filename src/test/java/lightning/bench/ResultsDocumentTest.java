@@ -1,89 +1,140 @@
 package lightning.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lightning.bench.report.DocumentCharts;
+import lightning.bench.report.Statements;
 import lightning.bench.report.Tables;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * docs/results.md says what the kept run says: its tables are made from that run, and its sentences measure nothing that no
- * table shows. {@code -Dlightning.write=true} writes the tables anew.
+ * README.md and docs/results.md say what the kept runs say: their tables and the measured parts of their sentences stand between marks, and
+ * are made from those runs. {@code -Dlightning.write=true} writes them again, unless the runs must not be published.
  */
 class ResultsDocumentTest {
-    private static final Path DOCUMENT = Path.of("docs", "results.md");
-    private static final Path KEPT = Path.of("benchmarks", "results", "results.json");
-    private static final Path KEPT_EFFECTS = Path.of("benchmarks", "results", "effects.json");
-    /** Scenes of today's lights and surfaces, at a smaller size. */
-    private static final Path KEPT_SURFACES = Path.of("benchmarks", "results", "surfaces.json");
-    /** Ends the names of tables that are made from it. */
-    private static final String SMALL = ", small";
-    /** Kept once {@code benchmarks/run} has measured it. */
-    private static final Path KEPT_COLD = Path.of("benchmarks", "results", "cold.json");
-    private static final Path KEPT_EDITING = Path.of("benchmarks", "results", "editing.json");
-    private static final Path KEPT_MESHES = Path.of("benchmarks", "results", "meshes.json");
-    private static final Pattern TABLE = Pattern.compile("(<!-- table: (.+?) -->\n)(.*?)(<!-- end -->)", Pattern.DOTALL);
+    private static final Path RESULTS = Path.of("docs", "results.md");
+    private static final Path README = Path.of("README.md");
+    private static final Path PICTURES = Path.of("docs", "pictures");
+    private static final Pattern MARKED = Pattern.compile("(<!-- (table|value): (.+?) -->\n?)(.*?)(<!-- end -->)", Pattern.DOTALL);
+    /** Ends the names of tables that are made from another part than their own. */
+    private static final Pattern OF_PART = Pattern.compile("(.+), of (\\w+)");
     /** A measured figure: one with a fraction, or of percent or milliseconds. */
     private static final Pattern MEASURED = Pattern.compile("(?<![\\w.×§])(\\d+\\.\\d+(?:e-?\\d+)?|\\d+(?= %| ms))");
     private static final Pattern NUMBER = Pattern.compile("\\d+(?:\\.\\d+)?(?:e-?\\d+)?");
+    /** What another publication measured. */
+    private static final Pattern QUOTED = Pattern.compile("\\(the paper: [^)]*\\)");
+    private static final Pattern COSTS = Pattern.compile("(?s)\n## What an edit costs\n(.*?)\n## ");
 
     static List<String> names() {
         return Tables.names();
     }
 
-    @Test
-    void everyTable_isMadeFromTheKeptRun() throws IOException {
-        Tables tables = new Tables(ResultsFile.readJson(KEPT));
-        Tables every = new Tables(together(ResultsFile.readJson(KEPT), ResultsFile.readJson(KEPT_EFFECTS)));
-        Tables cold = Files.exists(KEPT_COLD) ? new Tables(ResultsFile.readJson(KEPT_COLD)) : tables;
-        Tables editing = new Tables(ResultsFile.readJson(KEPT_EDITING));
-        Tables meshes = new Tables(ResultsFile.readJson(KEPT_MESHES));
-        Tables small = new Tables(ResultsFile.readJson(KEPT_SURFACES));
-        String text = Files.readString(DOCUMENT);
-        String wanted = TABLE.matcher(text).replaceAll(m -> {
-            String name = m.group(2).replace(SMALL, "");
-            Tables made = m.group(2).endsWith(SMALL) ? small : switch (name) {
-                case "scenes", "effects in use", "effects absent" -> every;
-                case "cold" -> cold;
-                case "editing" -> editing;
-                case "meshes", "rays" -> meshes;
-                default -> tables;
-            };
-            return Matcher.quoteReplacement(m.group(1) + made.of(name) + m.group(4));
-        });
+    static List<String> statements() {
+        return Statements.names();
+    }
+
+    static List<Path> documents() {
+        return List.of(RESULTS, README);
+    }
+
+    @ParameterizedTest
+    @MethodSource("documents")
+    void everyTableAndValue_isMadeFromTheKeptRuns(Path document) throws IOException {
+        KeptRuns kept = KeptRuns.read(KeptRuns.FOLDER);
+        assertThat(kept.faults()).isEmpty();
+        String wanted = made(Files.readString(document), kept);
         if (Boolean.getBoolean("lightning.write")) {
-            Files.writeString(DOCUMENT, wanted);
+            Files.writeString(document, wanted);
         }
-        assertThat(Files.readString(DOCUMENT)).isEqualTo(wanted);
-        assertThat(TABLE.matcher(text).results().map(m -> m.group(2))).contains("savings", "ladder", "effects in use", "effects absent",
-                "effects in use, small", "cold");
+        assertThat(Files.readString(document)).isEqualTo(wanted);
+        assertThat(wanted).contains(kept.part("figures").run().commit());
     }
 
-    private static Results together(Results all, Results effectsAlone) {
-        List<SceneResult> scenes = new ArrayList<>(all.scenes());
-        scenes.addAll(effectsAlone.scenes());
-        return new Results(all.run(), scenes, all.drift(), all.growth(), all.editing(), all.meshes(), all.problems());
+    private static String made(String text, KeptRuns kept) {
+        Statements statements = new Statements(kept.part("figures"), kept.part("cold"), kept.part("meshes"));
+        return MARKED.matcher(text).replaceAll(m -> Matcher.quoteReplacement(
+                m.group(1) + (m.group(2).equals("table") ? table(m.group(3), kept) : statements.of(m.group(3))) + m.group(5)));
+    }
+
+    private static String table(String name, KeptRuns kept) {
+        Matcher other = OF_PART.matcher(name);
+        if (name.equals("runs")) {
+            return Tables.runs(kept.runs());
+        }
+        if (other.matches()) {
+            return new Tables(kept.part(other.group(2))).of(other.group(1));
+        }
+        return new Tables(kept.part(switch (name) {
+            case "cold", "editing" -> name;
+            case "meshes", "rays" -> "meshes";
+            case "effects in use", "effects absent" -> "effects";
+            default -> "figures";
+        })).of(name);
+    }
+
+    /** Their bytes depend on the fonts of who made them, their numbers on the run that they name. */
+    @Test
+    void everyChart_isOfTheKeptRun() throws IOException {
+        KeptRuns kept = KeptRuns.read(KeptRuns.FOLDER);
+        Map<String, String> charts = DocumentCharts.of(kept.part("figures"));
+        if (Boolean.getBoolean("lightning.write") && kept.faults().isEmpty()) {
+            for (var chart : charts.entrySet()) {
+                Files.writeString(PICTURES.resolve(chart.getKey()), chart.getValue());
+            }
+        }
+        Run run = kept.part("figures").run();
+        assertThat(charts.keySet()).allSatisfy(name -> assertThat(PICTURES.resolve(name)).content().contains(run.commit(), run.date()));
+        String text = Files.readString(RESULTS);
+        try (Stream<Path> files = Files.list(PICTURES)) {
+            assertThat(files.map(file -> file.getFileName().toString()).filter(name -> name.startsWith("results-")).sorted().toList())
+                    .isEqualTo(
+                            charts.keySet().stream().sorted().toList())
+                    .allSatisfy(name -> assertThat(text).contains("(pictures/" + name + ")"));
+        }
     }
 
     @Test
-    void everyMeasuredFigureOfASentence_isInATable() throws IOException {
-        String text = Files.readString(DOCUMENT);
-        String tables = TABLE.matcher(text).results().map(m -> m.group(3)).collect(Collectors.joining());
+    void everyMeasuredFigureOfResults_isInATableOrMarked() throws IOException {
+        String text = Files.readString(RESULTS);
+        String tables = MARKED.matcher(text).results().map(m -> m.group(4)).collect(Collectors.joining());
         Set<String> shown = NUMBER.matcher(tables).results().map(m -> m.group()).collect(Collectors.toSet());
-        List<String> unknown = new ArrayList<>();
-        MEASURED.matcher(TABLE.matcher(text).replaceAll("")).results().map(m -> m.group(1)).filter(n -> !shown.contains(n))
-                .forEach(unknown::add);
-        assertThat(unknown).as("figures in sentences that no table of the document shows").isEmpty();
+        assertThat(figures(text).filter(n -> !shown.contains(n))).as("figures in sentences that no table of the document shows").isEmpty();
+    }
+
+    @Test
+    void everyMeasuredFigureOfTheReadme_isMarked() throws IOException {
+        Matcher costs = COSTS.matcher(Files.readString(README));
+        assertThat(costs.find()).isTrue();
+        assertThat(figures(costs.group(1))).isEmpty();
+        assertThat(MARKED.matcher(costs.group(1)).results().map(m -> m.group(3))).contains("savings in short", "build", "equal pictures");
+    }
+
+    private static Stream<String> figures(String text) {
+        List<String> figures = new ArrayList<>();
+        String plain = QUOTED.matcher(MARKED.matcher(text).replaceAll("")).replaceAll("");
+        MEASURED.matcher(plain).results().map(m -> m.group(1)).forEach(figures::add);
+        return figures.stream();
+    }
+
+    /** A line that begins with a comment ends the paragraph in Markdown, and is not formatted. */
+    @ParameterizedTest
+    @MethodSource("documents")
+    void markOfASentence_beginsNoLine(Path document) throws IOException {
+        assertThat(Files.readAllLines(document)).noneMatch(line -> line.stripLeading().startsWith("<!-- value:"));
     }
 
     @ParameterizedTest
@@ -92,5 +143,43 @@ class ResultsDocumentTest {
         for (long seed = 0; seed < 20; seed++) {
             assertThat(new Tables(ResultsArbitraries.of(seed)).of(name)).startsWith("| ").endsWith("|\n");
         }
+    }
+
+    @ParameterizedTest
+    @MethodSource("statements")
+    void everyStatement_isPartOfALine(String name) throws IOException {
+        KeptRuns kept = KeptRuns.read(KeptRuns.FOLDER);
+        assertThat(new Statements(kept.part("figures"), kept.part("cold"), kept.part("meshes")).of(name)).isNotEmpty().doesNotContain("\n",
+                "null", "NaN", "Infinity");
+    }
+
+    @Test
+    void equality_isNotSaidOfAPictureThatDiffers() {
+        SceneResult scene = Sample.scene(10);
+        FirstPass first = new FirstPass(Sample.samples(3, 3, 3), Sample.samples(2, 2, 2), 50, 100, 10, 1000, 100, 1, 1);
+        Results results = new Results(Sample.RUN, List.of(new SceneResult("bird", 300, 200, 3, 10, 3, null, first, scene.edits(), List.of(),
+                null, null)), List.of(), List.of(), List.of(), List.of(), List.of());
+        // The sample has no picture of the default grade, so nothing was compared.
+        assertThatThrownBy(() -> new Statements(results, results, results).of("equal pictures")).isInstanceOf(IllegalStateException.class)
+                .hasMessageStartingWith("bird, color, ");
+    }
+
+    /** They are of many builds: a record of what was tried. */
+    @Test
+    void everyTableOfTheRecord_namesItsDateAndCommit() throws IOException {
+        List<String> lines = Files.readAllLines(Path.of("docs", "performance.md"));
+        for (int i = 3; i < lines.size(); i++) {
+            if (lines.get(i).matches("\\|[-|]+\\|")) {
+                assertThat(lines.get(i - 3)).as("above the table at line %d", i + 1)
+                        .matches("\\*Recorded \\d{4}-\\d\\d-\\d\\d.*, last at commit `[0-9a-f]{8}`\\.\\*");
+            }
+        }
+    }
+
+    @Test
+    void unknownMarks_areRefused() {
+        assertThatThrownBy(() -> new Tables(ResultsArbitraries.of(1)).of("no such")).isInstanceOf(IllegalArgumentException.class);
+        Results any = ResultsArbitraries.of(1);
+        assertThatThrownBy(() -> new Statements(any, any, any).of("no such")).isInstanceOf(IllegalArgumentException.class);
     }
 }

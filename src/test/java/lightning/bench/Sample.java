@@ -9,7 +9,8 @@ import lightning.accuracy.Timing;
 /** Results made by hand. */
 final class Sample {
     static final Run RUN = new Run("2026-01-31T12:00:00Z", "abc", List.of("--quick"),
-            new Machine("Linux, amd64", 2, 512, 16_000_000_000L, 4_000_000_000L, "Java 25"), 1, 2, 3, true, 10, 12, true, 40,
+            new Machine("Linux, amd64", "AMD EPYC", 2, 512, 16_000_000_000L, 4_000_000_000L, "Java 25"), new Load(0.1, 1.9, 0.02), 1, 2, 3,
+            true, 10, 12, true, 40,
             List.of(39.0, 40.0));
 
     private Sample() {}

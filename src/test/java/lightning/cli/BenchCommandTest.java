@@ -13,6 +13,7 @@ import lightning.bench.Reporter;
 import lightning.bench.Results;
 import lightning.bench.ResultsFile;
 import lightning.bench.SceneResult;
+import lightning.bench.report.Report;
 import lightning.sample.DefaultLocale;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -123,12 +124,49 @@ class BenchCommandTest {
     @Test
     void badArguments_areRefused() throws Exception {
         Cli.run("bench", scene).isRefusedSaying("--output");
-        bench(scene, "--figure", 12).isRefusedSaying("--figure must be one that shows measured edits (6 to 11, 13 to 26), was 12");
+        bench(scene, "--figure", 12).isRefusedSaying(
+                "--figure must be one that shows measured edits (6 to 11, 13 to 26, B1 to B4 or B for Appendix B), was '12'");
         bench(scene, "--repetitions", 0).isRefusedSaying("repetitions");
         bench(scene, "--size", "0x5").isRefusedSaying("width and height must be from 1");
         bench(scene, "--baseline", folder.resolve("no.json")).isRefusedSaying("no.json: there is no such file");
         bench(scene, "--baseline", scene).isRefusedSaying("no results of 'lightning bench'");
         bench(folder.resolve("no.jen")).isRefusedSaying("no.jen: there is no such file", "there is no scene to measure");
+    }
+
+    @Test
+    void exampleOfAppendixB_isMeasuredOnItsSceneByEveryPrintedEdit() throws Exception {
+        bench("--figure", "B1", "--size", "16x12").isDone();
+        assertThat(results().scenes()).extracting(SceneResult::scene).containsOnly("balls");
+        assertThat(results().scenes().getLast().edits()).extracting(EditResult::figure).doesNotContain("").hasSize(15);
+    }
+
+    @Test
+    void report_isMadeAgainOfKeptResults() throws Exception {
+        bench(scene, "--figure", 21).isDone();
+        Path page = out.resolve("report.html");
+        String first = Files.readString(page);
+        Files.delete(page);
+        assertThat(Cli.run("bench", "--report", out.resolve("results.json")).isDone().out()).contains("report.html");
+        assertThat(page).hasContent(first);
+
+        Path elsewhere = folder.resolve("elsewhere");
+        Cli.run("bench", "--report", out.resolve("results.json"), "-o", elsewhere).isDone();
+        assertThat(elsewhere.resolve("report.html")).as("with the pictures beside the results").hasContent(first);
+    }
+
+    @Test
+    void reportOfAScene_isRefused() throws Exception {
+        bench(scene, "--figure", 21).isDone();
+        Cli.run("bench", scene, "--report", out.resolve("results.json")).isRefusedSaying("--report", "measures no scene");
+        Cli.run("bench", "--report", folder.resolve("none.json")).isRefusedSaying("none.json: there is no such file");
+    }
+
+    @Test
+    void pageOfWhatThereIs_isWrittenWhileTheRunGoesOn() throws Exception {
+        bench(scene, "--figure", 21).isDone();
+        Path kept = Files.createDirectory(folder.resolve("kept"));
+        new BenchFolder(kept, Report::write).writeNowAndThen(results());
+        assertThat(kept.resolve("report.html")).exists();
     }
 
     @Test

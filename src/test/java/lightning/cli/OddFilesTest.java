@@ -109,7 +109,7 @@ class OddFilesTest {
 
     @Test
     void baselineWithoutALevel_isRefusedBeforeAnythingIsMeasured() throws IOException {
-        String known = Files.readString(Path.of("benchmarks/results/results.json"));
+        String known = Files.readString(Path.of("benchmarks/results/figures.json"));
         String level = "\"level\" : \"";
         int at = known.indexOf(level);
         assertThat(at).isPositive();

@@ -10,10 +10,12 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.jfree.chart.JFreeChart;
 
 /**
@@ -63,6 +65,21 @@ final class ChartSvg {
         return String.format(Locale.ROOT,
                 "<svg class=\"chart\" viewBox=\"0 0 %d %d\" style=\"max-width:%dpx\" role=\"img\" aria-label=\"%s\">%s",
                 width, height, width, Markup.escaped(label), svg);
+    }
+
+    /**
+     * A chart as a file of its own.
+     *
+     * @param svg  what {@link #of} made
+     * @param text what the file says of itself, for those who read it
+     */
+    static String file(String svg, String text) {
+        String inks = Arrays.stream(Ink.values()).map(ink -> "--" + ink.name().toLowerCase(Locale.ROOT) + ":"
+                + String.format(Locale.ROOT, "#%06x", ink.color().getRGB() & 0xFFFFFF)).collect(Collectors.joining(";"));
+        int end = svg.indexOf('>') + 1;
+        return svg.substring(0, end).replace("<svg ", "<svg xmlns=\"http://www.w3.org/2000/svg\" ") + "<desc>" + Markup.escaped(text)
+                + "</desc><style>svg{" + inks + "}text{font-family:sans-serif}</style><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>"
+                + svg.substring(end) + "\n";
     }
 
     static double widthOf(String text) {

@@ -68,21 +68,32 @@ final class CurveSections {
     }
 
     private static void growth(Markup page, Growth growth) {
+        SceneSection.figure(page, "With " + growth.along(), "Time (ms) against " + growth.along() + "; " + growth.scene() + "."
+                + (hasFewEdits(growth) ? "" : " Grey: the other edits."), growth(growth));
+    }
+
+    private static boolean hasFewEdits(Growth growth) {
+        return edits(growth).count() <= TYPICAL.size();
+    }
+
+    private static Stream<String> edits(Growth growth) {
+        return growth.points().stream().flatMap(p -> p.edits().stream()).map(GrowthPoint.EditTime::edit).distinct();
+    }
+
+    /** The chart of one curve. */
+    static String growth(Growth growth) {
         List<CurveChart.Curve> curves = new ArrayList<>();
         curves.add(new CurveChart.Curve("full trace", Ink.TEXT, false,
                 points(growth.points().stream().map(p -> new double[] {p.at(), p.fullTrace().median()}))));
-        List<String> edits = growth.points().stream().flatMap(p -> p.edits().stream()).map(GrowthPoint.EditTime::edit).distinct()
-                .sorted(Comparator.comparing(TYPICAL::contains)).toList();
-        boolean few = edits.size() <= TYPICAL.size();
+        List<String> edits = edits(growth).sorted(Comparator.comparing(TYPICAL::contains)).toList();
+        boolean few = hasFewEdits(growth);
         for (String edit : edits) {
             boolean named = few || TYPICAL.contains(edit);
             Ink ink = few ? Ink.of(edits.indexOf(edit)) : named ? Ink.of(TYPICAL.indexOf(edit)) : Ink.PAPER;
             curves.add(new CurveChart.Curve(named ? edit : "", ink, false, points(growth.points().stream().flatMap(p -> p.edits().stream()
                     .filter(e -> e.edit().equals(edit)).map(e -> new double[] {p.at(), e.time().median()})))));
         }
-        SceneSection.figure(page, "With " + growth.along(), "Time (ms) against " + growth.along() + "; " + growth.scene() + "."
-                + (few ? "" : " Grey: the other edits."),
-                CurveChart.svg("Time against " + growth.along(), curves, WIDTH, HEIGHT, Numbers::tick, Numbers::tick));
+        return CurveChart.svg("Time against " + growth.along(), curves, WIDTH, HEIGHT, Numbers::tick, Numbers::tick);
     }
 
     /** Those that a chart can show. */

@@ -47,7 +47,7 @@ final class EditPictures {
             return;
         }
         String shape = String.format(Locale.ROOT, "aspect-ratio:%d/%d", scene.width(), scene.height());
-        int after = index(shown, Grade.EXACT, shown.size() - 1);
+        int after = index(shown, Grade.DEFAULT, index(shown, Grade.EXACT, shown.size() - 1));
         wipe(page, shown, differences, after, shape);
         side(page, shown, differences, after, shape);
     }

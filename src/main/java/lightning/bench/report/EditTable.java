@@ -12,24 +12,25 @@ final class EditTable {
     private EditTable() {}
 
     static void write(Markup page, SceneResult scene) {
-        try (Table table = new Table(page, "plans", "Each edit at grade exact: work of its first value, savings averaged over all values.",
+        try (Table table = new Table(page, "plans",
+                "Each edit at grade " + Grade.DEFAULT.label() + ": work of its first value, savings averaged over all values.",
                 "edit", "plan", "rows touched", "shadow rays", "avoided", "time", "full trace", "saves", "paper", "cap",
-                "saves with mirrors updated", "kept current", "above floor")) {
+                "saves with mirrors as they were", "updated afterwards", "above floor")) {
             scene.edits().forEach(edit -> row(table, edit));
         }
     }
 
     private static void row(Table table, EditResult edit) {
-        Optional<RungResult> exact = GradeSummary.first(edit, Grade.EXACT);
-        Optional<Work> work = exact.map(RungResult::work);
+        Optional<RungResult> shown = edit.first(Grade.DEFAULT);
+        Optional<Work> work = shown.map(RungResult::work);
         table.row(edit.edit(), work.map(Work::plan).orElse("–"), work.map(w -> Numbers.grouped(w.rowsTouched())).orElse("–"),
                 work.map(w -> Numbers.grouped(w.shadowRays())).orElse("–"),
                 work.map(w -> Numbers.grouped(w.shadowRaysAvoided())).orElse("–"),
-                exact.map(r -> Numbers.ms(r.time().median())).orElse("–"),
-                GradeSummary.first(edit, Grade.FULL_TRACE).map(r -> Numbers.ms(r.time().median())).orElse("–"),
+                shown.map(r -> Numbers.ms(r.time().median())).orElse("–"),
+                edit.first(Grade.FULL_TRACE).map(r -> Numbers.ms(r.time().median())).orElse("–"),
                 Numbers.percent(edit.saving()), Numbers.percent(edit.paperSaving()), Numbers.percent(edit.cap()),
-                Numbers.percent(GradeSummary.saving(edit, Grade.EXACT_UPDATED)),
-                Numbers.percent(GradeSummary.saving(edit, Grade.EXACT_CURRENT)),
+                Numbers.percent(edit.saving(Grade.EXACT)),
+                Numbers.percent(edit.saving(Grade.EXACT_UPDATED)),
                 work.filter(w -> !Double.isNaN(w.timesFloor())).map(w -> "×\u202f" + Numbers.plain(w.timesFloor())).orElse("–"));
     }
 }

@@ -24,7 +24,8 @@ final class EffectTable {
         try (Table table =
                 new Table(page, "edits", caption, "effect", "first pass", "noise", "moved light", "kept", "rays", "called for by")) {
             for (EffectResult effect : effects) {
-                table.row(effect.effect(), Numbers.ms(effect.firstMs()), "± " + Numbers.ms(effect.noiseMs()), Numbers.ms(effect.updateMs()),
+                table.row(effect.effect(), Numbers.ms(effect.certainFirstMs()), "± " + Numbers.ms(effect.noiseMs()),
+                        Numbers.ms(effect.certainUpdateMs()),
                         Numbers.bytes(effect.bytes()), Numbers.grouped(effect.rays()), callers(effect));
             }
         }

@@ -5,11 +5,9 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import lightning.accuracy.Grade;
 import lightning.accuracy.PictureError;
-import lightning.bench.EditResult;
 import lightning.bench.RungResult;
 import lightning.bench.SceneResult;
 
@@ -41,17 +39,6 @@ record GradeSummary(Grade grade, List<RungResult> rungs) {
         page.close();
     }
 
-    /** A grade of an edit's first value. */
-    static Optional<RungResult> first(EditResult edit, Grade grade) {
-        return edit.values().stream().flatMap(value -> value.rungs().stream()).filter(rung -> rung.grade() == grade).findFirst();
-    }
-
-    /** What a grade saves, the average of an edit's values; NaN where it was not measured. */
-    static double saving(EditResult edit, Grade grade) {
-        return edit.values().stream().flatMap(value -> value.rungs().stream()).filter(rung -> rung.grade() == grade)
-                .mapToDouble(RungResult::saving).average().orElse(Double.NaN);
-    }
-
     LadderChart.Point point() {
         return new LadderChart.Point(grade, median(r -> r.time().lowerQuartile()), median(r -> r.time().median()),
                 median(r -> r.time().upperQuartile()), worst(PictureError::rmse));
@@ -71,9 +58,10 @@ record GradeSummary(Grade grade, List<RungResult> rungs) {
         return median(r -> r.time().median());
     }
 
-    /** The median of what is saved, percent of the full trace. */
+    /** The median of what is saved, percent of the full trace; where it is not certain of an edit, that counts as the least. */
     double saving() {
-        return median(RungResult::saving);
+        double saving = median(rung -> Double.isNaN(rung.saving()) ? Double.NEGATIVE_INFINITY : rung.saving());
+        return Double.isInfinite(saving) ? Double.NaN : saving;
     }
 
     /** The largest root mean square error. */

@@ -52,7 +52,7 @@ enum Ink {
         return switch (grade) {
             case HALF_RESOLUTION -> ORANGE;
             case FAST_SHADING -> RED;
-            case FEW_SAMPLES -> MUTED;
+            case FEW_SAMPLES, NO_ANTIALIASING -> MUTED;
             case RATIO -> PURPLE;
             case EXACT -> SKY;
             case EXACT_UPDATED -> GREEN;

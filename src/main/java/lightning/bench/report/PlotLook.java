@@ -86,6 +86,7 @@ final class PlotLook {
             case HALF_RESOLUTION -> new Rectangle2D.Double(-4, -4, 8, 8);
             case FAST_SHADING -> polygon(0, -5, 5, 4, -5, 4);
             case FEW_SAMPLES -> polygon(-6, 0, 0, -3, 6, 0, 0, 3);
+            case NO_ANTIALIASING -> polygon(-6, -3, 0, 0, 6, -3, 6, 3, 0, 0, -6, 3);
             case RATIO -> polygon(0, -5.5, 5.5, 0, 0, 5.5, -5.5, 0);
             case EXACT -> new Ellipse2D.Double(-4, -4, 8, 8);
             case EXACT_UPDATED -> polygon(0, 5, 5, -4, -5, -4);

@@ -24,7 +24,17 @@ public final class Report {
      * @throws IOException if the file cannot be written
      */
     public static void write(Results results, Path folder) throws IOException {
-        byte[] page = html(results, folder).getBytes(StandardCharsets.UTF_8);
+        write(results, folder, folder);
+    }
+
+    /**
+     * The same with pictures of another folder.
+     *
+     * @param pictures the folder that the pictures' names in the results are relative to
+     * @throws IOException if the file cannot be written
+     */
+    public static void write(Results results, Path pictures, Path folder) throws IOException {
+        byte[] page = html(results, pictures).getBytes(StandardCharsets.UTF_8);
         SafeFile.write(folder.resolve(FILE), out -> out.write(page));
     }
 

@@ -1,6 +1,7 @@
 package lightning.bench.report;
 
 import lightning.bench.FirstPass;
+import lightning.bench.Load;
 import lightning.bench.Machine;
 import lightning.bench.Results;
 import lightning.bench.Run;
@@ -25,17 +26,30 @@ final class RunSection {
 
     private static void facts(Markup page, Run run) {
         Machine machine = run.machine();
-        page.leaf("p", run.date() + " · commit " + run.commit() + " · " + machine.system() + ", " + machine.processors()
-                + " processors, " + machine.vectorBits() + "-bit vectors, " + Numbers.bytes(machine.memoryBytes()) + " · "
-                + machine.java() + " · " + run.threads() + " threads · memory " + Numbers.plain(run.triadGBs()) + " GB/s", "class",
+        page.leaf("p",
+                run.date() + " · commit " + run.commit() + " · " + machine.system() + ", " + machine.processor() + ", "
+                        + machine.processors()
+                        + " processors, " + machine.vectorBits() + "-bit vectors, " + Numbers.bytes(machine.memoryBytes()) + " · "
+                        + machine.java() + " · " + run.threads() + " threads · memory " + Numbers.plain(run.triadGBs()) + " GB/s",
+                "class",
                 "facts");
+        page.leaf("p", load(run), "class", run.load().isBusy(machine.processors()) ? "note" : "facts");
         if (run.quick()) {
             page.leaf("p", "A quick run: few scenes, sizes and repetitions. Its numbers show the way, no more.", "class", "note");
         }
         if (!run.complete()) {
-            page.leaf("p", "The run was cancelled after " + Numbers.plain(run.actualSeconds())
-                    + " s. Below is what had been measured until then.", "class", "note");
+            page.leaf("p", "The run had not ended after " + Numbers.plain(run.actualSeconds())
+                    + " s: it was cancelled then, or is still at work. Below is what had been measured.", "class", "note");
         }
+    }
+
+    /** What other work did to the run. */
+    private static String load(Run run) {
+        Load load = run.load();
+        String facts =
+                "load average " + Numbers.plain(load.atStart()) + " before, " + Numbers.plain(load.atEnd()) + " at the end; other work had "
+                        + Numbers.percent(100 * load.others()) + " of the processors' time";
+        return load.isBusy(run.machine().processors()) ? "This machine was busy: " + facts + ". Its times say little." : facts;
     }
 
     private static void links(Markup page, Results results) {
@@ -98,13 +112,19 @@ final class RunSection {
                 : "never";
     }
 
+    private static String samples(Run run) {
+        return run.repetitions() == 1 ? "one sample each and nothing warmed up: a look, and no measurement."
+                : run.repetitions() + " samples each, after warming up until no work becomes faster, or patience ends.";
+    }
+
     static void writeMethod(Markup page, Run run) {
         page.open("section", "id", "method");
         page.leaf("h2", "How it was measured");
         page.leaf("p", "Each edit's grades of accuracy and the full trace run in turns, again and again, so that whatever slows the "
-                + "machine for a while slows all of them; " + run.repetitions() + " samples each, after warming up until no work "
-                + "becomes faster. Times are medians, whiskers quartiles. No grade is timed before its picture was compared with a "
-                + "trace from nothing. A saving is what an edit spares of the time of the traditional full trace, the fastest that "
+                + "machine for a while slows all of them; " + samples(run)
+                + " Times are medians, whiskers quartiles. No grade is timed before its picture was compared with a "
+                + "trace from nothing. Where the quartiles of an edit and of the full trace overlap, or there are fewer than three samples, no "
+                + "saving is given. A saving is what an edit spares of the time of the traditional full trace, the fastest that "
                 + "the program can make, which keeps nothing; the paper's are of its own scene on a computer of 1998.");
         page.leaf("p", "The cap is what an edit could save if it cast its rays as fast as the full trace casts its own and moved its "
                 + "bytes at the speed of memory; the floor is the time of those bytes at the bandwidth measured in this run. Errors "

@@ -56,6 +56,16 @@ final class SceneSection {
     }
 
     private static void shares(Markup page, SceneResult scene) {
+        figure(page, "The paper's figures, redrawn",
+                "Time of each edit in percent of the full trace's: shorter is better. Where times scatter too much to "
+                        + "say, there is no bar.",
+                shares(scene),
+                Ink.PAPER, "the paper, 1998, on its own scene", Ink.OURS, "grade " + Grade.DEFAULT.label() + ", the default", Ink.SKY,
+                "grade " + Grade.EXACT.label() + ", mirrors as they were", Ink.TEXT, "tick: least that ray counts and memory allow");
+    }
+
+    /** The chart of the paper's edits. */
+    static String shares(SceneResult scene) {
         List<ShareChart.Bar> bars = new ArrayList<>();
         if (scene.firstPass() != null) {
             bars.add(new ShareChart.Bar("first pass", scene.scene().equals(PAPER_SCENE) ? PAPER_FIRST_PASS : Double.NaN,
@@ -64,26 +74,27 @@ final class SceneSection {
         for (EditResult edit : scene.edits()) {
             if (!edit.figure().isEmpty()) {
                 bars.add(new ShareChart.Bar(edit.edit() + " (" + edit.figure() + ")", 100 - edit.paperSaving(), 100 - edit.saving(),
-                        100 - GradeSummary.saving(edit, Grade.EXACT_UPDATED), 100 - edit.cap()));
+                        100 - edit.saving(Grade.EXACT), 100 - edit.cap()));
             }
         }
-        figure(page, "The paper's figures, redrawn", "Time of each edit in percent of the full trace's: shorter is better.",
-                ShareChart.svg("Time of each edit beside the paper's", bars),
-                Ink.PAPER, "the paper, 1998, on its own scene", Ink.OURS, "grade exact, mirrors as they were", Ink.SKY,
-                "mirrors updated too", Ink.TEXT, "tick: least that ray counts and memory allow");
+        return ShareChart.svg("Time of each edit beside the paper's", bars);
     }
 
     private static void ladder(Markup page, List<GradeSummary> grades) {
         figure(page, "What accuracy costs", "Error (RMSE, the largest of all edits) against time (ms, median of all edits). "
                 + "Dashed: the front of Pareto; a grade off it is beaten in both.",
-                LadderChart.svg("Error against time of each grade of accuracy", grades.stream().map(GradeSummary::point).toList(), 550,
-                        330));
+                ladder(grades));
+    }
+
+    /** The chart of error against time. */
+    static String ladder(List<GradeSummary> grades) {
+        return LadderChart.svg("Error against time of each grade of accuracy", grades.stream().map(GradeSummary::point).toList(), 550, 330);
     }
 
     private static void floors(Markup page, SceneResult scene) {
         List<FloorChart.Row> rows = new ArrayList<>();
         for (EditResult edit : scene.edits()) {
-            GradeSummary.first(edit, Grade.EXACT).filter(rung -> rung.work() != null).ifPresent(rung -> {
+            edit.first(Grade.DEFAULT).filter(rung -> rung.work() != null).ifPresent(rung -> {
                 if (Charts.plausible(rung.work().floorMs()) && Charts.plausible(rung.time().median())) {
                     rows.add(new FloorChart.Row(edit.edit(), rung.work().floorMs(), rung.time().median()));
                 }
@@ -91,7 +102,7 @@ final class SceneSection {
         }
         if (!rows.isEmpty()) {
             figure(page, "How far above the floor",
-                    "Time of each edit (ms, grade exact) beside the time that memory needs to move its bytes.",
+                    "Time of each edit (ms, grade " + Grade.DEFAULT.label() + ") beside the time that memory needs to move its bytes.",
                     FloorChart.svg("Time of each edit beside its memory floor", rows),
                     Ink.OURS, "measured, and how many times the floor", Ink.TEXT, "tick: the floor");
         }

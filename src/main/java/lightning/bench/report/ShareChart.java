@@ -25,17 +25,18 @@ final class ShareChart {
     private static final int WIDTH = 550;
     private static final int ROW = 44;
     private static final int AXIS = 26;
-    private static final double MOST = 250;
+    /** About so many ticks, at steps of 1, 2 or 5 and zeros. */
+    private static final int TICKS = 6;
 
     /**
      * One edit. Shares are percent of the full trace's time; NaN where there is none.
      *
      * @param paper   the paper's
-     * @param ours    with mirrors as they were
-     * @param updated with mirrors updated
+     * @param ours    at the default grade
+     * @param stale   with mirrors as they were
      * @param least   what ray counts and memory allow
      */
-    record Bar(String name, double paper, double ours, double updated, double least) {}
+    record Bar(String name, double paper, double ours, double stale, double least) {}
 
     private ShareChart() {}
 
@@ -46,15 +47,15 @@ final class ShareChart {
         for (Bar bar : bars) {
             put(shares, bar.paper, "paper", bar.name);
             put(shares, bar.ours, "ours", bar.name);
-            put(shares, bar.updated, "updated", bar.name);
+            put(shares, bar.stale, "stale", bar.name);
             put(least, Double.NaN, "paper", bar.name);
             put(least, bar.least, "ours", bar.name);
-            put(least, Double.NaN, "updated", bar.name);
-            most = Math.max(most, Math.max(nonNaN(bar.paper), Math.max(nonNaN(bar.ours), nonNaN(bar.updated))));
+            put(least, Double.NaN, "stale", bar.name);
+            most = Math.max(most, Math.max(nonNaN(bar.paper), Math.max(nonNaN(bar.ours), nonNaN(bar.stale))));
         }
         NumberAxis axis = new NumberAxis();
-        axis.setRange(0, Math.min(most, MOST) * 1.2);
-        axis.setTickUnit(new NumberTickUnit(most > 150 ? 50 : 20, NumberFormat.getIntegerInstance(Locale.ROOT)));
+        axis.setRange(0, most * 1.2);
+        axis.setTickUnit(new NumberTickUnit(unit(most), NumberFormat.getIntegerInstance(Locale.ROOT)));
         CategoryPlot plot = PlotLook.rows(axis);
         plot.setDataset(0, shares);
         plot.setRenderer(0, bars());
@@ -63,6 +64,12 @@ final class ShareChart {
         plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
         plot.addRangeMarker(new ValueMarker(100, Ink.MUTED.color(), PlotLook.HAIRLINE));
         return ChartSvg.of(PlotLook.chart(plot), WIDTH, AXIS + ROW * bars.size(), label);
+    }
+
+    private static double unit(double most) {
+        double decade = Math.pow(10, Math.floor(Math.log10(most / TICKS)));
+        double steps = most / TICKS / decade;
+        return decade * (steps > 5 ? 10 : steps > 2 ? 5 : steps > 1 ? 2 : 1);
     }
 
     private static BarRenderer bars() {

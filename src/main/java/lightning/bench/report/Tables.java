@@ -1,9 +1,11 @@
 package lightning.bench.report;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -15,6 +17,7 @@ import lightning.bench.EffectResult;
 import lightning.bench.Growth;
 import lightning.bench.GrowthPoint;
 import lightning.bench.Results;
+import lightning.bench.Run;
 import lightning.bench.RungResult;
 import lightning.bench.Samples;
 import lightning.bench.SceneResult;
@@ -29,7 +32,8 @@ public final class Tables {
 
     /** The names of all tables. */
     public static List<String> names() {
-        return List.of("run", "scenes", "savings", "ladder", "composing", "drift", "growth", "editing", "meshes", "rays", "effects in use",
+        return List.of("scenes", "savings", "savings in short", "ladder", "previews", "composing", "drift", "growth", "editing", "meshes",
+                "rays", "effects in use",
                 "effects absent",
                 "peer",
                 "cold");
@@ -42,10 +46,11 @@ public final class Tables {
      */
     public String of(String name) {
         return switch (name) {
-            case "run" -> run();
             case "scenes" -> scenes();
             case "savings" -> savings();
+            case "savings in short" -> savingsInShort();
             case "ladder" -> ladder();
+            case "previews" -> previews();
             case "composing" -> floors();
             case "drift" -> drift();
             case "growth" -> growth();
@@ -58,13 +63,6 @@ public final class Tables {
             case "cold" -> cold();
             default -> throw new IllegalArgumentException("there is no table '" + name + "'");
         };
-    }
-
-    private String run() {
-        var run = results.run();
-        return table(List.of("processors", "vector bits", "threads", "samples of each work", "memory bandwidth GB/s"),
-                Stream.of(List.of(Integer.toString(run.machine().processors()), Integer.toString(run.machine().vectorBits()),
-                        Integer.toString(run.threads()), Integer.toString(run.repetitions()), number(run.triadGBs()))));
     }
 
     private String scenes() {
@@ -92,6 +90,70 @@ public final class Tables {
         }));
     }
 
+    /** The edits of which the first page speaks, and what it calls them. */
+    private static final Map<String, String> IN_SHORT = new LinkedHashMap<>();
+
+    static {
+        List.of("color", "intensity", "attenuation", "ambience", "angle-smaller", "angle-larger", "dropoff", "delete", "position",
+                "direction",
+                "type", "add").forEach(edit -> IN_SHORT.put(edit, edit.replace('-', ' ')));
+        IN_SHORT.put("material-color", "a material's color");
+        IN_SHORT.put("shininess", "shininess");
+    }
+
+    /** What the default grade saves of each edit, and the rays that it casts on the first scene. */
+    private String savingsInShort() {
+        List<SceneResult> scenes = large().toList();
+        List<String> head = new ArrayList<>(List.of("edit"));
+        scenes.forEach(s -> head.add("`" + s.scene() + "`, " + s.lights() + " lights: saves"));
+        head.add("the paper, 1998");
+        head.add("shadow rays (" + (scenes.isEmpty() ? "" : "`" + scenes.getFirst().scene() + "`") + ")");
+        return table(head, edits(scenes).filter(edit -> IN_SHORT.containsKey(edit.edit()))
+                .sorted(Comparator.comparingInt(edit -> List.copyOf(IN_SHORT.keySet()).indexOf(edit.edit()))).map(edit -> {
+                    List<String> row = new ArrayList<>(List.of(IN_SHORT.get(edit.edit())));
+                    scenes.forEach(s -> row.add(of(s, edit.edit(), e -> percent(e.saving(), "%.1f"))));
+                    row.add(percent(edit.paperSaving(), "%.0f"));
+                    row.add(scenes.isEmpty() ? "–" : of(scenes.getFirst(), edit.edit(), e -> e.first(Grade.DEFAULT)
+                            .filter(rung -> rung.work() != null).map(rung -> grouped(rung.work().shadowRays())).orElse("–")));
+                    return row;
+                }));
+    }
+
+    private static String percent(double value, String pattern) {
+        return Double.isNaN(value) ? "–" : String.format(Locale.ROOT, pattern, value) + " %";
+    }
+
+    private static String grouped(long value) {
+        return String.format(Locale.ROOT, "%,d", value).replace(',', ' ');
+    }
+
+    /** An edit that only composes and one that casts rays, by what other editors offer while a light is dragged. */
+    private String previews() {
+        List<Grade> grades = List.of(Grade.HALF_RESOLUTION, Grade.FAST_SHADING, Grade.DEFAULT, Grade.FULL_TRACE);
+        List<String> head = new ArrayList<>(List.of("scene", "edit"));
+        grades.forEach(grade -> head.add(grade.label() + " ms"));
+        return table(head, large().flatMap(s -> s.edits().stream().filter(e -> List.of("color", "position").contains(e.edit())).map(e -> {
+            List<String> row = new ArrayList<>(List.of(s.scene(), e.edit()));
+            grades.forEach(grade -> row.add(e.first(grade).map(rung -> number(rung.time().median())).orElse("–")));
+            return row;
+        })));
+    }
+
+    /**
+     * A row for each run that results were kept of.
+     *
+     * @param runs by the names of their parts
+     */
+    public static String runs(Map<String, Run> runs) {
+        return table(List.of("part", "began (UTC)", "minutes", "samples of each work", "memory bandwidth GB/s", "load average before",
+                "processor time that others had %", "quiet"), runs.entrySet().stream().map(entry -> {
+                    Run run = entry.getValue();
+                    return List.of(entry.getKey(), run.date(), number(run.actualSeconds() / 60), Integer.toString(run.repetitions()),
+                            number(run.triadGBs()), number(run.load().atStart()), number(100 * run.load().others()),
+                            run.load().isBusy(run.machine().processors()) ? "**no**" : "yes");
+                }));
+    }
+
     /** Each kind of edit once. */
     private static Stream<EditResult> edits(List<SceneResult> scenes) {
         return scenes.stream().flatMap(s -> s.edits().stream())
@@ -110,8 +172,9 @@ public final class Tables {
 
     private String floors() {
         return table(List.of("scene", "edit", "ms", "floor ms", "times the floor"), large().flatMap(s -> s.edits().stream()
-                .filter(e -> List.of("color", "attenuation", "position").contains(e.edit())).map(e -> {
-                    RungResult exact = e.values().getFirst().rung(Grade.EXACT);
+                .filter(e -> List.of("color", "attenuation", "position").contains(e.edit()) && e.first(Grade.DEFAULT).isPresent())
+                .map(e -> {
+                    RungResult exact = e.first(Grade.DEFAULT).orElseThrow();
                     return List.of(s.scene(), e.edit(), number(exact.time().median()), number(exact.work().floorMs()),
                             number(exact.work().timesFloor()));
                 })));
@@ -162,7 +225,8 @@ public final class Tables {
     }
 
     private static List<String> row(SceneResult scene, EffectResult e) {
-        return List.of(scene.scene(), e.effect(), number(e.firstMs()), number(e.noiseMs()), number(e.updateMs()), number(e.bytes() / 1e6),
+        return List.of(scene.scene(), e.effect(), number(e.certainFirstMs()), number(e.noiseMs()), number(e.certainUpdateMs()),
+                number(e.bytes() / 1e6),
                 number(e.rays() / 1e6));
     }
 

@@ -59,7 +59,7 @@ class AccuracyPaneTest extends EditorDesk {
         assertThat(text("accuracy-edit")).isEqualTo("The edits that are not rendered yet");
         measure();
         assertThat(table().getItems()).extracting(Rung::grade)
-                .containsExactlyElementsOf(EnumSet.complementOf(EnumSet.of(Grade.FEW_SAMPLES)));
+                .containsExactlyElementsOf(EnumSet.complementOf(EnumSet.of(Grade.FEW_SAMPLES, Grade.NO_ANTIALIASING)));
         assertThat(text("accuracy-edit")).isEqualTo("lamp: weight · 64 × 48 pixels");
         Rung exact = rung(Grade.EXACT);
         assertThat(exact.film().sameBits(new ReferenceTracer(model().scene(), before).trace())).isTrue();

@@ -1,0 +1,33 @@
+package lightning.bench.report;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import lightning.bench.Growth;
+import lightning.bench.Results;
+import lightning.bench.SceneResult;
+
+/** The charts of a run as files, for documents; each names the build that was measured. */
+public final class DocumentCharts {
+    /** Its mirrors show mirrors: the grades are far apart. */
+    private static final String SCENE = "balls";
+
+    private DocumentCharts() {}
+
+    /** The charts by the names of their files: savings and grades of one scene, and what times grow with. */
+    public static Map<String, String> of(Results results) {
+        Map<String, String> charts = new LinkedHashMap<>();
+        String build = "build " + results.run().commit() + ", " + results.run().date();
+        results.scenes().stream().filter(s -> s.scene().equals(SCENE) && !s.edits().isEmpty()).findFirst().ifPresent(scene -> {
+            charts.put("results-savings.svg", ChartSvg.file(SceneSection.shares(scene), title(scene, build)));
+            charts.put("results-ladder.svg", ChartSvg.file(SceneSection.ladder(GradeSummary.of(scene)), title(scene, build)));
+        });
+        for (Growth growth : results.growth()) {
+            charts.put("results-growth-" + growth.along() + ".svg", ChartSvg.file(CurveSections.growth(growth), build));
+        }
+        return charts;
+    }
+
+    private static String title(SceneResult scene, String build) {
+        return SceneSection.title(scene) + ", " + build;
+    }
+}
