@@ -115,12 +115,12 @@ public final class SafeFile {
 
     /** The same as {@link #write(Content)} for content that is not written from its beginning to its end. */
     public void writeAnywhere(Anywhere content) throws IOException {
-        put(content);
+        putAnywhere(content);
     }
 
     /** The same for content that is written by the name of a file, which is another one until it is complete. */
     public void writeByName(ByName content) throws IOException {
-        put((ByName) temporary -> {
+        replace(temporary -> {
             Permissions.OWNER_ONLY.create(temporary);
             content.writeTo(temporary);
             try (NamedChannel channel = named(temporary)) {
@@ -130,18 +130,18 @@ public final class SafeFile {
     }
 
     private FileState put(Content content) throws IOException {
-        return put((Anywhere) channel -> {
+        return putAnywhere(channel -> {
             var out = new BufferedOutputStream(new Unclosed(Channels.newOutputStream(channel)), 1 << 16);
             content.writeTo(out);
             out.flush();
         });
     }
 
-    private FileState put(Anywhere content) throws IOException {
-        return put((ByName) temporary -> fill(temporary, content));
+    private FileState putAnywhere(Anywhere content) throws IOException {
+        return replace(temporary -> fill(temporary, content));
     }
 
-    private FileState put(ByName content) throws IOException {
+    private FileState replace(ByName content) throws IOException {
         Path file = destination();
         TemporaryFile.removeLeftIn(file.getParent());
         Path temporary = TemporaryFile.in(file.getParent());

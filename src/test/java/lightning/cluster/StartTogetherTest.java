@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import lightning.shot.RelitShot;
 import lightning.shot.ShotListener;
@@ -45,7 +46,7 @@ final class StartTogetherTest {
         List<Double> seconds = new ArrayList<>();
         for (int start = 0; start < STARTS; start++) {
             seconds.add(start(name + " " + start, all));
-            System.out.printf("%s: start %d: %.1f s%n", name, start + 1, seconds.getLast());
+            System.out.printf(Locale.ROOT, "%s: start %d: %.1f s%n", name, start + 1, seconds.getLast());
         }
         assertThat(seconds).allMatch(s -> s <= MOST_SECONDS);
     }
