@@ -41,6 +41,10 @@ public final class TlsNetwork implements Network {
     private static final int SHORT_BYTES = 4096;
     private static final int HANDSHAKE_MILLISECONDS = 5000;
     private static final int JOIN_MILLISECONDS = 2000;
+    /** Attempts to join before a member starts a part of its own. JGroups' 10 block 20 s where the coordinator it found has gone. */
+    private static final int JOIN_ATTEMPTS = 2;
+    /** Limit of a merge. One that includes a member that does not answer takes all of it and is repeated. */
+    private static final int MERGE_MILLISECONDS = 2000;
     /** Questions to the hosts within that time. */
     private static final int DISCOVERIES = 4;
 
@@ -131,6 +135,8 @@ public final class TlsNetwork implements Network {
     private static GMS membership() {
         GMS membership = new GMS();
         membership.setJoinTimeout(JOIN_MILLISECONDS);
+        membership.setMaxJoinAttempts(JOIN_ATTEMPTS);
+        membership.setMergeTimeout(MERGE_MILLISECONDS);
         membership.printLocalAddress(false);
         return membership;
     }
