@@ -85,8 +85,10 @@ public final class PaperCases {
                 l -> l.withDirection(pick(framing.vector(1, -1, 0.7), framing.vector(-1, -1, 0.3), framing.vector(0.3, -1, -0.6))));
         edit("type", "Fig. 15", 82, pick(LightType.DIRECTIONAL, LightType.DIRECTIONAL, LightType.POINT), this::retyped);
         shining(TYPES[value]).ifPresent(l -> add("delete", "Fig. 17", 95, without(l)));
-        add("add", "Fig. 19", 71, with(Light.of(freshName(), TYPES[value]).withIntensity(0.3).withPosition(framing.point(-1, 2, 1))
-                .withDirection(framing.vector(0.8, -1, -0.8))));
+        if (scene.lights().size() < Limits.MAX_LIGHTS) {
+            add("add", "Fig. 19", 71, with(Light.of(freshName(), TYPES[value]).withIntensity(0.3).withPosition(framing.point(-1, 2, 1))
+                    .withDirection(framing.vector(0.8, -1, -0.8))));
+        }
         add("ambience", "Fig. 21", 98, scene.withWorld(scene.world().withAmbience(
                 Math.min(scene.world().ambience() * pick(0.1, 0.5, 2.0), Limits.MAX_AMBIENCE))));
         edit("position-feet", "Fig. 23", 82, LightType.POINT,

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.fulltrace.TraditionalTracer;
 import lightning.math.Rgb;
@@ -23,6 +24,7 @@ import lightning.relight.tile.Options;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Limits;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
@@ -51,6 +53,13 @@ class PaperCasesTest {
                 "undo", "depth-less", "depth-more", "spot-turned", "point-to-spot", "material-color", "shininess", "reflectivity",
                 "mirror-off", "mirror-on", "texture-off", "texture-on", "shape-moved", "shape-turned", "shape-scaled", "shape-hidden",
                 "shape-shown");
+    }
+
+    @Test
+    void sceneOfAsManyLightsAsAllowed_hasNoneToAdd() {
+        Scene bird = SceneFiles.read("bird");
+        List<Light> lights = IntStream.range(0, Limits.MAX_LIGHTS).mapToObj(i -> Light.of("l" + i, LightType.POINT)).toList();
+        assertThat(PaperCases.of(bird.withLights(lights))).extracting(PaperCase::name).contains("position").doesNotContain("add");
     }
 
     @Test
