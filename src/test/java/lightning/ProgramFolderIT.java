@@ -107,7 +107,7 @@ class ProgramFolderIT {
         assertThat(folder.resolve("frames/dusk-0020.png")).isNotEmptyFile();
         assertThat(said(Path.of(System.getProperty("java.home")), "export", "scenes/balls.jen", "-o", "balls.pov"))
                 .doesNotContain("Exception");
-        assertThat(folder.resolve("wood.png")).as("a texture beside the export").exists();
+        assertThat(folder.resolve("balls-checker_png.png")).as("a texture beside the export").exists();
     }
 
     @Test
