@@ -28,6 +28,8 @@ public final class Machines implements Network.Listener, AutoCloseable {
 
     /** After so long without a node, which parts of a cluster need at most to find each other. */
     private static final long ALONE_NANOSECONDS = 15_000_000_000L;
+    /** Others that were just seen have so long to answer before this process takes part anew. */
+    private static final long ANSWER_NANOSECONDS = 5_000_000_000L;
 
     private final Network network;
     private final String release;
@@ -38,8 +40,8 @@ public final class Machines implements Network.Listener, AutoCloseable {
     /** By member: sessions that were offered and not taken yet. */
     private final Map<Member, UUID> offered = new HashMap<>();
     private final Map<Member, Held> held = new HashMap<>();
-    /** When there was a node last; of the timer's thread. */
-    private long seen = System.nanoTime();
+    /** When to take part anew unless there is a node before. */
+    private long rejoinAt = System.nanoTime() + ALONE_NANOSECONDS;
 
     /** A node in use, and when it was heard last. */
     private static final class Held {
@@ -88,11 +90,8 @@ public final class Machines implements Network.Listener, AutoCloseable {
         synchronized (this) {
             all = Map.copyOf(held);
         }
-        if (!all.isEmpty()) {
-            seen = System.nanoTime();
-        } else if (System.nanoTime() - seen > ALONE_NANOSECONDS) {
+        if (isRejoinDue(!all.isEmpty())) {
             network.rejoin();
-            seen = System.nanoTime();
         }
         all.forEach((member, node) -> {
             if (System.nanoTime() - node.heard > SILENCE_NANOSECONDS) {
@@ -102,6 +101,15 @@ public final class Machines implements Network.Listener, AutoCloseable {
             }
         });
         hello();
+    }
+
+    private synchronized boolean isRejoinDue(boolean hasNodes) {
+        long now = System.nanoTime();
+        boolean due = !hasNodes && now - rejoinAt > 0;
+        if (hasNodes || due) {
+            rejoinAt = now + ALONE_NANOSECONDS;
+        }
+        return due;
     }
 
     /** What the node held is lost; another session is offered to it. */
@@ -119,6 +127,10 @@ public final class Machines implements Network.Listener, AutoCloseable {
     public void changed(Set<Member> others) {
         List<RemoteKeeper> gone = new ArrayList<>();
         synchronized (this) {
+            long answered = System.nanoTime() + ANSWER_NANOSECONDS;
+            if (!others.isEmpty() && answered - rejoinAt > 0) {
+                rejoinAt = answered;
+            }
             offered.keySet().retainAll(others);
             for (Member lost : new HashSet<>(held.keySet())) {
                 if (!others.contains(lost)) {
